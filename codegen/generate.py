@@ -1,0 +1,72 @@
+"""Write ``generated/``: one module a method, a file only when its text changes.
+
+Input: the records of the methods.  Output: the folder, complete and with nothing else.
+"""
+
+import os
+import tempfile
+from pathlib import Path
+
+from . import METHODS, derive
+from .emit import module_source
+
+#: The folder of the generated modules, beside the folder of this file.
+FOLDER = Path(__file__).resolve().parent.parent / "generated"
+
+INIT = '''"""Kernels of the three methods, one module each, written by ``nonsmooth generate``."""
+'''
+
+
+def sources() -> dict[str, str]:
+    """Derive every method and return the text of each generated file, by name."""
+    files = {"__init__.py": INIT}
+    for method in METHODS:
+        files[f"{method.replace('-', '_')}.py"] = module_source(derive(method))
+    return files
+
+
+def _present(folder: Path) -> dict[str, str]:
+    return {path.name: path.read_text("utf-8") for path in sorted(folder.glob("*.py"))}
+
+
+def differences(folder: Path = FOLDER) -> list[str]:
+    """Return what `folder` and a fresh derivation do not agree on, a line each."""
+    fresh, present = sources(), _present(folder)
+    missing = [f"{name}: missing" for name in fresh.keys() - present.keys()]
+    extra = [f"{name}: not generated" for name in present.keys() - fresh.keys()]
+    common = fresh.keys() & present.keys()
+    changed = [f"{name}: differs" for name in common if fresh[name] != present[name]]
+    return sorted(missing + extra + changed)
+
+
+def write(folder: Path = FOLDER) -> list[str]:
+    """Bring `folder` up to date and return what changed, a line each.
+
+    Raises
+    ------
+    OSError
+        If the folder cannot be written.
+    """
+    fresh, present = sources(), _present(folder)
+    changes = []
+    for name, text in fresh.items():
+        if present.get(name) != text:
+            _replace(folder / name, text)
+            changes.append(f"{name}: written")
+    for name in sorted(present.keys() - fresh.keys()):
+        (folder / name).unlink()
+        changes.append(f"{name}: removed")
+    return changes
+
+
+def _replace(path: Path, text: str) -> None:
+    """Write `path` whole or not at all."""
+    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise

@@ -1,0 +1,1 @@
+"""Kernels of the three methods, one module each, written by ``nonsmooth generate``."""

@@ -1,0 +1,12 @@
+"""Types of the arrays that cross module borders."""
+
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+#: One-dimensional array of float64.
+Vector: TypeAlias = npt.NDArray[np.float64]
+
+#: Two-dimensional array of float64.
+Matrix: TypeAlias = npt.NDArray[np.float64]

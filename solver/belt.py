@@ -1,0 +1,146 @@
+"""The oscillator of Section 2 in numbers: parameters, units, the one number `alpha`."""
+
+import math
+import numbers
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from types import MappingProxyType
+
+#: Unit of each parameter, and what it must be.
+PARAMETERS: Mapping[str, tuple[str, str]] = MappingProxyType(
+    {
+        "mass": ("kg", "a positive number"),
+        "stiffness": ("N/m", "a positive number"),
+        "belt_speed": ("m/s", "a positive number"),
+        "mu_s": ("", "a positive number"),
+        "mu_k": ("", "a number not below 0"),
+        "normal_force": ("N", "a positive number"),
+    }
+)
+
+
+class ParameterError(ValueError):
+    """Parameters that are no stick-slip oscillator; `errors` names each one."""
+
+    def __init__(self, errors: list[str]) -> None:
+        super().__init__("; ".join(errors))
+        self.errors = tuple(errors)
+
+
+def _is_number(value: object) -> bool:
+    """Whether `value` is a finite real number that a float can hold; a bool is not."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        return False
+    try:
+        return math.isfinite(float(value))
+    except OverflowError:
+        return False
+
+
+def parameter_errors(parameters: Mapping[str, object]) -> list[str]:
+    """Return what is wrong with `parameters`, one line each; empty if nothing is."""
+    errors = []
+    numeric: dict[str, float] = {}
+    for name, value in parameters.items():
+        expected = PARAMETERS[name][1]
+        limit = 0.0 if name == "mu_k" else math.ulp(0.0)
+        if _is_number(value) and float(value) >= limit:  # type: ignore[arg-type]
+            numeric[name] = float(value)  # type: ignore[arg-type]
+        else:
+            errors.append(f"{name}: got {value!r}, expected {expected}")
+    if {"mu_s", "mu_k"} <= numeric.keys() and numeric["mu_k"] >= numeric["mu_s"]:
+        errors.append(
+            f"mu_k: got {numeric['mu_k']!r}, expected less than mu_s = {numeric['mu_s']!r}; "
+            "without a drop from static to kinetic friction there is no stick-slip"
+        )
+    return errors
+
+
+@dataclass(frozen=True, kw_only=True)
+class StickSlip:
+    """A mass on a moving belt, held by a spring, with Coulomb friction (Fig. 1).
+
+    Parameters
+    ----------
+    mass : float
+        ``M`` in kg.
+    stiffness : float
+        ``K`` in N/m.
+    belt_speed : float
+        ``V`` in m/s.
+    mu_s, mu_k : float
+        Static and kinetic coefficient of friction, ``0 <= mu_k < mu_s``.
+    normal_force : float
+        ``F_N`` in N.
+
+    Raises
+    ------
+    ParameterError
+        A `ValueError`: if a parameter is not a finite number in its range; all of them
+        are named at once.
+
+    Examples
+    --------
+    >>> belt = StickSlip(mass=10, stiffness=1000, belt_speed=1,
+    ...                  mu_s=0.5, mu_k=0.25, normal_force=400)
+    >>> belt.alpha
+    1.0
+    """
+
+    mass: float
+    stiffness: float
+    belt_speed: float
+    mu_s: float
+    mu_k: float
+    normal_force: float
+
+    def __post_init__(self) -> None:
+        errors = parameter_errors(asdict(self))
+        if errors:
+            raise ParameterError(errors)
+        for name in PARAMETERS:
+            object.__setattr__(self, name, float(getattr(self, name)))
+        units = {"alpha": self.alpha, "time": self.time_unit, "length": self.length_unit}
+        for name, value in units.items():
+            if not (math.isfinite(value) and value > 0):
+                message = f"parameters: their {name} scale is {value!r}, outside float64"
+                raise ParameterError([message])
+
+    @property
+    def omega_n(self) -> float:
+        """Natural frequency ``sqrt(K/M)`` in 1/s."""
+        return math.sqrt(self.stiffness) / math.sqrt(self.mass)
+
+    @property
+    def alpha(self) -> float:
+        """``omega_n (mu_s - mu_k) F_N / (K V)``, the one number that shapes the orbit."""
+        impedance = math.sqrt(self.stiffness) * math.sqrt(self.mass)
+        drop = (self.mu_s - self.mu_k) * self.normal_force
+        return drop / impedance / self.belt_speed
+
+    @property
+    def time_unit(self) -> float:
+        """``1/omega_n`` in s: the unit of dimensionless time."""
+        return math.sqrt(self.mass) / math.sqrt(self.stiffness)
+
+    @property
+    def length_unit(self) -> float:
+        """``V/omega_n`` in m: the unit of dimensionless length."""
+        return self.belt_speed * self.time_unit
+
+    @property
+    def slip_centre(self) -> float:
+        """``x_s = mu_k F_N / K`` in m: the origin of dimensionless length."""
+        return self.mu_k * self.normal_force / self.stiffness
+
+    @property
+    def static_limit(self) -> float:
+        """``mu_s F_N / K`` in m: the displacement at which stick ends."""
+        return self.mu_s * self.normal_force / self.stiffness
+
+
+#: Section 4 of the paper.  The paper does not print F_N; 400 N is our choice, because
+#: it makes alpha = 1 and is the roundest force at which the claims of Fig. 4 hold.
+DEFAULT = StickSlip(
+    mass=10.0, stiffness=1000.0, belt_speed=1.0, mu_s=0.5, mu_k=0.25, normal_force=400.0
+)

@@ -1,0 +1,67 @@
+"""The motion of Sections 3.1 and 3.2 from its unknowns: series (3), and ``g1`` of (12).
+
+Unknowns ``z``: ``a0, a_1..a_N, b_1..b_N``, for 3.2 the amplitude of the smoothstep form
+of ``g1``, then ``t1, T``; dimensionless.
+"""
+
+import math
+
+import numpy as np
+
+from .arrays import Vector
+from .belt import StickSlip
+
+
+def series(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
+    """Return the Fourier series (3), or its first or second derivative, at times `t`."""
+    angles = np.outer(t, 2 * math.pi / z[-1] * np.arange(1, order + 1))
+    a, b = z[1 : order + 1], z[order + 1 : 2 * order + 1]
+    rate = (2 * math.pi / z[-1] * np.arange(1, order + 1)) ** derivative
+    sin, cos = np.sin(angles), np.cos(angles)
+    if derivative == 0:
+        return z[0] / 2 + sin @ a + cos @ b
+    if derivative == 1:
+        return cos @ (rate * a) - sin @ (rate * b)
+    return -(sin @ (rate * a) + cos @ (rate * b))
+
+
+def smoothstep(t1: float, T: float, t: Vector, derivative: int) -> Vector:
+    """Return ``G = g1/(T s**3)`` of (12), ``s = T - t1``, or a derivative, in ``[0, T)``.
+
+    In stick ``-t/T``; in slip ``u**2 (3 - 2 u) - t/T`` with ``u = (t - t1)/s``.
+    """
+    s = T - t1
+    u = np.maximum(t - t1, 0.0) / s
+    if derivative == 0:
+        return u * u * (3 - 2 * u) - t / T
+    if derivative == 1:
+        return 6 * u * (1 - u) / s - 1 / T
+    return np.where(t < t1, 0.0, (6 - 12 * u) / s**2)
+
+
+def evaluate_hb(z: Vector, order: int, t: Vector, derivative: int, alpha: float) -> Vector:
+    """Return the motion (3) at times `t` in ``[0, T)``."""
+    return series(z, order, t, derivative)
+
+
+def evaluate_hb_c1(z: Vector, order: int, t: Vector, derivative: int, alpha: float) -> Vector:
+    """Return the motion (11) at times `t` in ``[0, T)``."""
+    return series(z, order, t, derivative) + z[-3] * smoothstep(z[-2], z[-1], t, derivative)
+
+
+def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
+    """Return ``a0``, ``a``, ``b`` of (3) in m."""
+    scaled = belt.length_unit * z[: 2 * order + 1]
+    return {
+        "a0": float(scaled[0] + 2 * belt.slip_centre),
+        "a": scaled[1 : order + 1].tolist(),
+        "b": scaled[order + 1 :].tolist(),
+    }
+
+
+def coefficients_hb_c1(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
+    """Return ``a0``, ``a``, ``b`` of (11) in m and ``c1`` of the printed ``g1`` in m/s**4."""
+    t1, T = z[-2:]
+    amplitude = z[-3] / (T * (T - t1) ** 3)
+    c1 = amplitude * belt.length_unit / belt.time_unit**4
+    return {**coefficients_hb(z, order, belt), "c1": float(c1)}

@@ -1,0 +1,99 @@
+"""The three methods of the paper as data: section, evaluation, coefficients, tolerance."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from . import fourier, polynomial
+from .arrays import Vector
+from .belt import StickSlip
+
+
+@dataclass(frozen=True)
+class Method:
+    """One expansion of the paper.
+
+    Parameters
+    ----------
+    name, section, title : str
+        ``"hb"``, ``"3.1"`` and what a table calls it.
+    evaluate : callable
+        ``evaluate(z, order, t, derivative, alpha)``, dimensionless, ``t`` in ``[0, T)``.
+    coefficients : callable
+        ``coefficients(z, order, belt)``, the paper's, in SI units.
+    highest_order : int
+        Where the dense equations still fit into memory and the digits of float64.
+    """
+
+    name: str
+    section: str
+    title: str
+    evaluate: Callable[[Vector, int, Vector, int, float], Vector]
+    coefficients: Callable[[Vector, int, StickSlip], dict[str, object]]
+    highest_order: int
+
+
+METHODS: Mapping[str, Method] = MappingProxyType(
+    {
+        method.name: method
+        for method in (
+            Method(
+                "hb",
+                "3.1",
+                "Fourier series",
+                fourier.evaluate_hb,
+                fourier.coefficients_hb,
+                2000,
+            ),
+            Method(
+                "hb-c1",
+                "3.2",
+                "Fourier series + one C1 function",
+                fourier.evaluate_hb_c1,
+                fourier.coefficients_hb_c1,
+                2000,
+            ),
+            Method(
+                "c1",
+                "3.3",
+                "C1 functions",
+                polynomial.evaluate,
+                polynomial.coefficients,
+                400,
+            ),
+        )
+    }
+)
+
+
+def check_method(name: object) -> Method:
+    """Return the method of this name.
+
+    Raises
+    ------
+    ValueError
+        If there is none.
+    """
+    if not isinstance(name, str) or name not in METHODS:
+        raise ValueError(f"method: got {name!r}, expected one of {', '.join(METHODS)}")
+    return METHODS[name]
+
+
+def check_order(order: object, method: Method) -> int:
+    """Return the order as an int.
+
+    Raises
+    ------
+    ValueError
+        If it is not a whole number from 1 to the method's highest.
+    """
+    highest = method.highest_order
+    whole = isinstance(order, int) and not isinstance(order, bool)
+    if not whole and hasattr(order, "__index__") and not isinstance(order, bool):
+        order, whole = order.__index__(), True
+    if not whole or not 1 <= order <= highest:  # type: ignore[operator]
+        raise ValueError(
+            f"order: got {order!r}, expected a whole number from 1 to {highest} "
+            f"for method {method.name}"
+        )
+    return int(order)  # type: ignore[call-overload, no-any-return]
