@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 import sympy as sp
+from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
 from .loops_c1 import C1_LOOPS
@@ -44,8 +45,25 @@ Plain Python as it stands; ``solver/kernels.py`` compiles the same functions wit
 '''
 
 
+def _is_negative(expression: sp.Expr) -> bool:
+    return bool(expression.as_coeff_Mul()[0].is_negative)
+
+
 class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
-    """Print small powers as products: plain and compiled code then round alike."""
+    """Print small powers as products, and a fraction as one division.
+
+    With products, plain and compiled code round alike; with ``s/2`` for ``(1/2)*s``, the
+    functions keep the digits of exact numbers, too.
+    """
+
+    def _print_Mul(self, expr: sp.Mul) -> str:
+        numerator, denominator = sp.fraction(expr)
+        if denominator == 1:
+            return str(super()._print_Mul(expr))
+        sign, numerator = ("-", -numerator) if _is_negative(numerator) else ("", numerator)
+        above = self.parenthesize(numerator, PRECEDENCE["Mul"])
+        below = self.parenthesize(denominator, PRECEDENCE["Pow"], strict=False)
+        return f"{sign}{above}/{below}"
 
     def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
         base, exponent = expr.as_base_exp()

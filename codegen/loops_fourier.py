@@ -17,10 +17,10 @@ def slip_integrals(N, t1, T):
     S = np.empty((3, 4 * N + 1))
     C[0, 0], C[1, 0], C[2, 0] = slip_cosine_zero(t1, T)
     S[0, 0], S[1, 0], S[2, 0] = slip_sine_zero(t1, T)
-    angle = transition_angle(t1, T)
+    transition = angle(T, t1)
     for k in range(1, 2 * N + 1):
-        cos_k = cos(k * angle)
-        sin_k = sin(k * angle)
+        cos_k = cos(k * transition)
+        sin_k = sin(k * transition)
         C[0, k], C[1, k], C[2, k] = slip_cosine(cos_k, sin_k, k, t1, T)
         S[0, k], S[1, k], S[2, k] = slip_sine(cos_k, sin_k, k, t1, T)
         for i in range(3):

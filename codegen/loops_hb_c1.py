@@ -75,10 +75,86 @@ def g1_column(N, C, S, t1, T):
     return h
 
 
+def harmonics_of_g1(N, t1, T):
+    """Return the first N harmonics of G, and their derivatives; the tail is without them.
+
+    Returns
+    -------
+    gamma : ndarray, shape (3, 2 N + 1)
+        In the order a0, a_1..a_N, b_1..b_N; row 0 the value, row 1 the derivative by t1,
+        row 2 by T.
+    """
+    gamma = np.empty((3, 2 * N + 1))
+    C1, S1, C3, S3 = slip_moments(N, t1, T)
+    s = T - t1
+    gamma[0, 0], gamma[1, 0], gamma[2, 0] = mean_of_g1(T, s)
+    for j in range(1, N + 1):
+        gamma[0, j], gamma[1, j], gamma[2, j] = sine_of_g1(S1, j, T, s)
+        i = N + j
+        gamma[0, i], gamma[1, i], gamma[2, i] = cosine_of_g1(C1, j, T, s)
+    return gamma
+
+
+def tail_column(N, C, S, D, gamma, t1, T):
+    """Return the coefficients of c1 in (5), (6), (7), (14) for the tail of G.
+
+    With H the column of G and A the matrix of the harmonics, the tail has H - A gamma,
+    and by itself H_g - gamma H - gamma (H - A gamma); the Galerkin form is symmetric.
+
+    Returns
+    -------
+    h : ndarray, shape (3, 2 N + 2)
+        Row 0 the value, row 1 the derivative by t1, row 2 by T.
+    """
+    h = g1_column(N, C, S, t1, T)
+    whole = h.copy()
+    product = np.empty(2 * N + 1)
+    no_D = np.zeros(N + 1)
+    fourier_product(N, gamma[0], C[0], S[0], D[0], product)
+    for i in range(2 * N + 1):
+        h[0, i] -= product[i]
+    for row in range(1, 3):
+        fourier_product(N, gamma[row], C[0], S[0], D[0], product)
+        for i in range(2 * N + 1):
+            h[row, i] -= product[i]
+        fourier_product(N, gamma[0], C[row], S[row], D[1] if row == 2 else no_D, product)
+        for i in range(2 * N + 1):
+            h[row, i] -= product[i]
+    for i in range(2 * N + 1):
+        weight = 0.5 if i == 0 else 1.0
+        h[0, -1] -= weight * gamma[0, i] * (whole[0, i] + h[0, i])
+        for row in range(1, 3):
+            h[row, -1] -= weight * gamma[row, i] * (whole[0, i] + h[0, i])
+            h[row, -1] -= weight * gamma[0, i] * (whole[row, i] + h[row, i])
+    return h
+
+
+def tail_at_0(N, gamma, T):
+    """Return displacement and velocity of the tail at t = 0, and their derivatives.
+
+    Returns
+    -------
+    displacement, velocity : ndarray, shape (3,)
+        The value, the derivative by t1, the derivative by T.
+    """
+    displacement = np.zeros(3)
+    velocity = np.zeros(3)
+    velocity[0], velocity[1], velocity[2] = g1_velocity(T)
+    for row in range(3):
+        displacement[row] = -0.5 * gamma[row, 0]
+    for n in range(1, N + 1):
+        weight, weight_T = velocity_weight(T, n)
+        for row in range(3):
+            displacement[row] -= gamma[row, N + n]
+            velocity[row] -= weight * gamma[row, n]
+        velocity[2] -= weight_T * gamma[0, n]
+    return displacement, velocity
+
+
 def c1_product(N, z, C, S, D, h, R):
     """Fill R[0..2N+1] with the left sides of (5), (6), (7), (14).
 
-    C, S, D, h : one row of `slip_integrals`, `period_terms` and `g1_column`.
+    C, S, D, h : one row of `slip_integrals`, `period_terms` and `tail_column`.
     """
     fourier_product(N, z, C, S, D, R)
     c1 = z[2 * N + 1]
@@ -88,6 +164,77 @@ def c1_product(N, z, C, S, D, h, R):
         R[j] += h[j] * c1
         last += h[j] * z[j]
     R[2 * N + 1] = last
+
+
+def gauss_legendre(n):
+    """Return nodes and weights of the Gauss rule with n nodes on (-1, 1)."""
+    nodes = np.empty(n)
+    weights = np.empty(n)
+    for i in range((n + 1) // 2):
+        x = cos(pi * (i + 0.75) / (n + 0.5))
+        for _ in range(10):
+            below, value = 0.0, 1.0
+            for l in range(n):
+                below, value = value, ((2 * l + 1) * x * value - l * below) / (l + 1)
+            slope = n * (x * value - below) / (x * x - 1)
+            step = value / slope
+            x -= step
+            if abs(step) <= 1e-15:
+                break
+        nodes[i] = -x
+        nodes[n - 1 - i] = x
+        weights[i] = 2 / ((1 - x * x) * slope * slope)
+        weights[n - 1 - i] = weights[i]
+    return nodes, weights
+
+
+def residual_and_tail(N, z, gamma, slip, t, u):
+    """Return R2 of (13) and the tail of G at time t; u is the part of the phase gone by."""
+    t1, T = z[-2], z[-1]
+    c1 = z[2 * N + 1]
+    if slip:
+        tail, tail_acceleration = g1_in_slip(T, T - t1, t, u)
+    else:
+        tail, tail_acceleration = g1_in_stick(T, t)
+    turn = angle(T, t)
+    turn_cos, turn_sin = cos(turn), sin(turn)
+    cos_n, sin_n = 1.0, 0.0
+    displacement, acceleration = 0.5 * z[0], 0.0
+    tail -= 0.5 * gamma[0]
+    for n in range(1, N + 1):
+        cos_n, sin_n = cos_n * turn_cos - sin_n * turn_sin, sin_n * turn_cos + cos_n * turn_sin
+        factor = harmonic_acceleration(T, n)
+        wave = z[n] * sin_n + z[N + n] * cos_n
+        displacement += wave
+        acceleration += factor * wave
+        wave = gamma[n] * sin_n + gamma[N + n] * cos_n
+        tail -= wave
+        tail_acceleration -= factor * wave
+    displacement += c1 * tail
+    acceleration += c1 * tail_acceleration
+    if slip:
+        return residual_in_slip(acceleration, displacement), tail
+    return residual_in_stick(acceleration, displacement), tail
+
+
+def g1_condition(N, z, gamma):
+    """Return the left side of (14), the inner product of R2 and the tail of G.
+
+    Its closed form, the last row of `tail_column` times the unknowns, is a difference of
+    numbers of order 1 that are equal up to N**(-3).  R2 and the tail are small each, so
+    their product, integrated by Gauss in both phases, keeps its digits.
+    """
+    t1, T = z[-2], z[-1]
+    total = 0.0
+    for phase in range(2):
+        start, length = (0.0, t1) if phase == 0 else (t1, T - t1)
+        waves = N * angle(T, length) / 2
+        nodes, weights = gauss_legendre(int(waves + 6 * waves ** (1 / 3)) + 14)
+        for i in range(len(nodes)):
+            u = 0.5 * (1 + nodes[i])
+            R2, tail = residual_and_tail(N, z, gamma, phase == 1, start + length * u, u)
+            total += 0.5 * length * weights[i] * R2 * tail
+    return total
 
 
 def size(N):
@@ -100,10 +247,15 @@ def residual(alpha, z, R):
     N = (len(z) - 4) // 2
     t1, T = z[-2], z[-1]
     C, S = slip_integrals(N, t1, T)
-    h = g1_column(N, C, S, t1, T)
-    c1_product(N, z, C[0], S[0], period_terms(N, T)[0], h[0], R)
+    D = period_terms(N, T)
+    gamma = harmonics_of_g1(N, t1, T)
+    h = tail_column(N, C, S, D, gamma, t1, T)
+    c1_product(N, z, C[0], S[0], D[0], h[0], R)
     R[-2], R[-1] = initial_residual(alpha, N, z, T)
-    R[-1] += z[-3] * g1_velocity(T)[0]
+    R[-3] = g1_condition(N, z, gamma[0])
+    displacement, velocity = tail_at_0(N, gamma, T)
+    R[-2] += z[-3] * displacement[0]
+    R[-1] += z[-3] * velocity[0]
 
 
 def jacobian(alpha, z, J):
@@ -112,7 +264,8 @@ def jacobian(alpha, z, J):
     t1, T = z[-2], z[-1]
     C, S = slip_integrals(N, t1, T)
     D = period_terms(N, T)
-    h = g1_column(N, C, S, t1, T)
+    gamma = harmonics_of_g1(N, t1, T)
+    h = tail_column(N, C, S, D, gamma, t1, T)
     J[:, :] = 0.0
     fourier_matrix(N, C[0], S[0], D[0], J)
     for i in range(2 * N + 2):
@@ -122,7 +275,10 @@ def jacobian(alpha, z, J):
     c1_product(N, z, C[1], S[1], np.zeros(N + 1), h[1], J[:, -2])
     c1_product(N, z, C[2], S[2], D[1], h[2], J[:, -1])
     initial_rows(N, z, T, J)
-    weight, weight_t1, weight_T = g1_velocity(T)
-    J[-1, -3] = weight
-    J[-1, -1] += z[-3] * weight_T
+    displacement, velocity = tail_at_0(N, gamma, T)
+    J[-2, -3] = displacement[0]
+    J[-1, -3] = velocity[0]
+    for row in range(1, 3):
+        J[-2, row - 3] += z[-3] * displacement[row]
+        J[-1, row - 3] += z[-3] * velocity[row]
 '''

@@ -15,7 +15,7 @@ Plain Python as it stands; ``solver/kernels.py`` compiles the same functions wit
 import numpy as np
 
 MATHEMATICS = "4151f641fef12484cad4a5b25020a655ae6b9ffaa9c04cca25a617b4cd105582"  # of the closed forms, by srepr
-BODY = "4f87fbdb0cc98424ee65342f9ecd67b01782e5ba4ce458fa4b221a6a26df8c5e"  # of the text below
+BODY = "9302715dccd6164d4a42bf8ef3d7ee35213201c1b77144631eaad42c4fc16d12"  # of the text below
 
 
 def twice_integrated(n):
@@ -44,7 +44,7 @@ def time_scale(s):
 def line_constant(T, alpha, t1):
     """Part P_0* of the line V t + x_0 over slip, and its derivatives by t1 and T."""
     return (
-        (1/2)*T - alpha + (1/2)*t1,
+        T/2 - alpha + t1/2,
         1/2,
         1/2,
     )
@@ -53,7 +53,7 @@ def line_constant(T, alpha, t1):
 def line_slope(T, t1):
     """Part P_1* of the line V t + x_0 over slip, and its derivatives by t1 and T."""
     return (
-        (1/2)*T - 1/2*t1,
+        T/2 - t1/2,
         -1/2,
         1/2,
     )
@@ -62,17 +62,17 @@ def line_slope(T, t1):
 def displacement_gain(T, p0, p1, s):
     """Left side of (19), and its derivatives by t1 and T."""
     return (
-        T + (s*s)*((1/2)*p0 - 1/6*p1),
-        -2*s*((1/2)*p0 - 1/6*p1),
-        2*s*((1/2)*p0 - 1/6*p1) + 1,
+        T + (s*s)*(p0/2 - p1/6),
+        -2*s*(p0/2 - p1/6),
+        2*s*(p0/2 - p1/6) + 1,
     )
 
 
 def displacement_weights(s):
     """Coefficients of p_0 and p_1 in (19); the others are zero."""
     return (
-        (1/2)*(s*s),
-        -1/6*(s*s),
+        (s*s)/2,
+        -(s*s)/6,
     )
 
 

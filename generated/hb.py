@@ -16,8 +16,8 @@ from math import cos, pi, sin
 
 import numpy as np
 
-MATHEMATICS = "32cbdfd35aee5fd790a3544df9e6f67bae948ca4288cb4317229e811c0fa4007"  # of the closed forms, by srepr
-BODY = "2de24b80d1259699aa8fbc571307ca5277ee8b01dda94ce901ec4a1ebb296a8e"  # of the text below
+MATHEMATICS = "851c471666c4cbce6ed6a2d283f5c0404550cf246df269604066bf78183b2d35"  # of the closed forms, by srepr
+BODY = "83eb77a93e2ac11b4e1d791753cdd1a890b76e2a278ffd04cd940b5b0827bf7a"  # of the text below
 
 
 def slip_cosine_zero(t1, T):
@@ -38,40 +38,40 @@ def slip_sine_zero(t1, T):
     )
 
 
-def transition_angle(t1, T):
-    """omega_0 t1; C_k and S_k need the cosine and sine of k times it."""
-    return 2*pi*t1/T
+def angle(T, t):
+    """Angle omega_0 t of the fundamental harmonic at time t."""
+    return (2*pi*t)/T
 
 
 def slip_cosine(cos_k, sin_k, k, t1, T):
     """C_k of (8), k >= 1, and its derivatives by t1 and T."""
     return (
-        -1/2*T*sin_k/(pi*k),
+        -(T*sin_k)/(2*pi*k),
         -cos_k,
-        -1/2*sin_k/(pi*k) + cos_k*t1/T,
+        -sin_k/(2*pi*k) + (cos_k*t1)/T,
     )
 
 
 def slip_sine(cos_k, sin_k, k, t1, T):
     """S_k of (8), k >= 1, and its derivatives by t1 and T."""
     return (
-        (1/2)*T*cos_k/(pi*k) - 1/2*T/(pi*k),
+        (T*cos_k)/(2*pi*k) - T/(2*pi*k),
         -sin_k,
-        (1/2)*cos_k/(pi*k) - (1/2)/(pi*k) + sin_k*t1/T,
+        cos_k/(2*pi*k) - 1/(2*pi*k) + (sin_k*t1)/T,
     )
 
 
 def period_term(T, j):
     """Acceleration on the diagonal of (6), (7), and its derivative by T."""
     return (
-        -2*(pi*pi)*(j*j)/T,
-        2*(pi*pi)*(j*j)/(T*T),
+        -(2*(pi*pi)*(j*j))/T,
+        (2*(pi*pi)*(j*j))/((T*T)),
     )
 
 
 def constant_by_one(C):
     """Coefficient of a0 in (5)."""
-    return (1/2)*C[0]
+    return C[0]/2
 
 
 def sine_by_one(S, n):
@@ -86,39 +86,39 @@ def cosine_by_one(C, n):
 
 def constant_by_sine(S, j):
     """Coefficient of a0 in (6)."""
-    return (1/2)*S[j]
+    return S[j]/2
 
 
 def sine_by_sine(C, j, n):
     """Coefficient of a_n in (6) for n != j."""
-    return -1/2*C[j + n] + (1/2)*C[j - n]
+    return -C[j + n]/2 + C[j - n]/2
 
 
 def cosine_by_sine(S, j, n):
     """Coefficient of b_n in (6) for n != j."""
-    return (1/2)*S[j + n] + (1/2)*S[j - n]
+    return S[j + n]/2 + S[j - n]/2
 
 
 def constant_by_cosine(C, j):
     """Coefficient of a0 in (7)."""
-    return (1/2)*C[j]
+    return C[j]/2
 
 
 def sine_by_cosine(S, j, n):
     """Coefficient of a_n in (7) for n != j."""
-    return (1/2)*S[j + n] - 1/2*S[j - n]
+    return S[j + n]/2 - S[j - n]/2
 
 
 def cosine_by_cosine(C, j, n):
     """Coefficient of b_n in (7) for n != j."""
-    return (1/2)*C[j + n] + (1/2)*C[j - n]
+    return C[j + n]/2 + C[j - n]/2
 
 
 def velocity_weight(T, n):
     """Coefficient of a_n in (10), and its derivative by T."""
     return (
-        2*pi*n/T,
-        -2*pi*n/(T*T),
+        (2*pi*n)/T,
+        -(2*pi*n)/((T*T)),
     )
 
 
@@ -143,10 +143,10 @@ def slip_integrals(N, t1, T):
     S = np.empty((3, 4 * N + 1))
     C[0, 0], C[1, 0], C[2, 0] = slip_cosine_zero(t1, T)
     S[0, 0], S[1, 0], S[2, 0] = slip_sine_zero(t1, T)
-    angle = transition_angle(t1, T)
+    transition = angle(T, t1)
     for k in range(1, 2 * N + 1):
-        cos_k = cos(k * angle)
-        sin_k = sin(k * angle)
+        cos_k = cos(k * transition)
+        sin_k = sin(k * transition)
         C[0, k], C[1, k], C[2, k] = slip_cosine(cos_k, sin_k, k, t1, T)
         S[0, k], S[1, k], S[2, k] = slip_sine(cos_k, sin_k, k, t1, T)
         for i in range(3):

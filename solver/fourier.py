@@ -1,7 +1,8 @@
 """The motion of Sections 3.1 and 3.2 from its unknowns: series (3), and ``g1`` of (12).
 
 Unknowns ``z``: ``a0, a_1..a_N, b_1..b_N``, for 3.2 the amplitude of the smoothstep form
-of ``g1``, then ``t1, T``; dimensionless.
+of ``g1``, then ``t1, T``; dimensionless.  In 3.2 the kernel's coefficients stand beside
+the tail of ``g1``; the paper's stand beside ``g1``.
 """
 
 import math
@@ -10,6 +11,7 @@ import numpy as np
 
 from .arrays import Vector
 from .belt import StickSlip
+from .kernels import module
 
 
 def series(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
@@ -46,7 +48,16 @@ def evaluate_hb(z: Vector, order: int, t: Vector, derivative: int, alpha: float)
 
 def evaluate_hb_c1(z: Vector, order: int, t: Vector, derivative: int, alpha: float) -> Vector:
     """Return the motion (11) at times `t` in ``[0, T)``."""
-    return series(z, order, t, derivative) + z[-3] * smoothstep(z[-2], z[-1], t, derivative)
+    g1 = z[-3] * smoothstep(z[-2], z[-1], t, derivative)
+    return series(beside_g1(z, order), order, t, derivative) + g1
+
+
+def beside_g1(z: Vector, order: int) -> Vector:
+    """Return `z` with the coefficients that stand beside ``g1`` itself, not its tail."""
+    gamma = module("hb-c1").harmonics_of_g1(order, z[-2], z[-1])[0]
+    changed = z.copy()
+    changed[: 2 * order + 1] -= z[-3] * gamma
+    return changed
 
 
 def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
@@ -64,4 +75,4 @@ def coefficients_hb_c1(z: Vector, order: int, belt: StickSlip) -> dict[str, obje
     t1, T = z[-2:]
     amplitude = z[-3] / (T * (T - t1) ** 3)
     c1 = amplitude * belt.length_unit / belt.time_unit**4
-    return {**coefficients_hb(z, order, belt), "c1": float(c1)}
+    return {**coefficients_hb(beside_g1(z, order), order, belt), "c1": float(c1)}

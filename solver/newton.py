@@ -115,6 +115,8 @@ def newton(
         step = -lapack.dgetrs(factors, pivots, R)[0]
         length, correction = _norm(step, z), _time_norm(step, z)
         if correction <= ROUNDOFF or (correction <= FLOOR and correction > 0.5 * previous):
+            if not 0 < z[-2] + step[-2] < z[-1] + step[-1]:
+                return end(False, iteration, "t1 ran out of (0, T)")
             z += step
             residual(z, R)
             return end(True, iteration, "converged")

@@ -1,0 +1,92 @@
+"""Whether a converged solution is the orbit: the conditions that the equations leave out.
+
+The Galerkin equations have other real solutions: pure slip about ``x_s`` with ``t1 = 0``,
+and for the C1 series a few more.  None of them satisfies what friction demands.
+"""
+
+import math
+
+import numpy as np
+
+from .arrays import Vector
+from .belt import StickSlip
+from .methods import Method
+
+#: Of the oscillator in slip, dimensionless.
+NATURAL_PERIOD = 2 * math.pi
+
+#: Times at which each phase is looked at, beside its ends, per unit of order.
+SAMPLES = 8
+
+
+#: What rounding may add to a velocity or a travel that is exact by construction.
+ROUNDING = 1e-6
+
+
+def tolerance(method: Method, order: int) -> float:
+    """Return the part of the stick travel ``2 A`` by which stick may miss the static limit.
+
+    A Fourier series meets the limit by the symmetry of its orbit, to rounding.  The C1
+    series does not: at order N it resolves the end of stick to about one part in ``2 N``,
+    and a solution that misses by more has another shape.  The velocity has no such
+    allowance: at both ends of slip it is V for every method, and below V between them.
+    """
+    return 1 / (2 * order) if method.name == "c1" else ROUNDING
+
+
+def stick_overshoot(method: Method, order: int, alpha: float, z: Vector) -> tuple[float, float]:
+    """Return the spring force in stick beyond the static limit: at ``t1``, and at most.
+
+    Returns
+    -------
+    at_end, highest : float
+        ``(y - alpha)/(2 alpha)``: displacement beyond the static limit, as a part of the
+        stick travel; at the end of stick, and its maximum over stick.
+    """
+    t1 = z[-2]
+    times = np.linspace(0.0, t1, SAMPLES * order + 64)
+    y = method.evaluate(z, order, times, 0, alpha)
+    beyond = (y - alpha) / (2 * alpha)
+    return float(beyond[-1]), float(beyond.max())
+
+
+def slip_overspeed(method: Method, order: int, alpha: float, z: Vector) -> float:
+    """Return how far the velocity in slip exceeds ``V``, as a part of ``V``."""
+    t1, T = z[-2:]
+    times = t1 + (T - t1) * np.linspace(0.0, 1.0, SAMPLES * order + 64)[1:-1]
+    return float(method.evaluate(z, order, times, 1, alpha).max() - 1.0)
+
+
+def violations(method: Method, order: int, belt: StickSlip, z: Vector) -> tuple[str, ...]:
+    """Return what the solution `z` violates, in words; empty if it is an orbit.
+
+    Checked are ``0 < t1 < T``; in slip a velocity not above ``V``; in stick a spring force
+    within the static limit, and at ``t1`` equal to it.
+    """
+    t1, T = z[-2:]
+    if not 0 < t1 < T:
+        start, period = t1 * belt.time_unit, T * belt.time_unit
+        return (f"t1 = {start:.6g} s is not between 0 and T = {period:.6g} s",)
+    allowed = tolerance(method, order)
+    found = []
+    if T - t1 > NATURAL_PERIOD * (1 + allowed):
+        found.append(
+            f"slip lasts {(T - t1) / NATURAL_PERIOD:.4g} natural periods: within one, the "
+            "velocity is back at V"
+        )
+    at_end, highest = stick_overshoot(method, order, belt.alpha, z)
+    if abs(at_end) > allowed:
+        found.append(
+            f"stick ends {abs(at_end):.3g} of its travel "
+            f"{'beyond' if at_end > 0 else 'short of'} the static limit "
+            f"(allowed at order {order}: {allowed:.3g})"
+        )
+    elif highest > allowed:
+        found.append(
+            f"the spring force in stick exceeds the static limit by {highest:.3g} of the "
+            f"travel (allowed at order {order}: {allowed:.3g})"
+        )
+    overspeed = slip_overspeed(method, order, belt.alpha, z)
+    if overspeed > ROUNDING:
+        found.append(f"the velocity in slip exceeds V by {overspeed:.3g} of it")
+    return tuple(found)

@@ -1,0 +1,256 @@
+"""All real solutions of the C1 series (Section 3.3) at a given order, isolated exactly.
+
+Given the slip duration ``s``, equations (18) and (20) are linear in ``p_1/s .. p_N/s`` and
+in ``y(t1)/s``, with coefficients rational in ``s**2``; (19) then gives ``t1``.  What is
+left is ``alpha = y_0(s)`` with a rational function, so every solution is a positive root
+of one polynomial ``alpha D(s**2) - s E(s**2)``.  Its roots are isolated in exact
+arithmetic by Descartes' rule of signs with bisection (Collins & Akritas, Proc. SYMSAC 1976,
+272-275): that none of them is an orbit is then a fact, not a failed iteration.
+"""
+
+from fractions import Fraction
+from functools import cache
+from math import gcd, lcm
+
+import numpy as np
+
+from .arrays import Vector
+from .kernels import module
+
+#: Coefficients from the constant up.
+Polynomial = list[int]
+
+#: Bisections after which an interval counts as a multiple root.
+DEEPEST = 150
+
+#: Bits to which a root is refined; more than a float holds.
+BITS = 64
+
+
+@cache
+def _parts(n: int) -> dict[int, Fraction]:
+    """Return ``Q_n``, which is ``P_n*`` integrated twice, by parts in ``P_l*``."""
+    parts: dict[int, Fraction] = {}
+    for l, value in zip((n - 2, n, n + 2), module("c1").twice_integrated(Fraction(n)), strict=True):
+        sign, index = (1, l) if l >= 0 else (-1, -1 - l)
+        parts[index] = parts.get(index, Fraction(0)) + sign * value
+    return parts
+
+
+def _project(k: int, rho: dict[int, Fraction]) -> Fraction:
+    norm = module("c1").norm
+    return sum(
+        (q * rho[l] * norm(Fraction(l)) for l, q in _parts(k).items() if l in rho), Fraction(0)
+    )
+
+
+def _system(order: int, square: Fraction) -> list[list[Fraction]]:
+    """Return the augmented linear system for ``p_1/s .. p_N/s, y(t1)/s`` at ``s**2``."""
+    one, half = Fraction(1), Fraction(1, 2)
+    columns = []
+    for n in range(1, order + 1):
+        rho = {l: square * q for l, q in _parts(n).items()}
+        rho[n] = rho.get(n, Fraction(0)) + one
+        columns.append(rho)
+    columns.append({0: one})
+    line = {0: half, 1: half}
+    return [
+        [*(_project(k, rho) for rho in columns), -_project(k, line)] for k in range(order + 1)
+    ]
+
+
+def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | None:
+    """Solve the augmented system in place by Gauss-Jordan, skipping what is zero."""
+    determinant, size = Fraction(1), len(rows)
+    for i in range(size):
+        pivot = next((r for r in range(i, size) if rows[r][i]), None)
+        if pivot is None:
+            return None
+        if pivot != i:
+            rows[i], rows[pivot] = rows[pivot], rows[i]
+            determinant = -determinant
+        head = rows[i][i]
+        determinant *= head
+        filled = [c for c in range(i, size + 1) if rows[i][c]]
+        for r in range(size):
+            if r != i and rows[r][i]:
+                factor = rows[r][i] / head
+                for c in filled:
+                    rows[r][c] -= factor * rows[i][c]
+    return determinant, [rows[i][size] / rows[i][i] for i in range(size)]
+
+
+def _stick_duration(square: Fraction, p1: Fraction) -> Fraction:
+    """Return ``t1/s`` from (19), which is ``t1 + s = s**2 p_1/6``; `p1` is ``p_1/s``."""
+    weight: Fraction = module("c1").displacement_weights(Fraction(1))[1]
+    return -weight * square * p1 - 1
+
+
+@cache
+def _rational_function(order: int) -> tuple[list[Fraction], list[Fraction]]:
+    """Return ``D`` and ``E`` with ``alpha = s E(s**2)/D(s**2)``, constants first.
+
+    Both are interpolated from exact values at ``order + 2`` places.
+    """
+    places: list[Fraction] = []
+    below: list[Fraction] = []
+    above: list[Fraction] = []
+    square = Fraction(0)
+    while len(places) < order + 2:
+        square += 1
+        found = _eliminate(_system(order, square))
+        if found is not None:
+            determinant, solution = found
+            places.append(square)
+            below.append(determinant)
+            t1 = _stick_duration(square, solution[0])
+            above.append(determinant * (t1 - solution[-1]))
+    return _interpolate(places, below), _interpolate(places, above)
+
+
+def _interpolate(places: list[Fraction], values: list[Fraction]) -> list[Fraction]:
+    """Return the coefficients of the polynomial through the values (Newton's form)."""
+    table = list(values)
+    for level in range(1, len(places)):
+        for i in range(len(places) - 1, level - 1, -1):
+            table[i] = (table[i] - table[i - 1]) / (places[i] - places[i - level])
+    result = [table[-1]]
+    for i in range(len(places) - 2, -1, -1):
+        shifted = [Fraction(0), *result]
+        for power, value in enumerate(result):
+            shifted[power] -= places[i] * value
+        shifted[0] += table[i]
+        result = shifted
+    return result
+
+
+def polynomial(order: int, alpha: float) -> Polynomial:
+    """Return ``alpha D(s**2) - s E(s**2)`` with coprime integer coefficients."""
+    below, above = _rational_function(order)
+    exact = Fraction(alpha)
+    coefficients = []
+    for D, E in zip(below, above, strict=True):
+        coefficients += [exact * D, -E]
+    while coefficients[-1] == 0:
+        coefficients.pop()
+    scale = lcm(*(c.denominator for c in coefficients))
+    integers = [int(c * scale) for c in coefficients]
+    common = gcd(*integers)
+    return [c // common for c in integers]
+
+
+def _sign_changes(p: Polynomial) -> int:
+    signs = [c > 0 for c in p if c]
+    return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
+
+
+def _shift(p: Polynomial) -> Polynomial:
+    """Return the coefficients of ``p(x + 1)``."""
+    q = list(p)
+    for i in range(len(q) - 1):
+        for k in range(len(q) - 2, i - 1, -1):
+            q[k] += q[k + 1]
+    return q
+
+
+def _in_unit_interval(p: Polynomial) -> int:
+    """Return Descartes' bound on the roots of `p` in (0, 1); exact if 0 or 1."""
+    return _sign_changes(_shift(p[::-1]))
+
+
+def _root_bound(p: Polynomial) -> int:
+    """Return a power of two above every root: Fujiwara's bound, rounded up."""
+    lead, degree = abs(p[-1]).bit_length() - 1, len(p) - 1
+    exponents = (
+        -(-(abs(c).bit_length() - lead) // (degree - i)) for i, c in enumerate(p[:-1]) if c
+    )
+    return 1 << (max(0, *exponents) + 1)
+
+
+def isolate(p: Polynomial) -> list[tuple[Fraction, Fraction]]:
+    """Return disjoint intervals with one positive root of `p` each, and all of them.
+
+    An interval ``(a, a)`` is the root ``a`` itself.
+
+    Raises
+    ------
+    ArithmeticError
+        If `p` has a multiple root.
+    """
+    bound = _root_bound(p)
+    intervals: list[tuple[Fraction, Fraction]] = []
+    work = [([c * bound**i for i, c in enumerate(p)], Fraction(0), Fraction(bound), 0)]
+    while work:
+        q, left, width, depth = work.pop()
+        if depth > DEEPEST:
+            raise ArithmeticError(f"multiple root near s = {float(left)}")
+        roots = _in_unit_interval(q)
+        if roots == 1:
+            intervals.append((left, left + width))
+        if roots <= 1:
+            continue
+        degree = len(q) - 1
+        lower = [c << (degree - i) for i, c in enumerate(q)]
+        upper = _shift(lower)
+        middle = left + width / 2
+        if upper[0] == 0:
+            intervals.append((middle, middle))
+            upper = upper[1:]
+        work.append((lower, left, width / 2, depth + 1))
+        work.append((upper, middle, width / 2, depth + 1))
+    return sorted(intervals)
+
+
+def _value(p: Polynomial, x: Fraction) -> int:
+    """Return the sign of ``p(x)``, from integers alone."""
+    total, power = 0, 1
+    for c in p[::-1]:
+        total = total * x.numerator + c * power
+        power *= x.denominator
+    return (total > 0) - (total < 0)
+
+
+def _refine(p: Polynomial, left: Fraction, right: Fraction) -> Fraction:
+    """Return the root of `p` in an isolating interval to `BITS` bits."""
+    if left == right:
+        return left
+    ahead = _value(p, right)
+    if ahead == 0:  # the neighbour's root stands on this end: step inside
+        ahead = -_value(p, left)
+    while right - left > right / (1 << BITS):
+        middle = (left + right) / 2
+        sign = _value(p, middle)
+        if sign == 0:
+            return middle
+        left, right = (left, middle) if sign == ahead else (middle, right)
+    return (left + right) / 2
+
+
+def roots(order: int, alpha: float) -> list[Fraction]:
+    """Return every positive solution ``s`` at this order, ascending, to `BITS` bits.
+
+    Raises
+    ------
+    ArithmeticError
+        If two of them coincide.
+    """
+    p = polynomial(order, alpha)
+    return [_refine(p, *interval) for interval in isolate(p)]
+
+
+def solutions(order: int, alpha: float) -> list[Vector]:
+    """Return the kernel's unknowns for each root, ``p_0..p_N, t1, T``, in float64.
+
+    Raises
+    ------
+    ArithmeticError
+        If two roots coincide.
+    """
+    return [_unknowns(order, s) for s in roots(order, alpha)]
+
+
+def _unknowns(order: int, s: Fraction) -> Vector:
+    system = np.array(_system(order, s * s), dtype=float)
+    scaled = np.linalg.solve(system[:, :-1], system[:, -1])
+    t1 = float(s) * float(_stick_duration(s * s, Fraction(scaled[0])))
+    return np.array([0.0, *(float(s) * scaled[:-1]), t1, t1 + float(s)])

@@ -1,0 +1,212 @@
+"""A periodic orbit in SI units: the exact one, and one that a method computed."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from . import admissible, exact
+from .arrays import Vector
+from .belt import StickSlip
+from .errors import Errors, errors
+from .methods import METHODS, Method
+from .newton import Outcome
+
+
+class Motion:
+    """Displacement, velocity and acceleration of a periodic motion at any time, in SI."""
+
+    belt: StickSlip
+
+    @property
+    def period(self) -> float:
+        """``T`` in s."""
+        raise NotImplementedError
+
+    @property
+    def t1(self) -> float:
+        """End of stick in s."""
+        raise NotImplementedError
+
+    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
+        """Return the dimensionless period and ``evaluate(t, derivative)`` on ``[0, T)``."""
+        raise NotImplementedError
+
+    def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
+        times = np.asarray(t, dtype=float)
+        T, evaluate = self._dimensionless()
+        phase = np.mod(times.ravel() / self.belt.time_unit, T)
+        phase[phase >= T] = 0.0  # np.mod of a tiny negative number is T itself
+        unit = self.belt.length_unit / self.belt.time_unit**derivative
+        values = unit * evaluate(phase, derivative)
+        if derivative == 0:
+            values += self.belt.slip_centre
+        return values.reshape(times.shape)
+
+    def displacement(self, t: npt.ArrayLike) -> Vector:
+        """Return ``x(t)`` in m.
+
+        Parameters
+        ----------
+        t : array_like of float, any shape
+            Times in s; stick starts at 0, and the motion repeats with `period`.
+
+        Returns
+        -------
+        ndarray of float, of the shape of `t`
+        """
+        return self._at(t, 0)
+
+    def velocity(self, t: npt.ArrayLike) -> Vector:
+        """Return the velocity in m/s at times `t`; see `displacement`."""
+        return self._at(t, 1)
+
+    def acceleration(self, t: npt.ArrayLike) -> Vector:
+        """Return the acceleration in m/s**2 at times `t`; see `displacement`.
+
+        Where it jumps the value is that of the phase which begins.
+        """
+        return self._at(t, 2)
+
+
+@dataclass(frozen=True)
+class ExactOrbit(Motion):
+    """The exact orbit of Section 2.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.belt import DEFAULT
+    >>> orbit = ExactOrbit(DEFAULT)
+    >>> round(orbit.period, 9), orbit.t1
+    (0.67123889, 0.2)
+    """
+
+    belt: StickSlip
+
+    @property
+    def period(self) -> float:
+        """``T`` in s."""
+        return exact.times(self.belt.alpha)[1] * self.belt.time_unit
+
+    @property
+    def t1(self) -> float:
+        """End of stick, ``2 A/V``, in s."""
+        return exact.times(self.belt.alpha)[0] * self.belt.time_unit
+
+    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
+        alpha = self.belt.alpha
+        return exact.times(alpha)[1], lambda t, derivative: exact.evaluate(alpha, t, derivative)
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit(Motion):
+    """A converged, admissible periodic orbit computed by one method of the paper.
+
+    Parameters
+    ----------
+    belt : StickSlip
+        The oscillator.
+    method : {"hb", "hb-c1", "c1"}
+        Section 3.1, 3.2 or 3.3.
+    order : int
+        ``N`` of (3), (11), (15).
+    outcome : Outcome
+        The dimensionless unknowns of the kernel, and how Newton's method found them.
+    iterations : int
+        Jacobians factorised in all, those of the way to the start included.
+    """
+
+    belt: StickSlip
+    method: str
+    order: int
+    outcome: Outcome
+    iterations: int
+
+    @property
+    def unknowns(self) -> Vector:
+        """The dimensionless unknowns of the kernel: coefficients, ``t1``, ``T``."""
+        return self.outcome.unknowns
+
+    @property
+    def _method(self) -> Method:
+        return METHODS[self.method]
+
+    @property
+    def period(self) -> float:
+        """``T`` in s."""
+        return float(self.unknowns[-1] * self.belt.time_unit)
+
+    @property
+    def t1(self) -> float:
+        """End of stick in s."""
+        return float(self.unknowns[-2] * self.belt.time_unit)
+
+    @property
+    def converged(self) -> bool:
+        """Whether Newton's method converged; an orbit that did not is not returned."""
+        return self.outcome.converged
+
+    @property
+    def residual_norm(self) -> float:
+        """Maximum norm of the dimensionless residual."""
+        return self.outcome.residual_norm
+
+    @cached_property
+    def coefficients(self) -> dict[str, object]:
+        """The paper's coefficients in SI units.
+
+        ``hb``: ``a0``, ``a``, ``b`` of (3) in m; ``hb-c1``: those of (11), and ``c1`` of
+        the printed ``g1`` in m/s**4; ``c1``: ``d`` of (15), ``d[n]`` in m/s**(n+2).
+        """
+        return self._method.coefficients(self.unknowns, self.order, self.belt)
+
+    @cached_property
+    def violations(self) -> tuple[str, ...]:
+        """What keeps the solution from being an orbit, in words."""
+        return admissible.violations(self._method, self.order, self.belt, self.unknowns)
+
+    @property
+    def admissible(self) -> bool:
+        """Whether the solution is an orbit: nothing in `violations`."""
+        return not self.violations
+
+    @property
+    def transition_mismatch(self) -> float:
+        """``K x(t1)/(mu_s F_N) - 1``: an error measure that needs no exact orbit.
+
+        From the right of ``t1``; the displacement is continuous.
+        """
+        t1 = self.unknowns[-2:-1]
+        alpha = self.belt.alpha
+        y = float(self._method.evaluate(self.unknowns, self.order, t1, 0, alpha)[0])
+        return (y - alpha) * self.belt.length_unit / self.belt.static_limit
+
+    @cached_property
+    def errors(self) -> Errors:
+        """Errors against the exact orbit: ``period``, ``t1``, ``acceleration`` (22)."""
+        return errors(self._method, self.order, self.belt.alpha, self.unknowns)
+
+    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
+        z, order, alpha, evaluate = (
+            self.unknowns,
+            self.order,
+            self.belt.alpha,
+            self._method.evaluate,
+        )
+        return float(z[-1]), lambda t, derivative: evaluate(z, order, t, derivative, alpha)
+
+    def __str__(self) -> str:
+        method = self._method
+        return "\n".join(
+            (
+                f"{method.name} (Section {method.section}, {method.title}), N = {self.order}",
+                f"  T  = {self.period:.10g} s   (T/T_exact - 1 = {self.errors.period:.3e})",
+                f"  t1 = {self.t1:.10g} s   (t1/t1_exact - 1 = {self.errors.t1:.3e})",
+                f"  acceleration error (22) = {self.errors.acceleration:.3e}",
+                f"  transition mismatch     = {self.transition_mismatch:.3e}",
+                f"  residual {self.residual_norm:.1e} after {self.iterations} iterations; "
+                f"{'admissible' if self.admissible else '; '.join(self.violations)}",
+            )
+        )

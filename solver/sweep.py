@@ -1,0 +1,135 @@
+"""Convergence of the methods over orders: one row each, whatever comes of it."""
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict, dataclass
+
+from .belt import StickSlip
+from .errors import Errors
+from .methods import METHODS, check_method, check_order
+from .solve import NoOrbit, solve
+
+
+@dataclass(frozen=True)
+class Row:
+    """One method at one order.
+
+    Parameters
+    ----------
+    method, order : str, int
+        What was asked for.
+    status : {"ok", "no-orbit", "not-converged"}
+        An orbit; shown that there is none; none found.
+    t1, period : float or None
+        In s; None without an orbit.
+    iterations : int
+        Jacobians factorised.
+    errors : Errors or None
+        Against the exact orbit; None without an orbit.
+    seconds : float
+        Time of the search; with the first order of a method, compilation too.
+    message : str
+        Why there is no orbit; empty if there is one.
+    """
+
+    method: str
+    order: int
+    status: str
+    t1: float | None
+    period: float | None
+    iterations: int
+    errors: Errors | None
+    seconds: float
+    message: str = ""
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the row as JSON has it."""
+        row = asdict(self)
+        if self.errors is None:
+            row["errors"] = {"period": None, "t1": None, "acceleration": None}
+        return row
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """The rows of a sweep, in the order in which they were asked for."""
+
+    belt: StickSlip
+    rows: tuple[Row, ...]
+
+    def of(self, method: str) -> tuple[Row, ...]:
+        """Return the rows of one method."""
+        return tuple(row for row in self.rows if row.method == method)
+
+    def __str__(self) -> str:
+        lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'T/T_exact-1':>12}  {'(22)':>10}"]
+        for row in self.rows:
+            head = f"{row.method:8}{row.order:5d}  "
+            if row.errors is None or row.period is None:
+                lines.append(f"{head}{row.status}: {row.message}")
+                continue
+            errors = row.errors
+            lines.append(
+                f"{head}{row.period:15.10g}  {errors.period:12.3e}  {errors.acceleration:10.3e}"
+            )
+        return "\n".join(lines)
+
+
+def sweep(
+    belt: StickSlip,
+    methods: Sequence[str] = tuple(METHODS),
+    orders: Iterable[int] = range(1, 41),
+    *,
+    progress: Callable[[Row], None] = lambda row: None,
+) -> Sweep:
+    """Solve for each method and order, and compare with the exact orbit.
+
+    Parameters
+    ----------
+    belt : StickSlip
+        The oscillator.
+    methods : sequence of {"hb", "hb-c1", "c1"}
+        The methods, each in its turn.
+    orders : iterable of int
+        The orders of every method.
+    progress : callable, optional
+        Called with each row when it is done.
+
+    Raises
+    ------
+    ValueError
+        If a method or an order is not one that can be computed; before anything is.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
+    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
+    >>> print(ns.sweep(belt, methods=["c1"], orders=[3, 5]))
+    method      N            T [s]   T/T_exact-1        (22)
+    c1          3     0.6690781087    -3.219e-03   1.310e-01
+    c1          5      0.671275558     5.463e-05   2.319e-02
+    """
+    orders = list(orders)
+    jobs = [(name, check_order(n, check_method(name))) for name in methods for n in orders]
+    rows = []
+    for name, order in jobs:
+        row = _row(belt, name, order)
+        progress(row)
+        rows.append(row)
+    return Sweep(belt, tuple(rows))
+
+
+def _row(belt: StickSlip, method: str, order: int) -> Row:
+    begin = time.perf_counter()
+    try:
+        orbit = solve(belt, method, order, many=True)
+    except NoOrbit as finding:
+        seconds = time.perf_counter() - begin
+        message = str(finding)
+        return Row(
+            method, order, finding.status, None, None, finding.iterations, None, seconds, message
+        )
+    seconds = time.perf_counter() - begin
+    iterations, errors = orbit.iterations, orbit.errors
+    return Row(method, order, "ok", orbit.t1, orbit.period, iterations, errors, seconds)
