@@ -99,11 +99,11 @@ class Condition:
         return self._weighted(self.entry, self.load)
 
     def by_coefficient(self, m: sp.Symbol) -> sp.Expr:
-        """Derivative with respect to ``d_m``."""
+        """Return the derivative with respect to ``d_m``."""
         return self.weight * self.entry.subs(n, m)
 
     def by_time(self, time: sp.Symbol) -> sp.Expr:
-        """Derivative with respect to ``t1`` or ``T``, through ``s`` as well."""
+        """Return the derivative by ``t1`` or ``T``, through ``s`` as well."""
         entry, load = (
             _tidy(value.diff(time) + value.diff(s) * (T - t1).diff(time))
             for value in (self.entry, self.load)

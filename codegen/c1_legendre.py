@@ -12,7 +12,7 @@ With ``P_{-1} = -P_0`` and ``P_{-2} = -P_1`` the first holds for ``n = 0`` as we
 import sympy as sp
 
 from .inner_product import N
-from .oscillator import T, dimensionless, omega_n, t, t1
+from .oscillator import T, dimensionless, t, t1
 from .slip_moments import legendre_coefficients
 from .system import ClosedForm, Equation, require_zero
 
@@ -21,7 +21,6 @@ s = sp.Symbol("s", positive=True)
 u = sp.Symbol("u", nonnegative=True)
 p = sp.IndexedBase("p", real=True)
 p0, p1 = sp.symbols("p0 p1", real=True)
-
 
 
 class ShiftedLegendre(sp.Function):  # type: ignore[misc]

@@ -90,9 +90,7 @@ def function_source(form: ClosedForm) -> str:
         result = values[0]
     else:
         result = "(\n" + "".join(f"        {value},\n" for value in values) + "    )"
-    return (
-        f'def {form.name}({arguments}):\n    """{form.summary}"""\n    return {result}\n'
-    )
+    return f'def {form.name}({arguments}):\n    """{form.summary}"""\n    return {result}\n'
 
 
 def digest(text: str) -> str:

@@ -115,9 +115,7 @@ def jacobian(extra: str = "") -> tuple[Equation, ...]:
     for integral in (SLIP_COSINE, SLIP_SINE):
         for time in (t1, T):
             label = sp.Derivative(integral.table[k], time, evaluate=False)
-            rows.append(
-                Equation("", "time derivative", (label, integral.generic.diff(time)))
-            )
+            rows.append(Equation("", "time derivative", (label, integral.generic.diff(time))))
     for time in (t1, T):
         term = PERIOD_TERM.subs(FREQUENCY)
         label = sp.Derivative(term, time, evaluate=False)

@@ -13,7 +13,7 @@ from .emit import module_source
 #: The folder of the generated modules, beside the folder of this file.
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
 
-INIT = '''"""Kernels of the three methods, one module each, written by ``nonsmooth generate``."""
+INIT = '''"""Kernels of the three methods, a module each, written by ``nonsmooth generate``."""
 '''
 
 

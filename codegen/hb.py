@@ -6,7 +6,7 @@ Input: the oscillator and the Fourier series.  Output: `derive`, the record of t
 import sympy as sp
 
 from . import fourier
-from .inner_product import FREQUENCY, N, j, n, omega_0
+from .inner_product import FREQUENCY, N, n, omega_0
 from .oscillator import PHASES, V, t, x_0
 from .system import Equation, GalerkinSystem, Inner
 

@@ -11,7 +11,7 @@ from . import g1 as smooth
 from .g1 import BY_COSINE, BY_G1, BY_ONE, BY_SINE, SCALE, SCALE_S, SMOOTHSTEP, through_tables, u
 from .inner_product import N, j, k, n
 from .oscillator import PHASES, T, V, omega_n, t, t1, x_0, x_s
-from .slip_moments import TABLES, moments, s, with_derivatives
+from .slip_moments import TABLES, moments, with_derivatives
 from .slip_moments import definitions as moment_definitions
 from .system import Equation, GalerkinSystem, Inner, require_zero
 
@@ -76,8 +76,8 @@ def _orthogonality() -> tuple[Equation, ...]:
     require_zero([("forcing of (14)", forcing + x_s * BY_ONE)])
     series = sp.Sum(fourier.a[n] * Hs[n] + fourier.b[n] * Hc[n], (n, 1, N))
     closed = fourier.a0 * H0 / 2 + series + c1 * Hg - x_s * H0
-    sides = (Inner(R2, g1), closed, sp.Integer(0))
-    rows.append(Equation("14", "orthogonal to g1", sides))
+    last = (Inner(R2, g1), closed, sp.Integer(0))
+    rows.append(Equation("14", "orthogonal to g1", last))
     return tuple(rows)
 
 

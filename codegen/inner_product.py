@@ -77,16 +77,12 @@ def _harmonics(integrand: sp.Expr) -> Iterator[tuple[sp.Expr, type, sp.Expr]]:
         yield term / wave, wave.func, index
 
 
-def _canonical(function: type, index: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return (sign, index) with the test function's index ``j`` counted positive."""
-    leading = index.coeff(j) if index.has(j) else index.coeff(n)
-    if leading.is_negative:
-        return (sp.Integer(-1) if function is sp.sin else sp.Integer(1)), -index
-    return sp.Integer(1), index
-
-
 def _table(function: type, index: sp.Expr) -> sp.Expr:
-    return (S if function is sp.sin else C)[index]
+    """Return ``C`` or ``S`` at `index`, the test function's ``j`` counted positive."""
+    leading = index.coeff(j) if index.has(j) else index.coeff(n)
+    if not leading.is_negative:
+        return (S if function is sp.sin else C)[index]
+    return -S[-index] if function is sp.sin else C[-index]
 
 
 def _full_period(function: type, index: sp.Expr) -> sp.Expr:
@@ -108,11 +104,9 @@ def inner_product(stick: sp.Expr, slip: sp.Expr, test: sp.Expr) -> sp.Expr:
     """
     total = sp.Integer(0)
     for factor, function, index in _harmonics(stick * test):
-        sign, index = _canonical(function, index)
-        total += factor * sign * (_full_period(function, index) - _table(function, index))
+        total += factor * (_full_period(function, index) - _table(function, index))
     for factor, function, index in _harmonics(slip * test):
-        sign, index = _canonical(function, index)
-        total += factor * sign * _table(function, index)
+        total += factor * _table(function, index)
     return sp.expand(total)
 
 

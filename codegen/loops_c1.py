@@ -7,10 +7,8 @@ C1_LOOPS = '''
 def add_integral(n, weight, rho):
     """Add weight Q_n to rho, the parts in P_l*; P_-1 = -P_0 and P_-2 = -P_1."""
     below, same, above = twice_integrated(n)
-    if n >= 2:
-        rho[n - 2] += weight * below
-    else:
-        rho[1 - n] -= weight * below
+    sign, l = (1, n - 2) if n >= 2 else (-1, 1 - n)
+    rho[l] += sign * weight * below
     rho[n] += weight * same
     rho[n + 2] += weight * above
 
@@ -18,10 +16,8 @@ def add_integral(n, weight, rho):
 def project(n, rho):
     """Return the integral of Q_n times the polynomial with parts rho, over u."""
     below, same, above = twice_integrated(n)
-    if n >= 2:
-        total = below * norm(n - 2) * rho[n - 2]
-    else:
-        total = -below * norm(1 - n) * rho[1 - n]
+    sign, l = (1, n - 2) if n >= 2 else (-1, 1 - n)
+    total = sign * below * norm(l) * rho[l]
     return total + same * norm(n) * rho[n] + above * norm(n + 2) * rho[n + 2]
 
 

@@ -83,9 +83,7 @@ def exact_orbit() -> ExactOrbit:
     tau = t - t1
     stick_duration = 2 * AMPLITUDE / V
     slip_duration = (sp.pi + 2 * sp.atan(V / (omega_n * AMPLITUDE))) / omega_n
-    slip = (
-        x_s + AMPLITUDE * sp.cos(omega_n * tau) + V / omega_n * sp.sin(omega_n * tau)
-    )
+    slip = x_s + AMPLITUDE * sp.cos(omega_n * tau) + V / omega_n * sp.sin(omega_n * tau)
     return ExactOrbit(x_0 + V * t, slip, stick_duration, stick_duration + slip_duration)
 
 

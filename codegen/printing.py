@@ -59,9 +59,8 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
 
     def _print_Subs(self, expr: sp.Subs) -> str:
         (point,) = expr.point
-        inner = self._print(expr.expr)
+        inner = str(self._print(expr.expr))
         return inner.replace(r"\left(t\right)", rf"\left({self._print(point)}\right)")
-
 
     def _print_Heaviside(self, expr: sp.Heaviside, exp: str | None = None) -> str:
         return rf"H\left({self._print(expr.args[0])}\right)"
@@ -178,3 +177,8 @@ def text_document(methods: Iterable[str]) -> str:
 def system_latex(system: GalerkinSystem) -> str:
     """Return the equations of one method as LaTeX, without a preamble."""
     return "\n".join(equation_latex(equation) for equation in system.equations)
+
+
+def system_text(system: GalerkinSystem) -> str:
+    """Return the equations of one method as text for a terminal."""
+    return "\n\n".join(equation_text(equation) for equation in system.equations)

@@ -29,14 +29,6 @@ class Inner(sp.Function):  # type: ignore[misc]
         left, right = (printer._print(argument) for argument in self.args)
         return f"<{left}, {right}>"
 
-    def _pretty(self, printer: Any) -> Any:
-        from sympy.printing.pretty.stringpict import prettyForm
-
-        left, right = (printer._print(argument) for argument in self.args)
-        inside = prettyForm(*left.right(", "))
-        inside = prettyForm(*inside.right(right))
-        return prettyForm(*inside.parens("<", ">"))
-
 
 @dataclass(frozen=True)
 class Equation:
@@ -121,6 +113,24 @@ class GalerkinSystem:
                 return candidate
         known = ", ".join(e.number for e in self.equations if e.number)
         raise KeyError(f"{self.method} has no equation ({number}); it has {known}")
+
+    def latex(self) -> str:
+        """Return the equations as LaTeX, numbered as in the paper, without a preamble."""
+        from .printing import system_latex  # noqa: PLC0415  (printing derives, too)
+
+        return system_latex(self)
+
+    def text(self) -> str:
+        """Return the equations as text for a terminal."""
+        from .printing import system_text  # noqa: PLC0415
+
+        return system_text(self)
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return self.latex()
 
     def form(self, name: str) -> ClosedForm:
         """Return the closed form that becomes the function `name` of the kernel."""

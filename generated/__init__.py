@@ -1,1 +1,1 @@
-"""Kernels of the three methods, one module each, written by ``nonsmooth generate``."""
+"""Kernels of the three methods, a module each, written by ``nonsmooth generate``."""

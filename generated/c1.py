@@ -15,7 +15,7 @@ Plain Python as it stands; ``solver/kernels.py`` compiles the same functions wit
 import numpy as np
 
 MATHEMATICS = "4151f641fef12484cad4a5b25020a655ae6b9ffaa9c04cca25a617b4cd105582"  # of the closed forms, by srepr
-BODY = "9302715dccd6164d4a42bf8ef3d7ee35213201c1b77144631eaad42c4fc16d12"  # of the text below
+BODY = "ec529efcbb47bbf4ce2f788a680e197d901012b9323f35881c1c9cb4b5d31908"  # of the text below
 
 
 def twice_integrated(n):
@@ -93,10 +93,8 @@ def velocity_weight(s):
 def add_integral(n, weight, rho):
     """Add weight Q_n to rho, the parts in P_l*; P_-1 = -P_0 and P_-2 = -P_1."""
     below, same, above = twice_integrated(n)
-    if n >= 2:
-        rho[n - 2] += weight * below
-    else:
-        rho[1 - n] -= weight * below
+    sign, l = (1, n - 2) if n >= 2 else (-1, 1 - n)
+    rho[l] += sign * weight * below
     rho[n] += weight * same
     rho[n + 2] += weight * above
 
@@ -104,10 +102,8 @@ def add_integral(n, weight, rho):
 def project(n, rho):
     """Return the integral of Q_n times the polynomial with parts rho, over u."""
     below, same, above = twice_integrated(n)
-    if n >= 2:
-        total = below * norm(n - 2) * rho[n - 2]
-    else:
-        total = -below * norm(1 - n) * rho[1 - n]
+    sign, l = (1, n - 2) if n >= 2 else (-1, 1 - n)
+    total = sign * below * norm(l) * rho[l]
     return total + same * norm(n) * rho[n] + above * norm(n + 2) * rho[n + 2]
 
 

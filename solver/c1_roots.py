@@ -10,6 +10,7 @@ arithmetic by Descartes' rule of signs with bisection (Collins & Akritas, Proc. 
 
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 from math import gcd, lcm
 
 import numpy as np
@@ -31,7 +32,9 @@ BITS = 64
 def _parts(n: int) -> dict[int, Fraction]:
     """Return ``Q_n``, which is ``P_n*`` integrated twice, by parts in ``P_l*``."""
     parts: dict[int, Fraction] = {}
-    for l, value in zip((n - 2, n, n + 2), module("c1").twice_integrated(Fraction(n)), strict=True):
+    for l, value in zip(
+        (n - 2, n, n + 2), module("c1").twice_integrated(Fraction(n)), strict=True
+    ):
         sign, index = (1, l) if l >= 0 else (-1, -1 - l)
         parts[index] = parts.get(index, Fraction(0)) + sign * value
     return parts
@@ -141,7 +144,7 @@ def polynomial(order: int, alpha: float) -> Polynomial:
 
 def _sign_changes(p: Polynomial) -> int:
     signs = [c > 0 for c in p if c]
-    return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
+    return sum(a != b for a, b in pairwise(signs))
 
 
 def _shift(p: Polynomial) -> Polynomial:

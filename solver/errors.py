@@ -7,6 +7,7 @@ rules with enough panels for the highest harmonic.
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -51,7 +52,7 @@ def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
     x, w = np.polynomial.legendre.leggauss(NODES)
     edges = np.array(sorted({0.0, *breaks, 1.0}))
     points, weights = [], []
-    for left, right in zip(edges[:-1], edges[1:], strict=True):
+    for left, right in pairwise(edges):
         count = max(1, math.ceil(waves * (right - left)))
         ends = np.linspace(left, right, count + 1)
         half = np.diff(ends)[:, None] / 2

@@ -21,10 +21,12 @@ def series(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
     rate = (2 * math.pi / z[-1] * np.arange(1, order + 1)) ** derivative
     sin, cos = np.sin(angles), np.cos(angles)
     if derivative == 0:
-        return z[0] / 2 + sin @ a + cos @ b
-    if derivative == 1:
-        return cos @ (rate * a) - sin @ (rate * b)
-    return -(sin @ (rate * a) + cos @ (rate * b))
+        values = z[0] / 2 + sin @ a + cos @ b
+    elif derivative == 1:
+        values = cos @ (rate * a) - sin @ (rate * b)
+    else:
+        values = -(sin @ (rate * a) + cos @ (rate * b))
+    return np.asarray(values)
 
 
 def smoothstep(t1: float, T: float, t: Vector, derivative: int) -> Vector:
@@ -49,7 +51,7 @@ def evaluate_hb(z: Vector, order: int, t: Vector, derivative: int, alpha: float)
 def evaluate_hb_c1(z: Vector, order: int, t: Vector, derivative: int, alpha: float) -> Vector:
     """Return the motion (11) at times `t` in ``[0, T)``."""
     g1 = z[-3] * smoothstep(z[-2], z[-1], t, derivative)
-    return series(beside_g1(z, order), order, t, derivative) + g1
+    return np.asarray(series(beside_g1(z, order), order, t, derivative) + g1)
 
 
 def beside_g1(z: Vector, order: int) -> Vector:

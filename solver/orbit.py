@@ -7,7 +7,8 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from . import admissible, exact
+from . import admissible
+from . import exact as closed_form
 from .arrays import Vector
 from .belt import StickSlip
 from .errors import Errors, errors
@@ -88,16 +89,31 @@ class ExactOrbit(Motion):
     @property
     def period(self) -> float:
         """``T`` in s."""
-        return exact.times(self.belt.alpha)[1] * self.belt.time_unit
+        return closed_form.times(self.belt.alpha)[1] * self.belt.time_unit
 
     @property
     def t1(self) -> float:
         """End of stick, ``2 A/V``, in s."""
-        return exact.times(self.belt.alpha)[0] * self.belt.time_unit
+        return closed_form.times(self.belt.alpha)[0] * self.belt.time_unit
 
     def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
         alpha = self.belt.alpha
-        return exact.times(alpha)[1], lambda t, derivative: exact.evaluate(alpha, t, derivative)
+        evaluate = closed_form.evaluate
+        return closed_form.times(alpha)[1], lambda t, order: evaluate(alpha, t, order)
+
+
+def exact(belt: StickSlip) -> ExactOrbit:
+    """Return the exact orbit of Section 2.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
+    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
+    >>> ns.exact(belt).t1
+    0.2
+    """
+    return ExactOrbit(belt)
 
 
 @dataclass(frozen=True, eq=False)

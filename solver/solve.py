@@ -36,14 +36,22 @@ class NoOrbit(Exception):  # noqa: N818  (a finding about the oscillator, not a 
         Whether it is shown that none exists; else the search was in vain.
     tried : tuple of str
         The starts that were tried, and how each ended.
+
+    Attributes
+    ----------
+    iterations : int
+        Jacobians factorised in the search.
     """
 
     def __init__(self, reason: str, proven: bool, tried: tuple[str, ...]) -> None:
-        super().__init__("; ".join((reason, *tried)))
+        super().__init__(reason, proven, tried)
         self.reason = reason
         self.proven = proven
         self.tried = tried
         self.iterations = 0
+
+    def __str__(self) -> str:
+        return "; ".join((self.reason, *(f"from {attempt}" for attempt in self.tried)))
 
     @property
     def status(self) -> str:
@@ -119,7 +127,7 @@ def _from_root(search: Search) -> Outcome:
     order, belt = search.order, search.belt
     try:
         found = c1_roots.solutions(order, belt.alpha)
-    except ArithmeticError as error:
+    except (ArithmeticError, np.linalg.LinAlgError) as error:
         raise NoOrbit(str(error), proven=False, tried=()) from error
     good = [root for root in found if not violations(search.method, order, belt, root)]
     if not good:
@@ -139,7 +147,9 @@ _SERIES = ("the orbit of 3.1", _from_fourier)
 _ROOTS = ("isolation of all real solutions", _from_root)
 
 
-def _starts(method: Method, alpha: float) -> tuple[tuple[str, Callable[[Search], Outcome]], ...]:
+def _starts(
+    method: Method, alpha: float
+) -> tuple[tuple[str, Callable[[Search], Outcome]], ...]:
     if method.name == "c1":
         return (_ROUGH, _ROOTS)
     if method.name == "hb":
@@ -183,21 +193,21 @@ def solve(belt: StickSlip, method: str, order: int, *, many: bool = False) -> Or
     """
     chosen = check_method(method)
     search = Search(belt, chosen, check_order(order, chosen), _loader(order, many))
-    tried = []
+    tried: list[str] = []
     for name, start in _starts(chosen, belt.alpha):
         try:
             outcome = start(search)
         except NoOrbit as finding:
-            finding.iterations = search.iterations
+            finding.iterations, finding.tried = search.iterations, tuple(tried)
             raise
         if not outcome.converged:
-            tried.append(f"from {name}: {outcome.reason}")
+            tried.append(f"{name}: {outcome.reason}")
             continue
         orbit = Orbit(belt, chosen.name, search.order, outcome, search.iterations)
         if orbit.admissible:
             outcome.unknowns.flags.writeable = False
             return orbit
-        tried.append(f"from {name}: a solution that is no orbit: {orbit.violations[0]}")
+        tried.append(f"{name}: a solution that is no orbit: {orbit.violations[0]}")
     failure = NoOrbit(f"no orbit of {method} found at order {order}", False, tuple(tried))
     failure.iterations = search.iterations
     raise failure

@@ -24,9 +24,7 @@ def rough_times(alpha: float) -> tuple[float, float]:
     return t1, t1 + math.pi + 2.0 / (alpha + 2.0 / math.pi)
 
 
-def with_coefficients(
-    kernel: Kernel, alpha: float, order: int, t1: float, T: float
-) -> Vector:
+def with_coefficients(kernel: Kernel, alpha: float, order: int, t1: float, T: float) -> Vector:
     """Return unknowns with these times and the coefficients that suit them best.
 
     The conditions at fixed times are two more than the coefficients, and linear in them:

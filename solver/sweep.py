@@ -128,7 +128,15 @@ def _row(belt: StickSlip, method: str, order: int) -> Row:
         seconds = time.perf_counter() - begin
         message = str(finding)
         return Row(
-            method, order, finding.status, None, None, finding.iterations, None, seconds, message
+            method,
+            order,
+            finding.status,
+            None,
+            None,
+            finding.iterations,
+            None,
+            seconds,
+            message,
         )
     seconds = time.perf_counter() - begin
     iterations, errors = orbit.iterations, orbit.errors

@@ -14,18 +14,32 @@ Examples
 """
 
 from importlib import import_module
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
-from .solver.belt import ParameterError, StickSlip
-from .solver.orbit import ExactOrbit, Orbit
-from .solver.solve import NoOrbit, solve
-from .solver.sweep import Row, Sweep, sweep
-
 if TYPE_CHECKING:
-    from .codegen.api import equations
+    from .codegen import derive as equations
+    from .solver.belt import ParameterError, StickSlip
+    from .solver.orbit import ExactOrbit, Orbit, exact
+    from .solver.solve import NoOrbit, solve
+    from .solver.sweep import Row, Sweep, sweep
 
-__version__ = version("nonsmooth")
+    __version__: str
+
+#: Where each public name lives.  Nothing is imported before it is asked for: SymPy takes a
+#: second, numba as long, and a command that shows its help needs neither.
+_HOMES = {
+    "ExactOrbit": ("solver.orbit", "ExactOrbit"),
+    "NoOrbit": ("solver.solve", "NoOrbit"),
+    "Orbit": ("solver.orbit", "Orbit"),
+    "ParameterError": ("solver.belt", "ParameterError"),
+    "Row": ("solver.sweep", "Row"),
+    "StickSlip": ("solver.belt", "StickSlip"),
+    "Sweep": ("solver.sweep", "Sweep"),
+    "equations": ("codegen", "derive"),
+    "exact": ("solver.orbit", "exact"),
+    "solve": ("solver.solve", "solve"),
+    "sweep": ("solver.sweep", "sweep"),
+}
 
 __all__ = [
     "ExactOrbit",
@@ -43,22 +57,17 @@ __all__ = [
 ]
 
 
-def exact(belt: StickSlip) -> ExactOrbit:
-    """Return the exact orbit of Section 2.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
-    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
-    >>> ns.exact(belt).t1
-    0.2
-    """
-    return ExactOrbit(belt)
-
-
 def __getattr__(name: str) -> Any:
-    """Import the symbolic stage, which takes a second, when it is asked for."""
-    if name == "equations":
-        return import_module(".codegen.api", __name__).equations
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    """Return a public name, imported at its first use."""
+    if name == "__version__":
+        return import_module("importlib.metadata").version("nonsmooth")
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    home, attribute = _HOMES[name]
+    value = getattr(import_module(f"{__name__}.{home}"), attribute)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

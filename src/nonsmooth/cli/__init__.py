@@ -1,0 +1,75 @@
+"""The command line: ``nonsmooth generate``, ``equations``, ``solve``, ``sweep``.
+
+Results go to stdout, progress and messages to stderr.  Exit status: 0 done, 1 no converged
+and admissible orbit (or, for ``generate --check``, a difference), 2 bad input, 130
+interrupted.
+"""
+
+import os
+import sys
+from typing import Any, NoReturn
+
+import click
+
+from . import equations, generate, solve, sweep
+from .problems import Problem
+
+EXAMPLES = """\b
+Examples:
+  nonsmooth solve --method c1 --order 7
+  nonsmooth sweep --orders 1-40 -o convergence.png
+  nonsmooth equations --format latex -o equations.tex
+"""
+
+
+def _version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if wanted and not context.resilient_parsing:
+        import nonsmooth  # noqa: PLC0415
+
+        click.echo(f"nonsmooth {nonsmooth.__version__}")
+        context.exit()
+
+
+@click.group(epilog=EXAMPLES, context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--version", is_flag=True, expose_value=False, is_eager=True, callback=_version,
+    help="Show the version and exit.",
+)  # fmt: skip
+def cli() -> None:
+    """Periodic orbits of a stick-slip oscillator by harmonic balance and Galerkin expansions.
+
+    After W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003) 213-224.
+    """
+
+
+for command in (generate.generate, equations.equations, solve.solve, sweep.sweep):
+    cli.add_command(command)
+
+
+def _fail(message: str, status: int) -> NoReturn:
+    click.echo(f"nonsmooth: {message}", err=True)
+    sys.exit(status)
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Run the command line; every mistake is one line and a status, never a traceback."""
+    context: dict[str, Any] = {"prog_name": "nonsmooth", "standalone_mode": False}
+    try:
+        status = cli.main(arguments, **context)
+        sys.stdout.flush()
+    except click.exceptions.NoArgsIsHelpError as help_:
+        click.echo(help_.format_message())
+        sys.exit(0)
+    except click.UsageError as error:
+        where = f" {error.ctx.command_path}" if error.ctx else ""
+        _fail(f"{error.format_message()} (see{where} --help)", 2)
+    except click.ClickException as error:
+        _fail(error.format_message(), 2)
+    except Problem as problem:
+        _fail(str(problem), problem.status)
+    except (click.Abort, KeyboardInterrupt):
+        _fail("interrupted", 130)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(0)
+    sys.exit(status if isinstance(status, int) else 0)

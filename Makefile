@@ -1,0 +1,53 @@
+# Every target works through .venv, which the first one makes.  `make` alone lists them.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+OUTPUT := output
+
+.DEFAULT_GOAL := help
+.PHONY: help solve sweep test generate equations lint clean
+
+help:  ## list the targets
+	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
+
+solve: $(VENV)/ready  ## the limit cycle of the paper by its three methods, and a picture
+	@mkdir -p $(OUTPUT)
+	@$(BIN)/nonsmooth solve --order 10 -o $(OUTPUT)/orbit.png
+
+sweep: $(VENV)/ready  ## convergence over the orders 1 to 40, and a picture
+	@mkdir -p $(OUTPUT)
+	@$(BIN)/nonsmooth sweep --orders 1-40 -o $(OUTPUT)/convergence.png
+
+test: $(VENV)/ready  ## all tests
+	@$(BIN)/python -m pytest
+
+generate: $(VENV)/ready  ## derive the equations and write generated/
+	@$(BIN)/nonsmooth generate
+
+equations: $(VENV)/ready  ## the derived equations as a LaTeX document
+	@mkdir -p $(OUTPUT)
+	@$(BIN)/nonsmooth equations --format latex -o $(OUTPUT)/equations.tex
+
+lint: $(VENV)/ready  ## formatting, style, types, and whether generated/ is up to date
+	@$(BIN)/ruff format --check .
+	@$(BIN)/ruff check .
+	@$(BIN)/mypy
+	@$(BIN)/nonsmooth generate --check
+
+clean:  ## remove the environment and everything made
+	rm -rf $(VENV) $(OUTPUT) build dist src/*.egg-info .pytest_cache .mypy_cache .ruff_cache
+
+# uv, where it is installed, is only quicker; venv and pip do the same.
+$(VENV)/ready: pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	  echo "nonsmooth needs Python 3.11 or newer; set PYTHON=python3.x" >&2; exit 1; }
+	@if command -v uv >/dev/null 2>&1; then \
+	  uv venv --quiet --clear --python $(PYTHON) $(VENV) && \
+	  uv pip install --quiet --python $(BIN)/python -e '.[plot,test,lint]'; \
+	else \
+	  $(PYTHON) -m venv --clear $(VENV) || { \
+	    echo "python3-venv is missing: apt-get install python3-venv" >&2; exit 1; }; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,test,lint]'; \
+	fi
+	@touch $@

@@ -1,0 +1,28 @@
+"""``nonsmooth generate``: derive the equations and write the kernels."""
+
+import click
+
+from .problems import Problem
+
+
+@click.command()
+@click.option(
+    "--check", is_flag=True, help="Only compare, write nothing; exit 1 on a difference."
+)
+def generate(check: bool) -> int:
+    """Derive the equations with SymPy and write generated/.
+
+    A file is written only when its text changes.
+    """
+    from nonsmooth.codegen import generate as stage  # noqa: PLC0415
+
+    if check:
+        found = stage.differences()
+        click.echo("\n".join(found) if found else f"{stage.FOLDER.name}/ is up to date")
+        return 1 if found else 0
+    try:
+        changes = stage.write()
+    except OSError as error:
+        raise Problem(f"cannot write {stage.FOLDER}: {error.strerror}") from error
+    click.echo("\n".join(changes) if changes else f"{stage.FOLDER.name}/ was up to date")
+    return 0

@@ -1,0 +1,132 @@
+"""Pictures: the orbit against the exact one, and how the methods converge.
+
+Colours that colour-blind readers tell apart, and a marker or line style for each method,
+so that the pictures can be read in grey.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+
+from nonsmooth.solver.orbit import Motion, exact
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.belt import StickSlip
+    from nonsmooth.solver.orbit import Orbit
+    from nonsmooth.solver.sweep import Sweep
+
+#: Line style, marker and colour (Okabe & Ito) of each method; the paper's markers.
+STYLES: dict[str, dict[str, Any]] = {
+    "hb": {"color": "#0072B2", "marker": "D", "linestyle": "--"},
+    "hb-c1": {"color": "#D55E00", "marker": "s", "linestyle": "-."},
+    "c1": {"color": "#009E73", "marker": "o", "linestyle": ":"},
+}
+EXACT: dict[str, Any] = {"color": "0.25", "linestyle": "-", "linewidth": 1.0}
+
+#: A jump misplaced by one rounding error of t/T contributes about its square root to (22).
+FLOOR = float(np.sqrt(np.finfo(float).eps))
+
+LABELS = {
+    "hb": "hb: Fourier series (3.1)",
+    "hb-c1": "hb-c1: with one $C^1$ function (3.2)",
+    "c1": "c1: $C^1$ functions (3.3)",
+}
+
+SETTINGS: Any = {
+    "font.size": 9,
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+    "axes.axisbelow": True,
+    "svg.hashsalt": "nonsmooth",
+    "svg.fonttype": "path",
+}
+
+
+def _save(figure: Figure, target: Path) -> None:
+    """Write the figure without a date: the same input gives the same bytes."""
+    metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+    figure.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
+
+
+def orbit_picture(belt: "StickSlip", orbits: "list[Orbit]", target: Path) -> None:
+    """Draw phase plane, displacement, velocity and acceleration as in Figs. 2 and 5."""
+    with mpl.rc_context(SETTINGS):
+        figure = Figure(figsize=(8, 6), layout="constrained")
+        plane, *histories = figure.subplots(2, 2).ravel()
+        reference = exact(belt)
+        _draw_motion(plane, histories, reference, "exact", EXACT)
+        for orbit in orbits:
+            style = STYLES[orbit.method] | {"marker": "", "linewidth": 1.4}
+            label = f"{LABELS[orbit.method]}, N = {orbit.order}"
+            _draw_motion(plane, histories, orbit, label, style)
+        plane.set(xlabel="displacement [m]", ylabel="velocity [m/s]", title="limit cycle")
+        names = ("displacement [m]", "velocity [m/s]", "acceleration [m/s²]")
+        for axes, name in zip(histories, names, strict=True):
+            axes.set(xlabel="t/T", ylabel=name)
+        handles, labels = plane.get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside upper center", ncols=2, frameon=False)
+        figure.supxlabel(_caption(belt), fontsize=8)
+        _save(figure, target)
+
+
+def _draw_motion(
+    plane: Any, histories: list[Any], motion: Motion, label: str, style: dict[str, Any]
+) -> None:
+    part = np.linspace(0, 1, 2001)
+    times = part * motion.period
+    times[-1] = np.nextafter(motion.period, 0)
+    x, v, a = motion.displacement(times), motion.velocity(times), motion.acceleration(times)
+    plane.plot(x, v, label=label, **style)
+    for axes, values in zip(histories, (x, v, a), strict=True):
+        axes.plot(part, values, **style)
+
+
+def convergence_picture(result: "Sweep", target: Path) -> None:
+    """Draw period and acceleration error against the order, as in Figs. 4 and 6."""
+    with mpl.rc_context(SETTINGS):
+        figure = Figure(figsize=(8, 4.2), layout="constrained")
+        period, size, acceleration = figure.subplots(1, 3)
+        reference = exact(result.belt).period
+        for method in dict.fromkeys(row.method for row in result.rows):
+            rows = [row for row in result.of(method) if row.errors and row.period]
+            orders = [row.order for row in rows]
+            errors = [row.errors for row in rows if row.errors]
+            style = STYLES[method] | {
+                "markersize": 4,
+                "linewidth": 0.9,
+                "label": LABELS[method],
+            }
+            period.plot(orders, [(row.period or 0) / reference for row in rows], **style)
+            size.semilogy(orders, [max(abs(e.period), 1e-16) for e in errors], **style)
+            visible = [
+                e.acceleration if e.acceleration > FLOOR / 10 else np.nan for e in errors
+            ]
+            acceleration.semilogy(orders, visible, **style)
+        period.axhline(1, **EXACT)
+        _draw_floor(acceleration)
+        period.set(xlabel="order N", ylabel="T / T exact", title="period (Fig. 4)")
+        size.set(xlabel="order N", ylabel="|T / T exact - 1|", title="period error")
+        title = "acceleration error (Fig. 6)"
+        acceleration.set(xlabel="order N", ylabel="error (22)", title=title)
+        handles, labels = period.get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside upper center", ncols=3, frameon=False)
+        figure.supxlabel(_caption(result.belt), fontsize=8)
+        _save(figure, target)
+
+
+def _draw_floor(axes: Any) -> None:
+    """Mark where rounding of t1 alone holds (22); what is far below it is so by luck."""
+    axes.axhline(FLOOR, color="0.5", linewidth=0.8, linestyle=(0, (5, 5)))
+    where = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
+    style = {"fontsize": 7, "color": "0.4"}
+    axes.annotate("floor in float64", (0.02, FLOOR), xytext=(0, 3), **where, **style)
+
+
+def _caption(belt: "StickSlip") -> str:
+    return (
+        rf"stick-slip oscillator, $\alpha = \omega_n (\mu_s - \mu_k) F_N / (K V)$ = "
+        f"{belt.alpha:.4g}, $F_N$ = {belt.normal_force:g} N"
+    )

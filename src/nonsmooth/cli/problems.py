@@ -1,0 +1,17 @@
+"""A mistake of the user, or an orbit that is not there: one line and an exit status."""
+
+
+class Problem(Exception):  # noqa: N818  (its text is what the user reads)
+    """What `main` prints on stderr.
+
+    Parameters
+    ----------
+    message : str
+        One line: the argument, the value, what was expected.
+    status : int
+        Exit status: 2 for bad input, 1 for an orbit that is not there.
+    """
+
+    def __init__(self, message: str, status: int = 2) -> None:
+        super().__init__(" ".join(message.split("\n")))
+        self.status = status

@@ -1,0 +1,112 @@
+"""``nonsmooth solve``: one orbit, or the orbit by all three methods."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from .equations import METHODS
+from .output import PICTURES, as_json, check_target, write_text, write_whole
+from .parameters import belt_from, caption, parameter_options
+from .problems import Problem
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.belt import StickSlip
+    from nonsmooth.solver.orbit import Orbit
+    from nonsmooth.solver.solve import NoOrbit
+
+EPILOG = """\b
+Examples:
+  nonsmooth solve --method c1 --order 7
+  nonsmooth solve --order 10 -o orbit.png      all three methods
+  nonsmooth solve --method hb --order 40 --case belt.toml --json
+"""
+
+
+def document(
+    belt: "StickSlip", method: str, order: int, found: "Orbit | NoOrbit"
+) -> dict[str, Any]:
+    """Return one solution as JSON has it; with null for what an absent orbit lacks."""
+    from nonsmooth.solver.orbit import Orbit, exact  # noqa: PLC0415
+
+    reference = exact(belt)
+    head = {"method": method, "order": order, "parameters": asdict(belt)}
+    tail = {"exact": {"t1": reference.t1, "period": reference.period}}
+    names = ("residual_norm", "t1", "period", "coefficients")
+    if isinstance(found, Orbit):
+        result: dict[str, Any] = {"converged": found.converged, "iterations": found.iterations}
+        result |= {name: getattr(found, name) for name in names}
+        result |= {"admissible": found.admissible, "violations": list(found.violations)}
+        result["transition_mismatch"] = found.transition_mismatch
+        return head | result | tail | {"errors": asdict(found.errors)}
+    result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(names)
+    result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
+    missing = dict.fromkeys(("period", "t1", "acceleration"))
+    return head | result | tail | {"errors": missing, "status": found.status}
+
+
+@click.command(epilog=EPILOG)
+@click.option(
+    "--method", type=click.Choice(METHODS), help="Section 3.1, 3.2 or 3.3; without it, all."
+)
+@click.option(
+    "--order", type=int, default=10, show_default=True, help="N, the size of the expansion."
+)
+@parameter_options
+@click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path),
+    help="Write the orbit: .json, or a picture .png, .svg, .pdf.",
+)  # fmt: skip
+def solve(
+    method: str | None,
+    order: int,
+    case: Path | None,
+    json_: bool,
+    output: Path | None,
+    **flags: float | None,
+) -> int:
+    """Compute the periodic orbit by one method of the paper, or by all three."""
+    check_target(output, (".json", *PICTURES))
+    belt = belt_from(case, flags)
+    found = {name: _search(belt, name, order) for name in ([method] if method else METHODS)}
+    documents = [document(belt, name, order, result) for name, result in found.items()]
+    result = documents[0] if method else {"orbits": documents}
+    if json_:
+        click.echo(as_json(result))
+    else:
+        from .tables import solutions  # noqa: PLC0415
+
+        click.echo(caption(belt))
+        solutions(belt, found)
+    from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
+
+    orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
+    if output is not None:
+        _write(output, result, belt, orbits)
+    return 0 if len(orbits) == len(found) else 1
+
+
+def _search(belt: "StickSlip", method: str, order: int) -> "Orbit | NoOrbit":
+    from nonsmooth.solver.solve import NoOrbit  # noqa: PLC0415
+    from nonsmooth.solver.solve import solve as search  # noqa: PLC0415
+
+    try:
+        return search(belt, method, order)
+    except ValueError as error:
+        raise Problem(f"--{error}") from error
+    except NoOrbit as finding:
+        click.echo(f"nonsmooth: {method}, N = {order}: {finding}", err=True)
+        return finding
+
+
+def _write(
+    output: Path, result: dict[str, Any], belt: "StickSlip", orbits: "list[Orbit]"
+) -> None:
+    if output.suffix.lower() == ".json":
+        write_text(output, as_json(result) + "\n")
+        return
+    from .pictures import orbit_picture  # noqa: PLC0415
+
+    write_whole(output, lambda target: orbit_picture(belt, orbits, target))

@@ -1,0 +1,130 @@
+"""``nonsmooth sweep``: how period and acceleration converge with the order."""
+
+import csv
+import io
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from .orders import parse_methods, parse_orders
+from .output import PICTURES, as_json, check_target, write_text, write_whole
+from .parameters import belt_from, caption, parameter_options
+from .problems import Problem
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.sweep import Row, Sweep
+
+EPILOG = """\b
+Examples:
+  nonsmooth sweep
+  nonsmooth sweep --methods hb,c1 --orders 1-10,20,40 -o convergence.csv
+  nonsmooth sweep --orders 1-40 --json > convergence.json
+"""
+
+
+@click.command(epilog=EPILOG)
+@click.option("--methods", default="hb,hb-c1,c1", show_default=True, help="Methods, by commas.")
+@click.option("--orders", default="1-40", show_default=True, help="Orders: numbers and ranges.")
+@parameter_options
+@click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path),
+    help="Write the rows: .csv, .json, or a picture .png, .svg, .pdf.",
+)  # fmt: skip
+def sweep(
+    methods: str,
+    orders: str,
+    case: Path | None,
+    json_: bool,
+    output: Path | None,
+    **flags: float | None,
+) -> int:
+    """Compute the orbit for many orders and compare period and acceleration with the exact."""
+    check_target(output, (".csv", ".json", *PICTURES))
+    names, numbers = parse_methods(methods), parse_orders(orders)
+    belt = belt_from(case, flags)
+    from nonsmooth.solver.sweep import sweep as compute  # noqa: PLC0415
+
+    try:
+        with progress(len(names) * len(numbers)) as advance:
+            result = compute(belt, names, numbers, progress=advance)
+    except ValueError as error:
+        raise Problem(f"--orders: {error}") from error
+    if json_:
+        click.echo(as_json(document(result)))
+    else:
+        from .tables import convergence  # noqa: PLC0415
+
+        click.echo(caption(belt))
+        convergence(result)
+    if output is not None:
+        _write(output, result)
+    return 0 if all(row.status == "ok" for row in result.rows) else 1
+
+
+def document(result: "Sweep") -> dict[str, Any]:
+    """Return a sweep as JSON has it."""
+    return {
+        "parameters": asdict(result.belt),
+        "rows": [row.as_dict() for row in result.rows],
+    }
+
+
+def as_csv(result: "Sweep") -> str:
+    """Return a sweep as CSV, one row a method and order, with a header."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    names = ["method", "order", "status", "t1", "period", "iterations", "seconds"]
+    errors = ["period", "t1", "acceleration"]
+    writer.writerow(names + [f"error_{name}" for name in errors])
+    for row in result.rows:
+        values = row.as_dict()
+        found: Any = values["errors"]
+        writer.writerow([values[name] for name in names] + [found[name] for name in errors])
+    return text.getvalue()
+
+
+def _write(output: Path, result: "Sweep") -> None:
+    suffix = output.suffix.lower()
+    if suffix == ".csv":
+        write_text(output, as_csv(result))
+    elif suffix == ".json":
+        write_text(output, as_json(document(result)) + "\n")
+    else:
+        from .pictures import convergence_picture  # noqa: PLC0415
+
+        write_whole(output, lambda target: convergence_picture(result, target))
+
+
+@contextmanager
+def progress(total: int) -> "Iterator[Callable[[Row], None]]":
+    """Show progress on stderr: a bar on a terminal, else a line now and then."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.progress import Progress  # noqa: PLC0415
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield _counter(total)
+        return
+    with Progress(console=console, transient=True) as bar:
+        task = bar.add_task("sweep", total=total)
+        yield lambda row: bar.update(task, advance=1, description=f"{row.method} N={row.order}")
+
+
+def _counter(total: int) -> "Callable[[Row], None]":
+    """Return a callback that writes a plain line at every tenth of the way."""
+    done = 0
+
+    def advance(row: "Row") -> None:
+        nonlocal done
+        done += 1
+        if done * 10 // total > (done - 1) * 10 // total:
+            click.echo(
+                f"sweep: {done} of {total} done ({row.method}, N = {row.order})", err=True
+            )
+
+    return advance
