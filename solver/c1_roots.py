@@ -197,6 +197,8 @@ def isolate(p: Polynomial) -> list[tuple[Fraction, Fraction]]:
         upper = _shift(lower)
         middle = left + width / 2
         if upper[0] == 0:
+            if upper[1] == 0:
+                raise ArithmeticError(f"multiple root at s = {float(middle)}")
             intervals.append((middle, middle))
             upper = upper[1:]
         work.append((lower, left, width / 2, depth + 1))

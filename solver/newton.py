@@ -18,8 +18,9 @@ from .arrays import Matrix, Vector
 #: Corrections of the times below this part of T cannot be improved in float64.
 ROUNDOFF = 4.0 * np.finfo(float).eps
 
-#: A stalled iteration counts as converged if its corrections of the times are below this.
-FLOOR = 1e-10
+#: Corrections below this, of coefficients and times, are of no size that their square
+#: could have: what is left is rounding, and only how far it goes down is to be seen.
+SETTLED = 1e-8
 
 #: Smallest damping factor; below it the iteration has failed.
 SMALLEST_STEP = 2.0**-12
@@ -80,9 +81,9 @@ def newton(
 ) -> Outcome:
     """Solve ``residual(z) = 0`` from `start`.
 
-    The iteration stops when the correction of the times is at rounding level, or when it
-    is small and no longer falls: then the rounding errors of the residual are all that is
-    left, and `Outcome.correction` says how large they are.
+    The iteration stops when all corrections are small and that of the times is at rounding
+    level or no longer falls: then the rounding errors of the residual are all that is left,
+    and `Outcome.correction` says how large they are.
 
     Parameters
     ----------
@@ -114,7 +115,8 @@ def newton(
             return end(False, iteration, "the Jacobian is singular")
         step = -lapack.dgetrs(factors, pivots, R)[0]
         length, correction = _norm(step, z), _time_norm(step, z)
-        if correction <= ROUNDOFF or (correction <= FLOOR and correction > 0.5 * previous):
+        at_rest = correction <= ROUNDOFF or correction > 0.5 * previous
+        if length <= SETTLED and at_rest:
             if not 0 < z[-2] + step[-2] < z[-1] + step[-1]:
                 return end(False, iteration, "t1 ran out of (0, T)")
             z += step
@@ -126,7 +128,7 @@ def newton(
             trial = z + damping * step
             residual(trial, R)
             simplified = lapack.dgetrs(factors, pivots, R)[0]
-            if correction <= FLOOR or _norm(simplified, z) <= (1 - damping / 4) * length:
+            if length <= SETTLED or _norm(simplified, z) <= (1 - damping / 4) * length:
                 break
             damping /= 2
             if damping < SMALLEST_STEP:
