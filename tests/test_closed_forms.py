@@ -30,7 +30,9 @@ def tables(problem: Problem, N: int = 9) -> tuple[np.ndarray, np.ndarray]:
 
 
 @given(times, st.integers(-18, 18))
-def test_tabulated_slip_integrals_are_the_integrals_of_the_harmonics(p: Problem, k: int) -> None:
+def test_tabulated_slip_integrals_are_the_integrals_of_the_harmonics(
+    p: Problem, k: int
+) -> None:
     C, S = tables(p)
     assert C[k] == pytest.approx(p.slip(cosine(k * p.omega_0)), **CLOSE)
     assert S[k] == pytest.approx(p.slip(sine(k * p.omega_0)), **CLOSE)

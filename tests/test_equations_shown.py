@@ -102,7 +102,8 @@ def test_19_and_20_are_what_one_period_adds_to_16() -> None:
 
 
 @pytest.mark.parametrize(
-    ("method", "number"), [("hb", "4"), ("hb-c1", "12"), ("c1", "15"), ("c1", "16"), ("c1", "17")]
+    ("method", "number"),
+    [("hb", "4"), ("hb-c1", "12"), ("c1", "15"), ("c1", "16"), ("c1", "17")],
 )
 def test_functions_of_time_are_those_of_the_paper(method: str, number: str) -> None:
     system = derive(method)

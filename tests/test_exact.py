@@ -3,7 +3,6 @@
 import math
 from typing import Any
 
-import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import given, settings
@@ -22,9 +21,7 @@ def belts(draw: st.DrawFn) -> ns.StickSlip:
     # Not mu_s/2: there stick would start at x = 0 and a sign error in x_0 would not show.
     part = draw(st.one_of(st.just(0.0), st.floats(0.1, 0.4), st.floats(0.6, 0.95)))
     names = ("mass", "stiffness", "belt_speed", "normal_force")
-    return ns.StickSlip(
-        mu_s=mu_s, mu_k=part * mu_s, **{name: draw(positive) for name in names}
-    )
+    return ns.StickSlip(mu_s=mu_s, mu_k=part * mu_s, **{name: draw(positive) for name in names})
 
 
 @settings(max_examples=40)

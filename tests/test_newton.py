@@ -81,7 +81,9 @@ def test_scaling_the_equations_changes_no_step(scale: float) -> None:
     rows = np.array([1.0, scale, 1 / scale])
     plain = solve(quadratic, quadratic_jacobian, [30, 0.5, 2])
     scaled = solve(
-        lambda z: rows * quadratic(z), lambda z: rows[:, None] * quadratic_jacobian(z), [30, 0.5, 2]
+        lambda z: rows * quadratic(z),
+        lambda z: rows[:, None] * quadratic_jacobian(z),
+        [30, 0.5, 2],
     )
     assert scaled.iterations == plain.iterations
     np.testing.assert_allclose(scaled.unknowns, plain.unknowns, rtol=1e-14)

@@ -73,7 +73,9 @@ def test_orbit_satisfies_the_printed_conditions(method: str, order: int) -> None
     tests["hb-c1"] = [*tests["hb"], p.g1]
     accelerations = np.abs(orbit.acceleration(phase_times(orbit))).max()
     for test in tests[method]:
-        size = accelerations * (p.stick(lambda t: abs(test(t))) + p.slip(lambda t: abs(test(t))))  # noqa: B023
+        size = accelerations * (
+            p.stick(lambda t: abs(test(t))) + p.slip(lambda t: abs(test(t)))
+        )
         assert abs(p.inner(stick, slip, test)) < 1e-11 * size
 
 

@@ -39,7 +39,10 @@ def test_change_of_units_changes_nothing_but_units(
     assert second.errors.period == pytest.approx(first.errors.period, abs=1e-13)
     assert second.errors.acceleration == pytest.approx(first.errors.acceleration, rel=1e-9)
     size = belt_length(first) * m
-    there, here = second.displacement(0.3 * second.period), first.displacement(0.3 * first.period)
+    there, here = (
+        second.displacement(0.3 * second.period),
+        first.displacement(0.3 * first.period),
+    )
     assert float(there) == pytest.approx(float(here) * m, abs=1e-12 * size)
 
 
@@ -63,7 +66,9 @@ def test_only_the_drop_of_friction_matters_beside_a_shift(
     np.testing.assert_allclose(second.displacement(t), moved, atol=1e-11 * size)
 
 
-@pytest.mark.parametrize(("method", "order"), [("hb", 5), ("hb-c1", 5), ("hb", 12), ("hb-c1", 12)])
+@pytest.mark.parametrize(
+    ("method", "order"), [("hb", 5), ("hb-c1", 5), ("hb", 12), ("hb-c1", 12)]
+)
 def test_fourier_orbits_are_odd_about_the_middle_of_stick(method: str, order: int) -> None:
     orbit = ns.solve(DEFAULT, method, order)
     centre = DEFAULT.mu_k * DEFAULT.normal_force / DEFAULT.stiffness

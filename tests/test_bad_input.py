@@ -1,0 +1,247 @@
+"""Bad input: one line that names the argument, the value and what was expected; status 2."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+
+GOOD = {
+    "mass": 10.0,
+    "stiffness": 1000.0,
+    "belt_speed": 1.0,
+    "mu_s": 0.5,
+    "mu_k": 0.25,
+    "normal_force": 400.0,
+}
+POSITIVE = ("mass", "stiffness", "belt_speed", "mu_s", "normal_force")
+
+
+def refused(run, *arguments: object) -> str:
+    """Return the one line of an error with status 2."""
+    status, out, err = run(*arguments)
+    assert status == 2, (out, err)
+    assert out == ""
+    assert err.count("\n") == 1, err
+    assert err.startswith("nonsmooth: ")
+    return str(err)
+
+
+@pytest.mark.parametrize("name", POSITIVE)
+@pytest.mark.parametrize("value", ["abc", "0", "-1", "inf", "-inf", "nan", "1e400", ""])
+@pytest.mark.parametrize("command", [("solve", "--method", "c1"), ("sweep",)])
+def test_parameters_that_are_no_positive_number(run, name: str, value: str, command) -> None:
+    flag = f"--{name.replace('_', '-')}"
+    error = refused(run, *command, f"{flag}={value}")
+    assert flag in error or f"{name}: got" in error
+    assert "positive number" in error or "valid float" in error
+
+
+@pytest.mark.parametrize("value", ["-0.1", "nan", "inf", "x"])
+def test_kinetic_friction_that_is_no_coefficient(run, value: str) -> None:
+    error = refused(run, "solve", f"--mu-k={value}")
+    assert "mu_k" in error or "--mu-k" in error
+
+
+@pytest.mark.parametrize("value", ["0.5", "0.6", "1e9"])
+def test_kinetic_friction_not_below_static(run, value: str) -> None:
+    error = refused(run, "solve", "--mu-k", value)
+    assert "expected less than mu_s = 0.5" in error
+
+
+def test_several_wrong_flags_are_named_at_once(run) -> None:
+    error = refused(run, "solve", "--mass", 0, "--stiffness", "nan", "--mu-k", -1)
+    assert all(
+        name in error for name in ("mass: got 0.0", "stiffness: got nan", "mu_k: got -1")
+    )
+
+
+def test_parameters_beyond_float64_together(run) -> None:
+    flags = ("--mass", 1e300, "--belt-speed", 1e300, "--normal-force", 1e-300)
+    assert "alpha" in refused(run, "solve", *flags)
+
+
+@pytest.mark.parametrize("command", ["solve", "equations"])
+def test_an_unknown_method(run, command: str) -> None:
+    error = refused(run, command, "--method", "galerkin")
+    assert "'galerkin'" in error
+    assert "'hb-c1'" in error
+
+
+@pytest.mark.parametrize("methods", ["galerkin", "hb,", "", "hb,c2"])
+def test_an_unknown_method_in_a_list(run, methods: str) -> None:
+    assert "expected some of hb, hb-c1, c1" in refused(run, "sweep", "--methods", methods)
+
+
+@pytest.mark.parametrize("order", ["0", "-3", "1000000", "2.5", "many", ""])
+@pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
+def test_an_order_that_the_method_cannot(run, method: str, order: str) -> None:
+    error = refused(run, "solve", "--method", method, f"--order={order}")
+    assert "order" in error
+    assert "expected a whole number from 1" in error or "valid integer" in error
+
+
+@pytest.mark.parametrize(
+    "orders", ["5-2", "0", "0-4", "-3", "1-", "a", "", "1,,2", "1.5", "1-2-3", "1-99999999"]
+)
+def test_orders_that_are_no_list(run, orders: str) -> None:
+    assert repr(orders) in refused(run, "sweep", f"--orders={orders}")
+
+
+def test_an_order_of_a_sweep_that_a_method_cannot_is_named_before_the_work(run) -> None:
+    error = refused(run, "sweep", "--orders", "3,1000000")
+    assert "got 1000000" in error
+    assert "method hb" in error
+
+
+def case_file(folder: Path, text: str | bytes) -> Path:
+    path = folder / "belt.toml"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return path
+
+
+def table(**changes: object) -> str:
+    values = {name: value for name, value in (GOOD | changes).items() if value is not None}
+    return "[stick_slip]\n" + "".join(f"{name} = {value}\n" for name, value in values.items())
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", "no table [stick_slip]"),
+        ("stick_slip = 3\n", "no table [stick_slip]"),
+        ("[belt]\nmass = 1\n", "no table [stick_slip]"),
+        (b"\x00\xff\xfe\x80binary", "not a text file"),
+        (b"\x00\x01\x02", "is not TOML"),
+        ("[stick_slip\n", "is not TOML"),
+        ("mass = \n", "is not TOML"),
+        (table(mass=None), "mass: missing"),
+        (table(mas=1.0), "mas: unknown key, did you mean mass?"),
+        (table(colour='"red"'), "colour: unknown key"),
+        (table(mass='"10"'), "mass: got '10', expected a positive number"),
+        (table(mass="true"), "mass: got True, expected a positive number"),
+        (table(mass="[1.0]"), "mass: got [1.0], expected a positive number"),
+        (table(mass="nan"), "mass: got nan"),
+        (table(mass="inf"), "mass: got inf"),
+        (table(mass="-2"), "mass: got -2"),
+        (table(mu_k="0.5"), "expected less than mu_s"),
+        (table(mass="1" + "0" * 400), "mass: got 1000"),
+        (table() + "[other]\nx = 1\n", "unknown 'other'"),
+    ],
+)
+def test_a_wrong_case_file(run, tmp_path: Path, text: str | bytes, expected: str) -> None:
+    path = case_file(tmp_path, text)
+    error = refused(run, "solve", "--case", path)
+    assert expected in error
+    assert str(path) in error
+
+
+def test_all_mistakes_of_a_case_file_are_named_at_once(run, tmp_path: Path) -> None:
+    path = case_file(
+        tmp_path, table(mass=-1, stiffness='"x"', belt_speed=None, mu_k=0.7, masss=3, nu=1)
+    )
+    error = refused(run, "sweep", "--case", path)
+    for name in (
+        "mass: got",
+        "stiffness: got",
+        "belt_speed: missing",
+        "mu_k: got",
+        "masss:",
+        "nu:",
+    ):
+        assert name in error
+
+
+def test_a_case_file_that_cannot_be_read(run, tmp_path: Path) -> None:
+    assert "cannot read" in refused(run, "solve", "--case", tmp_path / "none.toml")
+    assert "cannot read" in refused(run, "solve", "--case", tmp_path)
+
+
+@pytest.mark.parametrize("command", ["solve", "sweep", "equations"])
+def test_an_output_folder_that_does_not_exist(run, tmp_path: Path, command: str) -> None:
+    error = refused(run, command, "-o", tmp_path / "none" / "x.json")
+    assert "does not exist" in error
+
+
+@pytest.mark.parametrize("command", ["solve", "sweep", "equations"])
+def test_an_output_that_is_a_folder(run, tmp_path: Path, command: str) -> None:
+    folder = tmp_path / "x.json"
+    folder.mkdir()
+    assert "is a folder" in refused(run, command, "-o", folder)
+
+
+@pytest.mark.parametrize("command", ["solve", "sweep", "equations"])
+def test_an_output_folder_that_cannot_be_written(run, tmp_path: Path, command: str) -> None:
+    folder = Path("/proc/self")
+    if os.name != "posix" or not folder.is_dir():
+        folder = tmp_path
+        folder.chmod(0o500)
+    assert "cannot write" in refused(run, command, "-o", folder / "x.json")
+
+
+@pytest.mark.parametrize("command", ["solve", "sweep"])
+@pytest.mark.parametrize("name", ["x", "x.txt", "x.jpeg"])
+def test_an_output_of_unknown_kind(run, tmp_path: Path, command: str, name: str) -> None:
+    error = refused(run, command, "-o", tmp_path / name)
+    assert ".json" in error
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_failed_write_leaves_the_old_file(run, tmp_path: Path, monkeypatch) -> None:
+    target = tmp_path / "rows.json"
+    target.write_text("old")
+
+    def fail(*arguments):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.replace", fail)
+    status, _, err = run("sweep", "--orders", "1", "-o", target)
+    assert status == 2
+    assert "No space left" in err
+    assert [path.name for path in tmp_path.iterdir()] == ["rows.json"]
+    assert target.read_text() == "old"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [("fly",), ("solve", "--colour"), ("solve", "extra"), ("equations", "--format", "word")],
+)
+def test_an_unknown_command_or_flag(run, arguments) -> None:
+    assert "--help" in refused(run, *arguments)
+
+
+@pytest.mark.parametrize("name", GOOD)
+@pytest.mark.parametrize("value", ["1", None, True, [1.0], 1j, np.nan, np.inf, -1.0])
+def test_python_names_a_wrong_parameter(name: str, value: object) -> None:
+    with pytest.raises(ns.ParameterError, match=f"{name}: got"):
+        ns.StickSlip(**(GOOD | {name: value}))  # type: ignore[arg-type]
+
+
+def test_python_names_all_wrong_parameters() -> None:
+    with pytest.raises(ValueError, match="mass.*stiffness.*mu_k") as caught:
+        ns.StickSlip(**(GOOD | {"mass": 0, "stiffness": -1, "mu_k": 0.9}))
+    assert len(caught.value.errors) == 3
+
+
+@pytest.mark.parametrize("number", [np.float32(10), np.int64(10), 10])
+def test_python_takes_any_real_number(number) -> None:
+    belt = ns.StickSlip(**(GOOD | {"mass": number}))
+    assert type(belt.mass) is float
+
+
+@pytest.mark.parametrize("order", [0, -1, 10**6, 2.0, "3", None, True])
+def test_python_names_a_wrong_order(order: object, belt: ns.StickSlip) -> None:
+    with pytest.raises(ValueError, match="order: got"):
+        ns.solve(belt, "c1", order)  # type: ignore[arg-type]
+
+
+def test_python_takes_a_numpy_integer_as_order(belt: ns.StickSlip) -> None:
+    assert ns.solve(belt, "c1", np.int64(5)).order == 5
+
+
+@pytest.mark.parametrize("method", ["C1", "", None, 3])
+def test_python_names_a_wrong_method(method: object, belt: ns.StickSlip) -> None:
+    with pytest.raises(ValueError, match="method: got"):
+        ns.solve(belt, method, 5)  # type: ignore[arg-type]

@@ -1,0 +1,242 @@
+"""The command line: documents, tables, files, exit status."""
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from nonsmooth.codegen import generate as stage
+
+KEYS = [
+    "schema",
+    "method",
+    "order",
+    "parameters",
+    "converged",
+    "iterations",
+    "residual_norm",
+    "t1",
+    "period",
+    "coefficients",
+    "admissible",
+    "violations",
+    "transition_mismatch",
+    "exact",
+    "errors",
+]
+
+
+@pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
+def test_solve_prints_the_fixed_keys(method: str, run) -> None:
+    status, out, err = run("solve", "--method", method, "--order", 7, "--json")
+    document = json.loads(out)
+    assert status == 0
+    assert list(document) == KEYS
+    assert document["schema"] == 1
+    assert document["method"] == method
+    assert document["order"] == 7
+    assert document["converged"] is True
+    assert document["admissible"] is True
+    assert document["violations"] == []
+    names = ["mass", "stiffness", "belt_speed", "mu_s", "mu_k", "normal_force"]
+    assert list(document["parameters"]) == names
+    assert list(document["exact"]) == ["t1", "period"]
+    assert list(document["errors"]) == ["period", "t1", "acceleration"]
+    expected = document["period"] / document["exact"]["period"] - 1
+    assert document["errors"]["period"] == pytest.approx(expected, abs=1e-15)
+    coefficients = {"hb": ["a0", "a", "b"], "hb-c1": ["a0", "a", "b", "c1"], "c1": ["d"]}
+    assert list(document["coefficients"]) == coefficients[method]
+    assert err == ""
+
+
+def test_solve_without_a_method_compares_all_three(run) -> None:
+    status, out, _ = run("solve", "--order", 5)
+    assert status == 0
+    assert "F_N = 400 N (alpha = 1) is our choice" in out
+    methods = [line.split()[0] for line in out.splitlines()[-4:]]
+    assert methods == ["exact", "hb", "hb-c1", "c1"]
+    assert max(map(len, out.splitlines())) <= 80
+    _, out, _ = run("solve", "--order", 5, "--json")
+    assert [orbit["method"] for orbit in json.loads(out)["orbits"]] == ["hb", "hb-c1", "c1"]
+
+
+def test_an_absent_orbit_is_said_to_be_absent(run) -> None:
+    arguments = ("solve", "--method", "c1", "--order", 4, "--normal-force", 100)
+    status, out, err = run(*arguments, "--json")
+    document = json.loads(out)
+    assert status == 1
+    assert list(document)[: len(KEYS)] == KEYS
+    assert document["status"] == "no-orbit"
+    assert document["converged"] is False
+    assert document["period"] is None
+    assert "real solutions" in document["violations"][0]
+    assert "none is an orbit" in err
+    status, out, _ = run(*arguments)
+    assert status == 1
+    assert "no-orbit" in out
+    assert "our choice" not in out
+
+
+def test_sweep_of_the_issue_has_120_rows_and_all_of_c1_settled(run) -> None:
+    arguments = ("sweep", "--methods", "hb,hb-c1,c1", "--orders", "1-40", "--json")
+    status, out, err = run(*arguments)
+    document = json.loads(out)
+    assert status == 0
+    assert document["schema"] == 1
+    assert len(document["rows"]) == 120
+    expected = ["method", "order", "status", "t1", "period", "iterations", "errors", "seconds"]
+    assert all(list(row)[:8] == expected for row in document["rows"])
+    settled = [row for row in document["rows"] if row["method"] == "c1" and row["order"] <= 20]
+    assert len(settled) == 20
+    assert {row["status"] for row in settled} <= {"ok", "no-orbit"}
+    assert "sweep: 120 of 120 done" in err
+
+
+def test_a_row_without_an_orbit_is_a_row_all_the_same(run) -> None:
+    status, out, _ = run(
+        "sweep", "--methods", "c1", "--orders", "3-5", "--normal-force", 100, "--json"
+    )
+    rows = json.loads(out)["rows"]
+    assert status == 1
+    assert [row["order"] for row in rows] == [3, 4, 5]
+    assert [row["status"] for row in rows] == ["no-orbit", "no-orbit", "ok"]
+    assert rows[1]["errors"] == {"period": None, "t1": None, "acceleration": None}
+    status, out, _ = run("sweep", "--methods", "c1", "--orders", "3-5", "--normal-force", 100)
+    assert status == 1
+    assert out.count("no-orbit") == 2
+
+
+def test_sweep_writes_csv_and_json(run, tmp_path: Path) -> None:
+    for name in ("rows.csv", "rows.json"):
+        status, _, err = run("sweep", "--orders", "2,4", "-o", tmp_path / name)
+        assert status == 0
+        assert f"wrote {tmp_path / name}" in err
+    with open(tmp_path / "rows.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["order"] for row in rows] == ["2", "4"] * 3
+    document = json.loads((tmp_path / "rows.json").read_text())
+    for row, again in zip(rows, document["rows"], strict=True):
+        assert float(row["period"]) == again["period"]
+        assert float(row["error_acceleration"]) == again["errors"]["acceleration"]
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
+def test_pictures_are_written_and_reproducible(run, tmp_path: Path, suffix: str) -> None:
+    pytest.importorskip("matplotlib")
+    contents = []
+    for attempt in range(2):
+        orbit, sweep = tmp_path / f"orbit{attempt}.{suffix}", tmp_path / f"s{attempt}.{suffix}"
+        assert run("solve", "--order", 3, "-o", orbit)[0] == 0
+        assert run("sweep", "--orders", "1-4", "-o", sweep)[0] == 0
+        contents.append((orbit.read_bytes(), sweep.read_bytes()))
+    assert contents[0] == contents[1]
+    start = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}[suffix]
+    assert all(content.startswith(start) for content in contents[0])
+
+
+def test_a_case_file_and_flags_describe_the_oscillator(run, tmp_path: Path) -> None:
+    case = tmp_path / "belt.toml"
+    case.write_text(
+        "[stick_slip]\nmass = 2\nstiffness = 8.0\nbelt_speed = 0.5\n"
+        "mu_s = 0.4\nmu_k = 0.1\nnormal_force = 3.0\n"
+    )
+    flags = ("--method", "c1", "--order", 9, "--json", "--case", case)
+    _, out, _ = run("solve", *flags)
+    assert json.loads(out)["parameters"]["mass"] == 2.0
+    _, out, _ = run("solve", *flags, "--mass", 5, "--mu-k", 0)
+    parameters = json.loads(out)["parameters"]
+    assert (parameters["mass"], parameters["mu_k"], parameters["stiffness"]) == (5.0, 0.0, 8.0)
+
+
+def test_a_flag_may_stand_in_for_a_missing_key(run, tmp_path: Path) -> None:
+    case = tmp_path / "belt.toml"
+    case.write_text("[stick_slip]\nmass=2\nstiffness=8\nbelt_speed=0.5\nmu_s=0.4\nmu_k=0.1\n")
+    assert run("solve", "--case", case, "--order", 9, "--normal-force", 3)[0] == 0
+
+
+def test_generate_check_passes_and_fails_with_status_1(
+    run, tmp_path: Path, monkeypatch
+) -> None:
+    assert run("generate", "--check") == (0, "generated/ is up to date\n", "")
+    folder = tmp_path / "generated"
+    shutil.copytree(stage.FOLDER, folder, ignore=shutil.ignore_patterns("__pycache__"))
+    (folder / "hb.py").write_text("wrong")
+    for name in ("differences", "write"):
+        function = getattr(stage, name)
+        monkeypatch.setattr(stage, name, lambda function=function: function(folder))
+    assert run("generate", "--check") == (1, "hb.py: differs\n", "")
+    assert (folder / "hb.py").read_text() == "wrong"
+    assert run("generate") == (0, "hb.py: written\n", "")
+    assert run("generate") == (0, "generated/ was up to date\n", "")
+
+
+def test_equations_as_text_name_every_number(run) -> None:
+    status, out, _ = run("equations")
+    assert status == 0
+    for number in range(1, 21):
+        assert f"({number})  " in out
+    _, one, _ = run("equations", "--method", "c1")
+    assert "(18)  orthogonality" in one
+    assert "(14)" not in one
+
+
+def test_equations_as_latex_are_a_document_that_compiles(run, tmp_path: Path) -> None:
+    target = tmp_path / "equations.tex"
+    status, _, _ = run("equations", "--format", "latex", "-o", target)
+    text = target.read_text("utf-8")
+    assert status == 0
+    for number in range(1, 21):
+        assert f"\\tag{{{number}}}" in text
+    compiler = shutil.which("pdflatex")
+    if compiler is None:
+        pytest.skip("pdflatex is not installed")
+    command = [compiler, "-interaction=nonstopmode", "-halt-on-error", target.name]
+    log = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert log.returncode == 0, log.stdout[-2000:]
+    assert "Overfull" not in log.stdout
+
+
+def test_help_and_version(run) -> None:
+    assert run("--version")[1].startswith("nonsmooth 0.")
+    for command in ((), ("solve",), ("sweep",), ("generate",), ("equations",)):
+        status, out, _ = run(*command, "--help")
+        assert status == 0
+        assert "Usage: nonsmooth" in out
+    status, out, _ = run()
+    assert status == 0
+    assert "Examples:" in out
+
+
+def test_the_module_is_a_command(tmp_path: Path) -> None:
+    command = [sys.executable, "-W", "error", "-m", "nonsmooth", "solve", "--order", "3"]
+    result = subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert "hb-c1" in result.stdout
+
+
+def test_interruption_exits_with_130_and_leaves_no_file(
+    run, tmp_path: Path, monkeypatch
+) -> None:
+    from nonsmooth.solver import sweep as stage_sweep
+
+    def interrupt(*arguments, **options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(stage_sweep, "solve", interrupt)
+    target = tmp_path / "rows.csv"
+    status, _, err = run("sweep", "--orders", "1-3", "-o", target)
+    assert status == 130
+    assert err.strip().endswith("nonsmooth: interrupted")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_reader_that_leaves_is_no_error() -> None:
+    command = f"{sys.executable} -m nonsmooth equations | head -n 1"
+    result = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command], capture_output=True, text=True, check=False
+    )
+    assert result.stdout.startswith("Section 2")
+    assert "Traceback" not in result.stderr

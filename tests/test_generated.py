@@ -1,0 +1,160 @@
+"""generated/ is what the derivation gives, to the byte; and nothing old survives it."""
+
+import dataclasses
+import importlib.util
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from numpy.testing import assert_array_equal
+
+from nonsmooth.codegen import derive, emit, generate
+from nonsmooth.codegen.system import ClosedForm, GalerkinSystem
+from nonsmooth.solver import kernels
+
+METHODS = ("hb", "hb-c1", "c1")
+
+
+def test_committed_files_are_the_derived_ones() -> None:
+    assert generate.differences() == []
+
+
+def test_a_second_run_changes_nothing(tmp_path: Path) -> None:
+    generate.write(tmp_path)
+    before = {path.name: path.stat().st_mtime_ns for path in tmp_path.iterdir()}
+    assert generate.write(tmp_path) == []
+    assert {path.name: path.stat().st_mtime_ns for path in tmp_path.iterdir()} == before
+
+
+def test_text_and_set_of_files_are_compared_without_writing(tmp_path: Path) -> None:
+    generate.write(tmp_path)
+    (tmp_path / "extra.py").write_text("old = True\n")
+    (tmp_path / "c1.py").unlink()
+    text = (tmp_path / "hb.py").read_text()
+    (tmp_path / "hb.py").write_text(text.replace("C[n]", "C[n+1]"))
+    expected = ["c1.py: missing", "extra.py: not generated", "hb.py: differs"]
+    assert generate.differences(tmp_path) == expected
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "__init__.py",
+        "extra.py",
+        "hb.py",
+        "hb_c1.py",
+    ]
+    assert generate.write(tmp_path) == ["hb.py: written", "c1.py: written", "extra.py: removed"]
+    assert generate.differences(tmp_path) == []
+
+
+def test_derivation_in_another_process_gives_the_same_text(tmp_path: Path) -> None:
+    code = "from pathlib import Path; from nonsmooth.codegen import generate as g; import sys\n"
+    code += "g.write(Path(sys.argv[1]))"
+    environment = os.environ | {"PYTHONHASHSEED": "12345"}
+    command = [sys.executable, "-c", code, str(tmp_path)]
+    subprocess.run(command, check=True, env=environment)
+    for name, text in generate.sources().items():
+        assert (tmp_path / name).read_text("utf-8") == text
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_header_says_what_the_file_is_and_hashes_it(method: str) -> None:
+    system = derive(method)
+    text = emit.module_source(system)
+    assert text.startswith(f'"""Section {system.section}: {system.title}')
+    assert "nonsmooth generate" in text
+    module = kernels.module(method)
+    assert emit.mathematics(system) == module.MATHEMATICS
+    body = text[text.index("\n\n\n", text.index("BODY")) + 3 :]
+    assert emit.digest(body) == module.BODY
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_closed_form_is_used(method: str) -> None:
+    system = derive(method)
+    for form in system.forms:
+        assert emit.LOOPS[method].count(f"{form.name}(") >= 1, form.name
+
+
+def test_powers_and_fractions_are_printed_to_keep_digits() -> None:
+    x, y = sp.symbols("x y")
+    form = ClosedForm("f", "f.", (x, y), (x**3 / 6 - y / (2 * x**2), -x * (y + 1) / 3))
+    source = emit.function_source(form)
+    assert "(x*x*x)/6 - y/(2*(x*x))" in source
+    namespace: dict[str, object] = {}
+    exec(source, namespace)
+    assert namespace["f"](2.0, 5.0) == (8 / 6 - 5 / 8, -4.0)  # type: ignore[operator]
+
+
+def changed(system: GalerkinSystem) -> GalerkinSystem:
+    """Return the system with one wrong sign in the mathematics."""
+    forms = tuple(
+        dataclasses.replace(form, values=tuple(-v for v in form.values))
+        if form.name == "constant_by_one"
+        else form
+        for form in system.forms
+    )
+    return dataclasses.replace(system, forms=forms)
+
+
+RUN = """
+import sys, numpy as np
+from nonsmooth.solver import kernels
+sys.path.insert(0, sys.argv[1])
+import regenerated
+residual = kernels.compile_functions(regenerated)["residual"]
+R = np.empty(5)
+residual(1.0, np.array([0.7, 0.2, -0.9, 2.0, 6.0]), R)
+print(R[0].hex(), sum(residual.stats.cache_hits.values()))
+"""
+
+
+def test_a_cached_kernel_never_survives_a_regeneration(tmp_path: Path) -> None:
+    """A file with other mathematics, but the same size and time, is compiled anew."""
+    path, cache = tmp_path / "regenerated.py", tmp_path / "cache"
+    cache.mkdir()
+
+    def residual() -> tuple[float, int]:
+        command = [sys.executable, "-B", "-c", RUN, str(tmp_path)]
+        environment = os.environ | {"NUMBA_CACHE_DIR": str(cache)}
+        out = subprocess.run(
+            command, check=True, capture_output=True, text=True, env=environment
+        ).stdout.split()
+        return float.fromhex(out[0]), int(out[1])
+
+    right, wrong = (emit.module_source(s) for s in (derive("hb"), changed(derive("hb"))))
+    size = max(len(right), len(wrong))
+    path.write_text(right.ljust(size))
+    os.utime(path, ns=(10**18, 10**18))
+    first, hits = residual()
+    assert hits == 0
+    again, hits = residual()
+    assert (again, hits) == (first, 1)
+    path.write_text(wrong.ljust(size))
+    os.utime(path, ns=(10**18, 10**18))
+    after, hits = residual()
+    assert hits == 0
+    assert after != first
+
+
+def test_kernels_compile_where_no_cache_can_be_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import numba
+
+    def refuse(*arguments, **options):
+        if options.get("cache"):
+            raise RuntimeError("cannot cache function: no locator available")
+        return njit(*arguments, **options)
+
+    njit = numba.njit
+    monkeypatch.setattr(numba, "njit", refuse)
+    path = tmp_path / "c1.py"
+    path.write_text(emit.module_source(derive("c1")))
+    spec = importlib.util.spec_from_file_location("uncached", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    namespace = kernels.compile_functions(module)
+    assert_array_equal(namespace["twice_integrated"](3), module.twice_integrated(3))
