@@ -220,7 +220,7 @@ def test_python_names_a_wrong_parameter(name: str, value: object) -> None:
 
 
 def test_python_names_all_wrong_parameters() -> None:
-    with pytest.raises(ValueError, match="mass.*stiffness.*mu_k") as caught:
+    with pytest.raises(ValueError, match=r"mass.*stiffness.*mu_k") as caught:
         ns.StickSlip(**(GOOD | {"mass": 0, "stiffness": -1, "mu_k": 0.9}))
     assert len(caught.value.errors) == 3
 

@@ -89,7 +89,7 @@ def test_velocity_weight_of_10_is_the_velocity_of_a_sine_at_0(p: Problem, n: int
 
 
 def shape(p: Problem) -> float:
-    """The factor T s**3 between g1 of (12) and its smoothstep form in the kernel."""
+    """Return the factor T s**3 between g1 of (12) and its smoothstep form in the kernel."""
     return p.T * (p.T - p.t1) ** 3
 
 

@@ -86,7 +86,7 @@ def test_legendre_polynomials_are_integrated_twice(degree: int) -> None:
 @pytest.mark.parametrize("N", [1, 2, 4])
 def test_the_legendre_form_of_18_spans_the_rows_of_the_paper(N: int) -> None:
     """The rows of the paper, combined to the test functions Q_k, are the kernel's rows."""
-    u, s, n, k = c1_legendre.u, c1_legendre.s, c1.n, c1.k
+    u, s, k = c1_legendre.u, c1_legendre.s, c1.k
     p = sp.symbols(f"p0:{N + 1}")
     acceleration = sum(p[i] * sp.legendre(i, 2 * u - 1) for i in range(N + 1))
     d = sp.Poly(acceleration, u).all_coeffs()[::-1]
@@ -123,7 +123,7 @@ def test_entries_have_few_operations() -> None:
 
 
 def test_require_zero_names_what_is_not() -> None:
-    with pytest.raises(DerivationError, match="this claim: .* is not zero"):
+    with pytest.raises(DerivationError, match=r"this claim: .* is not zero"):
         require_zero([("true", sp.Integer(0)), ("this claim", omega_0)])
 
 

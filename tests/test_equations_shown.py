@@ -118,9 +118,8 @@ def test_functions_of_time_are_those_of_the_paper(method: str, number: str) -> N
     }[number]
     shown = [equation for equation in system.equations if equation.number == number]
     e0_e1 = {c1_codegen.e0: V, c1_codegen.e1: X_0, hb_c1.u: (3.1 - 1.7) / 3.6}
-    for t, function, equation in zip((0.9, 3.1), by_phase, shown * 2, strict=False):
-        if len(shown) == 2:
-            equation = shown[0 if t < PROBLEM.t1 else 1]
+    # One equation for both phases, or one for each.
+    for t, function, equation in zip((0.9, 3.1), by_phase, (shown * 2)[:2], strict=True):
         time = {symbol: t for symbol in equation.sides[1].free_symbols if symbol.name == "t"}
         for side in equation.sides[1:]:
             got = value(side.subs(e0_e1).subs(time), system, numbers)

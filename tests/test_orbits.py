@@ -73,9 +73,7 @@ def test_orbit_satisfies_the_printed_conditions(method: str, order: int) -> None
     tests["hb-c1"] = [*tests["hb"], p.g1]
     accelerations = np.abs(orbit.acceleration(phase_times(orbit))).max()
     for test in tests[method]:
-        size = accelerations * (
-            p.stick(lambda t: abs(test(t))) + p.slip(lambda t: abs(test(t)))
-        )
+        size = accelerations * p.inner(one, one, lambda t, test=test: abs(test(t)))
         assert abs(p.inner(stick, slip, test)) < 1e-11 * size
 
 
@@ -163,6 +161,16 @@ def test_c1_has_no_orbit_at_order_4_below_alpha_0_8(alpha: float) -> None:
     assert finding.value.proven
 
 
+def found_or_proven_absent(belt: ns.StickSlip, method: str, order: int) -> ns.Orbit | None:
+    """Return the orbit, or None; for c1, None only if it is shown that there is none."""
+    try:
+        return ns.solve(belt, method, order)
+    except NoOrbit as finding:
+        if method == "c1" and not finding.proven:
+            raise
+        return None
+
+
 @pytest.mark.parametrize("alpha", [1e-3, 0.01, 0.1, 0.3, 1, 3, 10])
 @pytest.mark.parametrize("method", METHODS)
 def test_nothing_but_the_orbit_is_returned(method: str, alpha: float) -> None:
@@ -171,10 +179,8 @@ def test_nothing_but_the_orbit_is_returned(method: str, alpha: float) -> None:
     )
     exact = ns.exact(belt)
     for order in (1, 2, 3, 4, 5, 8, 13, 21):
-        try:
-            orbit = ns.solve(belt, method, order)
-        except NoOrbit as finding:
-            assert finding.proven or method != "c1"
+        orbit = found_or_proven_absent(belt, method, order)
+        if orbit is None:
             continue
         assert orbit.converged
         assert orbit.admissible

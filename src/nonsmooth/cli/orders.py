@@ -34,7 +34,7 @@ def _range(part: str, text: str) -> Iterable[int]:
     if low < 1:
         raise Problem(f"--orders: got {text!r}, expected orders not below 1")
     if high < low:
-        raise Problem(f"--orders: got {text!r}, expected {part} the other way round")
+        raise Problem(f"--orders: got {text!r}, expected ranges from low to high, not {part}")
     if high - low >= 10**6:
         raise Problem(f"--orders: got {text!r}, expected less than a million orders")
     return range(low, high + 1)
