@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from html import escape
 
 import numpy as np
 import numpy.typing as npt
@@ -81,7 +82,7 @@ class ExactOrbit(Motion):
     >>> from nonsmooth.solver.belt import DEFAULT
     >>> orbit = ExactOrbit(DEFAULT)
     >>> round(orbit.period, 9), orbit.t1
-    (0.67123889, 0.2)
+    (0.671238898, 0.2)
     """
 
     belt: StickSlip
@@ -212,6 +213,9 @@ class Orbit(Motion):
             self._method.evaluate,
         )
         return float(z[-1]), lambda t, derivative: evaluate(z, order, t, derivative, alpha)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
 
     def __str__(self) -> str:
         method = self._method

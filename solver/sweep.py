@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
+from html import escape
 
 from .belt import StickSlip
 from .errors import Errors
@@ -61,6 +62,9 @@ class Sweep:
         """Return the rows of one method."""
         return tuple(row for row in self.rows if row.method == method)
 
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
+
     def __str__(self) -> str:
         lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'T/T_exact-1':>12}  {'(22)':>10}"]
         for row in self.rows:
@@ -107,8 +111,8 @@ def sweep(
     ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
     >>> print(ns.sweep(belt, methods=["c1"], orders=[3, 5]))
     method      N            T [s]   T/T_exact-1        (22)
-    c1          3     0.6690781087    -3.219e-03   1.310e-01
-    c1          5      0.671275558     5.463e-05   2.319e-02
+    c1          3     0.6690781172    -3.219e-03   1.310e-01
+    c1          5     0.6712755659     5.463e-05   2.319e-02
     """
     orders = list(orders)
     jobs = [(name, check_order(n, check_method(name))) for name in methods for n in orders]
