@@ -16,7 +16,7 @@ import sympy as sp
 from . import c1_legendre
 from .c1_legendre import s
 from .inner_product import N
-from .oscillator import PHASES, SLIP, STICK, T, V, omega_n, t, t1, x_0
+from .oscillator import INITIAL_STATE, PHASES, SLIP, STICK, T, omega_n, t, t1
 from .system import Equation, GalerkinSystem, Inner, require_zero
 
 n, k = sp.symbols("n k", integer=True, nonnegative=True)
@@ -42,7 +42,7 @@ TRIAL = integrate(VELOCITY)
 
 #: Displacement (16): a line, and in slip the series besides.
 LINE = e0 * t + e1
-START = {e0: V, e1: x_0}
+START = {e0: INITIAL_STATE[1], e1: INITIAL_STATE[0]}
 
 
 def check_c1() -> None:
@@ -147,8 +147,8 @@ def _equations() -> tuple[Equation, ...]:
     return (
         Equation("15", "acceleration", (x(t).diff(t, 2), H * acceleration)),
         Equation("16", "expansion", (x(t), H * series + LINE)),
-        Equation("", "constants of integration", (e0, V)),
-        Equation("", "constants of integration", (e1, x_0)),
+        Equation("", "constants of integration", (e0, START[e0])),
+        Equation("", "constants of integration", (e1, START[e1])),
         Equation("17", "residual in stick", (R3, STICK.residual(LINE)), stick_t),
         Equation("17", "residual in slip", (R3, slip), slip_t),
         Equation("18", "orthogonality", (test, orthogonality.closed, zero), "k = 0, ..., N"),

@@ -25,7 +25,7 @@ from .inner_product import (
     omega_0,
     sin_k,
 )
-from .oscillator import SLIP, STICK, T, V, dimensionless, t, t1, x_0
+from .oscillator import INITIAL_STATE, SLIP, STICK, T, dimensionless, t, t1
 from .system import ClosedForm, Equation
 
 a0 = sp.Symbol("a0", real=True)
@@ -94,7 +94,7 @@ def definitions() -> tuple[Equation, ...]:
     return tuple(rows)
 
 
-def jacobian(extra: str = "") -> tuple[Equation, ...]:
+def jacobian() -> tuple[Equation, ...]:
     """Return the derivatives of (5)-(7), (9), (10) with respect to every unknown.
 
     The conditions are linear in the coefficients, in ``C_k`` and in ``S_k``: a derivative
@@ -193,6 +193,6 @@ def closed_forms() -> tuple[ClosedForm, ...]:
             "initial_state",
             "Right sides of (9) and (10): displacement and velocity at t = 0.",
             (sp.Symbol("alpha", positive=True),),
-            (dimensionless(x_0), dimensionless(V)),
+            tuple(map(dimensionless, INITIAL_STATE)),
         ),
     )

@@ -7,7 +7,7 @@ import sympy as sp
 
 from . import fourier
 from .inner_product import FREQUENCY, N, n, omega_0
-from .oscillator import PHASES, V, t, x_0
+from .oscillator import INITIAL_STATE, PHASES, t
 from .system import Equation, GalerkinSystem, Inner
 
 x = sp.Function("x")
@@ -66,8 +66,12 @@ def derive() -> GalerkinSystem:
             *(_orthogonality(number) for number in ("5", "6", "7")),
             Equation("8", "inner product", inner_product_statement()),
             *fourier.definitions(),
-            Equation("9", "displacement at t = 0", (x(0), fourier.DISPLACEMENT_AT_0, x_0)),
-            Equation("10", "velocity at t = 0", (v0, fourier.VELOCITY_AT_0, V)),
+            Equation(
+                "9",
+                "displacement at t = 0",
+                (x(0), fourier.DISPLACEMENT_AT_0, INITIAL_STATE[0]),
+            ),
+            Equation("10", "velocity at t = 0", (v0, fourier.VELOCITY_AT_0, INITIAL_STATE[1])),
         ),
         jacobian=fourier.jacobian(),
         forms=fourier.closed_forms(),

@@ -10,7 +10,7 @@ from . import fourier, hb
 from . import g1 as smooth
 from .g1 import BY_COSINE, BY_G1, BY_ONE, BY_SINE, SCALE, SCALE_S, SMOOTHSTEP, through_tables, u
 from .inner_product import N, j, k, n
-from .oscillator import PHASES, T, V, omega_n, t, t1, x_0, x_s
+from .oscillator import INITIAL_STATE, PHASES, T, omega_n, t, t1, x_s
 from .slip_moments import TABLES, moments, with_derivatives
 from .slip_moments import definitions as moment_definitions
 from .system import Equation, GalerkinSystem, Inner, require_zero
@@ -119,8 +119,8 @@ def derive() -> GalerkinSystem:
             *fourier.definitions(),
             *_definitions(),
             *moment_definitions(),
-            Equation("9", "displacement at t = 0", (hb.x(0), displacement, x_0)),
-            Equation("10", "velocity at t = 0", (hb.v0, velocity, V)),
+            Equation("9", "displacement at t = 0", (hb.x(0), displacement, INITIAL_STATE[0])),
+            Equation("10", "velocity at t = 0", (hb.v0, velocity, INITIAL_STATE[1])),
         ),
         jacobian=(*fourier.jacobian(), *_jacobian()),
         forms=(*fourier.closed_forms(), *smooth.closed_forms()),

@@ -64,6 +64,10 @@ UNKNOWN_TIMES = (t1, T)
 TRANSITION = mu_s * F_N / K
 
 
+#: Displacement and velocity with which stick starts, at 0, and slip ends, at ``T``.
+INITIAL_STATE = (x_0, V)
+
+
 @dataclass(frozen=True)
 class ExactOrbit:
     """The periodic orbit in closed form, phase by phase (Fig. 2)."""

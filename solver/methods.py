@@ -1,5 +1,6 @@
 """The three methods of the paper as data: section, evaluation, coefficients, tolerance."""
 
+import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -87,13 +88,13 @@ def check_order(order: object, method: Method) -> int:
     ValueError
         If it is not a whole number from 1 to the method's highest.
     """
-    highest = method.highest_order
-    whole = isinstance(order, int) and not isinstance(order, bool)
-    if not whole and hasattr(order, "__index__") and not isinstance(order, bool):
-        order, whole = order.__index__(), True
-    if not whole or not 1 <= order <= highest:  # type: ignore[operator]
+    try:
+        number = 0 if isinstance(order, bool) else operator.index(order)  # type: ignore[arg-type]
+    except TypeError:
+        number = 0
+    if not 1 <= number <= method.highest_order:
         raise ValueError(
-            f"order: got {order!r}, expected a whole number from 1 to {highest} "
+            f"order: got {order!r}, expected a whole number from 1 to {method.highest_order} "
             f"for method {method.name}"
         )
-    return int(order)  # type: ignore[call-overload, no-any-return]
+    return number

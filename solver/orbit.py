@@ -38,6 +38,8 @@ class Motion:
 
     def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
         times = np.asarray(t, dtype=float)
+        if not np.isfinite(times).all():
+            raise ValueError(f"t: got {t!r}, expected finite times in s")
         T, evaluate = self._dimensionless()
         phase = np.mod(times.ravel() / self.belt.time_unit, T)
         phase[phase >= T] = 0.0  # np.mod of a tiny negative number is T itself
@@ -58,6 +60,11 @@ class Motion:
         Returns
         -------
         ndarray of float, of the shape of `t`
+
+        Raises
+        ------
+        ValueError
+            If a time is infinite or not a number.
         """
         return self._at(t, 0)
 

@@ -81,7 +81,7 @@ class Sweep:
 
 def sweep(
     belt: StickSlip,
-    methods: Sequence[str] = tuple(METHODS),
+    methods: str | Sequence[str] = tuple(METHODS),
     orders: Iterable[int] = range(1, 41),
     *,
     progress: Callable[[Row], None] = lambda row: None,
@@ -92,7 +92,7 @@ def sweep(
     ----------
     belt : StickSlip
         The oscillator.
-    methods : sequence of {"hb", "hb-c1", "c1"}
+    methods : {"hb", "hb-c1", "c1"} or a sequence of them
         The methods, each in its turn.
     orders : iterable of int
         The orders of every method.
@@ -114,6 +114,7 @@ def sweep(
     c1          3     0.6690781172    -3.219e-03   1.310e-01
     c1          5     0.6712755659     5.463e-05   2.319e-02
     """
+    methods = (methods,) if isinstance(methods, str) else methods
     orders = list(orders)
     jobs = [(name, check_order(n, check_method(name))) for name in methods for n in orders]
     rows = []

@@ -114,6 +114,12 @@ def test_a_scalar_time_gives_a_scalar_array(belt: ns.StickSlip) -> None:
     assert float(orbit.displacement(-1e-300)) == pytest.approx(0.0)
 
 
+@pytest.mark.parametrize("time", [np.nan, np.inf, [0.0, -np.inf]])
+def test_a_time_that_is_none_is_refused(time: object, belt: ns.StickSlip) -> None:
+    with pytest.raises(ValueError, match=r"t: got .* expected finite times"):
+        ns.exact(belt).velocity(time)  # type: ignore[arg-type]
+
+
 def test_acceleration_at_a_jump_is_that_of_the_phase_that_begins(belt: ns.StickSlip) -> None:
     orbit = ns.exact(belt)
     assert orbit.acceleration(0.0) == 0
