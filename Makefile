@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 OUTPUT := output
 
 .DEFAULT_GOAL := help
-.PHONY: help solve sweep test generate equations lint clean
+.PHONY: help solve sweep stability test generate equations lint clean
 
 help:  ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
@@ -18,6 +18,10 @@ solve: $(VENV)/ready  ## the limit cycle of the paper by its three methods, and 
 sweep: $(VENV)/ready  ## convergence over the orders 1 to 40, and a picture
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth sweep --orders 1-40 -o $(OUTPUT)/convergence.png
+
+stability: $(VENV)/ready  ## digits kept at the extremes, against high precision, and a picture
+	@mkdir -p $(OUTPUT)
+	@$(BIN)/nonsmooth stability -o $(OUTPUT)/stability.png
 
 test: $(VENV)/ready  ## all tests
 	@$(BIN)/python -m pytest
@@ -44,10 +48,10 @@ $(VENV)/ready: pyproject.toml
 	  echo "nonsmooth needs Python 3.11 or newer; set PYTHON=python3.x" >&2; exit 1; }
 	@if command -v uv >/dev/null 2>&1; then \
 	  uv venv --quiet --clear --python $(PYTHON) $(VENV) && \
-	  uv pip install --quiet --python $(BIN)/python -e '.[plot,test,lint]'; \
+	  uv pip install --quiet --python $(BIN)/python -e '.[plot,precise,test,lint]'; \
 	else \
 	  $(PYTHON) -m venv --clear $(VENV) || { \
 	    echo "python3-venv is missing: apt-get install python3-venv" >&2; exit 1; }; \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,test,lint]'; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,precise,test,lint]'; \
 	fi
 	@touch $@

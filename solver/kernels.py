@@ -53,8 +53,14 @@ def plain(method: str) -> Kernel:
 @cache
 def compiled(method: str) -> Kernel:
     """Return the kernel of `method` compiled by numba, cached on disk where possible."""
-    functions = compile_functions(module(method))
+    functions = compiled_functions(method)
     return Kernel(functions["residual"], functions["jacobian"], functions["size"])
+
+
+@cache
+def compiled_functions(method: str) -> dict[str, Any]:
+    """Return every function of the generated module of `method`, compiled, by name."""
+    return compile_functions(module(method))
 
 
 def compile_functions(source: types.ModuleType) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from html import escape
 
 from .belt import StickSlip
@@ -47,7 +47,7 @@ class Row:
         """Return the row as JSON has it."""
         row = asdict(self)
         if self.errors is None:
-            row["errors"] = {"period": None, "t1": None, "acceleration": None}
+            row["errors"] = dict.fromkeys(field.name for field in fields(Errors))
         return row
 
 

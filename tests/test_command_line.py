@@ -45,7 +45,8 @@ def test_solve_prints_the_fixed_keys(method: str, run) -> None:
     names = ["mass", "stiffness", "belt_speed", "mu_s", "mu_k", "normal_force"]
     assert list(document["parameters"]) == names
     assert list(document["exact"]) == ["t1", "period"]
-    assert list(document["errors"]) == ["period", "t1", "acceleration"]
+    names = ["period", "t1", "acceleration", "acceleration_aligned"]
+    assert list(document["errors"]) == names
     expected = document["period"] / document["exact"]["period"] - 1
     assert document["errors"]["period"] == pytest.approx(expected, abs=1e-15)
     coefficients = {"hb": ["a0", "a", "b"], "hb-c1": ["a0", "a", "b", "c1"], "c1": ["d"]}
@@ -104,7 +105,8 @@ def test_a_row_without_an_orbit_is_a_row_all_the_same(run) -> None:
     assert status == 1
     assert [row["order"] for row in rows] == [3, 4, 5]
     assert [row["status"] for row in rows] == ["no-orbit", "no-orbit", "ok"]
-    assert rows[1]["errors"] == {"period": None, "t1": None, "acceleration": None}
+    assert set(rows[1]["errors"].values()) == {None}
+    assert rows[1]["errors"].keys() == rows[2]["errors"].keys()
     status, out, _ = run("sweep", "--methods", "c1", "--orders", "3-5", "--normal-force", 100)
     assert status == 1
     assert out.count("no-orbit") == 2

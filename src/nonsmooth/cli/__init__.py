@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 
 import click
 
-from . import equations, generate, solve, sweep
+from . import equations, generate, roots, solve, stability, sweep
 from .problems import Problem
 
 EXAMPLES = """\b
@@ -42,7 +42,14 @@ def cli() -> None:
     """
 
 
-for command in (generate.generate, equations.equations, solve.solve, sweep.sweep):
+for command in (
+    generate.generate,
+    equations.equations,
+    solve.solve,
+    sweep.sweep,
+    roots.roots,
+    stability.stability,
+):
     cli.add_command(command)
 
 

@@ -45,7 +45,7 @@ SETTINGS: Any = {
 }
 
 
-def _save(figure: Figure, target: Path) -> None:
+def save(figure: Figure, target: Path) -> None:
     """Write the figure without a date: the same input gives the same bytes."""
     metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
     figure.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
@@ -69,7 +69,7 @@ def orbit_picture(belt: "StickSlip", orbits: "list[Orbit]", target: Path) -> Non
         handles, labels = plane.get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper center", ncols=2, frameon=False)
         figure.supxlabel(_caption(belt), fontsize=8)
-        _save(figure, target)
+        save(figure, target)
 
 
 def _draw_motion(
@@ -114,7 +114,7 @@ def convergence_picture(result: "Sweep", target: Path) -> None:
         handles, labels = period.get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper center", ncols=3, frameon=False)
         figure.supxlabel(_caption(result.belt), fontsize=8)
-        _save(figure, target)
+        save(figure, target)
 
 
 def _draw_floor(axes: Any) -> None:

@@ -9,6 +9,7 @@ import click
 from .equations import METHODS
 from .output import PICTURES, as_json, check_target, write_text, write_whole
 from .parameters import belt_from, caption, parameter_options
+from .precise import add_precise, check_digits, show_precise
 from .problems import Problem
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ Examples:
   nonsmooth solve --method c1 --order 7
   nonsmooth solve --order 10 -o orbit.png      all three methods
   nonsmooth solve --method hb --order 40 --case belt.toml --json
+  nonsmooth solve --method c1 --order 20 --digits 50
 """
 
 
@@ -42,7 +44,7 @@ def document(
         return head | result | tail | {"errors": asdict(found.errors)}
     result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(names)
     result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
-    missing = dict.fromkeys(("period", "t1", "acceleration"))
+    missing = dict.fromkeys(("period", "t1", "acceleration", "acceleration_aligned"))
     return head | result | tail | {"errors": missing, "status": found.status}
 
 
@@ -54,6 +56,7 @@ def document(
     "--order", type=int, default=10, show_default=True, help="N, the size of the expansion."
 )
 @parameter_options
+@click.option("--digits", type=int, help="Refine period and t1 to this many digits.")
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path),
@@ -65,13 +68,18 @@ def solve(
     case: Path | None,
     json_: bool,
     output: Path | None,
+    digits: int | None,
     **flags: float | None,
 ) -> int:
     """Compute the periodic orbit by one method of the paper, or by all three."""
     check_target(output, (".json", *PICTURES))
+    check_digits(digits)
     belt = belt_from(case, flags)
     found = {name: _search(belt, name, order) for name in ([method] if method else METHODS)}
     documents = [document(belt, name, order, result) for name, result in found.items()]
+    if digits is not None:
+        for each in documents:
+            add_precise(each, found[each["method"]], digits)
     result = documents[0] if method else {"orbits": documents}
     if json_:
         click.echo(as_json(result))
@@ -80,6 +88,8 @@ def solve(
 
         click.echo(caption(belt))
         solutions(belt, found)
+        if digits is not None:
+            show_precise(documents)
     from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
 
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]

@@ -2,8 +2,6 @@
 
 import csv
 import io
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +12,7 @@ from .orders import parse_methods, parse_orders
 from .output import PICTURES, as_json, check_target, write_text, write_whole
 from .parameters import belt_from, caption, parameter_options
 from .problems import Problem
+from .progress import progress
 
 if TYPE_CHECKING:
     from nonsmooth.solver.sweep import Row, Sweep
@@ -50,8 +49,8 @@ def sweep(
     from nonsmooth.solver.sweep import sweep as compute  # noqa: PLC0415
 
     try:
-        with progress(len(names) * len(numbers)) as advance:
-            result = compute(belt, names, numbers, progress=advance)
+        with progress(len(names) * len(numbers), "sweep") as advance:
+            result = compute(belt, names, numbers, progress=lambda row: advance(_name(row)))
     except ValueError as error:
         raise Problem(f"--orders: {error}") from error
     if json_:
@@ -64,6 +63,10 @@ def sweep(
     if output is not None:
         _write(output, result)
     return 0 if all(row.status == "ok" for row in result.rows) else 1
+
+
+def _name(row: "Row") -> str:
+    return f"{row.method}, N = {row.order}"
 
 
 def document(result: "Sweep") -> dict[str, Any]:
@@ -79,7 +82,7 @@ def as_csv(result: "Sweep") -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     names = ["method", "order", "status", "t1", "period", "iterations", "seconds"]
-    errors = ["period", "t1", "acceleration"]
+    errors = ["period", "t1", "acceleration", "acceleration_aligned"]
     writer.writerow(names + [f"error_{name}" for name in errors])
     for row in result.rows:
         values = row.as_dict()
@@ -98,33 +101,3 @@ def _write(output: Path, result: "Sweep") -> None:
         from .pictures import convergence_picture  # noqa: PLC0415
 
         write_whole(output, lambda target: convergence_picture(result, target))
-
-
-@contextmanager
-def progress(total: int) -> "Iterator[Callable[[Row], None]]":
-    """Show progress on stderr: a bar on a terminal, else a line now and then."""
-    from rich.console import Console  # noqa: PLC0415
-    from rich.progress import Progress  # noqa: PLC0415
-
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        yield _counter(total)
-        return
-    with Progress(console=console, transient=True) as bar:
-        task = bar.add_task("sweep", total=total)
-        yield lambda row: bar.update(task, advance=1, description=f"{row.method} N={row.order}")
-
-
-def _counter(total: int) -> "Callable[[Row], None]":
-    """Return a callback that writes a plain line at every tenth of the way."""
-    done = 0
-
-    def advance(row: "Row") -> None:
-        nonlocal done
-        done += 1
-        if done * 10 // total > (done - 1) * 10 // total:
-            click.echo(
-                f"sweep: {done} of {total} done ({row.method}, N = {row.order})", err=True
-            )
-
-    return advance

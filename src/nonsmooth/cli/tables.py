@@ -1,7 +1,7 @@
 """Tables for people, on stdout, at most 80 columns wide."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rich import box
 from rich.console import Console
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
     from nonsmooth.solver.solve import NoOrbit
     from nonsmooth.solver.sweep import Sweep
+    from nonsmooth.stability import Cell, Form
 
 
 def _print(table: Table) -> None:
@@ -69,3 +70,41 @@ def convergence(result: "Sweep") -> None:
             str(row.iterations),
         )
     _print(table)
+
+
+def all_roots(rows: list[dict[str, Any]]) -> None:
+    """Print one row a solution of the C1 series."""
+    table = _table("slip [s]", "t1 [s]", "T [s]", "mismatch", "verdict")
+    for row in rows:
+        numbers = (f"{row[name]:.6g}" for name in ("slip", "t1", "period"))
+        verdict = "the orbit" if row["admissible"] else row["violations"][0].split(":")[0]
+        mismatch = f"{row['transition_mismatch']:.1e}"
+        table.add_row(*numbers, mismatch, _shortened(verdict))
+    _print(table)
+
+
+def _shortened(text: str, width: int = 30) -> str:
+    text = text.split(" (", maxsplit=1)[0]
+    return text if len(text) <= width else text[: width - 1] + "…"
+
+
+def digits(cells: "list[Cell]") -> None:
+    """Print one row a cell: digits, condition and iterations of both forms."""
+    table = _table(
+        "method", "alpha", "N", "digits", "cond", "it", "as printed", "cond", "it", "met"
+    )
+    for cell in cells:
+        head = (cell.method, f"{cell.alpha:g}", str(cell.order))
+        table.add_row(
+            *head, *_form(cell.stable), *_form(cell.printed), "yes" if cell.met else "NO"
+        )
+    _print(table)
+    met = sum(cell.met for cell in cells)
+    print(f"{met} of {len(cells)} cells meet their target")
+
+
+def _form(form: "Form") -> tuple[str, str, str]:
+    digits = form.status if form.digits is None else f"{form.digits:.1f}"
+    star = "*" if form.status == "helped" else ""
+    condition = "" if form.condition is None else f"{form.condition:.0e}"
+    return digits + star, condition, str(form.iterations)

@@ -1,0 +1,228 @@
+"""The high-precision twin: the same equations in any number of digits.
+
+The record that SymPy derived is evaluated a second time, in ball arithmetic (Arb, through
+python-flint), and the orbit that float64 found is refined: the residual in high precision,
+the step by the Jacobian in float64.  Each step gains about ten digits.  It settles every
+dispute about float64.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from flint import arb, ctx, fmpq
+
+from .codegen.precise import kernel
+from .solver import kernels
+from .solver.arrays import Vector
+from .solver.belt import StickSlip
+from .solver.orbit import Orbit
+
+#: Digits that the reader may ask for.
+FEWEST, MOST = 1, 1000
+
+#: Digits carried beyond those asked for; more if the balls say that they do not suffice.
+GUARD = 25
+
+ITERATION_LIMIT = 200
+
+
+class PrecisionError(ArithmeticError):
+    """The refinement did not converge: the float64 orbit was no approximation of one."""
+
+
+@contextmanager
+def precision(digits: int) -> Iterator[None]:
+    """Work with this many decimal digits, and restore the setting of python-flint."""
+    before = ctx.dps
+    ctx.dps = digits
+    try:
+        yield
+    finally:
+        ctx.dps = before
+
+
+def numbers() -> dict[str, Any]:
+    """Return what a kernel needs of ball arithmetic, at the precision in force."""
+    return {
+        "cos": lambda x: arb(x).cos(),
+        "sin": lambda x: arb(x).sin(),
+        "pi": arb.pi(),
+        "rational": lambda p, q: arb(fmpq(p, q)),
+    }
+
+
+@cache
+def _residual(method: str, digits: int) -> Any:
+    """Return the residual of a kernel in ball arithmetic; `digits` are those in force."""
+    return kernel(method, numbers())["residual"]
+
+
+@dataclass(frozen=True)
+class Twin:
+    """Refined unknowns of a kernel.
+
+    Parameters
+    ----------
+    unknowns : tuple of arb
+        Coefficients, ``t1``, ``T``; dimensionless.
+    iterations : int
+        Evaluations of the residual in high precision.
+    residual_norm : arb
+        Maximum norm of the residual.
+    """
+
+    unknowns: tuple[Any, ...]
+    iterations: int
+    residual_norm: Any
+
+    @property
+    def t1(self) -> Any:
+        """End of stick, dimensionless."""
+        return self.unknowns[-2]
+
+    @property
+    def T(self) -> Any:
+        """Period, dimensionless."""
+        return self.unknowns[-1]
+
+
+def refine(method: str, alpha: Any, start: Vector, digits: int) -> Twin:
+    """Refine a float64 solution to `digits` digits of ``t1`` and ``T``, relative to ``T``.
+
+    Parameters
+    ----------
+    method : {"hb", "hb-c1", "c1"}
+        Section 3.1, 3.2 or 3.3.
+    alpha : arb or float
+        The parameter; a float stands for its exact binary value.
+    start : ndarray
+        Unknowns of the kernel as float64 found them.
+    digits : int
+        Decimal digits wanted.
+
+    Raises
+    ------
+    PrecisionError
+        If the steps do not get shorter.
+    """
+    working = digits + GUARD
+    while True:
+        with precision(working):
+            twin = _refine(method, arb(alpha), start, digits)
+        if twin is not None:
+            return twin
+        working += working // 2
+
+
+def _refine(method: str, alpha: Any, start: Vector, digits: int) -> Twin | None:
+    """Refine at the precision in force; None if its balls are too wide for `digits`."""
+    residual = _residual(method, ctx.dps)
+    z = np.array([arb(float(value)) for value in start], dtype=object)
+    R = np.full(len(z), arb(0), dtype=object)
+    J = np.empty((len(z), len(z)))
+    kernels.compiled(method).jacobian(float(alpha), start, J)
+    inverse = np.linalg.inv(J)
+    goal = arb(10) ** -(digits + 2) * z[-1]
+    shortest = arb("inf")
+    for iteration in range(1, ITERATION_LIMIT):
+        residual(alpha, z, R)
+        norm = max(abs(value.mid()) for value in R)
+        if max(value.rad() for value in R) > arb(10) ** -(digits + 5):
+            return None
+        if norm == 0:
+            return Twin(tuple(z), iteration, norm)
+        step = inverse @ np.array([float((value / norm).mid()) for value in R])
+        z = np.array(
+            [(value - arb(float(s)) * norm).mid() for value, s in zip(z, step, strict=True)]
+        )
+        length = norm * float(np.abs(step[-2:]).max())
+        if length < goal:
+            return Twin(tuple(z), iteration, norm)
+        if not length < 4 * shortest:
+            raise PrecisionError(f"{method}: the refinement does not converge")
+        shortest = min(shortest, length)
+    raise PrecisionError(f"{method}: no convergence in {ITERATION_LIMIT} steps")
+
+
+def exact_times(alpha: Any) -> tuple[Any, Any]:
+    """Return ``t1`` and ``T`` of the exact orbit, dimensionless, at the precision in force."""
+    from .codegen.oscillator import DIMENSIONLESS, exact_orbit  # noqa: PLC0415
+    from .codegen.oscillator import alpha as symbol  # noqa: PLC0415
+    from .codegen.precise import function  # noqa: PLC0415
+
+    orbit = exact_orbit()
+    values = tuple(time.subs(dict(DIMENSIONLESS)) for time in (orbit.t1, orbit.T))
+    names = numbers() | {"atan": lambda x: arb(x).atan()}
+    t1, T = function((symbol,), values, names)(arb(alpha))
+    return t1, T
+
+
+@dataclass(frozen=True)
+class PreciseOrbit:
+    """Period and end of stick of an orbit in many digits, as decimal strings.
+
+    Parameters
+    ----------
+    digits : int
+        Digits of each number.
+    period, t1 : str
+        In s.
+    error_period, error_t1 : str
+        ``T/T_exact - 1`` and ``t1/t1_exact - 1``.
+    residual_norm : str
+        Maximum norm of the dimensionless residual.
+    iterations : int
+        Evaluations of the residual in high precision.
+    """
+
+    digits: int
+    period: str
+    t1: str
+    error_period: str
+    error_t1: str
+    residual_norm: str
+    iterations: int
+
+
+def _alpha_and_time(belt: StickSlip) -> tuple[Any, Any]:
+    """Return ``alpha`` and ``1/omega_n`` in s, the parameters taken as exact binary numbers."""
+    M, K = arb(belt.mass), arb(belt.stiffness)
+    drop = (arb(belt.mu_s) - arb(belt.mu_k)) * arb(belt.normal_force)
+    return drop / (K * M).sqrt() / arb(belt.belt_speed), (M / K).sqrt()
+
+
+def precise(orbit: Orbit, digits: int) -> PreciseOrbit:
+    """Return period and end of stick of `orbit` to `digits` digits.
+
+    Raises
+    ------
+    ValueError
+        If `digits` is not from 1 to 1000.
+    PrecisionError
+        If the refinement does not converge.
+    """
+    if not FEWEST <= digits <= MOST:
+        raise ValueError(
+            f"digits: got {digits!r}, expected a whole number from {FEWEST} to {MOST}"
+        )
+    with precision(digits + GUARD + 20):
+        alpha, unit = _alpha_and_time(orbit.belt)
+        twin = refine(orbit.method, alpha, orbit.unknowns, digits + GUARD)
+        exact_t1, exact_T = exact_times(alpha)
+
+        def text(value: Any, shown: int = digits) -> str:
+            return str(value.str(shown, radius=False))
+
+        return PreciseOrbit(
+            digits,
+            text(twin.T * unit),
+            text(twin.t1 * unit),
+            text((twin.T - exact_T) / exact_T, min(digits, 20)),
+            text((twin.t1 - exact_t1) / exact_t1, min(digits, 20)),
+            text(twin.residual_norm, 3),
+            twin.iterations,
+        )

@@ -1,0 +1,134 @@
+"""Digits at the extremes, for random oscillators, against the high-precision twin.
+
+``EXAMPLES`` in the environment sets how many; `make test-long` asks for 100,000.
+"""
+
+import math
+import os
+import warnings
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import nonsmooth as ns
+from nonsmooth.solver import exact
+from nonsmooth.solver.solve import NoOrbit
+
+pytest.importorskip("flint")
+
+from nonsmooth.stability import MOST_ITERATIONS, TARGETS, lowest_order
+from nonsmooth.twin import refine
+
+EXAMPLES = int(os.environ.get("EXAMPLES", "1200"))
+#: Parts of the examples: the Fourier series cost the twin a hundred times as much.
+SHARES = {"c1": 0.7, "hb": 0.15, "hb-c1": 0.15}
+
+
+def log_uniform(low: float, high: float) -> st.SearchStrategy[float]:
+    return st.floats(math.log10(low), math.log10(high)).map(lambda exponent: 10.0**exponent)
+
+
+@st.composite
+def belts(draw: st.DrawFn, low: float, high: float) -> ns.StickSlip:
+    """Return an oscillator with alpha in a range, in units a trillion times apart."""
+    alpha = draw(log_uniform(low, high))
+    kg, m, s = (draw(log_uniform(1e-12, 1e12)) for _ in range(3))
+    mu_s = draw(log_uniform(1e-3, 1e3))
+    closeness = draw(st.one_of(st.just(1.0), log_uniform(1e-9, 1)))
+    mu_k = mu_s * (1 - closeness)
+    mass, stiffness, speed = kg, kg / s / s, m / s
+    force = alpha * (stiffness * mass) ** 0.5 * speed / (mu_s - mu_k)
+    return ns.StickSlip(
+        mass=mass,
+        stiffness=stiffness,
+        belt_speed=speed,
+        mu_s=mu_s,
+        mu_k=mu_k,
+        normal_force=force,
+    )
+
+
+def found_or_proven_absent(belt: ns.StickSlip, method: str, order: int) -> ns.Orbit | None:
+    """Return the orbit, or None where it is shown that there is none."""
+    try:
+        return ns.solve(belt, method, order, many=True)
+    except NoOrbit as finding:
+        if not finding.proven:
+            raise
+        return None
+
+
+def check(belt: ns.StickSlip, method: str, order: int) -> None:
+    """Solve without a warning, and compare with the twin; or accept a proven absence."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        orbit = found_or_proven_absent(belt, method, order)
+    if orbit is None:
+        return
+    assert orbit.admissible
+    assert orbit.iterations <= MOST_ITERATIONS
+    twin = refine(method, belt.alpha, orbit.unknowns, 22)
+    t1, T = orbit.unknowns[-2:]
+    error = max(abs(float(twin.t1 - t1)), abs(float(twin.T - T))) / float(twin.T)
+    assert error <= TARGETS[method]
+    exact_t1, _ = exact.times(belt.alpha)
+    # Not another root: pure slip has t1 = 0, a second turn has T larger by 2 pi.
+    assert 0.05 * exact_t1 < t1 < 2 * exact_t1
+    assert T - t1 < 2 * math.pi * 1.3
+
+
+@settings(max_examples=round(EXAMPLES * SHARES["c1"]))
+@given(belts(1e-6, 1e6), st.integers(1, 60))
+def test_c1_keeps_thirteen_digits(belt: ns.StickSlip, order: int) -> None:
+    check(belt, "c1", order)
+
+
+@pytest.mark.parametrize("method", ["hb", "hb-c1"])
+def test_fourier_series_keep_twelve_digits(method: str) -> None:
+    @settings(max_examples=round(EXAMPLES * SHARES[method]))
+    @given(belts(1e-2, 30), log_uniform(1, 10))
+    def run(belt: ns.StickSlip, factor: float) -> None:
+        lowest = lowest_order(method, belt.alpha)
+        check(belt, method, min(round(lowest * factor), max(60, lowest)))
+
+    run()
+
+
+@pytest.mark.parametrize("method", ["hb", "hb-c1"])
+@pytest.mark.parametrize("alpha", [0.01, 1.0, 30.0])
+def test_order_200_keeps_twelve_digits(method: str, alpha: float) -> None:
+    belt = ns.StickSlip(
+        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
+    )
+    check(belt, method, 200)
+
+
+@pytest.mark.parametrize("power", range(-12, 13, 4))
+@pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
+def test_units_change_no_more_than_the_last_two_digits(method: str, power: int) -> None:
+    """Each of mass, stiffness, speed, force by powers of ten, with alpha as it is."""
+    reference = ns.solve(ns.StickSlip(
+        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2
+    ), method, 12)  # fmt: skip
+    scale = 10.0**power
+    for mass, stiffness, speed, force in (
+        (scale, scale, 1.0, scale),
+        (1.0, 1.0, scale, scale),
+        (scale, 1 / scale, 1.0, 1.0),
+        (1 / scale, scale, scale, scale),
+    ):
+        belt = ns.StickSlip(
+            mass=mass,
+            stiffness=stiffness,
+            belt_speed=speed,
+            mu_s=1,
+            mu_k=0.5,
+            normal_force=2 * force,
+        )
+        assert belt.alpha == pytest.approx(1, rel=3e-16)
+        orbit = ns.solve(belt, method, 12)
+        # Two last digits: alpha itself may differ by two roundings.
+        assert orbit.unknowns[-1] == pytest.approx(reference.unknowns[-1], rel=1e-14)
+        assert orbit.unknowns[-2] == pytest.approx(reference.unknowns[-2], rel=1e-14)
+        assert orbit.errors.period == pytest.approx(reference.errors.period, abs=1e-14)
