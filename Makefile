@@ -6,10 +6,10 @@ BIN := $(VENV)/bin
 OUTPUT := output
 
 .DEFAULT_GOAL := help
-.PHONY: help solve sweep stability test generate equations lint clean
+.PHONY: help solve sweep stability test test-long generate equations lint clean
 
 help:  ## list the targets
-	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
+	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
 
 solve: $(VENV)/ready  ## the limit cycle of the paper by its three methods, and a picture
 	@mkdir -p $(OUTPUT)
@@ -25,6 +25,9 @@ stability: $(VENV)/ready  ## digits kept at the extremes, against high precision
 
 test: $(VENV)/ready  ## all tests
 	@$(BIN)/python -m pytest
+
+test-long: $(VENV)/ready  ## 100,000 random oscillators against high precision: about half an hour
+	@EXAMPLES=100000 $(BIN)/python -m pytest tests/test_extremes.py
 
 generate: $(VENV)/ready  ## derive the equations and write generated/
 	@$(BIN)/nonsmooth generate

@@ -41,10 +41,10 @@ def slip_moments(N, t1, T):
     C3 = np.zeros((3, N + 1))
     S3 = np.zeros((3, N + 1))
     s = T - t1
+    cosines, sines = waves(half_angle(T, 1, s), N)
     for k in range(1, N + 1):
         z = half_angle(T, k, s)
-        cos_z = cos(z)
-        sin_z = sin(z)
+        cos_z, sin_z = cosines[k], sines[k]
         j0, j1, j2, j3 = spherical_bessel(z, cos_z, sin_z)
         C1[0, k], C1[1, k], C1[2, k] = cosine_moment_1(T, j0, j1, cos_z, k, s, sin_z, t1, z)
         S1[0, k], S1[1, k], S1[2, k] = sine_moment_1(T, j0, j1, cos_z, k, s, sin_z, t1, z)

@@ -73,9 +73,22 @@ def kernel(method: str, numbers: Mapping[str, Any]) -> dict[str, Callable[..., A
     for form in system.forms:
         namespace[form.name] = function(form.arguments, form.values, numbers)
     exec(LOOPS[method], namespace)
+    if method != "c1":
+        _direct_waves(namespace)
     if method == "hb-c1":
         _in_closed_form(namespace)
     return namespace
+
+
+def _direct_waves(namespace: dict[str, Any]) -> None:
+    """Replace the rotations of the kernel, whose bounds would grow with every turn."""
+
+    def waves(turn: Any, highest: int) -> tuple[list[Any], list[Any]]:
+        cos, sin = namespace["cos"], namespace["sin"]
+        turns = [k * turn for k in range(highest + 1)]
+        return [cos(x) for x in turns], [sin(x) for x in turns]
+
+    namespace["waves"] = waves
 
 
 def _in_closed_form(namespace: dict[str, Any]) -> None:

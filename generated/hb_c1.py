@@ -17,7 +17,7 @@ from math import cos, pi, sin
 import numpy as np
 
 MATHEMATICS = "97ec6064a4d7e04c1b377ddf0faf2ee0c2aaa0da7973eb6d83f54d4762bcbc48"  # of the closed forms, by srepr
-BODY = "b06de95b65f8645e30357025e719150a30af9e3c0cf05b36e07c9b1a8ce89ce8"  # of the text below
+BODY = "c1c23bae6a4738e3ecc46ec9ef1647d500853f0467be09c14f4310e46578458d"  # of the text below
 
 
 def slip_cosine_zero(t1, T):
@@ -294,6 +294,23 @@ def residual_in_slip(acceleration, displacement):
     return acceleration + displacement
 
 
+def waves(turn, highest):
+    """Return cos(k turn) and sin(k turn) for k = 0..highest, by repeated rotation.
+
+    Divided by k, as they are used, the errors stay below one rounding; those of cos(k*turn)
+    do not, since k*turn is rounded for each k by itself.
+    """
+    cos_k = np.empty(highest + 1)
+    sin_k = np.empty(highest + 1)
+    turn_cos, turn_sin = cos(turn), sin(turn)
+    c, s = 1.0, 0.0
+    for k in range(highest + 1):
+        cos_k[k] = c
+        sin_k[k] = s
+        c, s = c * turn_cos - s * turn_sin, s * turn_cos + c * turn_sin
+    return cos_k, sin_k
+
+
 def slip_integrals(N, t1, T):
     """Return C_k and S_k for k = -2N..2N, and their derivatives.
 
@@ -307,12 +324,10 @@ def slip_integrals(N, t1, T):
     S = np.empty((3, 4 * N + 1))
     C[0, 0], C[1, 0], C[2, 0] = slip_cosine_zero(t1, T)
     S[0, 0], S[1, 0], S[2, 0] = slip_sine_zero(t1, T)
-    transition = angle(T, t1)
+    cos_k, sin_k = waves(angle(T, t1), 2 * N)
     for k in range(1, 2 * N + 1):
-        cos_k = cos(k * transition)
-        sin_k = sin(k * transition)
-        C[0, k], C[1, k], C[2, k] = slip_cosine(cos_k, sin_k, k, t1, T)
-        S[0, k], S[1, k], S[2, k] = slip_sine(cos_k, sin_k, k, t1, T)
+        C[0, k], C[1, k], C[2, k] = slip_cosine(cos_k[k], sin_k[k], k, t1, T)
+        S[0, k], S[1, k], S[2, k] = slip_sine(cos_k[k], sin_k[k], k, t1, T)
         for i in range(3):
             C[i, -k] = C[i, k]
             S[i, -k] = -S[i, k]
@@ -421,10 +436,10 @@ def slip_moments(N, t1, T):
     C3 = np.zeros((3, N + 1))
     S3 = np.zeros((3, N + 1))
     s = T - t1
+    cosines, sines = waves(half_angle(T, 1, s), N)
     for k in range(1, N + 1):
         z = half_angle(T, k, s)
-        cos_z = cos(z)
-        sin_z = sin(z)
+        cos_z, sin_z = cosines[k], sines[k]
         j0, j1, j2, j3 = spherical_bessel(z, cos_z, sin_z)
         C1[0, k], C1[1, k], C1[2, k] = cosine_moment_1(T, j0, j1, cos_z, k, s, sin_z, t1, z)
         S1[0, k], S1[1, k], S1[2, k] = sine_moment_1(T, j0, j1, cos_z, k, s, sin_z, t1, z)

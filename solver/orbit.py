@@ -232,6 +232,7 @@ class Orbit(Motion):
                 f"  T  = {self.period:.10g} s   (T/T_exact - 1 = {self.errors.period:.3e})",
                 f"  t1 = {self.t1:.10g} s   (t1/t1_exact - 1 = {self.errors.t1:.3e})",
                 f"  acceleration error (22) = {self.errors.acceleration:.3e}",
+                f"    with phases aligned   = {self.errors.acceleration_aligned:.3e}",
                 f"  transition mismatch     = {self.transition_mismatch:.3e}",
                 f"  residual {self.residual_norm:.1e} after {self.iterations} iterations; "
                 f"{'admissible' if self.admissible else '; '.join(self.violations)}",

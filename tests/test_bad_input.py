@@ -208,6 +208,27 @@ def test_a_failed_write_leaves_the_old_file(run, tmp_path: Path, monkeypatch) ->
     assert target.read_text() == "old"
 
 
+@pytest.mark.parametrize("digits", ["0", "-5", "1001", "many"])
+def test_a_number_of_digits_out_of_range(run, digits: str) -> None:
+    pytest.importorskip("flint")
+    assert "--digits" in refused(run, "solve", f"--digits={digits}")
+
+
+@pytest.mark.parametrize("command", [("solve", "--digits", "30"), ("stability",)])
+def test_what_needs_python_flint_says_so(run, command, monkeypatch) -> None:
+    monkeypatch.setattr("nonsmooth.cli.precise.find_spec", lambda name: None)
+    assert "pip install 'nonsmooth[precise]'" in refused(run, *command)
+
+
+@pytest.mark.parametrize("order", ["0", "401", "x"])
+def test_an_order_of_roots_out_of_range(run, order: str) -> None:
+    assert "order" in refused(run, "roots", f"--order={order}")
+
+
+def test_roots_without_an_order(run) -> None:
+    assert "--order" in refused(run, "roots")
+
+
 @pytest.mark.parametrize(
     "arguments",
     [("fly",), ("solve", "--colour"), ("solve", "extra"), ("equations", "--format", "word")],

@@ -160,6 +160,52 @@ def test_a_flag_may_stand_in_for_a_missing_key(run, tmp_path: Path) -> None:
     assert run("solve", "--case", case, "--order", 9, "--normal-force", 3)[0] == 0
 
 
+def test_roots_marks_the_orbit_among_all_solutions(run) -> None:
+    status, out, _ = run("roots", "--order", 7, "--json")
+    document = json.loads(out)
+    assert status == 0
+    assert document["schema"] == 1
+    assert len(document["roots"]) == 5
+    (orbit,) = (root for root in document["roots"] if root["admissible"])
+    _, out, _ = run("solve", "--method", "c1", "--order", 7, "--json")
+    solved = json.loads(out)
+    for name in ("t1", "period", "transition_mismatch"):
+        assert orbit[name] == pytest.approx(solved[name], rel=1e-8)
+    status, out, _ = run("roots", "--order", 7)
+    assert out.count("the orbit") == 1
+    assert out.count("natural periods") == 3
+    assert max(map(len, out.splitlines())) <= 80
+
+
+def test_roots_without_an_orbit_exit_with_1(run) -> None:
+    status, out, _ = run("roots", "--order", 4, "--normal-force", 100)
+    assert status == 1
+    assert "the orbit" not in out
+    assert len(out.splitlines()) == 6
+
+
+def test_digits_are_printed_beside_the_float64_numbers(run) -> None:
+    pytest.importorskip("flint")
+    arguments = ("solve", "--method", "c1", "--order", 13, "--digits", 50)
+    status, out, _ = run(*arguments)
+    assert status == 0
+    assert "T/T_ex - 1   = 2.84740883052956" in out
+    document = json.loads(run(*arguments, "--json")[1])
+    assert document["precise"]["digits"] == 50
+    assert len(document["precise"]["period"]) == 52
+    assert float(document["precise"]["period"]) == pytest.approx(document["period"], rel=1e-14)
+    assert f"T  [s] = {document['precise']['period']}" in out
+
+
+def test_digits_of_an_absent_orbit_are_null(run) -> None:
+    pytest.importorskip("flint")
+    arguments = ("--method", "c1", "--order", 4, "--normal-force", 100, "--digits", 30)
+    status, out, _ = run("solve", *arguments, "--json")
+    assert status == 1
+    assert json.loads(out)["precise"] is None
+    assert run("solve", *arguments)[0] == 1
+
+
 def test_generate_check_passes_and_fails_with_status_1(
     run, tmp_path: Path, monkeypatch
 ) -> None:

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
+from nonsmooth.codegen.elimination import rational_function, square
 from nonsmooth.solver import admissible, c1_roots, kernels
 from nonsmooth.solver.methods import METHODS
 
@@ -76,6 +77,22 @@ def test_exactly_one_solution_is_an_orbit_where_there_is_one(order: int, alpha: 
         return
     (only,) = good
     assert ns.solve(belt, "c1", order).unknowns[-2:] == pytest.approx(only[-2:], rel=1e-9)
+
+
+@pytest.mark.parametrize("order", range(1, 9))
+def test_sympy_eliminates_to_the_same_rational_function(order: int) -> None:
+    below, above = c1_roots._rational_function(order)
+    solver = sum(sp.Rational(c) * square**i for i, c in enumerate(above)) / sum(
+        sp.Rational(c) * square**i for i, c in enumerate(below)
+    )
+    assert sp.cancel(solver - rational_function(order)) == 0
+
+
+def test_minus_the_rational_function_approximates_tan() -> None:
+    order = 9
+    for s in (0.3, 2.0, 4.0, 5.5):
+        value = float(rational_function(order).subs(square, sp.Float(s, 30) ** 2))
+        assert value == pytest.approx(-np.tan(s / 2) / s, rel=1e-3)
 
 
 def test_rational_function_tends_to_the_exact_relation() -> None:

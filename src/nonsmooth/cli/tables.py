@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from rich import box
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
@@ -24,7 +23,7 @@ def _print(table: Table) -> None:
 
 
 def _table(*columns: str) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), show_edge=False, pad_edge=False)
+    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False)
     for index, column in enumerate(columns):
         table.add_column(Text(column), justify="left" if index == 0 else "right", no_wrap=True)
     return table
@@ -33,11 +32,22 @@ def _table(*columns: str) -> Table:
 def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None:
     """Print the orbit by each method, below the exact one."""
     reference = exact(belt)
-    table = _table("method", "N", "T [s]", "T/T_ex-1", "t1 [s]", "error (22)", "mismatch", "it")
-    table.add_row("exact", "", f"{reference.period:.9g}", "", f"{reference.t1:.7g}", "", "", "")
+    columns = (
+        "method",
+        "N",
+        "T [s]",
+        "T/T_ex-1",
+        "t1 [s]",
+        "(22)",
+        "aligned",
+        "mismatch",
+        "it",
+    )
+    table = _table(*columns)
+    table.add_row("exact", "", f"{reference.period:.9g}", "", f"{reference.t1:.7g}")
     for method, orbit in found.items():
         if not isinstance(orbit, Orbit):
-            table.add_row(method, "", orbit.status, *[""] * 5)
+            table.add_row(method, "", orbit.status)
             continue
         table.add_row(
             method,
@@ -46,6 +56,7 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
             f"{orbit.errors.period:.2e}",
             f"{orbit.t1:.7g}",
             f"{orbit.errors.acceleration:.2e}",
+            f"{orbit.errors.acceleration_aligned:.2e}",
             f"{orbit.transition_mismatch:.1e}",
             str(orbit.iterations),
         )
@@ -54,11 +65,11 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
 
 def convergence(result: "Sweep") -> None:
     """Print one row a method and order."""
-    table = _table("method", "N", "T [s]", "T/T_ex-1", "t1/t1_ex-1", "error (22)", "it")
+    table = _table("method", "N", "T [s]", "T/T_ex-1", "t1/t1_ex-1", "(22)", "aligned", "it")
     for row in result.rows:
         head = (row.method, str(row.order))
         if row.errors is None or row.period is None:
-            table.add_row(*head, row.status, "", "", "", str(row.iterations))
+            table.add_row(*head, row.status, "", "", "", "", str(row.iterations))
             continue
         errors = row.errors
         table.add_row(
@@ -67,6 +78,7 @@ def convergence(result: "Sweep") -> None:
             f"{errors.period:.3e}",
             f"{errors.t1:.3e}",
             f"{errors.acceleration:.3e}",
+            f"{errors.acceleration_aligned:.3e}",
             str(row.iterations),
         )
     _print(table)
@@ -83,7 +95,7 @@ def all_roots(rows: list[dict[str, Any]]) -> None:
     _print(table)
 
 
-def _shortened(text: str, width: int = 30) -> str:
+def _shortened(text: str, width: int = 34) -> str:
     text = text.split(" (", maxsplit=1)[0]
     return text if len(text) <= width else text[: width - 1] + "…"
 
