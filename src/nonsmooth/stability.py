@@ -64,8 +64,8 @@ class Form:
 
     @property
     def digits(self) -> float | None:
-        """Decimal digits of ``t1`` and ``T`` that are right; 17 if no error is seen."""
-        return None if self.error is None else min(17.0, -math.log10(max(self.error, 1e-17)))
+        """Decimal digits of ``t1`` and ``T`` that are right; 16 is all that float64 has."""
+        return None if self.error is None else -math.log10(max(self.error, 1e-16))
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,9 @@ def stability_picture(found: "list[Cell]", target: Path) -> None:
                 place.set_title(f"{LABELS[method]}\n{FORMS[form]}", fontsize=9)
         bar = figure.colorbar(image, ax=axes, shrink=0.6)
         bar.set_label("digits of t1 and T, relative to T")
-        words = "—: no orbit at this order, or slip not resolved;  ×: no convergence"
+        words = (
+            "—: no orbit at this order, slip not resolved, or not measured;  ×: no convergence"
+        )
         figure.supxlabel(words, fontsize=8)
         save(figure, target)
 
