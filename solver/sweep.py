@@ -8,7 +8,8 @@ from html import escape
 from .belt import StickSlip
 from .errors import Errors
 from .methods import METHODS, check_method, check_order
-from .solve import NoOrbit, solve
+from .no_orbit import NoOrbit
+from .solve import solve
 
 
 @dataclass(frozen=True)

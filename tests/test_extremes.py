@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth.solver import exact
-from nonsmooth.solver.solve import NoOrbit
+from nonsmooth.solver.no_orbit import NoOrbit
 
 pytest.importorskip("flint")
 

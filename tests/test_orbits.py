@@ -7,7 +7,7 @@ import pytest
 from paper import Problem, cosine, one, sine
 
 import nonsmooth as ns
-from nonsmooth.solver.solve import NoOrbit
+from nonsmooth.solver.no_orbit import NoOrbit
 
 BELT = ns.StickSlip(
     mass=0.7, stiffness=30.0, belt_speed=0.4, mu_s=0.6, mu_k=0.2, normal_force=5.0

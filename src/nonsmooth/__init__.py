@@ -19,8 +19,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .codegen import derive as equations
     from .solver.belt import ParameterError, StickSlip
+    from .solver.no_orbit import NoOrbit
     from .solver.orbit import ExactOrbit, Orbit, exact
-    from .solver.solve import NoOrbit, solve
+    from .solver.solve import solve
     from .solver.sweep import Row, Sweep, sweep
 
     __version__: str
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
     "ExactOrbit": ("solver.orbit", "ExactOrbit"),
-    "NoOrbit": ("solver.solve", "NoOrbit"),
+    "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "Orbit": ("solver.orbit", "Orbit"),
     "ParameterError": ("solver.belt", "ParameterError"),
     "Row": ("solver.sweep", "Row"),

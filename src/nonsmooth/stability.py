@@ -10,7 +10,8 @@ from . import printed
 from .solver import exact, kernels
 from .solver.arrays import Matrix
 from .solver.belt import StickSlip
-from .solver.solve import NoOrbit, solve
+from .solver.no_orbit import NoOrbit
+from .solver.solve import solve
 from .twin import PrecisionError, refine
 
 #: Digits of the twin: enough to judge float64.

@@ -9,8 +9,8 @@ import click
 from .problems import Problem
 
 if TYPE_CHECKING:
+    from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit import Orbit
-    from nonsmooth.solver.solve import NoOrbit
 
 
 def need_flint(flag: str) -> None:

@@ -14,8 +14,8 @@ from .problems import Problem
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
+    from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit import Orbit
-    from nonsmooth.solver.solve import NoOrbit
 
 EPILOG = """\b
 Examples:
@@ -99,7 +99,7 @@ def solve(
 
 
 def _search(belt: "StickSlip", method: str, order: int) -> "Orbit | NoOrbit":
-    from nonsmooth.solver.solve import NoOrbit  # noqa: PLC0415
+    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.solve import solve as search  # noqa: PLC0415
 
     try:

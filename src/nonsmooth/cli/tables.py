@@ -11,7 +11,7 @@ from nonsmooth.solver.orbit import Orbit, exact
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
-    from nonsmooth.solver.solve import NoOrbit
+    from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.sweep import Sweep
     from nonsmooth.stability import Cell, Form
 

@@ -1,0 +1,126 @@
+"""The ways to an orbit: starts for Newton's method, and what to do where they fail."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import c1_roots
+from .admissible import violations
+from .arrays import Matrix, Vector
+from .belt import StickSlip
+from .kernels import Kernel
+from .methods import Method
+from .newton import Outcome, newton
+from .no_orbit import NoOrbit
+from .start import rough_times, with_coefficients
+
+#: Where the rough start converges at every order: continuation in alpha begins here.
+EASY_ALPHA = 1.0
+
+#: Largest and smallest factor between two values of alpha in continuation.
+LONGEST_STRIDE, SHORTEST_STRIDE = 2.0, 1.02
+
+#: Largest relative surprise in ``t1`` that a stride may bring.
+SAME_ORBIT = 0.5
+
+
+@dataclass
+class Search:
+    """One search: the problem, and what has been spent on it."""
+
+    belt: StickSlip
+    method: Method
+    order: int
+    load: Callable[[str], Kernel]
+    iterations: int = 0
+
+    def newton(self, alpha: float, start: Vector, kernel: Kernel) -> Outcome:
+        """Run Newton's method at `alpha` and count its iterations."""
+
+        def residual(z: Vector, R: Vector) -> None:
+            kernel.residual(alpha, z, R)
+
+        def jacobian(z: Vector, J: Matrix) -> None:
+            kernel.jacobian(alpha, z, J)
+
+        outcome = newton(residual, jacobian, start)
+        self.iterations += outcome.iterations
+        return outcome
+
+    def from_times(self, alpha: float, t1: float, T: float, method: str = "") -> Outcome:
+        """Start from times alone; the coefficients are those that suit them best."""
+        kernel = self.load(method or self.method.name)
+        start = with_coefficients(kernel, alpha, self.order, t1, T)
+        return self.newton(alpha, start, kernel)
+
+
+def _from_rough_times(search: Search) -> Outcome:
+    return search.from_times(search.belt.alpha, *rough_times(search.belt.alpha))
+
+
+def _from_fourier(search: Search) -> Outcome:
+    """Start 3.2 from the orbit of 3.1, of which it is an extension."""
+    alpha = search.belt.alpha
+    series = search.from_times(alpha, *rough_times(alpha), method="hb")
+    if not series.converged:
+        return series
+    return search.from_times(alpha, *series.unknowns[-2:])
+
+
+def _from_easy_alpha(search: Search) -> Outcome:
+    """Follow the orbit from `EASY_ALPHA` to the alpha at hand, in strides of alpha."""
+    target = search.belt.alpha
+    alpha, stride = EASY_ALPHA, LONGEST_STRIDE
+    outcome = search.from_times(alpha, *rough_times(alpha))
+    while outcome.converged and alpha != target:
+        ahead = min(max(target, alpha / stride), alpha * stride)
+        t1, T = outcome.unknowns[-2:]
+        longer = t1 * (ahead / alpha)  # stick lasts in proportion to alpha
+        trial = search.from_times(ahead, longer, T + longer - t1)
+        if trial.converged and abs(trial.unknowns[-2] / longer - 1) < SAME_ORBIT:
+            alpha, outcome, stride = ahead, trial, min(LONGEST_STRIDE, stride**1.5)
+        elif stride > SHORTEST_STRIDE:
+            stride = stride**0.5
+        else:
+            return trial
+    return outcome
+
+
+def _from_root(search: Search) -> Outcome:
+    """Start 3.3 from the admissible one of all its real solutions; see `c1_roots`."""
+    order, belt = search.order, search.belt
+    try:
+        found = c1_roots.solutions(order, belt.alpha)
+    except (ArithmeticError, np.linalg.LinAlgError) as error:
+        raise NoOrbit(str(error), proven=False, tried=()) from error
+    good = [root for root in found if not violations(search.method, order, belt, root)]
+    if not good:
+        reason = (
+            f"all {len(found)} real solutions of (18)-(20) at order {order} and "
+            f"alpha = {belt.alpha:.6g} were isolated; none is an orbit"
+        )
+        raise NoOrbit(reason, proven=True, tried=())
+    return search.newton(belt.alpha, good[0], search.load("c1"))
+
+
+#: A way to an orbit, and its name.
+Start = tuple[str, Callable[[Search], Outcome]]
+
+_ROUGH: Start = ("a rough slip duration", _from_rough_times)
+_EASY: Start = (f"continuation from alpha = {EASY_ALPHA:g}", _from_easy_alpha)
+_SERIES: Start = ("the orbit of 3.1", _from_fourier)
+_ROOTS: Start = ("isolation of all real solutions", _from_root)
+
+
+def starts(method: Method, alpha: float) -> tuple[Start, ...]:
+    """Return what is tried for a method, in this order, with its name.
+
+    Where stick is short, ``alpha < 1``, ``g1`` adds little: 3.1 is a neighbour that 3.2
+    starts from.
+    """
+    if method.name == "c1":
+        return (_ROUGH, _ROOTS)
+    if method.name == "hb":
+        return (_ROUGH, _EASY)
+    return (_SERIES, _ROUGH, _EASY) if alpha < EASY_ALPHA else (_ROUGH, _SERIES, _EASY)
