@@ -15,7 +15,7 @@ from typing import Any
 from .arrays import Matrix, Vector
 
 #: Modules of ``generated/`` by method.
-MODULES = {"hb": "hb", "hb-c1": "hb_c1", "c1": "c1"}
+MODULES = {"hb": "hb", "hb-c1": "hb_c1", "c1": "c1", "c1-reduced": "c1_reduced"}
 
 
 @dataclass(frozen=True)
@@ -76,6 +76,10 @@ def compile_functions(source: types.ModuleType) -> dict[str, Any]:
         One of ``generated/``; its functions are in the order in which they call.
     """
     namespace = dict(vars(source))
+    if "prange" in namespace:
+        from numba import prange  # noqa: PLC0415
+
+        namespace["prange"] = prange
     for name, function in vars(source).items():
         if isinstance(function, types.FunctionType):
             clone = types.FunctionType(function.__code__, namespace, name)
@@ -89,7 +93,11 @@ def _jit(function: types.FunctionType) -> Any:
     """Return `function` compiled; uncached where no folder for the cache is writable."""
     import numba  # noqa: PLC0415  (750 ms, for compiled kernels only)
 
+    options: dict[str, Any] = {
+        "error_model": "numpy",
+        "parallel": "prange" in function.__code__.co_names,
+    }
     try:
-        return numba.njit(cache=True, error_model="numpy")(function)
+        return numba.njit(cache=True, **options)(function)
     except RuntimeError:
-        return numba.njit(error_model="numpy")(function)
+        return numba.njit(**options)(function)

@@ -39,6 +39,7 @@ def test_text_and_set_of_files_are_compared_without_writing(tmp_path: Path) -> N
     assert generate.differences(tmp_path) == expected
     assert sorted(path.name for path in tmp_path.iterdir()) == [
         "__init__.py",
+        "c1_reduced.py",
         "extra.py",
         "hb.py",
         "hb_c1.py",
