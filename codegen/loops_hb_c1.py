@@ -95,8 +95,10 @@ def harmonics_of_g1(N, t1, T):
     return gamma
 
 
-def tail_column(N, C, S, D, gamma, t1, T):
+def tail_column(N, C, S, D, gamma, t1, T, rows):
     """Return the coefficients of c1 in (5), (6), (7), (14) for the tail of G.
+
+    `rows` is 1 for the values alone, 3 for their derivatives besides.
 
     With H the column of G and A the matrix of the harmonics, the tail has H - A gamma,
     and by itself H_g - gamma H - gamma (H - A gamma); the Galerkin form is symmetric.
@@ -104,7 +106,7 @@ def tail_column(N, C, S, D, gamma, t1, T):
     Returns
     -------
     h : ndarray, shape (3, 2 N + 2)
-        Row 0 the value, row 1 the derivative by t1, row 2 by T.
+        Row 0 the value, row 1 the derivative by t1, row 2 by T; right up to `rows`.
     """
     h = g1_column(N, C, S, t1, T)
     whole = h.copy()
@@ -113,7 +115,7 @@ def tail_column(N, C, S, D, gamma, t1, T):
     fourier_product(N, gamma[0], C[0], S[0], D[0], product)
     for i in range(2 * N + 1):
         h[0, i] -= product[i]
-    for row in range(1, 3):
+    for row in range(1, rows):
         fourier_product(N, gamma[row], C[0], S[0], D[0], product)
         for i in range(2 * N + 1):
             h[row, i] -= product[i]
@@ -123,7 +125,7 @@ def tail_column(N, C, S, D, gamma, t1, T):
     for i in range(2 * N + 1):
         weight = 0.5 if i == 0 else 1.0
         h[0, -1] -= weight * gamma[0, i] * (whole[0, i] + h[0, i])
-        for row in range(1, 3):
+        for row in range(1, rows):
             h[row, -1] -= weight * gamma[row, i] * (whole[0, i] + h[0, i])
             h[row, -1] -= weight * gamma[0, i] * (whole[row, i] + h[row, i])
     return h
@@ -249,7 +251,7 @@ def residual(alpha, z, R):
     C, S = slip_integrals(N, t1, T)
     D = period_terms(N, T)
     gamma = harmonics_of_g1(N, t1, T)
-    h = tail_column(N, C, S, D, gamma, t1, T)
+    h = tail_column(N, C, S, D, gamma, t1, T, 1)
     c1_product(N, z, C[0], S[0], D[0], h[0], R)
     R[-2], R[-1] = initial_residual(alpha, N, z, T)
     R[-3] = g1_condition(N, z, gamma[0])
@@ -265,7 +267,7 @@ def jacobian(alpha, z, J):
     C, S = slip_integrals(N, t1, T)
     D = period_terms(N, T)
     gamma = harmonics_of_g1(N, t1, T)
-    h = tail_column(N, C, S, D, gamma, t1, T)
+    h = tail_column(N, C, S, D, gamma, t1, T, 3)
     J[:, :] = 0.0
     fourier_matrix(N, C[0], S[0], D[0], J)
     for i in range(2 * N + 2):

@@ -106,7 +106,7 @@ def _in_closed_form(namespace: dict[str, Any]) -> None:
         C, S = namespace["slip_integrals"](N, t1, T)
         D = namespace["period_terms"](N, T)
         tail = namespace["tail_column"](
-            N, C, S, D, namespace["harmonics_of_g1"](N, t1, T), t1, T
+            N, C, S, D, namespace["harmonics_of_g1"](N, t1, T), t1, T, 1
         )
         R = namespace["np"].empty(2 * N + 2)
         namespace["c1_product"](N, z, C[0], S[0], D[0], tail[0], R)
