@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 OUTPUT := output
 
 .DEFAULT_GOAL := help
-.PHONY: help solve sweep stability test test-long generate equations lint clean
+.PHONY: help solve sweep stability test test-long bench generate equations lint clean
 
 help:  ## list the targets
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
@@ -28,6 +28,9 @@ test: $(VENV)/ready  ## all tests
 
 test-long: $(VENV)/ready  ## 100,000 random oscillators against high precision: about half an hour
 	@EXAMPLES=100000 $(BIN)/python -m pytest tests/test_extremes.py
+
+bench: $(VENV)/ready  ## time against accuracy, our methods and others
+	@$(BIN)/python -m benchmarks.run -o $(OUTPUT)
 
 generate: $(VENV)/ready  ## derive the equations and write generated/
 	@$(BIN)/nonsmooth generate
