@@ -16,7 +16,7 @@ from .methods import Method
 NATURAL_PERIOD = 2 * math.pi
 
 #: Times at which each phase is looked at, beside its ends, per unit of order.
-SAMPLES = 8
+SAMPLES = 4
 
 
 #: What rounding may add to a velocity or a travel that is exact by construction.

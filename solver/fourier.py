@@ -6,6 +6,7 @@ the tail of ``g1``; the paper's stand beside ``g1``.
 """
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
@@ -15,18 +16,18 @@ from .kernels import module
 
 
 def series(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
-    """Return the Fourier series (3), or its first or second derivative, at times `t`."""
-    angles = np.outer(t, 2 * math.pi / z[-1] * np.arange(1, order + 1))
+    """Return the Fourier series (3), or its first or second derivative, at times `t`.
+
+    The harmonics are powers of the first one: as exact as sines of multiples, and quicker.
+    """
+    omega_0 = 2 * math.pi / z[-1]
+    first = np.exp(1j * omega_0 * t)
+    waves = np.cumprod(np.broadcast_to(first[:, None], (len(t), order)), axis=1)
     a, b = z[1 : order + 1], z[order + 1 : 2 * order + 1]
-    rate = (2 * math.pi / z[-1] * np.arange(1, order + 1)) ** derivative
-    sin, cos = np.sin(angles), np.cos(angles)
-    if derivative == 0:
-        values = z[0] / 2 + sin @ a + cos @ b
-    elif derivative == 1:
-        values = cos @ (rate * a) - sin @ (rate * b)
-    else:
-        values = -(sin @ (rate * a) + cos @ (rate * b))
-    return np.asarray(values)
+    rate = (1j * omega_0 * np.arange(1, order + 1)) ** derivative
+    # a sin + b cos = Re((b - i a) exp(i n omega_0 t))
+    values = (waves @ (rate * (b - 1j * a))).real
+    return np.asarray(values + (z[0] / 2 if derivative == 0 else 0.0))
 
 
 def smoothstep(t1: float, T: float, t: Vector, derivative: int) -> Vector:
@@ -56,10 +57,16 @@ def evaluate_hb_c1(z: Vector, order: int, t: Vector, derivative: int, alpha: flo
 
 def beside_g1(z: Vector, order: int) -> Vector:
     """Return `z` with the coefficients that stand beside ``g1`` itself, not its tail."""
-    gamma = module("hb-c1").harmonics_of_g1(order, z[-2], z[-1])[0]
     changed = z.copy()
-    changed[: 2 * order + 1] -= z[-3] * gamma
+    changed[: 2 * order + 1] -= z[-3] * _harmonics_of_g1(order, float(z[-2]), float(z[-1]))
     return changed
+
+
+@lru_cache(maxsize=32)
+def _harmonics_of_g1(order: int, t1: float, T: float) -> Vector:
+    """Return the first harmonics of ``G``; an orbit is evaluated many times."""
+    gamma: Vector = module("hb-c1").harmonics_of_g1(order, t1, T)[0]
+    return gamma
 
 
 def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:

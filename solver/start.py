@@ -8,7 +8,7 @@ equations are linear in the coefficients.  The exact orbit is not used.
 import math
 
 import numpy as np
-from scipy.linalg import lstsq
+from scipy.linalg import lapack
 
 from .arrays import Vector
 from .kernels import Kernel
@@ -41,5 +41,6 @@ def with_coefficients(kernel: Kernel, alpha: float, order: int, t1: float, T: fl
     R, J = np.empty(size), np.empty((size, size))
     kernel.residual(alpha, z, R)
     kernel.jacobian(alpha, z, J)
-    z[:-2] = lstsq(J[:, :-2], -R, lapack_driver="gelsy", check_finite=False)[0]
+    *_, solution, _ = lapack.dgels(J[:, :-2], -R)
+    z[:-2] = solution[: size - 2]
     return z
