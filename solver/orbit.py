@@ -1,127 +1,17 @@
-"""A periodic orbit in SI units: the exact one, and one that a method computed."""
+"""A periodic orbit that a method of the paper computed, in SI units."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
 
-import numpy as np
-import numpy.typing as npt
-
 from . import admissible
-from . import exact as closed_form
 from .arrays import Vector
 from .belt import StickSlip
 from .errors import Errors, errors
 from .methods import METHODS, Method
+from .motion import Motion
 from .newton import Outcome
-
-
-class Motion:
-    """Displacement, velocity and acceleration of a periodic motion at any time, in SI."""
-
-    belt: StickSlip
-
-    @property
-    def period(self) -> float:
-        """``T`` in s."""
-        raise NotImplementedError
-
-    @property
-    def t1(self) -> float:
-        """End of stick in s."""
-        raise NotImplementedError
-
-    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
-        """Return the dimensionless period and ``evaluate(t, derivative)`` on ``[0, T)``."""
-        raise NotImplementedError
-
-    def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
-        times = np.asarray(t, dtype=float)
-        if not np.isfinite(times).all():
-            raise ValueError(f"t: got {t!r}, expected finite times in s")
-        T, evaluate = self._dimensionless()
-        phase = np.mod(times.ravel() / self.belt.time_unit, T)
-        phase[phase >= T] = 0.0  # np.mod of a tiny negative number is T itself
-        unit = self.belt.length_unit / self.belt.time_unit**derivative
-        values = unit * evaluate(phase, derivative)
-        if derivative == 0:
-            values += self.belt.slip_centre
-        return values.reshape(times.shape)
-
-    def displacement(self, t: npt.ArrayLike) -> Vector:
-        """Return ``x(t)`` in m.
-
-        Parameters
-        ----------
-        t : array_like of float, any shape
-            Times in s; stick starts at 0, and the motion repeats with `period`.
-
-        Returns
-        -------
-        ndarray of float, of the shape of `t`
-
-        Raises
-        ------
-        ValueError
-            If a time is infinite or not a number.
-        """
-        return self._at(t, 0)
-
-    def velocity(self, t: npt.ArrayLike) -> Vector:
-        """Return the velocity in m/s at times `t`; see `displacement`."""
-        return self._at(t, 1)
-
-    def acceleration(self, t: npt.ArrayLike) -> Vector:
-        """Return the acceleration in m/s**2 at times `t`; see `displacement`.
-
-        Where it jumps the value is that of the phase which begins.
-        """
-        return self._at(t, 2)
-
-
-@dataclass(frozen=True)
-class ExactOrbit(Motion):
-    """The exact orbit of Section 2.
-
-    Examples
-    --------
-    >>> from nonsmooth.solver.belt import DEFAULT
-    >>> orbit = ExactOrbit(DEFAULT)
-    >>> round(orbit.period, 9), orbit.t1
-    (0.671238898, 0.2)
-    """
-
-    belt: StickSlip
-
-    @property
-    def period(self) -> float:
-        """``T`` in s."""
-        return closed_form.times(self.belt.alpha)[1] * self.belt.time_unit
-
-    @property
-    def t1(self) -> float:
-        """End of stick, ``2 A/V``, in s."""
-        return closed_form.times(self.belt.alpha)[0] * self.belt.time_unit
-
-    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
-        alpha = self.belt.alpha
-        evaluate = closed_form.evaluate
-        return closed_form.times(alpha)[1], lambda t, order: evaluate(alpha, t, order)
-
-
-def exact(belt: StickSlip) -> ExactOrbit:
-    """Return the exact orbit of Section 2.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
-    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
-    >>> ns.exact(belt).t1
-    0.2
-    """
-    return ExactOrbit(belt)
 
 
 @dataclass(frozen=True, eq=False)

@@ -28,7 +28,7 @@ def test_examples_in_docstrings_run(name: str) -> None:
 
 def test_some_docstrings_have_examples() -> None:
     finder = doctest.DocTestFinder(exclude_empty=True)
-    names = ("solver.solve", "solver.sweep", "solver.belt", "solver.orbit", "cli.orders")
+    names = ("solver.solve", "solver.sweep", "solver.belt", "solver.motion", "cli.orders")
     for name in names:
         module = importlib.import_module(f"nonsmooth.{name}")
         assert any(test.examples for test in finder.find(module)), name

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth.codegen.elimination import rational_function, square
-from nonsmooth.solver import admissible, c1_roots, kernels
+from nonsmooth.solver import admissible, c1_roots, kernels, real_roots
 from nonsmooth.solver.methods import METHODS
 
 
-def real_roots(coefficients: list[int]) -> list[float]:
+def by_sympy(coefficients: list[int]) -> list[float]:
     """Return the positive real roots by SymPy."""
     s = sp.Symbol("s")
     polynomial = sp.Poly(coefficients[::-1], s)
@@ -29,16 +29,16 @@ def test_isolation_finds_the_roots_that_sympy_finds(lower: list[int], lead: int)
     exact = sp.Poly(polynomial[::-1], s)
     if polynomial[0] == 0 or sp.gcd(exact, exact.diff()).degree() > 0:
         return  # zero and multiple roots are not what the C1 series has
-    expected = real_roots(polynomial)
-    intervals = c1_roots.isolate(polynomial)
+    expected = by_sympy(polynomial)
+    intervals = real_roots.isolate(polynomial)
     assert len(intervals) == len(expected)
-    found = [float(c1_roots._refine(polynomial, *interval)) for interval in intervals]
+    found = [float(real_roots.refine(polynomial, *interval)) for interval in intervals]
     assert found == pytest.approx(expected, rel=1e-14)
 
 
 def test_a_multiple_root_is_refused() -> None:
     with pytest.raises(ArithmeticError, match="multiple root"):
-        c1_roots.isolate([9, -6, 1])  # (s - 3)**2
+        real_roots.isolate([9, -6, 1])  # (s - 3)**2
 
 
 @pytest.mark.parametrize("order", range(1, 9))
@@ -56,7 +56,7 @@ def test_every_root_solves_the_kernels_equations(order: int, alpha: float) -> No
 @pytest.mark.parametrize(("order", "count"), [(1, 1), (2, 2), (3, 3), (4, 4), (7, 5), (8, 6)])
 def test_number_of_solutions_at_alpha_1(order: int, count: int) -> None:
     assert len(c1_roots.solutions(order, 1.0)) == count
-    assert len(real_roots(c1_roots.polynomial(order, 1.0))) == count
+    assert len(by_sympy(c1_roots.polynomial(order, 1.0))) == count
 
 
 @pytest.mark.parametrize("order", [5, 7, 8, 14, 20])

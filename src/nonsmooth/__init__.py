@@ -19,8 +19,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .codegen import derive as equations
     from .solver.belt import ParameterError, StickSlip
+    from .solver.motion import ExactOrbit, exact
     from .solver.no_orbit import NoOrbit
-    from .solver.orbit import ExactOrbit, Orbit, exact
+    from .solver.orbit import Orbit
     from .solver.solve import solve
     from .solver.sweep import Row, Sweep, sweep
 
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 #: Where each public name lives.  Nothing is imported before it is asked for: SymPy takes a
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
-    "ExactOrbit": ("solver.orbit", "ExactOrbit"),
+    "ExactOrbit": ("solver.motion", "ExactOrbit"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "Orbit": ("solver.orbit", "Orbit"),
     "ParameterError": ("solver.belt", "ParameterError"),
@@ -37,7 +38,7 @@ _HOMES = {
     "StickSlip": ("solver.belt", "StickSlip"),
     "Sweep": ("solver.sweep", "Sweep"),
     "equations": ("codegen", "derive"),
-    "exact": ("solver.orbit", "exact"),
+    "exact": ("solver.motion", "exact"),
     "solve": ("solver.solve", "solve"),
     "sweep": ("solver.sweep", "sweep"),
 }

@@ -11,7 +11,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.orbit import Motion, exact
+from nonsmooth.solver.motion import Motion, exact
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip

@@ -30,7 +30,8 @@ def document(
     belt: "StickSlip", method: str, order: int, found: "Orbit | NoOrbit"
 ) -> dict[str, Any]:
     """Return one solution as JSON has it; with null for what an absent orbit lacks."""
-    from nonsmooth.solver.orbit import Orbit, exact  # noqa: PLC0415
+    from nonsmooth.solver.motion import exact  # noqa: PLC0415
+    from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
 
     reference = exact(belt)
     head = {"method": method, "order": order, "parameters": asdict(belt)}

@@ -7,7 +7,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonsmooth.solver.orbit import Orbit, exact
+from nonsmooth.solver.motion import exact
+from nonsmooth.solver.orbit import Orbit
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
