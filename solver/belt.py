@@ -100,11 +100,21 @@ class StickSlip:
             raise ParameterError(errors)
         for name in PARAMETERS:
             object.__setattr__(self, name, float(getattr(self, name)))
-        units = {"alpha": self.alpha, "time": self.time_unit, "length": self.length_unit}
-        for name, value in units.items():
+        for name, value in self._scales().items():
             if not (math.isfinite(value) and value > 0):
-                message = f"parameters: their {name} scale is {value!r}, outside float64"
+                message = f"parameters: their {name} is {value!r}, outside float64"
                 raise ParameterError([message])
+
+    def _scales(self) -> dict[str, float]:
+        """Return the sizes that results are made of; float64 has to hold them."""
+        return {
+            "alpha": self.alpha,
+            "unit of time": self.time_unit,
+            "unit of length": self.length_unit,
+            "unit of acceleration": self.acceleration_unit,
+            "static limit": self.static_limit,
+            "stick duration": 2 * self.alpha * self.time_unit,
+        }
 
     @property
     def omega_n(self) -> float:
@@ -127,6 +137,11 @@ class StickSlip:
     def length_unit(self) -> float:
         """``V/omega_n`` in m: the unit of dimensionless length."""
         return self.belt_speed * self.time_unit
+
+    @property
+    def acceleration_unit(self) -> float:
+        """``V omega_n`` in m/s**2: the unit of dimensionless acceleration."""
+        return self.belt_speed * self.omega_n
 
     @property
     def slip_centre(self) -> float:

@@ -13,6 +13,7 @@ import numpy as np
 from .arrays import Vector
 from .belt import StickSlip
 from .kernels import module
+from .scaling import product_of_powers
 
 
 def series(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
@@ -82,6 +83,6 @@ def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]
 def coefficients_hb_c1(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
     """Return ``a0``, ``a``, ``b`` of (11) in m and ``c1`` of the printed ``g1`` in m/s**4."""
     t1, T = z[-2:]
-    amplitude = z[-3] / (T * (T - t1) ** 3)
-    c1 = amplitude * belt.length_unit / belt.time_unit**4
-    return {**coefficients_hb(beside_g1(z, order), order, belt), "c1": float(c1)}
+    amplitude = float(z[-3] / (T * (T - t1) ** 3))
+    c1 = product_of_powers(amplitude, (belt.belt_speed, 1), (belt.time_unit, -3))
+    return {**coefficients_hb(beside_g1(z, order), order, belt), "c1": c1}

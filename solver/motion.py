@@ -37,7 +37,8 @@ class Motion:
         T, evaluate = self._dimensionless()
         phase = np.mod(times.ravel() / self.belt.time_unit, T)
         phase[phase >= T] = 0.0  # np.mod of a tiny negative number is T itself
-        unit = self.belt.length_unit / self.belt.time_unit**derivative
+        belt = self.belt
+        unit = (belt.length_unit, belt.belt_speed, belt.acceleration_unit)[derivative]
         values = unit * evaluate(phase, derivative)
         if derivative == 0:
             values += self.belt.slip_centre

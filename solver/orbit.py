@@ -90,12 +90,12 @@ class Orbit(Motion):
     def transition_mismatch(self) -> float:
         """``K x(t1)/(mu_s F_N) - 1``: an error measure that needs no exact orbit.
 
-        From the right of ``t1``; the displacement is continuous.
+        The static limit is ``x_s + A``, and ``A`` its part ``1 - mu_k/mu_s``.
         """
         t1 = self.unknowns[-2:-1]
         alpha = self.belt.alpha
         y = float(self._method.evaluate(self.unknowns, self.order, t1, 0, alpha)[0])
-        return (y - alpha) * self.belt.length_unit / self.belt.static_limit
+        return (y / alpha - 1) * (1 - self.belt.mu_k / self.belt.mu_s)
 
     @cached_property
     def errors(self) -> Errors:

@@ -11,6 +11,7 @@ from numpy.polynomial import legendre
 
 from .arrays import Vector
 from .belt import StickSlip
+from .scaling import product_of_powers
 
 
 def evaluate(z: Vector, order: int, t: Vector, derivative: int, alpha: float) -> Vector:
@@ -34,15 +35,16 @@ def coefficients(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
 
     ``P_n*(u)`` has the coefficient ``(-1)**(n+k) C(n, k) C(n+k, k)`` at ``u**k``.  These
     grow like 5.8**n and alternate: of the d_n at high order some digits are lost, of the
-    orbit, which is not evaluated from them, none.
+    orbit, which is not evaluated from them, none.  In units far from 1 s a coefficient of
+    high order may be beyond float64, and is then infinite or zero.
     """
-    s = (z[-1] - z[-2]) * belt.time_unit
-    acceleration = belt.length_unit / belt.time_unit**2
+    s = float(z[-1] - z[-2])
     d = []
     for k in range(order + 1):
         terms = (
             z[n] * float((-1) ** (n + k) * math.comb(n, k) * math.comb(n + k, k))
             for n in range(k, order + 1)
         )
-        d.append(acceleration * math.fsum(terms) / s**k)
+        scaled = math.fsum(terms), (s, -k), (belt.belt_speed, 1), (belt.time_unit, -1 - k)
+        d.append(product_of_powers(*scaled))
     return {"d": d}

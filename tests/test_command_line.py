@@ -65,6 +65,12 @@ def test_solve_without_a_method_compares_all_three(run) -> None:
     assert [orbit["method"] for orbit in json.loads(out)["orbits"]] == ["hb", "hb-c1", "c1"]
 
 
+def test_no_digit_of_a_table_is_left_out(run) -> None:
+    _, out, _ = run("solve", "--mass", 1e-300, "--stiffness", 1e300)
+    assert "…" not in out
+    assert "2.03161592e-298" in out
+
+
 def test_an_absent_orbit_is_said_to_be_absent(run) -> None:
     arguments = ("solve", "--method", "c1", "--order", 4, "--normal-force", 100)
     status, out, err = run(*arguments, "--json")

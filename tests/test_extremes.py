@@ -3,10 +3,12 @@
 ``EXAMPLES`` in the environment sets how many; `make test-long` asks for 100,000.
 """
 
+import json
 import math
 import os
 import warnings
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -102,6 +104,35 @@ def test_order_200_keeps_twelve_digits(method: str, alpha: float) -> None:
         mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
     )
     check(belt, method, 200)
+
+
+@pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
+@pytest.mark.parametrize(
+    ("mass", "stiffness"), [(1e-300, 1e300), (1e300, 1e-300), (1e-12, 1e12), (1e12, 1e-12)]
+)
+def test_results_beyond_float64_are_infinite_and_null_not_errors(
+    method: str, mass: float, stiffness: float, run
+) -> None:
+    belt = ns.StickSlip(
+        mass=mass, stiffness=stiffness, belt_speed=1, mu_s=0.5, mu_k=0.25, normal_force=4
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        orbit = ns.solve(belt, method, 40)
+        found = orbit.coefficients
+        values = orbit.displacement([0.0, orbit.t1 / 2]), orbit.acceleration(orbit.t1)
+        status, out, _ = run(
+            *("solve", "--method", method, "--order", 40, "--json"),
+            *(f"--mass={mass}", f"--stiffness={stiffness}", "--normal-force=4"),
+        )
+    assert status == 0
+    assert np.isfinite(np.concatenate([np.ravel(v) for v in values])).all()
+    written = json.loads(out)["coefficients"]
+    assert written.keys() == found.keys()
+    if method == "c1":
+        beyond = [not math.isfinite(d) for d in found["d"]]
+        assert any(beyond) == (mass < stiffness and mass < 1e-5)
+        assert [d is None for d in written["d"]] == beyond
 
 
 @pytest.mark.parametrize("power", range(-12, 13, 4))

@@ -1,6 +1,7 @@
 """Files are written whole or not at all; where they cannot be is said before the work."""
 
 import json
+import math
 import os
 import tempfile
 from collections.abc import Callable
@@ -96,5 +97,15 @@ def write_text(path: Path, text: str) -> None:
 
 
 def as_json(document: dict[str, Any]) -> str:
-    """Return a JSON document with its schema version."""
-    return json.dumps({"schema": SCHEMA} | document, indent=2, allow_nan=False)
+    """Return a JSON document with its schema version; what is not finite is null."""
+    whole = {"schema": SCHEMA} | document
+    return json.dumps(_finite(whole), indent=2, allow_nan=False)
+
+
+def _finite(value: Any) -> Any:
+    """Return `value` with null for numbers that JSON has no word for."""
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

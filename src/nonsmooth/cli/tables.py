@@ -17,16 +17,27 @@ if TYPE_CHECKING:
     from nonsmooth.stability import Cell, Form
 
 
+#: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
+WIDEST = 200
+
+
 def _print(table: Table) -> None:
-    """Print a table; where stdout is no terminal, plain and as wide as it is."""
+    """Print a table; where stdout is no terminal, plain and as wide as it is.
+
+    On a narrow terminal a cell goes on in the next line: no digit is left out.
+    """
     console = Console()
-    console.print(table, soft_wrap=not console.is_terminal)
+    if not console.is_terminal:
+        console = Console(width=WIDEST)
+    console.print(table)
 
 
 def _table(*columns: str) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False)
     for index, column in enumerate(columns):
-        table.add_column(Text(column), justify="left" if index == 0 else "right", no_wrap=True)
+        table.add_column(
+            Text(column), justify="left" if index == 0 else "right", overflow="fold"
+        )
     return table
 
 
