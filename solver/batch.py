@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from . import kernels
 from .arrays import Vector
-from .methods import METHODS, check_order
+from .methods import LARGEST_ALPHA, METHODS, SMALLEST_ALPHA, check_order
 
 #: Orbits between two looks at the keyboard: a tenth of a second.
 BLOCK = 500_000
@@ -31,7 +31,8 @@ class Batch:
     Notes
     -----
     ``T`` keeps 14 digits.  ``t1`` has an error of about ``1e-15 (1 + 1/alpha) T``: pure slip
-    is another root of the same equation, ``2 alpha`` away.  `solve` has no such loss.
+    is another root of the same equation, ``2 alpha`` away.  Below ``alpha`` of about 1e-5
+    the two are not told apart, and the status says so.  `solve` has no such loss.
     """
 
     alpha: Vector
@@ -46,14 +47,14 @@ def c1_times(alpha: npt.ArrayLike, order: int) -> Batch:
     Parameters
     ----------
     alpha : array_like of float, shape (n,)
-        Positive values of ``omega_n (mu_s - mu_k) F_N / (K V)``.
+        Values of ``omega_n (mu_s - mu_k) F_N / (K V)``, from 1e-8 to 1e8.
     order : int
         ``N`` of (15).
 
     Raises
     ------
     ValueError
-        If an alpha is not a positive finite number, or the order cannot be computed.
+        If an alpha is out of range, or the order cannot be computed.
 
     Examples
     --------
@@ -63,9 +64,10 @@ def c1_times(alpha: npt.ArrayLike, order: int) -> Batch:
     """
     check_order(order, METHODS["c1"])
     alphas = np.atleast_1d(np.asarray(alpha, dtype=float)).ravel()
-    wrong = alphas[~(np.isfinite(alphas) & (alphas > 0))]
+    wrong = alphas[~((alphas >= SMALLEST_ALPHA) & (alphas <= LARGEST_ALPHA))]
     if len(wrong):
-        raise ValueError(f"alpha: got {wrong[0]!r}, expected positive finite numbers")
+        allowed = f"{SMALLEST_ALPHA:g} to {LARGEST_ALPHA:g}"
+        raise ValueError(f"alpha: got {float(wrong[0])!r}, expected numbers from {allowed}")
     functions = kernels.compiled_functions("c1-reduced")
     table = functions["series_coefficients"](order)
     t1, s = np.empty((2, len(alphas)))

@@ -111,7 +111,7 @@ class StickSlip:
             "alpha": self.alpha,
             "unit of time": self.time_unit,
             "unit of length": self.length_unit,
-            "unit of acceleration": self.acceleration_unit,
+            "largest acceleration": self.acceleration_unit * (1 + self.alpha),
             "static limit": self.static_limit,
             "stick duration": 2 * self.alpha * self.time_unit,
         }

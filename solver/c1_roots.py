@@ -80,14 +80,17 @@ def _stick_duration(square: Fraction, p1: Fraction) -> Fraction:
 
 
 @cache
-def _rational_function(order: int) -> tuple[list[Fraction], list[Fraction]]:
-    """Return ``D`` and ``E`` with ``alpha = s E(s**2)/D(s**2)``, constants first.
+def _rational_function(
+    order: int,
+) -> tuple[list[Fraction], list[Fraction], list[Fraction]]:
+    """Return ``D``, ``E``, ``W``: ``alpha = s E/D`` and ``t1 = s W/D``, constants first.
 
-    Both are interpolated from exact values at ``order + 2`` places.
+    Polynomials in ``s**2``, interpolated from exact values at ``order + 2`` places.
     """
     places: list[Fraction] = []
     below: list[Fraction] = []
     above: list[Fraction] = []
+    travel: list[Fraction] = []
     square = Fraction(0)
     while len(places) < order + 2:
         square += 1
@@ -98,7 +101,9 @@ def _rational_function(order: int) -> tuple[list[Fraction], list[Fraction]]:
             below.append(determinant)
             t1 = _stick_duration(square, solution[0])
             above.append(determinant * (t1 - solution[-1]))
-    return _interpolate(places, below), _interpolate(places, above)
+            travel.append(determinant * t1)
+    D, E, W = (_interpolate(places, values) for values in (below, above, travel))
+    return D, E, W
 
 
 def _interpolate(places: list[Fraction], values: list[Fraction]) -> list[Fraction]:
@@ -119,7 +124,7 @@ def _interpolate(places: list[Fraction], values: list[Fraction]) -> list[Fractio
 
 def polynomial(order: int, alpha: float) -> Polynomial:
     """Return ``alpha D(s**2) - s E(s**2)`` with coprime integer coefficients."""
-    below, above = _rational_function(order)
+    below, above, _ = _rational_function(order)
     exact = Fraction(alpha)
     coefficients = []
     for D, E in zip(below, above, strict=True):
@@ -156,7 +161,17 @@ def solutions(order: int, alpha: float) -> list[Vector]:
 
 
 def _unknowns(order: int, s: Fraction) -> Vector:
-    system = np.array(_system(order, s * s), dtype=float)
+    """Return the kernel's unknowns at a root; the times to rounding, whatever their size."""
+    square = s * s
+    system = np.array(_system(order, square), dtype=float)
     scaled = np.linalg.solve(system[:, :-1], system[:, -1])
-    t1 = float(s) * float(_stick_duration(s * s, Fraction(scaled[0])))
-    return np.array([0.0, *(float(s) * scaled[:-1]), t1, t1 + float(s)])
+    D, _, W = (_evaluate(part, square) for part in _rational_function(order))
+    t1 = s * W / D
+    return np.array([0.0, *(float(s) * scaled[:-1]), float(t1), float(t1 + s)])
+
+
+def _evaluate(coefficients: list[Fraction], x: Fraction) -> Fraction:
+    total = Fraction(0)
+    for c in reversed(coefficients):
+        total = total * x + c
+    return total

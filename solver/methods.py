@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from . import fourier, polynomial
 from .arrays import Vector
-from .belt import StickSlip
+from .belt import ParameterError, StickSlip
 
 
 @dataclass(frozen=True)
@@ -78,6 +78,27 @@ def check_method(name: object) -> Method:
     if not isinstance(name, str) or name not in METHODS:
         raise ValueError(f"method: got {name!r}, expected one of {', '.join(METHODS)}")
     return METHODS[name]
+
+
+#: Beyond, the durations of stick and slip differ by so much that float64 cannot hold both.
+SMALLEST_ALPHA, LARGEST_ALPHA = 1e-8, 1e8
+
+
+def check_alpha(alpha: float) -> float:
+    """Return `alpha`.
+
+    Raises
+    ------
+    ParameterError
+        If stick or slip is too short a part of the period for float64.
+    """
+    if not SMALLEST_ALPHA <= alpha <= LARGEST_ALPHA:
+        message = (
+            f"parameters: their alpha is {alpha!r}, expected {SMALLEST_ALPHA:g} to "
+            f"{LARGEST_ALPHA:g}; beyond, stick or slip is too short a part of the period"
+        )
+        raise ParameterError([message])
+    return alpha
 
 
 def check_order(order: object, method: Method) -> int:

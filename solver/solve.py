@@ -5,7 +5,7 @@ from collections.abc import Callable
 from . import kernels
 from .belt import StickSlip
 from .kernels import Kernel
-from .methods import check_method, check_order
+from .methods import check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
 from .orbit import Orbit
 from .search import Search, starts
@@ -35,7 +35,8 @@ def solve(belt: StickSlip, method: str, order: int, *, many: bool = False) -> Or
     Raises
     ------
     ValueError
-        If `method` or `order` is not one that can be computed.
+        If `method` or `order` is not one that can be computed, or `alpha` of the
+        oscillator is not from 1e-8 to 1e8.
     NoOrbit
         If there is no admissible orbit, or none was found; it says which.
 
@@ -49,6 +50,7 @@ def solve(belt: StickSlip, method: str, order: int, *, many: bool = False) -> Or
     (0.6712384, True)
     """
     chosen = check_method(method)
+    check_alpha(belt.alpha)
     search = Search(belt, chosen, check_order(order, chosen), _loader(order, many))
     tried: list[str] = []
     for name, start in starts(chosen, belt.alpha):

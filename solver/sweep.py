@@ -7,7 +7,7 @@ from html import escape
 
 from .belt import StickSlip
 from .errors import Errors
-from .methods import METHODS, check_method, check_order
+from .methods import METHODS, check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
 from .solve import solve
 
@@ -116,6 +116,7 @@ def sweep(
     c1          5     0.6712755659     5.463e-05   2.319e-02
     """
     methods = (methods,) if isinstance(methods, str) else methods
+    check_alpha(belt.alpha)
     orders = list(orders)
     jobs = [(name, check_order(n, check_method(name))) for name in methods for n in orders]
     rows = []

@@ -63,6 +63,13 @@ def test_parameters_beyond_float64_together(run) -> None:
     assert "alpha" in refused(run, "solve", *flags)
 
 
+@pytest.mark.parametrize("command", [("solve",), ("sweep",), ("roots", "--order", 5)])
+@pytest.mark.parametrize("force", [1e-7, 1e12])
+def test_an_alpha_that_float64_cannot_hold(run, command, force: float) -> None:
+    error = refused(run, *command, "--normal-force", force)
+    assert "expected 1e-08 to 1e+08" in error
+
+
 @pytest.mark.parametrize("command", ["solve", "equations"])
 def test_an_unknown_method(run, command: str) -> None:
     error = refused(run, command, "--method", "galerkin")

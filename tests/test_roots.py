@@ -81,7 +81,7 @@ def test_exactly_one_solution_is_an_orbit_where_there_is_one(order: int, alpha: 
 
 @pytest.mark.parametrize("order", range(1, 9))
 def test_sympy_eliminates_to_the_same_rational_function(order: int) -> None:
-    below, above = c1_roots._rational_function(order)
+    below, above, _ = c1_roots._rational_function(order)
     solver = sum(sp.Rational(c) * square**i for i, c in enumerate(above)) / sum(
         sp.Rational(c) * square**i for i, c in enumerate(below)
     )
@@ -95,9 +95,28 @@ def test_minus_the_rational_function_approximates_tan() -> None:
         assert value == pytest.approx(-np.tan(s / 2) / s, rel=1e-3)
 
 
+@pytest.mark.parametrize(("alpha", "order"), [(1e-8, 40), (3e-8, 60), (1e-6, 20)])
+def test_an_orbit_with_a_very_short_stick_is_among_the_solutions(
+    alpha: float, order: int
+) -> None:
+    """Its t1 is 2 alpha: found from s to 64 bits, not as a difference of float64 numbers."""
+    belt = ns.StickSlip(
+        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
+    )
+    method = METHODS["c1"]
+    orbit = ns.solve(belt, "c1", order)
+    good = [
+        z
+        for z in c1_roots.solutions(order, alpha)
+        if not admissible.violations(method, order, belt, z)
+    ]
+    assert len(good) == 1
+    assert good[0][-2] == pytest.approx(orbit.unknowns[-2], rel=1e-6)
+
+
 def test_rational_function_tends_to_the_exact_relation() -> None:
     # alpha = -tan(s/2) for the exact orbit, and alpha = s E(s**2)/D(s**2) for the series.
-    below, above = c1_roots._rational_function(12)
+    below, above, _ = c1_roots._rational_function(12)
     s = Fraction(9, 2)
     D, E = (sum(c * s ** (2 * i) for i, c in enumerate(part)) for part in (below, above))
     assert float(s * E / D) == pytest.approx(-np.tan(float(s) / 2), rel=1e-7)

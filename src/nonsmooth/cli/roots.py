@@ -45,11 +45,14 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
 def _rows(belt: "StickSlip", order: int) -> list[dict[str, Any]]:
     from nonsmooth.solver import c1_roots  # noqa: PLC0415
     from nonsmooth.solver.admissible import violations  # noqa: PLC0415
-    from nonsmooth.solver.methods import METHODS, check_order  # noqa: PLC0415
+    from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
+    from nonsmooth.solver.methods import METHODS, check_alpha, check_order  # noqa: PLC0415
 
     method = METHODS["c1"]
     try:
-        solutions = c1_roots.solutions(check_order(order, method), belt.alpha)
+        solutions = c1_roots.solutions(check_order(order, method), check_alpha(belt.alpha))
+    except ParameterError as error:
+        raise Problem(str(error)) from error
     except ValueError as error:
         raise Problem(f"--{error}") from error
     rows = []

@@ -100,11 +100,14 @@ def solve(
 
 
 def _search(belt: "StickSlip", method: str, order: int) -> "Orbit | NoOrbit":
+    from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.solve import solve as search  # noqa: PLC0415
 
     try:
         return search(belt, method, order)
+    except ParameterError as error:
+        raise Problem(str(error)) from error
     except ValueError as error:
         raise Problem(f"--{error}") from error
     except NoOrbit as finding:

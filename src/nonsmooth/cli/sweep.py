@@ -46,11 +46,14 @@ def sweep(
     check_target(output, (".csv", ".json", *PICTURES))
     names, numbers = parse_methods(methods), parse_orders(orders)
     belt = belt_from(case, flags)
+    from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.sweep import sweep as compute  # noqa: PLC0415
 
     try:
         with progress(len(names) * len(numbers), "sweep") as advance:
             result = compute(belt, names, numbers, progress=lambda row: advance(_name(row)))
+    except ParameterError as error:
+        raise Problem(str(error)) from error
     except ValueError as error:
         raise Problem(f"--orders: {error}") from error
     if json_:
