@@ -11,7 +11,7 @@ from nonsmooth.codegen import c1_reduced
 from nonsmooth.codegen.elimination import condition
 from nonsmooth.codegen.system import DerivationError
 from nonsmooth.generated import c1_reduced as kernel
-from nonsmooth.solver import batch, exact, kernels
+from nonsmooth.solver import batch, exact, kernels, start
 
 ALPHAS = np.logspace(-3, 3, 400)
 
@@ -55,6 +55,12 @@ def test_slope_is_the_derivative_of_the_equation(N: int, s: float, alpha: float)
     _, slope = kernel.equation_and_slope(alpha, s, table)
     size = (1 + alpha) * 10
     assert (ahead - behind) / (2 * h) == pytest.approx(slope, abs=1e-7 * size)
+
+
+@pytest.mark.parametrize("alpha", [1e-6, 0.3, 1.0, 50.0])
+def test_the_rough_slip_duration_is_that_of_the_driver(alpha: float) -> None:
+    t1, T = start.rough_times(alpha)
+    assert kernel.rough_slip(alpha) == pytest.approx(T - t1, rel=1e-14)
 
 
 @pytest.mark.parametrize("N", [1, 2, 3, 5, 8, 13, 20, 40, 60, 200])
