@@ -63,6 +63,18 @@ def _definitions() -> tuple[Equation, ...]:
     return tuple(Equation("", title, (h, *sides)) for h, sides in moments.items())
 
 
+def _tail() -> tuple[Equation, ...]:
+    """Return the harmonics that the kernel takes away from ``g1``, leaving its tail."""
+    a0_of_g1 = sp.Symbol("gamma_0", real=True)
+    sines, cosines = sp.IndexedBase("gamma^s"), sp.IndexedBase("gamma^c")
+    title = "harmonic of g1/(T s**3), which the kernel takes away"
+    return (
+        Equation("", title, (a0_of_g1, smooth.MEAN)),
+        Equation("", title, (sines[j], smooth.SINE_OF_G1)),
+        Equation("", title, (cosines[j], smooth.COSINE_OF_G1)),
+    )
+
+
 def _orthogonality() -> tuple[Equation, ...]:
     """Return (5), (6), (7) for ``R2`` and (14)."""
     rows = []
@@ -119,6 +131,7 @@ def derive() -> GalerkinSystem:
             *fourier.definitions(),
             *_definitions(),
             *moment_definitions(),
+            *_tail(),
             Equation("9", "displacement at t = 0", (hb.x(0), displacement, INITIAL_STATE[0])),
             Equation("10", "velocity at t = 0", (hb.v0, velocity, INITIAL_STATE[1])),
         ),

@@ -126,6 +126,21 @@ def test_functions_of_time_are_those_of_the_paper(method: str, number: str) -> N
             assert got == pytest.approx(float(function(np.array(t))), rel=1e-10, abs=1e-12)
 
 
+@pytest.mark.parametrize(("name", "wave"), [("gamma^s", sine), ("gamma^c", cosine)])
+def test_harmonics_of_the_tail_are_those_of_12(name: str, wave) -> None:
+    system = derive("hb-c1")
+    shown = {str(e.sides[0]): e.sides[1] for e in system.equations if not e.number}
+    scale = 2 / PROBLEM.T / (PROBLEM.T * (PROBLEM.T - PROBLEM.t1) ** 3)
+    for j in (1, 3):
+        closed = shown[f"{name}[j]"]
+        at = {symbol: j for symbol in closed.free_symbols if symbol.name == "j"}
+        test = wave(j * PROBLEM.omega_0)
+        expected = scale * PROBLEM.inner(PROBLEM.g1, PROBLEM.g1, test)
+        assert value(closed.subs(at), system, numbers) == pytest.approx(expected, rel=1e-11)
+    mean = scale * PROBLEM.inner(PROBLEM.g1, PROBLEM.g1, one)
+    assert value(shown["gamma_0"], system, numbers) == pytest.approx(mean, rel=1e-11)
+
+
 def test_13_adds_g1_through_the_equation_of_motion_in_slip_alone() -> None:
     stick, slip = (e for e in derive("hb-c1").equations if e.number == "13")
     assert stick.sides[1] == sp.Function("R1")(*stick.sides[0].args)

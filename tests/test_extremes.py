@@ -135,6 +135,38 @@ def test_results_beyond_float64_are_infinite_and_null_not_errors(
         assert [d is None for d in written["d"]] == beyond
 
 
+@settings(max_examples=150)
+@given(
+    st.tuples(*(log_uniform(1e-200, 1e200) for _ in range(4))),
+    log_uniform(1e-9, 1e9),
+    st.sampled_from([0.0, 0.5, 1 - 1e-9]),
+    st.sampled_from([("c1", 9), ("c1", 25), ("hb", 5), ("hb-c1", 5)]),
+)
+def test_any_parameters_are_refused_or_survived(
+    sizes: tuple[float, ...], alpha: float, part: float, job: tuple[str, int]
+) -> None:
+    """All of float64: an error that names the parameters, or results without a warning."""
+    mass, stiffness, speed, mu_s = sizes
+    force = alpha * math.sqrt(mass) * math.sqrt(stiffness) * speed / (mu_s * (1 - part))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            belt = ns.StickSlip(
+                mass=mass,
+                stiffness=stiffness,
+                belt_speed=speed,
+                mu_s=mu_s,
+                mu_k=part * mu_s,
+                normal_force=force,
+            )
+            orbit = ns.solve(belt, *job)
+        except (ns.ParameterError, NoOrbit):
+            return
+        assert np.isfinite(orbit.acceleration([0.0, orbit.t1, 0.9 * orbit.period])).all()
+        assert np.isfinite([orbit.transition_mismatch, orbit.errors.period]).all()
+        assert orbit.coefficients
+
+
 @pytest.mark.parametrize("power", range(-12, 13, 4))
 @pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
 def test_units_change_no_more_than_the_last_two_digits(method: str, power: int) -> None:
