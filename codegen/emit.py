@@ -20,6 +20,7 @@ from .loops_c1_bands import C1_BAND_LOOPS
 from .loops_c1_reduced import C1_REDUCED_LOOPS
 from .loops_fourier import FOURIER_TABLES, HB_LOOPS
 from .loops_hb_c1 import HB_C1_LOOPS
+from .loops_symmetric import SYMMETRIC_LOOPS
 from .system import ClosedForm, GalerkinSystem
 
 LOOPS: Mapping[str, str] = MappingProxyType(
@@ -28,6 +29,7 @@ LOOPS: Mapping[str, str] = MappingProxyType(
         "hb-c1": FOURIER_TABLES + HB_C1_LOOPS,
         "c1": C1_LOOPS + C1_BAND_LOOPS,
         "c1-reduced": C1_REDUCED_LOOPS,
+        "hb-symmetric": SYMMETRIC_LOOPS,
     }
 )
 
@@ -57,6 +59,16 @@ CONTENTS_REDUCED = """Unknown: {unknowns}.
     orbit_times(alpha, N, table)                 returns t1, s, status
     batch(alphas, N, table, t1, s, status)       fills t1, s, status (len(alphas),)
 """
+
+
+CONTENTS_SYMMETRIC = """Unknowns ``z``: {unknowns}.
+
+    residual((alpha, K), z, R)    fills R (size,)
+    jacobian((alpha, K), z, J)    fills J (size, size), J[i, l] = dR[i]/dz[l]
+"""
+
+#: What the modules that are not a method of the paper by themselves offer.
+OTHER_CONTENTS = {"c1-reduced": CONTENTS_REDUCED, "hb-symmetric": CONTENTS_SYMMETRIC}
 
 
 def _is_negative(expression: sp.Expr) -> bool:
@@ -129,7 +141,7 @@ def module_source(system: GalerkinSystem) -> str:
     """Return the text of the generated module for `system`."""
     functions = "\n\n".join(function_source(form) for form in system.forms)
     body = f"{functions}\n\n{LOOPS[system.method].strip()}\n"
-    contents = CONTENTS_REDUCED if system.method == "c1-reduced" else CONTENTS
+    contents = OTHER_CONTENTS.get(system.method, CONTENTS)
     header = HEADER.format(
         section=system.section,
         title=system.title,

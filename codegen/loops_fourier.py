@@ -3,7 +3,7 @@
 Input to `emit`: the names of the closed forms of `fourier.closed_forms`.
 """
 
-FOURIER_TABLES = '''
+WAVES = '''
 def waves(turn, highest):
     """Return cos(k turn) and sin(k turn) for k = 0..highest, by repeated rotation.
 
@@ -19,7 +19,21 @@ def waves(turn, highest):
         sin_k[k] = s
         c, s = c * turn_cos - s * turn_sin, s * turn_cos + c * turn_sin
     return cos_k, sin_k
+'''
 
+PERIOD_TERMS = '''
+
+def period_terms(N, T):
+    """Return D_j for j = 0..N, row 0 the value, row 1 the derivative by T; D_0 unused."""
+    D = np.zeros((2, N + 1))
+    for j in range(1, N + 1):
+        D[0, j], D[1, j] = period_term(T, j)
+    return D
+'''
+
+FOURIER_TABLES = (
+    WAVES
+    + '''
 
 def slip_integrals(N, t1, T):
     """Return C_k and S_k for k = -2N..2N, and their derivatives.
@@ -42,15 +56,9 @@ def slip_integrals(N, t1, T):
             C[i, -k] = C[i, k]
             S[i, -k] = -S[i, k]
     return C, S
-
-
-def period_terms(N, T):
-    """Return D_j for j = 0..N, row 0 the value, row 1 the derivative by T; D_0 unused."""
-    D = np.zeros((2, N + 1))
-    for j in range(1, N + 1):
-        D[0, j], D[1, j] = period_term(T, j)
-    return D
-
+'''
+    + PERIOD_TERMS
+    + '''
 
 def fourier_product(N, c, C, S, D, R):
     """Fill R[0..2N] with the left sides of (5), (6), (7) for the coefficients c.
@@ -109,6 +117,7 @@ def initial_rows(N, c, T, J):
         J[-1, n] = weight
         J[-1, -1] += c[n] * weight_T
 '''
+)
 
 HB_LOOPS = '''
 

@@ -3,7 +3,7 @@
 Input to `emit`: the names of the closed forms of `hb_c1.closed_forms`.
 """
 
-HB_C1_LOOPS = '''
+ASCENDING_SERIES = '''
 
 def ascending_series(l, z):
     """Return j_l(z) for z < l + 1 by its ascending series, whose terms do not cancel."""
@@ -17,7 +17,11 @@ def ascending_series(l, z):
         if abs(term) <= 1e-17 * abs(total):
             break
     return total
+'''
 
+HB_C1_LOOPS = (
+    ASCENDING_SERIES
+    + '''
 
 def spherical_bessel(z, cos_z, sin_z):
     """Return j_0(z), j_1(z), j_2(z), j_3(z) for z > 0."""
@@ -284,3 +288,4 @@ def jacobian(alpha, z, J):
         J[-2, row - 3] += z[-3] * displacement[row]
         J[-1, row - 3] += z[-3] * velocity[row]
 '''
+)

@@ -23,6 +23,11 @@ SAMPLES = 4
 ROUNDING = 1e-6
 
 
+#: Mean velocity in stick, as a part of V, of what still is an orbit.  A Fourier series of
+#: few harmonics shortens stick; nothing but a spurious root makes it much longer.
+STICK_VELOCITY = (0.5, 3.0)
+
+
 def tolerance(method: Method, order: int) -> float:
     """Return the part of the stick travel ``2 A`` by which stick may miss the static limit.
 
@@ -61,7 +66,8 @@ def violations(method: Method, order: int, belt: StickSlip, z: Vector) -> tuple[
     """Return what the solution `z` violates, in words; empty if it is an orbit.
 
     Checked are ``0 < t1 < T``; in slip a velocity not above ``V``; in stick a spring force
-    within the static limit, and at ``t1`` equal to it.
+    within the static limit, and at ``t1`` equal to it; and that stick, a travel of ``2 A``,
+    has something like the belt's velocity.
     """
     t1, T = z[-2:]
     if not 0 < t1 < T:
@@ -89,4 +95,10 @@ def violations(method: Method, order: int, belt: StickSlip, z: Vector) -> tuple[
     overspeed = slip_overspeed(method, order, belt.alpha, z)
     if overspeed > ROUNDING:
         found.append(f"the velocity in slip exceeds V by {overspeed:.3g} of it")
+    mean = 2 * belt.alpha / t1
+    if not STICK_VELOCITY[0] <= mean <= STICK_VELOCITY[1]:
+        found.append(
+            f"the mean velocity in stick is {mean:.3g} V: order {order} does not resolve the "
+            f"phases, {t1 / T:.3g} and {1 - t1 / T:.3g} of the period"
+        )
     return tuple(found)

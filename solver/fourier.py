@@ -70,6 +70,29 @@ def _harmonics_of_g1(order: int, t1: float, T: float) -> Vector:
     return gamma
 
 
+def from_symmetric(z: Vector, order: int) -> Vector:
+    """Return the unknowns about ``t = 0`` for those about mid-stick.
+
+    ``b sin(n omega_0 (t - t1/2)) = b cos(phi) sin(n omega_0 t) - b sin(phi) cos(n omega_0 t)``
+    with ``phi = n omega_0 t1/2``; and the first C1 function is ``-s**2/6`` times the
+    smoothstep form of ``g1``.
+
+    Parameters
+    ----------
+    z : ndarray, shape (order + K + 2,)
+        ``b_1..b_N``, ``c_1..c_K`` beside the tails, ``t1``, ``T``; K 0 or 1.
+
+    Returns
+    -------
+    ndarray, shape (2 order + K + 3,)
+        ``a0, a_1..a_N, b_1..b_N``, the amplitude beside the tail of ``g1``, ``t1, T``.
+    """
+    b, c, (t1, T) = z[:order], z[order:-2], z[-2:]
+    phi = math.pi * t1 / T * np.arange(1, order + 1)
+    amplitude = -((T - t1) ** 2) / 6 * c
+    return np.concatenate(([0.0], b * np.cos(phi), -b * np.sin(phi), amplitude, (t1, T)))
+
+
 def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
     """Return ``a0``, ``a``, ``b`` of (3) in m."""
     scaled = belt.length_unit * z[: 2 * order + 1]

@@ -12,29 +12,38 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from . import newton
 from .arrays import Matrix, Vector
 
-#: Modules of ``generated/`` by method.
-MODULES = {"hb": "hb", "hb-c1": "hb_c1", "c1": "c1", "c1-reduced": "c1_reduced"}
+#: Modules of ``generated/``.
+MODULES = {
+    name: name.replace("-", "_") for name in ("hb", "hb-c1", "c1", "c1-reduced", "hb-symmetric")
+}
 
 
 @dataclass(frozen=True)
 class Kernel:
-    """Residual and Jacobian of one method over arrays, filled in place.
+    """Residual and Jacobian of one method over arrays, filled in place, and their solver.
 
     Parameters
     ----------
     residual : callable
-        ``residual(alpha, z, R)``.
+        ``residual(case, z, R)``; ``case`` is ``alpha``, or what the module says.
     jacobian : callable
-        ``jacobian(alpha, z, J)``.
+        ``jacobian(case, z, J)``.
     size : callable
-        ``size(N)``, the number of unknowns at order ``N``.
+        The number of unknowns: of the order, and of what else the module says.
+    iterate : callable
+        ``iterate(case, z, limit)``: `newton.iterate` for these two.
+    functions : dict
+        Every function of the generated module, by name.
     """
 
-    residual: Callable[[float, Vector, Vector], None]
-    jacobian: Callable[[float, Vector, Matrix], None]
-    size: Callable[[int], int]
+    residual: Callable[[Any, Vector, Vector], None]
+    jacobian: Callable[[Any, Vector, Matrix], None]
+    size: Callable[..., int]
+    iterate: newton.Iteration
+    functions: dict[str, Any]
 
 
 def module(method: str) -> types.ModuleType:
@@ -46,15 +55,22 @@ def module(method: str) -> types.ModuleType:
 @cache
 def plain(method: str) -> Kernel:
     """Return the kernel of `method` as plain Python."""
-    source = module(method)
-    return Kernel(source.residual, source.jacobian, source.size)
+    functions = vars(module(method))
+    iterate = plain_iteration(functions["residual"], functions["jacobian"])
+    return _kernel({**functions, "iterate": iterate})
+
+
+def plain_iteration(residual: newton.Fill, jacobian: newton.Fill) -> newton.Iteration:
+    """Return `newton.iterate` for any residual and Jacobian, as plain Python."""
+    namespace = {**vars(newton), "residual": residual, "jacobian": jacobian}
+    iterate: newton.Iteration = _rebuilt(newton.iterate, namespace)
+    return iterate
 
 
 @cache
 def compiled(method: str) -> Kernel:
     """Return the kernel of `method` compiled by numba, cached on disk where possible."""
-    functions = compiled_functions(method)
-    return Kernel(functions["residual"], functions["jacobian"], functions["size"])
+    return _kernel(compiled_functions(method))
 
 
 @cache
@@ -63,8 +79,25 @@ def compiled_functions(method: str) -> dict[str, Any]:
     return compile_functions(module(method))
 
 
+def _kernel(functions: dict[str, Any]) -> Kernel:
+    names = ("residual", "jacobian", "size", "iterate")
+    return Kernel(**{name: functions[name] for name in names}, functions=functions)
+
+
+#: The functions of `newton` that are compiled with a kernel, callers after what they call.
+DRIVER = (
+    newton.largest,
+    newton.time_norm,
+    newton.step_norm,
+    newton.longest_step,
+    newton.factorise,
+    newton.solve_factorised,
+    newton.iterate,
+)
+
+
 def compile_functions(source: types.ModuleType) -> dict[str, Any]:
-    """Return the functions of a generated module compiled by numba, by name.
+    """Return the functions of a generated module, and its solver, compiled, by name.
 
     A function that calls another must find it compiled, so each is rebuilt over a
     namespace of its own.  Its name in numba's cache carries the hash of the module's
@@ -75,18 +108,25 @@ def compile_functions(source: types.ModuleType) -> dict[str, Any]:
     source : module
         One of ``generated/``; its functions are in the order in which they call.
     """
-    namespace = dict(vars(source))
+    namespace = {**vars(newton), **vars(source)}
     if "prange" in namespace:
         from numba import prange  # noqa: PLC0415
 
         namespace["prange"] = prange
-    for name, function in vars(source).items():
-        if isinstance(function, types.FunctionType):
-            clone = types.FunctionType(function.__code__, namespace, name)
-            clone.__module__ = function.__module__
-            clone.__qualname__ = f"{name}_{source.BODY[:16]}"
-            namespace[name] = _jit(clone)
+    own = [value for value in vars(source).values() if isinstance(value, types.FunctionType)]
+    functions: tuple[Any, ...] = (*own, *DRIVER)
+    for function in functions:
+        clone = _rebuilt(function, namespace)
+        clone.__qualname__ = f"{function.__name__}_{source.BODY[:16]}"
+        namespace[function.__name__] = _jit(clone)
     return namespace
+
+
+def _rebuilt(function: Any, namespace: dict[str, Any]) -> Any:
+    """Return the same function over another namespace, where it finds what it calls."""
+    clone = types.FunctionType(function.__code__, namespace, function.__name__)
+    clone.__module__ = function.__module__
+    return clone
 
 
 def _jit(function: types.FunctionType) -> Any:

@@ -24,6 +24,8 @@ class Method:
         ``coefficients(z, order, belt)``, the paper's, in SI units.
     highest_order : int
         Where the dense equations still fit into memory and the digits of float64.
+    c1_terms : int or None
+        C1 functions beside the Fourier series; None where there is no such series.
     """
 
     name: str
@@ -32,6 +34,7 @@ class Method:
     evaluate: Callable[[Vector, int, Vector, int, float], Vector]
     coefficients: Callable[[Vector, int, StickSlip], dict[str, object]]
     highest_order: int
+    c1_terms: int | None
 
 
 METHODS: Mapping[str, Method] = MappingProxyType(
@@ -45,6 +48,7 @@ METHODS: Mapping[str, Method] = MappingProxyType(
                 fourier.evaluate_hb,
                 fourier.coefficients_hb,
                 2000,
+                0,
             ),
             Method(
                 "hb-c1",
@@ -53,6 +57,7 @@ METHODS: Mapping[str, Method] = MappingProxyType(
                 fourier.evaluate_hb_c1,
                 fourier.coefficients_hb_c1,
                 2000,
+                1,
             ),
             Method(
                 "c1",
@@ -61,6 +66,7 @@ METHODS: Mapping[str, Method] = MappingProxyType(
                 polynomial.evaluate,
                 polynomial.coefficients,
                 400,
+                None,
             ),
         )
     }

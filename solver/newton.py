@@ -1,17 +1,20 @@
-"""Newton's method with step control, the same for all methods of the paper.
+"""Newton's method with step control, the same for all kernels, plain or compiled.
 
 The step is damped by the natural monotonicity test (P. Deuflhard, Newton Methods for
 Nonlinear Problems, Springer 2004, Section 2.1): a step is accepted when the simplified
 correction, by the old Jacobian at the new point, is shorter than the correction before.
 Both are solutions of the same linear system, so no scaling of the equations changes what
 is accepted.
+
+`kernels` links `iterate` to the kernel that it is to solve, and compiles both together: for
+the small systems of this package a factorisation is over before a library is called.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from scipy.linalg import lapack
 
 from .arrays import Matrix, Vector
 
@@ -26,6 +29,21 @@ SETTLED = 1e-8
 SMALLEST_STEP = 2.0**-12
 
 ITERATION_LIMIT = 40
+
+#: Fills a residual or a Jacobian for a case and an iterate; `iterate` for one of each.
+Fill = Callable[[Any, Vector, Any], None]
+Iteration = Callable[[Any, Vector, int], tuple[int, int, float, float]]
+
+CONVERGED, OVERFLOW, SINGULAR, OUT_OF_RANGE, NO_DESCENT, TOO_MANY = range(6)
+
+REASONS = (
+    "converged",
+    "the equations overflow",
+    "the Jacobian is singular",
+    "t1 ran out of (0, T)",
+    "no step reduces the correction",
+    "no convergence within the limit of iterations",
+)
 
 
 @dataclass(frozen=True)
@@ -56,83 +74,158 @@ class Outcome:
     reason: str
 
 
-def _time_norm(step: Vector, unknowns: Vector) -> float:
-    return float(np.max(np.abs(step[-2:])) / unknowns[-1])
+def largest(values: Vector) -> float:
+    """Return the maximum norm; not a number if an entry is not."""
+    found = 0.0
+    for value in values:
+        size = abs(value)
+        if size > found or np.isnan(size):
+            found = size
+    return found
 
 
-def _norm(step: Vector, unknowns: Vector) -> float:
+def time_norm(step: Vector, z: Vector) -> float:
+    """Return the size of a step of ``t1`` and ``T``, as a part of ``T``."""
+    size: float = max(abs(step[-2]), abs(step[-1])) / z[-1]
+    return size
+
+
+def step_norm(step: Vector, z: Vector) -> float:
     """Return the size of a step: times against T, coefficients against the largest."""
-    largest = max(float(np.max(np.abs(unknowns[:-2]))), 1e-300)
-    return max(_time_norm(step, unknowns), float(np.max(np.abs(step[:-2]))) / largest)
+    scale = max(largest(z[:-2]), 1e-300)
+    size: float = max(time_norm(step, z), largest(step[:-2]) / scale)
+    return size
 
 
-def _longest_step(step: Vector, unknowns: Vector) -> float:
+def longest_step(step: Vector, z: Vector) -> float:
     """Return the damping that keeps ``t1`` and ``T - t1`` above half their values."""
-    t1, T = unknowns[-2:]
-    falls = np.array([-step[-2] / t1, -(step[-1] - step[-2]) / (T - t1)])
-    return float(min(1.0, 0.5 / max(falls.max(), 0.5)))
+    fall = max(-step[-2] / z[-2], -(step[-1] - step[-2]) / (z[-1] - z[-2]))
+    damping: float = min(1.0, 0.5 / max(fall, 0.5))
+    return damping
 
 
-def newton(
-    residual: Callable[[Vector, Vector], None],
-    jacobian: Callable[[Vector, Matrix], None],
-    start: Vector,
-    limit: int = ITERATION_LIMIT,
-) -> Outcome:
-    """Solve ``residual(z) = 0`` from `start`.
+def factorise(A: Matrix, rows: Any) -> bool:
+    """Factorise `A` in place, P A = L U with partial pivoting; whether it is regular.
+
+    rows : ndarray of int, shape (n,)
+        Filled with the row that was exchanged with each.
+    """
+    n = len(A)
+    for k in range(n):
+        pivot = k
+        for i in range(k + 1, n):
+            if abs(A[i, k]) > abs(A[pivot, k]):
+                pivot = i
+        rows[k] = pivot
+        if A[pivot, k] == 0:
+            return False
+        if pivot != k:
+            for j in range(n):
+                A[k, j], A[pivot, j] = A[pivot, j], A[k, j]
+        right = A[k, k + 1 :]
+        for i in range(k + 1, n):
+            factor = A[i, k] / A[k, k]
+            A[i, k] = factor
+            row = A[i, k + 1 :]
+            for j in range(len(right)):
+                row[j] -= factor * right[j]
+    return True
+
+
+def solve_factorised(A: Matrix, rows: Any, b: Vector) -> None:
+    """Overwrite `b` with the solution for the factors and exchanges of `factorise`."""
+    n = len(A)
+    for k in range(n):
+        pivot = rows[k]
+        b[k], b[pivot] = b[pivot], b[k]
+    for k in range(n):
+        for i in range(k + 1, n):
+            b[i] -= A[i, k] * b[k]
+    for k in range(n - 1, -1, -1):
+        b[k] /= A[k, k]
+        for i in range(k):
+            b[i] -= A[i, k] * b[k]
+
+
+def residual(case: Any, z: Vector, R: Vector) -> None:
+    """Stand for the residual of the kernel that `kernels` links `iterate` to."""
+    raise NotImplementedError
+
+
+def jacobian(case: Any, z: Vector, J: Matrix) -> None:
+    """Stand for the Jacobian of the kernel."""
+    raise NotImplementedError
+
+
+def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
+    """Solve ``residual(case, z) = 0`` from `z`, which is overwritten.
 
     The iteration stops when all corrections are small and that of the times is at rounding
     level or no longer falls: then the rounding errors of the residual are all that is left,
-    and `Outcome.correction` says how large they are.
+    and the last correction says how large they are.
+
+    Returns
+    -------
+    status, iterations : int
+        0 if converged, else the index of the reason in `REASONS`; Jacobians factorised.
+    correction, residual_norm : float
+        Last correction of the times, as a part of ``T``; maximum norm of the residual.
+    """
+    n = len(z)
+    R, J, rows = np.empty(n), np.empty((n, n)), np.empty(n, dtype=np.int64)
+    residual(case, z, R)
+    damping, previous, correction = 1.0, np.inf, np.inf
+    for iteration in range(1, limit + 1):
+        jacobian(case, z, J)
+        regular = factorise(J, rows)
+        step = -R
+        if regular:
+            solve_factorised(J, rows, step)
+        length, correction = step_norm(step, z), time_norm(step, z)
+        if not (regular and np.isfinite(length)):
+            status = SINGULAR if np.isfinite(length) else OVERFLOW
+            return status, iteration, correction, largest(R)
+        at_rest = correction <= ROUNDOFF or correction > 0.5 * previous
+        if length <= SETTLED and at_rest:
+            if not 0 < z[-2] + step[-2] < z[-1] + step[-1]:
+                return OUT_OF_RANGE, iteration, correction, largest(R)
+            z += step
+            residual(case, z, R)
+            return CONVERGED, iteration, correction, largest(R)
+        previous = correction
+        damping = min(1.0, 2.0 * damping, longest_step(step, z))
+        while True:
+            trial = z + damping * step
+            residual(case, trial, R)
+            simplified = R.copy()
+            solve_factorised(J, rows, simplified)
+            if length <= SETTLED or step_norm(simplified, z) <= (1 - damping / 4) * length:
+                break
+            damping /= 2
+            if damping < SMALLEST_STEP:
+                residual(case, z, R)
+                return NO_DESCENT, iteration, correction, largest(R)
+        z[:] = trial
+    return TOO_MANY, limit, correction, largest(R)
+
+
+def newton(
+    iteration: Iteration, case: Any, start: Vector, limit: int = ITERATION_LIMIT
+) -> Outcome:
+    """Solve a system from `start`, which is not overwritten.
 
     Parameters
     ----------
-    residual : callable
-        ``residual(z, R)`` fills `R`, shape (n,).
-    jacobian : callable
-        ``jacobian(z, J)`` fills `J`, shape (n, n).
+    iteration : callable
+        `iterate` for the system: ``iteration(case, z, limit)``; see `kernels`.
+    case : float or tuple
+        What the system depends on: ``alpha``; or ``alpha`` and the number of C1 functions.
     start : ndarray, shape (n,)
-        First iterate, not overwritten; its last two entries are ``0 < t1 < T``.
+        First iterate; its last two entries are ``0 < t1 < T``.
     limit : int
         Most Jacobians to factorise.
     """
     z = start.copy()
-    n = len(z)
-    R, J = np.empty(n), np.empty((n, n), order="F")
-    residual(z, R)
-    damping, previous, correction = 1.0, np.inf, np.inf
-
-    def end(converged: bool, iterations: int, reason: str) -> Outcome:
-        norm = float(np.max(np.abs(R)))
-        return Outcome(z, converged, iterations, correction, norm, reason)
-
-    for iteration in range(1, limit + 1):
-        jacobian(z, J)
-        if not (np.isfinite(R).all() and np.isfinite(J).all()):
-            return end(False, iteration, "the equations overflow")
-        factors, pivots, singular = lapack.dgetrf(J)
-        if singular:
-            return end(False, iteration, "the Jacobian is singular")
-        step = -lapack.dgetrs(factors, pivots, R)[0]
-        length, correction = _norm(step, z), _time_norm(step, z)
-        at_rest = correction <= ROUNDOFF or correction > 0.5 * previous
-        if length <= SETTLED and at_rest:
-            if not 0 < z[-2] + step[-2] < z[-1] + step[-1]:
-                return end(False, iteration, "t1 ran out of (0, T)")
-            z += step
-            residual(z, R)
-            return end(True, iteration, "converged")
-        previous = correction
-        damping = min(1.0, 2.0 * damping, _longest_step(step, z))
-        while True:
-            trial = z + damping * step
-            residual(trial, R)
-            simplified = lapack.dgetrs(factors, pivots, R)[0]
-            if length <= SETTLED or _norm(simplified, z) <= (1 - damping / 4) * length:
-                break
-            damping /= 2
-            if damping < SMALLEST_STEP:
-                residual(z, R)
-                return end(False, iteration, "no step reduces the correction")
-        z = trial
-    return end(False, limit, f"no convergence in {limit} iterations")
+    with np.errstate(all="ignore"):  # an overflow is reported as such
+        status, iterations, correction, norm = iteration(case, z, limit)
+    return Outcome(z, status == CONVERGED, iterations, correction, norm, REASONS[status])

@@ -1,19 +1,20 @@
 """The ways to an orbit: starts for Newton's method, and what to do where they fail."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from . import c1_roots
 from .admissible import violations
-from .arrays import Matrix, Vector
+from .arrays import Vector
 from .belt import StickSlip
+from .fourier import from_symmetric
 from .kernels import Kernel
-from .methods import Method
+from .methods import METHODS, Method
 from .newton import Outcome, newton
 from .no_orbit import NoOrbit
-from .start import rough_times, with_coefficients
+from .start import cubic_slip, rough_times, with_coefficients
 
 #: Where the rough start converges at every order: continuation in alpha begins here.
 EASY_ALPHA = 1.0
@@ -35,24 +36,27 @@ class Search:
     load: Callable[[str], Kernel]
     iterations: int = 0
 
-    def newton(self, alpha: float, start: Vector, kernel: Kernel) -> Outcome:
-        """Run Newton's method at `alpha` and count its iterations."""
-
-        def residual(z: Vector, R: Vector) -> None:
-            kernel.residual(alpha, z, R)
-
-        def jacobian(z: Vector, J: Matrix) -> None:
-            kernel.jacobian(alpha, z, J)
-
-        outcome = newton(residual, jacobian, start)
+    def newton(self, kernel: Kernel, case: object, start: Vector) -> Outcome:
+        """Run Newton's method from `start` and count its iterations."""
+        outcome = newton(kernel.iterate, case, start)
         self.iterations += outcome.iterations
         return outcome
 
-    def from_times(self, alpha: float, t1: float, T: float, method: str = "") -> Outcome:
-        """Start from times alone; the coefficients are those that suit them best."""
-        kernel = self.load(method or self.method.name)
-        start = with_coefficients(kernel, alpha, self.order, t1, T)
-        return self.newton(alpha, start, kernel)
+    def from_times(self, alpha: float, t1: float, T: float) -> Outcome:
+        """Start from times alone, at any `alpha`."""
+        return self.from_times_by(self.method, alpha, t1, T)
+
+    def from_times_by(self, method: Method, alpha: float, t1: float, T: float) -> Outcome:
+        """Start another method from times alone."""
+        terms, order = method.c1_terms, self.order
+        if terms is None:
+            kernel = self.load(method.name)
+            start = with_coefficients(kernel, alpha, order, t1, T)
+            return self.newton(kernel, alpha, start)
+        kernel = self.load("hb-symmetric")
+        start = cubic_slip(kernel, terms, order, t1, T)
+        found = self.newton(kernel, (alpha, terms), start)
+        return replace(found, unknowns=from_symmetric(found.unknowns, order))
 
 
 def _from_rough_times(search: Search) -> Outcome:
@@ -62,7 +66,7 @@ def _from_rough_times(search: Search) -> Outcome:
 def _from_fourier(search: Search) -> Outcome:
     """Start 3.2 from the orbit of 3.1, of which it is an extension."""
     alpha = search.belt.alpha
-    series = search.from_times(alpha, *rough_times(alpha), method="hb")
+    series = search.from_times_by(METHODS["hb"], alpha, *rough_times(alpha))
     if not series.converged:
         return series
     return search.from_times(alpha, *series.unknowns[-2:])
@@ -101,7 +105,7 @@ def _from_root(search: Search) -> Outcome:
             f"alpha = {belt.alpha:.6g} were isolated; none is an orbit"
         )
         raise NoOrbit(reason, proven=True, tried=())
-    return search.newton(belt.alpha, good[0], search.load("c1"))
+    return search.newton(search.load("c1"), belt.alpha, good[0])
 
 
 #: A way to an orbit, and its name.

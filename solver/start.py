@@ -24,6 +24,30 @@ def rough_times(alpha: float) -> tuple[float, float]:
     return t1, t1 + math.pi + 2.0 / (alpha + 2.0 / math.pi)
 
 
+def cubic_slip(kernel: Kernel, terms: int, order: int, t1: float, T: float) -> Vector:
+    """Return unknowns of the symmetric kernel: stick at the belt's velocity, a cubic in slip.
+
+    That is ``g1`` of (12), scaled: the one cubic that joins stick in displacement and
+    velocity at both ends.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        ``"hb-symmetric"``.
+    terms : int
+        Number of C1 functions.
+
+    Returns
+    -------
+    ndarray, shape (order + terms + 2,)
+        Coefficients, `t1`, `T`.
+    """
+    z = np.empty(kernel.size(order, terms))
+    z[-2:] = t1, T
+    kernel.functions["rough_motion"](terms, z)
+    return z
+
+
 def with_coefficients(kernel: Kernel, alpha: float, order: int, t1: float, T: float) -> Vector:
     """Return unknowns with these times and the coefficients that suit them best.
 

@@ -43,6 +43,7 @@ def test_text_and_set_of_files_are_compared_without_writing(tmp_path: Path) -> N
         "extra.py",
         "hb.py",
         "hb_c1.py",
+        "hb_symmetric.py",
     ]
     assert generate.write(tmp_path) == ["hb.py: written", "c1.py: written", "extra.py: removed"]
     assert generate.differences(tmp_path) == []

@@ -3,17 +3,19 @@
 import numpy as np
 import pytest
 
+from nonsmooth.solver.kernels import plain_iteration
 from nonsmooth.solver.newton import newton
 
 
 def solve(residual, jacobian, start, **options):
-    def fill_residual(z, R):
+    def fill_residual(case, z, R):
         R[:] = residual(z)
 
-    def fill_jacobian(z, J):
+    def fill_jacobian(case, z, J):
         J[:] = jacobian(z)
 
-    return newton(fill_residual, fill_jacobian, np.array(start, dtype=float), **options)
+    iteration = plain_iteration(fill_residual, fill_jacobian)
+    return newton(iteration, None, np.array(start, dtype=float), **options)
 
 
 def quadratic(z):

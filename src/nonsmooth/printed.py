@@ -21,6 +21,7 @@ from .codegen.oscillator import SLIP, T, V, omega_n, t, t1, x_0, x_s
 from .solver import kernels
 from .solver.arrays import Matrix, Vector
 from .solver.belt import StickSlip
+from .solver.kernels import plain_iteration
 from .solver.newton import Outcome, newton
 from .solver.start import rough_times
 
@@ -189,11 +190,11 @@ def solve(
         if np.isfinite(J).all():
             z[:-2] = lstsq(J[:, :-2], -R, lapack_driver="gelsy")[0]
 
-        def residual(z: Vector, out: Vector) -> None:
+        def residual(case: None, z: Vector, out: Vector) -> None:
             out[:] = evaluate(z)[0]
 
-        def jacobian(z: Vector, out: Matrix) -> None:
+        def jacobian(case: None, z: Vector, out: Matrix) -> None:
             out[:] = evaluate(z)[1]
 
-        outcome = newton(residual, jacobian, z)
+        outcome = newton(plain_iteration(residual, jacobian), None, z)
         return outcome, evaluate(outcome.unknowns)[1]

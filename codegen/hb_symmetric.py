@@ -1,0 +1,120 @@
+"""Stage 3, Sections 3.1 and 3.2 by their symmetry: half of the unknowns, the same orbit.
+
+Input: sines about mid-stick, and the odd C1 functions ``g_l``.
+Output: `derive`, the record of one kernel for the Fourier series (no C1 function) and for
+the series with the first of them (the ``g1`` of the paper) or more.
+
+The expansion is ``y = sum b_n sin(n omega_0 tau) + sum c_l tail(g_l)``, where the tail of
+``g_l`` is ``g_l`` without its first ``N`` harmonics.  (6) makes each coefficient a response
+to the spring force in slip,
+
+    b_j = -(force_j)/(D_j),    D_j = -(j omega_0)**2 T/2,
+
+and the kernel puts these into (9) and (10) instead of the ``b_j`` themselves.  Where (6)
+holds it is the same; on the way there it is not: the velocity of a series has a kink where
+stick ends, which a step of Newton's method in ``t1`` cannot see beyond ``1/N``, and the
+velocity of the response has not.
+"""
+
+import sympy as sp
+
+from . import fourier, odd_functions, symmetry
+from . import g1 as smooth
+from .inner_product import N, j, n
+from .oscillator import INITIAL_STATE
+from .slip_moments import bessel_forms, z
+from .system import ClosedForm, Equation, GalerkinSystem, Inner, require_zero
+
+y = sp.Function("y")
+b, c = sp.IndexedBase("b", real=True), sp.IndexedBase("c", real=True)
+h = sp.IndexedBase("h")
+
+#: The recurrence by which ``j_{l+1}`` follows from ``j_l`` and ``j_{l-1}``.
+_l = odd_functions.l
+NEXT_BESSEL = (2 * _l + 1) / z * odd_functions.here - odd_functions.below
+
+
+def check_recurrence() -> None:
+    """Check the recurrence of the spherical Bessel functions for a few degrees.
+
+    Raises
+    ------
+    DerivationError
+        If it does not hold.
+    """
+    names = {odd_functions.below: -1, odd_functions.here: 0}
+    claims = []
+    for degree in (1, 2, 5):
+        values = {name: sp.jn(degree + shift, z) for name, shift in names.items()}
+        step = NEXT_BESSEL.subs(values).subs(_l, degree)
+        claims.append((f"j_{degree + 1}", sp.expand_func(sp.jn(degree + 1, z) - step)))
+    require_zero(claims)
+
+
+def _conditions() -> tuple[Equation, ...]:
+    """Return (6), (14), (9), (10) about mid-stick, for the reader."""
+    l, K = _l, sp.Symbol("K", integer=True, nonnegative=True)
+    R = sp.Function("R")(symmetry.tau)
+    force = sp.Sum(symmetry.SINE_BY_SINE * b[n], (n, 1, N)) + sp.Sum(c[l] * h[l, j], (l, 1, K))
+    tail = sp.Symbol("tail_l")
+    return (
+        Equation(
+            "6",
+            "orthogonal to sin(j omega_0 tau)",
+            (Inner(R, symmetry.TEST), fourier.PERIOD_TERM * b[j] + force, sp.Integer(0)),
+            "j = 1, ..., N",
+        ),
+        Equation("14", "orthogonal to the tail of g_l", (Inner(R, tail), sp.Integer(0))),
+        Equation("9", "displacement at t = 0", (y(0), INITIAL_STATE[0])),
+        Equation("10", "velocity at t = 0", (y(symmetry.tau).diff(symmetry.tau), 1)),
+    )
+
+
+def closed_forms() -> tuple[ClosedForm, ...]:
+    """Return the closed forms of the kernel."""
+    shared = {form.name: form for form in (*fourier.closed_forms(), *smooth.closed_forms())}
+    taken = (
+        "angle",
+        "period_term",
+        "velocity_weight",
+        "initial_state",
+        "harmonic_acceleration",
+        "residual_in_stick",
+        "residual_in_slip",
+    )
+    step = ClosedForm(
+        "spherical_bessel_next",
+        "j_{l+1}(z) from j_l(z) and j_{l-1}(z), for z >= l + 2; below, it loses digits.",
+        (odd_functions.below, odd_functions.here, _l, z),
+        (NEXT_BESSEL,),
+    )
+    return (
+        *(shared[name] for name in taken),
+        *symmetry.closed_forms(),
+        *bessel_forms()[:2],
+        step,
+        *odd_functions.closed_forms(),
+    )
+
+
+def derive() -> GalerkinSystem:
+    """Derive the halved system of Sections 3.1 and 3.2.
+
+    Raises
+    ------
+    DerivationError
+        If the residual of an odd motion is not odd, or a closed form is wrong.
+    """
+    symmetry.check_integrals()
+    symmetry.check_symmetry()
+    odd_functions.check_functions()
+    check_recurrence()
+    return GalerkinSystem(
+        method="hb-symmetric",
+        section="3.1 and 3.2",
+        title="Harmonic balance with K odd C1 functions, about mid-stick",
+        unknowns="b_1..b_N, c_1..c_K beside the tails of g_1, g_3, ..., t1, T",
+        equations=(*symmetry.equations(), *odd_functions.equations(), *_conditions()),
+        jacobian=(),
+        forms=closed_forms(),
+    )

@@ -1,0 +1,472 @@
+"""Loops about mid-stick: sines, K odd C1 functions, residual and Jacobian (3.1, 3.2).
+
+Input to `emit`: the names of the closed forms of `hb_symmetric.closed_forms`.
+"""
+
+from .loops_fourier import PERIOD_TERMS, WAVES
+from .loops_hb_c1 import ASCENDING_SERIES
+
+SINE_TABLES = '''
+
+def slip_cosines(N, t1, T):
+    """Return C_k for k = -2N..2N, in this order, and their derivatives.
+
+    Returns
+    -------
+    C : ndarray, shape (3, 4 N + 1)
+        Row 0 the value, row 1 the derivative by t1, row 2 by T; C_0 is in column 2 N.
+    """
+    C = np.empty((3, 4 * N + 1))
+    C[0, 2 * N], C[1, 2 * N], C[2, 2 * N] = slip_cosine_zero(t1, T)
+    cos_k, sin_k = waves(half_stick_angle(T, t1), 2 * N)
+    for k in range(1, 2 * N + 1):
+        values = slip_cosine(cos_k[k], sin_k[k], k, t1, T)
+        for row in range(3):
+            C[row, 2 * N + k] = values[row]
+            C[row, 2 * N - k] = values[row]
+    return C
+
+
+def slip_product(N, b, C, out):
+    """Fill out[0..N-1] with the slip part of (6) for the coefficients b[0..N-1].
+
+    C : one row of `slip_cosines`.
+    """
+    for j in range(N):
+        out[j] = 0.0
+    for n in range(1, N + 1):
+        minus, plus = C[2 * N + 1 - n :], C[2 * N + 1 + n :]
+        for j in range(N):
+            out[j] += b[n - 1] * sine_by_sine(minus[j], plus[j])
+
+
+def sine_matrix(N, C, D, J):
+    """Fill J[0..N-1, 0..N-1] with the coefficients of (6), which are linear in b."""
+    for n in range(1, N + 1):
+        minus, plus = C[2 * N + 1 - n :], C[2 * N + 1 + n :]
+        row = J[n - 1]
+        for j in range(N):
+            row[j] = sine_by_sine(minus[j], plus[j])
+        row[n - 1] += D[n]
+'''
+
+ODD_FUNCTIONS = '''
+
+def spherical_bessel(highest, z, cos_z, sin_z, j):
+    """Fill j[0..highest] with the spherical Bessel functions of z > 0."""
+    j[0] = spherical_bessel_0(cos_z, sin_z, z)
+    j[1] = spherical_bessel_1(cos_z, sin_z, z) if z >= 2 else ascending_series(1, z)
+    for l in range(1, highest):
+        if z >= l + 2:
+            j[l + 1] = spherical_bessel_next(j[l - 1], j[l], l, z)
+        else:
+            j[l + 1] = ascending_series(l + 1, z)
+
+
+def slip_moments(degrees, N, t1, T):
+    """Return M_lk for the odd l = 1, 3, ... and k = 1..N, and their derivatives.
+
+    Returns
+    -------
+    M : ndarray, shape (degrees, N, 3)
+        M[i, k - 1]: the value, the derivative by t1, by T, for l = 2 i + 1.
+    """
+    M = np.empty((degrees, N, 3))
+    if degrees == 0:
+        return M
+    bessel = np.empty(2 * degrees)
+    s = T - t1
+    cosines, sines = waves(half_slip_angle(T, 1, s), N)
+    for k in range(1, N + 1):
+        z = half_slip_angle(T, k, s)
+        spherical_bessel(2 * degrees - 1, z, cosines[k], sines[k], bessel)
+        for i in range(degrees):
+            l = 2 * i + 1
+            sign = (1 - 2 * (k % 2)) * (1 - 2 * (i % 2))
+            values = moment(T, bessel[l - 1], bessel[l], k, l, s, sign, t1, z)
+            M[i, k - 1, 0], M[i, k - 1, 1], M[i, k - 1, 2] = values
+    return M
+
+
+def legendre_parts(K, t1, T):
+    """Return the C1 functions in slip in P_1*, P_3*, ..., and their derivatives.
+
+    Returns
+    -------
+    q : ndarray, shape (3, K, K + 1)
+        q[0, i, m] multiplies P_l*, l = 2 m + 1, in function i; then by t1 and by T.
+    """
+    q = np.zeros((3, K, K + 1))
+    s = T - t1
+    for i in range(K):
+        values = in_legendre(2 * i + 1, s)
+        for part in range(3):
+            m = i - 1 + part
+            if m >= 0:
+                q[0, i, m] = values[part]
+                q[1, i, m] = -values[3 + part]
+                q[2, i, m] = values[3 + part]
+    if K > 0:
+        values = drift_in_slip(T, s)
+        for row in range(3):
+            q[row, 0, 0] += values[row]
+    return q
+
+
+def harmonics(K, N, T, M):
+    """Return the first N sine harmonics of the C1 functions, and their derivatives.
+
+    M : `slip_moments`, for K degrees or more.
+
+    Returns
+    -------
+    gamma : ndarray, shape (3, K, N)
+        Row 0 the value, row 1 the derivative by t1, row 2 by T.
+    """
+    gamma = np.empty((3, K, N))
+    for i in range(K):
+        for j in range(N):
+            gamma[0, i, j], gamma[1, i, j], gamma[2, i, j] = harmonic(M[i, j], T, j + 1)
+    return gamma
+
+
+def through_harmonics(K, N, t1, T, M):
+    """Return the C1 functions through (1), tested by each harmonic, and derivatives.
+
+    M : `slip_moments`, for K + 1 degrees.
+
+    Returns
+    -------
+    H : ndarray, shape (3, K, N)
+        Row 0 the value, row 1 the derivative by t1, row 2 by T.
+    """
+    H = np.empty((3, K, N))
+    for j in range(N):
+        H[0, 0, j], H[1, 0, j], H[2, 0, j] = through_motion_1(M[0, j], M[1, j], T, T - t1)
+        for i in range(1, K):
+            H[0, i, j], H[1, i, j], H[2, i, j] = through_motion(M[i, j], T, j + 1)
+    return H
+
+
+def through_each_other(K, t1, T):
+    """Return the C1 functions through (1), tested by each other, and derivatives.
+
+    Returns
+    -------
+    W : ndarray, shape (3, K, K)
+        Row 0 the value, row 1 the derivative by t1, row 2 by T.
+    """
+    W = np.zeros((3, K, K))
+    q = legendre_parts(K, t1, T)
+    for m in range(K + 1):
+        norm, slope = legendre_norm(2 * m + 1, T - t1)
+        for i in range(K):
+            for k in range(K):
+                # <g_k'' + g_k, g_i>: g_k'' is P_l* with l = 2 k + 1.
+                unit = 1.0 if m == k else 0.0
+                product = (unit + q[0, k, m]) * q[0, i, m]
+                W[0, i, k] += norm * product
+                W[1, i, k] -= slope * product
+                W[2, i, k] += slope * product
+                for row in range(1, 3):
+                    rate = q[row, k, m] * q[0, i, m] + (unit + q[0, k, m]) * q[row, i, m]
+                    W[row, i, k] += norm * rate
+    return W
+
+
+def tails(K, N, C, D, M, gamma, t1, T, rows):
+    """Return what the tails of the C1 functions add to (6) and (14).
+
+    `rows` is 1 for the values alone, 3 for their derivatives besides.  With H of
+    `through_harmonics`, W of `through_each_other` and A the matrix of the harmonics, the
+    tails have H - A gamma, and W - gamma H - (H - A gamma) gamma.
+
+    Returns
+    -------
+    h : ndarray, shape (3, K, N)
+        Coefficients of c_l in (6).
+    w : ndarray, shape (3, K, K)
+        Coefficients of c_l in (14).
+    """
+    h = through_harmonics(K, N, t1, T, M)
+    w = through_each_other(K, t1, T)
+    H = h.copy()
+    product = np.empty(N)
+    for i in range(K):
+        for row in range(rows):
+            slip_product(N, gamma[row, i], C[0], product)
+            for j in range(N):
+                h[row, i, j] -= product[j] + D[0, j + 1] * gamma[row, i, j]
+            if row > 0:
+                slip_product(N, gamma[0, i], C[row], product)
+                for j in range(N):
+                    h[row, i, j] -= product[j]
+                if row == 2:
+                    for j in range(N):
+                        h[row, i, j] -= D[1, j + 1] * gamma[0, i, j]
+    for i in range(K):
+        for k in range(K):
+            for row in range(rows):
+                for j in range(N):
+                    w[row, i, k] -= gamma[row, i, j] * H[0, k, j]
+                    w[row, i, k] -= gamma[row, k, j] * h[0, i, j]
+                    if row > 0:
+                        w[row, i, k] -= gamma[0, i, j] * H[row, k, j]
+                        w[row, i, k] -= gamma[0, k, j] * h[row, i, j]
+    return h, w
+
+
+def at_end_of_stick(K, N, gamma, t1, T):
+    """Return displacement and velocity of the tails at tau = t1/2, and derivatives.
+
+    Returns
+    -------
+    displacement, velocity : ndarray, shape (3, K)
+        Row 0 the value, row 1 the derivative by t1, row 2 by T.
+    """
+    displacement = np.zeros((3, K))
+    velocity = np.zeros((3, K))
+    if K > 0:
+        rate = drift(T, T - t1)
+        for row in range(3):
+            velocity[row, 0] = rate[row]
+            displacement[row, 0] = rate[row] * t1 / 2
+        displacement[1, 0] += rate[0] / 2
+    phi = half_stick_angle(T, t1)
+    slope = (pi / T, -phi / T)
+    cosines, sines = waves(phi, N)
+    for n in range(1, N + 1):
+        weight, weight_T = velocity_weight(T, n)
+        for i in range(K):
+            g = gamma[0, i, n - 1]
+            for row in range(3):
+                displacement[row, i] -= gamma[row, i, n - 1] * sines[n]
+                velocity[row, i] -= gamma[row, i, n - 1] * weight * cosines[n]
+            for row in range(1, 3):
+                displacement[row, i] -= g * n * cosines[n] * slope[row - 1]
+                velocity[row, i] += g * weight * n * sines[n] * slope[row - 1]
+            velocity[2, i] -= g * weight_T * cosines[n]
+    return displacement, velocity
+'''
+
+TAIL_CONDITION = '''
+
+#: Gauss rule of one panel; it integrates waves of up to `PANEL` radians, to rounding.
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(32)
+PANEL = 52.0
+
+
+def tail_conditions(K, N, z, gamma, out):
+    """Fill out[0..K-1] with the left sides of (14), the inner products of R and the tails.
+
+    In closed form they are differences of numbers of order 1 that are equal up to
+    N**(-3).  R and the tail are small each, so their product, integrated by Gauss in a
+    half of stick and a half of slip, keeps its digits.
+    """
+    t1, T = z[-2], z[-1]
+    size = len(NODES)
+    q = legendre_parts(K, t1, T)[0]
+    rate = drift(T, T - t1)[0]
+    off_cos, off_sin, turn_cos, turn_sin, cos_n, sin_n, R = np.empty((7, size))
+    tail = np.empty((K, size))
+    for i in range(K):
+        out[i] = 0.0
+    for phase in range(2):
+        start, length = (0.0, t1 / 2) if phase == 0 else (t1 / 2, (T - t1) / 2)
+        panels = int(2 * N * angle(T, length) / PANEL) + 1
+        for p in range(size):
+            turn = angle(T, 0.5 * length / panels * NODES[p])
+            off_cos[p], off_sin[p] = cos(turn), sin(turn)
+        for panel in range(panels):
+            turn = angle(T, start + length * (panel + 0.5) / panels)
+            mid_cos, mid_sin = cos(turn), sin(turn)
+            for p in range(size):
+                turn_cos[p] = mid_cos * off_cos[p] - mid_sin * off_sin[p]
+                turn_sin[p] = mid_sin * off_cos[p] + mid_cos * off_sin[p]
+                cos_n[p], sin_n[p] = 1.0, 0.0
+                part = (panel + 0.5 * (1 + NODES[p])) / panels
+                tau = start + length * part
+                # The C1 functions themselves, in slip by their Legendre polynomials.
+                total_rate, total = 0.0, 0.0
+                if phase == 0:
+                    for i in range(K):
+                        tail[i, p] = rate * tau if i == 0 else 0.0
+                        total += z[N + i] * tail[i, p]
+                    R[p] = residual_in_stick(total_rate, total)
+                else:
+                    v = part - 1
+                    for i in range(K):
+                        tail[i, p] = 0.0
+                    even, odd = 1.0, v
+                    for m in range(K + 1):
+                        for i in range(K):
+                            tail[i, p] += q[i, m] * odd
+                        if m < K:
+                            total_rate += z[N + m] * odd
+                        l = 2 * m + 1
+                        even = ((2 * l + 1) * v * odd - l * even) / (l + 1)
+                        odd = ((2 * l + 3) * v * even - (l + 1) * odd) / (l + 2)
+                    for i in range(K):
+                        total += z[N + i] * tail[i, p]
+                    R[p] = residual_in_slip(total_rate, total)
+            # Less their harmonics, and with those of the series.
+            for n in range(1, N + 1):
+                wave = z[n - 1]
+                for i in range(K):
+                    wave -= z[N + i] * gamma[i, n - 1]
+                acceleration = wave * harmonic_acceleration(T, n)
+                if phase == 0:
+                    factor = residual_in_stick(acceleration, wave)
+                else:
+                    factor = residual_in_slip(acceleration, wave)
+                for p in range(size):
+                    c, s = cos_n[p], sin_n[p]
+                    cos_n[p] = c * turn_cos[p] - s * turn_sin[p]
+                    sin_n[p] = s * turn_cos[p] + c * turn_sin[p]
+                    R[p] += factor * sin_n[p]
+                for i in range(K):
+                    g = gamma[i, n - 1]
+                    row = tail[i]
+                    for p in range(size):
+                        row[p] -= g * sin_n[p]
+            for i in range(K):
+                total = 0.0
+                for p in range(size):
+                    total += WEIGHTS[p] * R[p] * tail[i, p]
+                out[i] += length / panels * total
+'''
+
+RESIDUAL = '''
+
+def size(N, K):
+    """Return the number of unknowns and equations: N + K + 2."""
+    return N + K + 2
+
+
+def rough_motion(K, z):
+    """Fill the coefficients of z for given t1, T: g_1 with the velocity 1 in stick.
+
+    It satisfies (10), and (9) if t1 = 2 alpha; in slip it is a cubic.
+    """
+    N = len(z) - K - 2
+    t1, T = z[-2], z[-1]
+    scale = 1 / drift(T, T - t1)[0]
+    gamma = harmonics(1, N, T, slip_moments(1, N, t1, T))
+    for n in range(N):
+        z[n] = scale * gamma[0, 0, n]
+    for i in range(K):
+        z[N + i] = scale if i == 0 else 0.0
+
+
+def forces(K, N, z, C, h, out):
+    """Fill out[0..N-1] with the slip part of (6); C, h one row of their tables."""
+    slip_product(N, z, C, out)
+    for i in range(K):
+        for j in range(N):
+            out[j] += z[N + i] * h[i, j]
+
+
+def residual(case, z, R):
+    """Fill R with (6) for j = 1..N, (14) for each C1 function, (9), (10).
+
+    case : alpha and K, the number of C1 functions.
+    """
+    alpha, K = case
+    N = len(z) - K - 2
+    t1, T = z[-2], z[-1]
+    C = slip_cosines(N, t1, T)
+    D = period_terms(N, T)
+    M = slip_moments(K + 1 if K > 0 else 0, N, t1, T)
+    gamma = harmonics(K, N, T, M)
+    if K > 0:
+        h, _ = tails(K, N, C, D, M, gamma, t1, T, 1)
+        tail_conditions(K, N, z, gamma[0], R[N : N + K])
+    else:
+        h = gamma
+    force = np.empty(N)
+    forces(K, N, z, C[0], h[0], force)
+    displacement, velocity = initial_state(alpha)
+    R[-2], R[-1] = displacement, -velocity
+    tail, tail_velocity = at_end_of_stick(K, N, gamma, t1, T)
+    for i in range(K):
+        R[-2] += z[N + i] * tail[0, i]
+        R[-1] += z[N + i] * tail_velocity[0, i]
+    cosines, sines = waves(half_stick_angle(T, t1), N)
+    for j in range(1, N + 1):
+        R[j - 1] = D[0, j] * z[j - 1] + force[j - 1]
+        response = -force[j - 1] / D[0, j]
+        R[-2] += response * sines[j]
+        R[-1] += response * velocity_weight(T, j)[0] * cosines[j]
+
+
+def jacobian(case, z, J):
+    """Fill J with the derivatives of `residual` by b_n, c_l, t1, T."""
+    alpha, K = case
+    N = len(z) - K - 2
+    t1, T = z[-2], z[-1]
+    C = slip_cosines(N, t1, T)
+    D = period_terms(N, T)
+    M = slip_moments(K + 1 if K > 0 else 0, N, t1, T)
+    gamma = harmonics(K, N, T, M)
+    h = gamma
+    J[:, :] = 0.0
+    sine_matrix(N, C[0], D[0], J)
+    if K > 0:
+        h, w = tails(K, N, C, D, M, gamma, t1, T, 3)
+        for i in range(K):
+            for j in range(N):
+                J[j, N + i] = h[0, i, j]
+                J[N + i, j] = h[0, i, j]
+                for row in range(1, 3):
+                    J[N + i, row - 3] += h[row, i, j] * z[j]
+            for k in range(K):
+                J[N + i, N + k] = w[0, i, k]
+                for row in range(1, 3):
+                    J[N + i, row - 3] += w[row, i, k] * z[N + k]
+    force = np.empty((3, N))
+    for row in range(3):
+        forces(K, N, z, C[row], h[row], force[row])
+    for j in range(N):
+        J[j, -2] = force[1, j]
+        J[j, -1] = force[2, j] + D[1, j + 1] * z[j]
+    # (9) and (10): weights of the responses -force/D, and how each response changes.
+    tail, tail_velocity = at_end_of_stick(K, N, gamma, t1, T)
+    for i in range(K):
+        J[-2, N + i] = tail[0, i]
+        J[-1, N + i] = tail_velocity[0, i]
+        for row in range(1, 3):
+            J[-2, row - 3] += z[N + i] * tail[row, i]
+            J[-1, row - 3] += z[N + i] * tail_velocity[row, i]
+    phi = half_stick_angle(T, t1)
+    slope = (pi / T, -phi / T)
+    cosines, sines = waves(phi, N)
+    weights = np.empty((2, N))
+    for j in range(1, N + 1):
+        velocity, velocity_T = velocity_weight(T, j)
+        weights[0, j - 1] = -sines[j] / D[0, j]
+        weights[1, j - 1] = -velocity * cosines[j] / D[0, j]
+        response = -force[0, j - 1] / D[0, j]
+        for row in range(1, 3):
+            J[-2, row - 3] += response * j * cosines[j] * slope[row - 1]
+            J[-1, row - 3] -= response * velocity * j * sines[j] * slope[row - 1]
+            J[-2, row - 3] += weights[0, j - 1] * force[row, j - 1]
+            J[-1, row - 3] += weights[1, j - 1] * force[row, j - 1]
+        J[-1, -1] += response * velocity_T * cosines[j]
+        J[-2, -1] -= response * D[1, j] / D[0, j] * sines[j]
+        J[-1, -1] -= response * D[1, j] / D[0, j] * velocity * cosines[j]
+    for row in range(2):
+        slip_product(N, weights[row], C[0], J[row - 2])
+        for i in range(K):
+            for j in range(N):
+                J[row - 2, N + i] += weights[row, j] * h[0, i, j]
+'''
+
+SYMMETRIC_LOOPS = (
+    WAVES
+    + PERIOD_TERMS
+    + SINE_TABLES
+    + ASCENDING_SERIES
+    + ODD_FUNCTIONS
+    + TAIL_CONDITION
+    + RESIDUAL
+)

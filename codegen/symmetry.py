@@ -1,0 +1,122 @@
+"""Stage 2f: the orbit is odd about the middle of stick, and so are the equations.
+
+Input: the phases of the oscillator and the Fourier series.
+Output: the inner products (8) of sines of ``tau = t - t1/2``, the time since mid-stick: half
+of the equations of `fourier`, in half of the unknowns.
+
+About ``x_s`` the motion run backwards and turned over is a motion on the same belt: with
+``y(tau)`` also ``-y(-tau)`` solves (1) and (2).  An odd motion needs no more than sines of
+``tau``, its residual is odd, and the inner products with even test functions vanish.
+"""
+
+import sympy as sp
+
+from . import fourier
+from .inner_product import FREQUENCY, C, j, k, n, omega_0
+from .oscillator import SLIP, STICK, T, t, t1
+from .system import ClosedForm, Equation, require_zero
+
+#: Time since the middle of stick, and the two phases in it.
+tau = sp.Symbol("tau", real=True)
+STICK_ENDS = (-t1 / 2, t1 / 2)
+SLIP_ENDS = (t1 / 2, T - t1 / 2)
+
+SINE = sp.sin(n * omega_0 * tau)
+TEST = SINE.subs(n, j)
+
+#: Half of the angle that harmonic ``k`` turns through in stick, and its waves, tabulated.
+HALF_STICK = (k * omega_0 * t1 / 2).subs(FREQUENCY)
+cos_k, sin_k = sp.symbols("cos_k sin_k", real=True)
+
+#: ``C_k``: the integral of ``cos(k omega_0 tau)`` over slip, and that of the constant.
+SLIP_COSINE = -T / (sp.pi * k) * sp.sin(HALF_STICK)
+SLIP_COSINE_ZERO = T - t1
+
+#: The integral over slip of two sines.
+SINE_BY_SINE = (C[j - n] - C[j + n]) / 2
+
+
+def check_integrals() -> None:
+    """Check ``C_k``, and the product of two sines, by SymPy's integrals.
+
+    Raises
+    ------
+    DerivationError
+        If a closed form differs from its integral.
+    """
+    wave = sp.cos(k * omega_0 * tau).subs(FREQUENCY)
+    direct = sp.integrate(wave, (tau, *SLIP_ENDS))
+    zero = sp.integrate(wave.subs(k, 0), (tau, *SLIP_ENDS))
+    table = {C[i]: sp.cos(i * omega_0 * tau) for i in (j - n, j + n)}
+    require_zero(
+        [
+            ("C_k about mid-stick", sp.expand_trig(sp.expand(direct - SLIP_COSINE))),
+            ("C_0 about mid-stick", zero - SLIP_COSINE_ZERO),
+            ("product of sines", sp.expand_trig(SINE * TEST - SINE_BY_SINE.xreplace(table))),
+        ]
+    )
+
+
+def check_symmetry() -> None:
+    """Check that an odd motion has an odd residual, and that even tests say nothing of it.
+
+    Raises
+    ------
+    DerivationError
+        If the residual of a sine has an even part, or an inner product with an even
+        function does not vanish.
+    """
+    claims = []
+    for phase, forcing in ((STICK, sp.Integer(0)), (SLIP, fourier.FORCING)):
+        through = phase.residual(SINE.subs(tau, t)) - forcing
+        claims.append((f"residual of a sine in {phase.name}", through + through.subs(t, -t)))
+    for even in (sp.Integer(1), sp.cos(j * omega_0 * tau)):
+        product = (SINE * even).subs(FREQUENCY)
+        for name, (start, end) in (("stick", STICK_ENDS), ("slip", SLIP_ENDS)):
+            mirrored = product.subs(tau, start + end - tau)
+            claims.append((f"sine by {even} in {name}", sp.expand_trig(product + mirrored)))
+    require_zero(claims)
+
+
+def equations() -> tuple[Equation, ...]:
+    """Return the definitions, for the reader."""
+    integral = sp.Integral(sp.cos(k * omega_0 * tau), (tau, *SLIP_ENDS))
+    return (
+        Equation("", "time since mid-stick", (tau, t - t1 / 2)),
+        Equation("", "slip integral C_k about mid-stick", (C[k], integral, SLIP_COSINE)),
+        Equation("", "slip integral C_0", (C[0], SLIP_COSINE_ZERO)),
+    )
+
+
+def closed_forms() -> tuple[ClosedForm, ...]:
+    """Return the closed forms of a sine series, for emission."""
+    minus, plus = sp.symbols("C_minus C_plus", real=True)
+    tabulated = {sp.cos(HALF_STICK): cos_k, sp.sin(HALF_STICK): sin_k}
+    by_time = (SLIP_COSINE, SLIP_COSINE.diff(t1), SLIP_COSINE.diff(T))
+    zero_by_time = (SLIP_COSINE_ZERO, SLIP_COSINE_ZERO.diff(t1), SLIP_COSINE_ZERO.diff(T))
+    return (
+        ClosedForm(
+            "half_stick_angle",
+            "Angle that the fundamental harmonic turns through in half of stick.",
+            (T, t1),
+            (HALF_STICK.subs(k, 1),),
+        ),
+        ClosedForm(
+            "slip_cosine_zero",
+            "C_0 about mid-stick, and its derivatives by t1 and T.",
+            (t1, T),
+            zero_by_time,
+        ),
+        ClosedForm(
+            "slip_cosine",
+            "C_k about mid-stick, k >= 1, and its derivatives by t1 and T.",
+            (cos_k, sin_k, k, t1, T),
+            tuple(sp.expand(value).subs(tabulated) for value in by_time),
+        ),
+        ClosedForm(
+            "sine_by_sine",
+            "Coefficient of b_n in (6) about mid-stick, from C_{j - n} and C_{j + n}.",
+            (minus, plus),
+            (SINE_BY_SINE.xreplace({C[j - n]: minus, C[j + n]: plus}),),
+        ),
+    )
