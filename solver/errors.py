@@ -7,16 +7,15 @@ rules with enough panels for the highest harmonic.
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
-
-import numpy as np
 
 from . import exact
 from .arrays import Vector
 from .methods import Method
+from .quadrature import panels
+from .spectral_errors import spectral_errors
 
-#: Nodes of the Gauss rule in each panel; a panel holds at most one wave.
-NODES = 20
+#: Harmonics above which sums over them replace quadrature, whose cost is their square.
+MANY_HARMONICS = 200
 
 
 @dataclass(frozen=True)
@@ -41,28 +40,6 @@ class Errors:
     t1: float
     acceleration: float
     acceleration_aligned: float
-
-
-def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
-    """Return nodes and weights of a composite Gauss rule on ``(0, 1)``.
-
-    Parameters
-    ----------
-    breaks : list of float
-        Where an integrand may jump, besides 0 and 1.
-    waves : int
-        Waves of the highest harmonic on ``(0, 1)``; at least one panel each.
-    """
-    x, w = np.polynomial.legendre.leggauss(NODES)
-    edges = np.array(sorted({0.0, *breaks, 1.0}))
-    points, weights = [], []
-    for left, right in pairwise(edges):
-        count = max(1, math.ceil(waves * (right - left)))
-        ends = np.linspace(left, right, count + 1)
-        half = np.diff(ends)[:, None] / 2
-        points.append((ends[:-1, None] + half * (1 + x)).ravel())
-        weights.append((half * w).ravel())
-    return np.concatenate(points), np.concatenate(weights)
 
 
 def acceleration_error(method: Method, order: int, alpha: float, z: Vector) -> float:
@@ -98,9 +75,14 @@ def errors(method: Method, order: int, alpha: float, z: Vector) -> Errors:
     """Return the errors of the dimensionless solution `z`."""
     t1, T = z[-2:]
     exact_t1, exact_T = exact.times(alpha)
+    if method.c1_terms is not None and order > MANY_HARMONICS:
+        acceleration, aligned = spectral_errors(z, order, alpha, method.c1_terms)
+    else:
+        acceleration = acceleration_error(method, order, alpha, z)
+        aligned = aligned_acceleration_error(method, order, alpha, z)
     return Errors(
         period=float((T - exact_T) / exact_T),
         t1=float((t1 - exact_t1) / exact_t1),
-        acceleration=acceleration_error(method, order, alpha, z),
-        acceleration_aligned=aligned_acceleration_error(method, order, alpha, z),
+        acceleration=acceleration,
+        acceleration_aligned=aligned,
     )

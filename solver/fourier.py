@@ -12,8 +12,11 @@ import numpy as np
 
 from .arrays import Vector
 from .belt import StickSlip
-from .kernels import module
+from .kernels import PLAIN_ORDER, compiled_functions, module
 from .scaling import product_of_powers
+
+#: Waves that are held at once.
+BLOCK = 2_000_000
 
 
 def series(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
@@ -22,13 +25,17 @@ def series(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
     The harmonics are powers of the first one: as exact as sines of multiples, and quicker.
     """
     omega_0 = 2 * math.pi / z[-1]
-    first = np.exp(1j * omega_0 * t)
-    waves = np.cumprod(np.broadcast_to(first[:, None], (len(t), order)), axis=1)
     a, b = z[1 : order + 1], z[order + 1 : 2 * order + 1]
     rate = (1j * omega_0 * np.arange(1, order + 1)) ** derivative
     # a sin + b cos = Re((b - i a) exp(i n omega_0 t))
-    values = (waves @ (rate * (b - 1j * a))).real
-    return np.asarray(values + (z[0] / 2 if derivative == 0 else 0.0))
+    coefficients = rate * (b - 1j * a)
+    values = np.full(len(t), z[0] / 2 if derivative == 0 else 0.0)
+    block = max(1, BLOCK // order)
+    for start in range(0, len(t), block):
+        first = np.exp(1j * omega_0 * t[start : start + block])
+        waves = np.cumprod(np.broadcast_to(first[:, None], (len(first), order)), axis=1)
+        values[start : start + block] += (waves @ coefficients).real
+    return values
 
 
 def smoothstep(t1: float, T: float, t: Vector, derivative: int) -> Vector:
@@ -66,7 +73,9 @@ def beside_g1(z: Vector, order: int) -> Vector:
 @lru_cache(maxsize=32)
 def _harmonics_of_g1(order: int, t1: float, T: float) -> Vector:
     """Return the first harmonics of ``G``; an orbit is evaluated many times."""
-    gamma: Vector = module("hb-c1").harmonics_of_g1(order, t1, T)[0]
+    many = order > PLAIN_ORDER
+    functions = compiled_functions("hb-c1") if many else vars(module("hb-c1"))
+    gamma: Vector = functions["harmonics_of_g1"](order, t1, T)[0]
     return gamma
 
 

@@ -15,6 +15,9 @@ from typing import Any
 from . import newton
 from .arrays import Matrix, Vector
 
+#: Up to this order one orbit in plain Python is quicker than starting numba.
+PLAIN_ORDER = 48
+
 #: Modules of ``generated/``.
 MODULES = {
     name: name.replace("-", "_") for name in ("hb", "hb-c1", "c1", "c1-reduced", "hb-symmetric")

@@ -23,7 +23,7 @@ class Method:
     coefficients : callable
         ``coefficients(z, order, belt)``, the paper's, in SI units.
     highest_order : int
-        Where the dense equations still fit into memory and the digits of float64.
+        Where the equations still fit into memory and the digits of float64.
     c1_terms : int or None
         C1 functions beside the Fourier series; None where there is no such series.
     """
@@ -47,7 +47,7 @@ METHODS: Mapping[str, Method] = MappingProxyType(
                 "Fourier series",
                 fourier.evaluate_hb,
                 fourier.coefficients_hb,
-                2000,
+                1_000_000,
                 0,
             ),
             Method(
@@ -56,7 +56,7 @@ METHODS: Mapping[str, Method] = MappingProxyType(
                 "Fourier series + one C1 function",
                 fourier.evaluate_hb_c1,
                 fourier.coefficients_hb_c1,
-                2000,
+                1_000_000,
                 1,
             ),
             Method(

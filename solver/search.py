@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from . import c1_roots
+from . import c1_roots, matrix_free
 from .admissible import violations
 from .arrays import Vector
 from .belt import StickSlip
@@ -21,6 +21,10 @@ EASY_ALPHA = 1.0
 
 #: Largest and smallest factor between two values of alpha in continuation.
 LONGEST_STRIDE, SHORTEST_STRIDE = 2.0, 1.02
+
+#: Harmonics up to which a dense matrix is quicker, the step to fewer of them beyond, and how
+#: close in ``t1`` to the rough start their orbit is to be the better one.
+MOST_DENSE, LADDER, CLOSE = 256, 16, 0.02
 
 #: Largest relative surprise in ``t1`` that a stride may bring.
 SAME_ORBIT = 0.5
@@ -54,9 +58,24 @@ class Search:
             start = with_coefficients(kernel, alpha, order, t1, T)
             return self.newton(kernel, alpha, start)
         kernel = self.load("hb-symmetric")
-        start = cubic_slip(kernel, terms, order, t1, T)
-        found = self.newton(kernel, (alpha, terms), start)
+        found = self._about_mid_stick(kernel, alpha, terms, order, (t1, T))
         return replace(found, unknowns=from_symmetric(found.unknowns, order))
+
+    def _about_mid_stick(
+        self, kernel: Kernel, alpha: float, terms: int, order: int, times: tuple[float, float]
+    ) -> Outcome:
+        """Solve 3.1 or 3.2 about mid-stick: dense, or from fewer harmonics, matrix-free."""
+        start = cubic_slip(kernel, terms, order, *times)
+        if order <= MOST_DENSE:
+            return self.newton(kernel, (alpha, terms), start)
+        fewer = max(MOST_DENSE, order // LADDER)
+        coarse = self._about_mid_stick(kernel, alpha, terms, fewer, times)
+        if coarse.converged and abs(coarse.unknowns[-2] / times[0] - 1) < CLOSE:
+            start = np.zeros(len(start))
+            start[:fewer], start[order:] = coarse.unknowns[:fewer], coarse.unknowns[fewer:]
+        outcome = matrix_free.solve(matrix_free.Problem(kernel, alpha, terms, order), start)
+        self.iterations += outcome.iterations
+        return outcome
 
 
 def _from_rough_times(search: Search) -> Outcome:
@@ -117,14 +136,19 @@ _SERIES: Start = ("the orbit of 3.1", _from_fourier)
 _ROOTS: Start = ("isolation of all real solutions", _from_root)
 
 
-def starts(method: Method, alpha: float) -> tuple[Start, ...]:
+def starts(method: Method, alpha: float, order: int) -> tuple[Start, ...]:
     """Return what is tried for a method, in this order, with its name.
+
+    Very many harmonics resolve the phases; what the rough start does not reach there,
+    nothing does.
 
     Where stick is short, ``alpha < 1``, ``g1`` adds little: 3.1 is a neighbour that 3.2
     starts from.
     """
     if method.name == "c1":
         return (_ROUGH, _ROOTS)
+    if order > MOST_DENSE:
+        return (_ROUGH,)
     if method.name == "hb":
         return (_ROUGH, _EASY)
     return (_SERIES, _ROUGH, _EASY) if alpha < EASY_ALPHA else (_ROUGH, _SERIES, _EASY)

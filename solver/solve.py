@@ -4,14 +4,11 @@ from collections.abc import Callable
 
 from . import kernels
 from .belt import StickSlip
-from .kernels import Kernel
+from .kernels import PLAIN_ORDER, Kernel
 from .methods import check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
 from .orbit import Orbit
 from .search import Search, starts
-
-#: Up to this order one orbit in plain Python is quicker than starting numba.
-PLAIN_ORDER = 48
 
 
 def _loader(order: int, many: bool) -> Callable[[str], Kernel]:
@@ -53,7 +50,7 @@ def solve(belt: StickSlip, method: str, order: int, *, many: bool = False) -> Or
     check_alpha(belt.alpha)
     search = Search(belt, chosen, check_order(order, chosen), _loader(order, many))
     tried: list[str] = []
-    for name, start in starts(chosen, belt.alpha):
+    for name, start in starts(chosen, belt.alpha, search.order):
         try:
             outcome = start(search)
         except NoOrbit as finding:

@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass, fields
 from html import escape
 
 from .belt import StickSlip
+from .convergence import Rate, rate
 from .errors import Errors
 from .methods import METHODS, check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
@@ -63,6 +64,15 @@ class Sweep:
         """Return the rows of one method."""
         return tuple(row for row in self.rows if row.method == method)
 
+    def rates(self) -> dict[str, Rate]:
+        """Return how fast each method converges, by name."""
+        found: dict[str, list[tuple[int, Errors]]] = {}
+        for row in self.rows:
+            orders = found.setdefault(row.method, [])
+            if row.errors is not None:
+                orders.append((row.order, row.errors))
+        return {method: rate(method, rows) for method, rows in found.items()}
+
     def _repr_html_(self) -> str:
         return f"<pre>{escape(str(self))}</pre>"
 
@@ -82,7 +92,7 @@ class Sweep:
 
 def sweep(
     belt: StickSlip,
-    methods: str | Sequence[str] = tuple(METHODS),
+    methods: str | Sequence[str] | None = None,
     orders: Iterable[int] = range(1, 41),
     *,
     progress: Callable[[Row], None] = lambda row: None,
@@ -93,8 +103,9 @@ def sweep(
     ----------
     belt : StickSlip
         The oscillator.
-    methods : {"hb", "hb-c1", "c1"} or a sequence of them
-        The methods, each in its turn.
+    methods : {"hb", "hb-c1", "c1"} or a sequence of them, optional
+        The methods, each in its turn; without it all three, those orders left out that a
+        method cannot compute and another can.
     orders : iterable of int
         The orders of every method.
     progress : callable, optional
@@ -115,16 +126,24 @@ def sweep(
     c1          3     0.6690781172    -3.219e-03   1.310e-01
     c1          5     0.6712755659     5.463e-05   2.319e-02
     """
-    methods = (methods,) if isinstance(methods, str) else methods
     check_alpha(belt.alpha)
-    orders = list(orders)
-    jobs = [(name, check_order(n, check_method(name))) for name in methods for n in orders]
+    jobs = _jobs(methods, list(orders))
     rows = []
     for name, order in jobs:
         row = _row(belt, name, order)
         progress(row)
         rows.append(row)
     return Sweep(belt, tuple(rows))
+
+
+def _jobs(methods: str | Sequence[str] | None, orders: list[int]) -> list[tuple[str, int]]:
+    """Return each method and order that is to be computed."""
+    if methods is not None:
+        names = (methods,) if isinstance(methods, str) else methods
+        return [(name, check_order(n, check_method(name))) for name in names for n in orders]
+    most = max(METHODS.values(), key=lambda method: method.highest_order)
+    numbers = [check_order(n, most) for n in orders]
+    return [(m.name, n) for m in METHODS.values() for n in numbers if n <= m.highest_order]
 
 
 def _row(belt: StickSlip, method: str, order: int) -> Row:

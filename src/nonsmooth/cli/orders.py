@@ -13,6 +13,8 @@ def parse_orders(text: str) -> list[int]:
     --------
     >>> parse_orders("1-4,10")
     [1, 2, 3, 4, 10]
+    >>> parse_orders("10,100,...,10000")
+    [10, 100, 1000, 10000]
 
     Raises
     ------
@@ -20,9 +22,33 @@ def parse_orders(text: str) -> list[int]:
         If a part is neither a number nor a range from a lower to a higher one.
     """
     orders: set[int] = set()
-    for part in text.split(","):
-        orders.update(_range(part.strip(), text))
+    parts = [part.strip() for part in text.split(",")]
+    for index, part in enumerate(parts):
+        if part == "...":
+            orders.update(_between(parts[:index][-2:], parts[index + 1 :][:1], text))
+        else:
+            orders.update(_range(part, text))
     return sorted(orders)
+
+
+def _between(before: list[str], after: list[str], text: str) -> Iterable[int]:
+    """Return the orders that ``...`` stands for: by the factor of the two before it."""
+    neighbours = [*before, *after]
+    expected = 'expected "..." between numbers a, b and c, where b/a multiplies on to c'
+    problem = Problem(f"--orders: got {text!r}, {expected}")
+    if len(neighbours) != 3 or not all(part.isdecimal() for part in neighbours):
+        raise problem
+    first, second, last = map(int, neighbours)
+    factor = second // first if first else 0
+    if factor < 2 or factor * first != second:
+        raise problem
+    orders = []
+    while second < last:
+        orders.append(second)
+        second *= factor
+    if second != last:
+        raise problem
+    return orders
 
 
 def _range(part: str, text: str) -> Iterable[int]:

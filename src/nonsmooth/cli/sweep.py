@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from .equations import METHODS
 from .orders import parse_methods, parse_orders
 from .output import PICTURES, as_json, check_target, write_text, write_whole
 from .parameters import belt_from, caption, parameter_options
@@ -22,12 +23,18 @@ Examples:
   nonsmooth sweep
   nonsmooth sweep --methods hb,c1 --orders 1-10,20,40 -o convergence.csv
   nonsmooth sweep --orders 1-40 --json > convergence.json
+  nonsmooth sweep --orders 10,100,...,1000000
 """
 
 
 @click.command(epilog=EPILOG)
-@click.option("--methods", default="hb,hb-c1,c1", show_default=True, help="Methods, by commas.")
-@click.option("--orders", default="1-40", show_default=True, help="Orders: numbers and ranges.")
+@click.option("--methods", help="Methods, by commas.  [default: hb,hb-c1,c1]")
+@click.option(
+    "--orders",
+    default="1-40",
+    show_default=True,
+    help="Orders: numbers, ranges, 10,100,...,1000.",
+)
 @parameter_options
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 @click.option(
@@ -35,7 +42,7 @@ Examples:
     help="Write the rows: .csv, .json, or a picture .png, .svg, .pdf.",
 )  # fmt: skip
 def sweep(
-    methods: str,
+    methods: str | None,
     orders: str,
     case: Path | None,
     json_: bool,
@@ -44,13 +51,14 @@ def sweep(
 ) -> int:
     """Compute the orbit for many orders and compare period and acceleration with the exact."""
     check_target(output, (".csv", ".json", *PICTURES))
-    names, numbers = parse_methods(methods), parse_orders(orders)
+    names = None if methods is None else parse_methods(methods)
+    numbers = parse_orders(orders)
     belt = belt_from(case, flags)
     from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.sweep import sweep as compute  # noqa: PLC0415
 
     try:
-        with progress(len(names) * len(numbers), "sweep") as advance:
+        with progress(len(names or METHODS) * len(numbers), "sweep") as advance:
             result = compute(belt, names, numbers, progress=lambda row: advance(_name(row)))
     except ParameterError as error:
         raise Problem(str(error)) from error
@@ -59,10 +67,11 @@ def sweep(
     if json_:
         click.echo(as_json(document(result)))
     else:
-        from .tables import convergence  # noqa: PLC0415
+        from .tables import convergence, rates  # noqa: PLC0415
 
         click.echo(caption(belt))
         convergence(result)
+        rates(result)
     if output is not None:
         _write(output, result)
     return 0 if all(row.status == "ok" for row in result.rows) else 1
@@ -77,6 +86,7 @@ def document(result: "Sweep") -> dict[str, Any]:
     return {
         "parameters": asdict(result.belt),
         "rows": [row.as_dict() for row in result.rows],
+        "rates": {name: asdict(rate) for name, rate in result.rates().items()},
     }
 
 

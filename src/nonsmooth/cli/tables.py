@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import click
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
@@ -93,6 +94,18 @@ def convergence(result: "Sweep") -> None:
             f"{errors.acceleration_aligned:.3e}",
             str(row.iterations),
         )
+    _print(table)
+
+
+def rates(result: "Sweep") -> None:
+    """Print how fast each method converges, where there are orders enough."""
+    found = {name: rate for name, rate in result.rates().items() if rate.period is not None}
+    if not found:
+        return
+    click.echo("Convergence, fitted to the upper half of the orders above rounding:\n")
+    table = _table("method", "T", "t1", "(22)")
+    for name, rate in found.items():
+        table.add_row(name, *(rate.text(error) for error in ("period", "t1", "acceleration")))
     _print(table)
 
 
