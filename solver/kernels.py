@@ -6,10 +6,12 @@ cached takes more than a second; compiled kernels are for many orbits.
 """
 
 import importlib
+import os
 import types
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 from . import newton
@@ -74,6 +76,12 @@ def plain_iteration(residual: newton.Fill, jacobian: newton.Fill) -> newton.Iter
 def compiled(method: str) -> Kernel:
     """Return the kernel of `method` compiled by numba, cached on disk where possible."""
     return _kernel(compiled_functions(method))
+
+
+def is_compiled(method: str) -> bool:
+    """Return whether the solver of `method` is in numba's cache, as far as can be seen."""
+    folder = Path(compiled(method).iterate.stats.cache_path or os.devnull)  # type: ignore[attr-defined]
+    return any(folder.glob(f"*.iterate_{module(method).BODY[:16]}-*.nbi"))
 
 
 @cache

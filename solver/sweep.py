@@ -5,12 +5,16 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, fields
 from html import escape
 
+from . import kernels
 from .belt import StickSlip
 from .convergence import Rate, rate
 from .errors import Errors
 from .methods import METHODS, check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
 from .solve import solve
+
+#: Squared orders, summed, that plain Python solves while numba compiles.
+COMPILING = 200_000
 
 
 @dataclass(frozen=True)
@@ -128,9 +132,9 @@ def sweep(
     """
     check_alpha(belt.alpha)
     jobs = _jobs(methods, list(orders))
-    rows = []
+    rows, many = [], _worth_compiling(jobs)
     for name, order in jobs:
-        row = _row(belt, name, order)
+        row = _row(belt, name, order, many)
         progress(row)
         rows.append(row)
     return Sweep(belt, tuple(rows))
@@ -146,10 +150,18 @@ def _jobs(methods: str | Sequence[str] | None, orders: list[int]) -> list[tuple[
     return [(m.name, n) for m in METHODS.values() for n in numbers if n <= m.highest_order]
 
 
-def _row(belt: StickSlip, method: str, order: int) -> Row:
+def _worth_compiling(jobs: list[tuple[str, int]]) -> bool:
+    """Return whether to compile: what is in the cache, or would take longer as Python."""
+    if sum(order**2 for _, order in jobs) > COMPILING:
+        return True
+    names = {"c1" if name == "c1" else "hb-symmetric" for name, _ in jobs}
+    return all(kernels.is_compiled(name) for name in names)
+
+
+def _row(belt: StickSlip, method: str, order: int, many: bool) -> Row:
     begin = time.perf_counter()
     try:
-        orbit = solve(belt, method, order, many=True)
+        orbit = solve(belt, method, order, many=many)
     except NoOrbit as finding:
         seconds = time.perf_counter() - begin
         message = str(finding)
