@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 OUTPUT := output
 
 .DEFAULT_GOAL := help
-.PHONY: help solve sweep stability test test-long bench generate equations lint clean
+.PHONY: help solve sweep stability test test-long bench bench-kernels generate equations lint clean
 
 help:  ## list the targets
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
@@ -30,7 +30,10 @@ test-long: $(VENV)/ready  ## 100,000 random oscillators against high precision: 
 	@EXAMPLES=100000 $(BIN)/python -m pytest tests/test_extremes.py
 
 bench: $(VENV)/ready  ## time against accuracy, our methods and others
-	@$(BIN)/python -m benchmarks.run -o $(OUTPUT)
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.run -o $(OUTPUT)
+
+bench-kernels: $(VENV)/ready  ## residual, Jacobian and iteration of each kernel
+	@$(BIN)/python -m pytest benchmarks/bench_kernels.py --benchmark-columns=median,iqr,rounds
 
 generate: $(VENV)/ready  ## derive the equations and write generated/
 	@$(BIN)/nonsmooth generate
@@ -54,10 +57,10 @@ $(VENV)/ready: pyproject.toml
 	  echo "nonsmooth needs Python 3.11 or newer; set PYTHON=python3.x" >&2; exit 1; }
 	@if command -v uv >/dev/null 2>&1; then \
 	  uv venv --quiet --clear --python $(PYTHON) $(VENV) && \
-	  uv pip install --quiet --python $(BIN)/python -e '.[plot,precise,test,lint]'; \
+	  uv pip install --quiet --python $(BIN)/python -e '.[plot,precise,test,lint,bench]'; \
 	else \
 	  $(PYTHON) -m venv --clear $(VENV) || { \
 	    echo "python3-venv is missing: apt-get install python3-venv" >&2; exit 1; }; \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,precise,test,lint]'; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,precise,test,lint,bench]'; \
 	fi
 	@touch $@

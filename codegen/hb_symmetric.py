@@ -106,6 +106,7 @@ def derive() -> GalerkinSystem:
         If the residual of an odd motion is not odd, or a closed form is wrong.
     """
     symmetry.check_integrals()
+    symmetry.check_derivatives()
     symmetry.check_symmetry()
     odd_functions.check_functions()
     check_recurrence()

@@ -8,29 +8,28 @@ from .loops_hb_c1 import ASCENDING_SERIES
 
 SINE_TABLES = '''
 
-def slip_cosines(N, t1, T):
-    """Return C_k for k = -2N..2N, in this order, and their derivatives.
+def stick_waves(N, t1, T):
+    """Return cos(k phi) and sin(k phi), k = 0..2N, at the end of stick, phi = omega_0 t1/2."""
+    return waves(half_stick_angle(T, t1), 2 * N)
 
-    Returns
-    -------
-    C : ndarray, shape (3, 4 N + 1)
-        Row 0 the value, row 1 the derivative by t1, row 2 by T; C_0 is in column 2 N.
+
+def slip_cosines(N, t1, T, sines):
+    """Return C_k for k = -2N..2N, in this order; C_0 is entry 2 N.
+
+    sines : second of `stick_waves`.
     """
-    C = np.empty((3, 4 * N + 1))
-    C[0, 2 * N], C[1, 2 * N], C[2, 2 * N] = slip_cosine_zero(t1, T)
-    cos_k, sin_k = waves(half_stick_angle(T, t1), 2 * N)
+    C = np.empty(4 * N + 1)
+    C[2 * N] = slip_cosine_zero(t1, T)
     for k in range(1, 2 * N + 1):
-        values = slip_cosine(cos_k[k], sin_k[k], k, t1, T)
-        for row in range(3):
-            C[row, 2 * N + k] = values[row]
-            C[row, 2 * N - k] = values[row]
+        C[2 * N + k] = slip_cosine(sines[k], k, T)
+        C[2 * N - k] = C[2 * N + k]
     return C
 
 
 def slip_product(N, b, C, out):
     """Fill out[0..N-1] with the slip part of (6) for the coefficients b[0..N-1].
 
-    C : one row of `slip_cosines`.
+    C : `slip_cosines`.
     """
     for j in range(N):
         out[j] = 0.0
@@ -174,10 +173,11 @@ def through_each_other(K, t1, T):
     return W
 
 
-def tails(K, N, C, D, M, gamma, t1, T, rows):
+def tails(K, N, C, D, M, gamma, sines, t1, T, rows):
     """Return what the tails of the C1 functions add to (6) and (14).
 
-    `rows` is 1 for the values alone, 3 for their derivatives besides.  With H of
+    C, D, M, gamma, sines : the tables of these names; `rows` is 1 for the values alone, 3
+    for their derivatives besides.  With H of
     `through_harmonics`, W of `through_each_other` and A the matrix of the harmonics, the
     tails have H - A gamma, and W - gamma H - (H - A gamma) gamma.
 
@@ -191,19 +191,20 @@ def tails(K, N, C, D, M, gamma, t1, T, rows):
     h = through_harmonics(K, N, t1, T, M)
     w = through_each_other(K, t1, T)
     H = h.copy()
-    product = np.empty(N)
+    part = np.empty(N)
     for i in range(K):
         for row in range(rows):
-            slip_product(N, gamma[row, i], C[0], product)
+            slip_product(N, gamma[row, i], C, part)
             for j in range(N):
-                h[row, i, j] -= product[j] + D[0, j + 1] * gamma[row, i, j]
-            if row > 0:
-                slip_product(N, gamma[0, i], C[row], product)
+                h[row, i, j] -= part[j] + D[0, j + 1] * gamma[row, i, j]
+            if row == 0 and rows > 1:
+                at_end = 0.0
                 for j in range(N):
-                    h[row, i, j] -= product[j]
-                if row == 2:
-                    for j in range(N):
-                        h[row, i, j] -= D[1, j + 1] * gamma[0, i, j]
+                    at_end += gamma[0, i, j] * sines[j + 1]
+                for j in range(N):
+                    by_t1, by_T = slip_part_by_times(part[j], at_end, sines[j + 1], t1, T)
+                    h[1, i, j] -= by_t1
+                    h[2, i, j] -= by_T + D[1, j + 1] * gamma[0, i, j]
     for i in range(K):
         for k in range(K):
             for row in range(rows):
@@ -216,7 +217,7 @@ def tails(K, N, C, D, M, gamma, t1, T, rows):
     return h, w
 
 
-def at_end_of_stick(K, N, gamma, t1, T):
+def at_end_of_stick(K, N, gamma, cosines, sines, t1, T):
     """Return displacement and velocity of the tails at tau = t1/2, and derivatives.
 
     Returns
@@ -232,9 +233,7 @@ def at_end_of_stick(K, N, gamma, t1, T):
             velocity[row, 0] = rate[row]
             displacement[row, 0] = rate[row] * t1 / 2
         displacement[1, 0] += rate[0] / 2
-    phi = half_stick_angle(T, t1)
-    slope = (pi / T, -phi / T)
-    cosines, sines = waves(phi, N)
+    slope = (pi / T, -half_stick_angle(T, t1) / T)
     for n in range(1, N + 1):
         weight, weight_T = velocity_weight(T, n)
         for i in range(K):
@@ -358,8 +357,8 @@ def rough_motion(K, z):
         z[N + i] = scale if i == 0 else 0.0
 
 
-def forces(K, N, z, C, h, out):
-    """Fill out[0..N-1] with the slip part of (6); C, h one row of their tables."""
+def slip_part(K, N, z, C, h, out):
+    """Fill out[0..N-1] with the slip part of (6); h: its coefficients of c_l."""
     slip_product(N, z, C, out)
     for i in range(K):
         for j in range(N):
@@ -374,27 +373,27 @@ def residual(case, z, R):
     alpha, K = case
     N = len(z) - K - 2
     t1, T = z[-2], z[-1]
-    C = slip_cosines(N, t1, T)
+    cosines, sines = stick_waves(N, t1, T)
+    C = slip_cosines(N, t1, T, sines)
     D = period_terms(N, T)
     M = slip_moments(K + 1 if K > 0 else 0, N, t1, T)
     gamma = harmonics(K, N, T, M)
     if K > 0:
-        h, _ = tails(K, N, C, D, M, gamma, t1, T, 1)
+        h, _ = tails(K, N, C, D, M, gamma, sines, t1, T, 1)
         tail_conditions(K, N, z, gamma[0], R[N : N + K])
     else:
         h = gamma
-    force = np.empty(N)
-    forces(K, N, z, C[0], h[0], force)
+    part = np.empty(N)
+    slip_part(K, N, z, C, h[0], part)
     displacement, velocity = initial_state(alpha)
     R[-2], R[-1] = displacement, -velocity
-    tail, tail_velocity = at_end_of_stick(K, N, gamma, t1, T)
+    tail, tail_velocity = at_end_of_stick(K, N, gamma, cosines, sines, t1, T)
     for i in range(K):
         R[-2] += z[N + i] * tail[0, i]
         R[-1] += z[N + i] * tail_velocity[0, i]
-    cosines, sines = waves(half_stick_angle(T, t1), N)
     for j in range(1, N + 1):
-        R[j - 1] = D[0, j] * z[j - 1] + force[j - 1]
-        response = -force[j - 1] / D[0, j]
+        R[j - 1] = D[0, j] * z[j - 1] + part[j - 1]
+        response = -part[j - 1] / D[0, j]
         R[-2] += response * sines[j]
         R[-1] += response * velocity_weight(T, j)[0] * cosines[j]
 
@@ -404,15 +403,16 @@ def jacobian(case, z, J):
     alpha, K = case
     N = len(z) - K - 2
     t1, T = z[-2], z[-1]
-    C = slip_cosines(N, t1, T)
+    cosines, sines = stick_waves(N, t1, T)
+    C = slip_cosines(N, t1, T, sines)
     D = period_terms(N, T)
     M = slip_moments(K + 1 if K > 0 else 0, N, t1, T)
     gamma = harmonics(K, N, T, M)
     h = gamma
-    J[:, :] = 0.0
-    sine_matrix(N, C[0], D[0], J)
+    J[N:, :] = 0.0
+    sine_matrix(N, C, D[0], J)
     if K > 0:
-        h, w = tails(K, N, C, D, M, gamma, t1, T, 3)
+        h, w = tails(K, N, C, D, M, gamma, sines, t1, T, 3)
         for i in range(K):
             for j in range(N):
                 J[j, N + i] = h[0, i, j]
@@ -423,39 +423,46 @@ def jacobian(case, z, J):
                 J[N + i, N + k] = w[0, i, k]
                 for row in range(1, 3):
                     J[N + i, row - 3] += w[row, i, k] * z[N + k]
-    force = np.empty((3, N))
-    for row in range(3):
-        forces(K, N, z, C[row], h[row], force[row])
+    # The slip part of (6), of which that of the series changes as its ends say.
+    part = np.empty((3, N))
+    slip_product(N, z, C, part[0])
+    at_end = 0.0
     for j in range(N):
-        J[j, -2] = force[1, j]
-        J[j, -1] = force[2, j] + D[1, j + 1] * z[j]
+        at_end += z[j] * sines[j + 1]
+    for j in range(N):
+        part[1, j], part[2, j] = slip_part_by_times(part[0, j], at_end, sines[j + 1], t1, T)
+    for row in range(3):
+        for i in range(K):
+            for j in range(N):
+                part[row, j] += z[N + i] * h[row, i, j]
+    for j in range(N):
+        J[j, -2] = part[1, j]
+        J[j, -1] = part[2, j] + D[1, j + 1] * z[j]
     # (9) and (10): weights of the responses -force/D, and how each response changes.
-    tail, tail_velocity = at_end_of_stick(K, N, gamma, t1, T)
+    tail, tail_velocity = at_end_of_stick(K, N, gamma, cosines, sines, t1, T)
     for i in range(K):
         J[-2, N + i] = tail[0, i]
         J[-1, N + i] = tail_velocity[0, i]
         for row in range(1, 3):
             J[-2, row - 3] += z[N + i] * tail[row, i]
             J[-1, row - 3] += z[N + i] * tail_velocity[row, i]
-    phi = half_stick_angle(T, t1)
-    slope = (pi / T, -phi / T)
-    cosines, sines = waves(phi, N)
+    slope = (pi / T, -half_stick_angle(T, t1) / T)
     weights = np.empty((2, N))
     for j in range(1, N + 1):
         velocity, velocity_T = velocity_weight(T, j)
         weights[0, j - 1] = -sines[j] / D[0, j]
         weights[1, j - 1] = -velocity * cosines[j] / D[0, j]
-        response = -force[0, j - 1] / D[0, j]
+        response = -part[0, j - 1] / D[0, j]
         for row in range(1, 3):
             J[-2, row - 3] += response * j * cosines[j] * slope[row - 1]
             J[-1, row - 3] -= response * velocity * j * sines[j] * slope[row - 1]
-            J[-2, row - 3] += weights[0, j - 1] * force[row, j - 1]
-            J[-1, row - 3] += weights[1, j - 1] * force[row, j - 1]
+            J[-2, row - 3] += weights[0, j - 1] * part[row, j - 1]
+            J[-1, row - 3] += weights[1, j - 1] * part[row, j - 1]
         J[-1, -1] += response * velocity_T * cosines[j]
         J[-2, -1] -= response * D[1, j] / D[0, j] * sines[j]
         J[-1, -1] -= response * D[1, j] / D[0, j] * velocity * cosines[j]
     for row in range(2):
-        slip_product(N, weights[row], C[0], J[row - 2])
+        slip_product(N, weights[row], C, J[row - 2])
         for i in range(K):
             for j in range(N):
                 J[row - 2, N + i] += weights[row, j] * h[0, i, j]

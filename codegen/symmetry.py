@@ -24,9 +24,9 @@ SLIP_ENDS = (t1 / 2, T - t1 / 2)
 SINE = sp.sin(n * omega_0 * tau)
 TEST = SINE.subs(n, j)
 
-#: Half of the angle that harmonic ``k`` turns through in stick, and its waves, tabulated.
+#: Half of the angle that harmonic ``k`` turns through in stick, and its sine, tabulated.
 HALF_STICK = (k * omega_0 * t1 / 2).subs(FREQUENCY)
-cos_k, sin_k = sp.symbols("cos_k sin_k", real=True)
+sin_k = sp.Symbol("sin_k", real=True)
 
 #: ``C_k``: the integral of ``cos(k omega_0 tau)`` over slip, and that of the constant.
 SLIP_COSINE = -T / (sp.pi * k) * sp.sin(HALF_STICK)
@@ -34,6 +34,12 @@ SLIP_COSINE_ZERO = T - t1
 
 #: The integral over slip of two sines.
 SINE_BY_SINE = (C[j - n] - C[j + n]) / 2
+
+#: Slip part of (6): the integral over slip of a series times the sine ``j``; and the series
+#: at the end of stick.  By ``t1`` both ends of slip move, by ``T`` also the time scale.
+PART, AT_END, SINE_J = sp.symbols("part at_end sine_j", real=True)
+PART_BY_T1 = -AT_END * SINE_J
+PART_BY_T = PART / T + t1 / T * AT_END * SINE_J
 
 
 def check_integrals() -> None:
@@ -55,6 +61,27 @@ def check_integrals() -> None:
             ("product of sines", sp.expand_trig(SINE * TEST - SINE_BY_SINE.xreplace(table))),
         ]
     )
+
+
+def check_derivatives() -> None:
+    """Check the derivatives of the slip part of (6), sine by sine.
+
+    Raises
+    ------
+    DerivationError
+        If the derivative of an integral over slip differs from what its ends say.
+    """
+    table = {C[i]: SLIP_COSINE.subs(k, i) for i in (j - n, j + n, 2 * j)}
+    table[C[0]] = SLIP_COSINE_ZERO
+    claims = []
+    for name, entry in (("n != j", SINE_BY_SINE), ("n = j", SINE_BY_SINE.subs(n, j))):
+        value = entry.xreplace(table)
+        sines = [sp.sin(HALF_STICK.subs(k, i)) for i in (j, n if name == "n != j" else j)]
+        at = {PART: value, AT_END: sines[1], SINE_J: sines[0]}
+        for time, closed in ((t1, PART_BY_T1), (T, PART_BY_T)):
+            difference = sp.expand_trig(sp.expand(value.diff(time) - closed.subs(at)))
+            claims.append((f"slip part by {time}, {name}", difference))
+    require_zero(claims)
 
 
 def check_symmetry() -> None:
@@ -91,9 +118,6 @@ def equations() -> tuple[Equation, ...]:
 def closed_forms() -> tuple[ClosedForm, ...]:
     """Return the closed forms of a sine series, for emission."""
     minus, plus = sp.symbols("C_minus C_plus", real=True)
-    tabulated = {sp.cos(HALF_STICK): cos_k, sp.sin(HALF_STICK): sin_k}
-    by_time = (SLIP_COSINE, SLIP_COSINE.diff(t1), SLIP_COSINE.diff(T))
-    zero_by_time = (SLIP_COSINE_ZERO, SLIP_COSINE_ZERO.diff(t1), SLIP_COSINE_ZERO.diff(T))
     return (
         ClosedForm(
             "half_stick_angle",
@@ -103,20 +127,26 @@ def closed_forms() -> tuple[ClosedForm, ...]:
         ),
         ClosedForm(
             "slip_cosine_zero",
-            "C_0 about mid-stick, and its derivatives by t1 and T.",
+            "C_0 about mid-stick.",
             (t1, T),
-            zero_by_time,
+            (SLIP_COSINE_ZERO,),
         ),
         ClosedForm(
             "slip_cosine",
-            "C_k about mid-stick, k >= 1, and its derivatives by t1 and T.",
-            (cos_k, sin_k, k, t1, T),
-            tuple(sp.expand(value).subs(tabulated) for value in by_time),
+            "C_k about mid-stick, k >= 1.",
+            (sin_k, k, T),
+            (SLIP_COSINE.subs(sp.sin(HALF_STICK), sin_k),),
         ),
         ClosedForm(
             "sine_by_sine",
             "Coefficient of b_n in (6) about mid-stick, from C_{j - n} and C_{j + n}.",
             (minus, plus),
             (SINE_BY_SINE.xreplace({C[j - n]: minus, C[j + n]: plus}),),
+        ),
+        ClosedForm(
+            "slip_part_by_times",
+            "Derivatives of the slip part of (6) by t1 and T, coefficients held.",
+            (PART, AT_END, SINE_J, t1, T),
+            (PART_BY_T1, PART_BY_T),
         ),
     )

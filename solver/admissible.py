@@ -87,7 +87,7 @@ def violations(method: Method, order: int, belt: StickSlip, z: Vector) -> tuple[
             f"the spring force in stick exceeds the static limit by {highest:.3g} of the "
             f"travel (allowed at order {order}: {allowed:.3g})"
         )
-    overspeed = float(velocity.max() - 1.0)
+    overspeed = float(velocity.max(initial=1.0) - 1.0)
     if overspeed > ROUNDING:
         found.append(f"the velocity in slip exceeds V by {overspeed:.3g} of it")
     mean = 2 * alpha / t1

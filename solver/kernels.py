@@ -65,9 +65,18 @@ def plain(method: str) -> Kernel:
     return _kernel({**functions, "iterate": iterate})
 
 
-def plain_iteration(residual: newton.Fill, jacobian: newton.Fill) -> newton.Iteration:
-    """Return `newton.iterate` for any residual and Jacobian, as plain Python."""
+def plain_iteration(
+    residual: newton.Fill, jacobian: newton.Fill, *, compile_algebra: bool = False
+) -> newton.Iteration:
+    """Return `newton.iterate` for any residual and Jacobian, as plain Python.
+
+    The linear algebra may be compiled nevertheless: for systems of hundreds.
+    """
     namespace = {**vars(newton), "residual": residual, "jacobian": jacobian}
+    if compile_algebra:
+        functions = compiled_functions("c1")
+        names = ("largest", "factorise", "solve_factorised")
+        namespace |= {name: functions[name] for name in names}
     iterate: newton.Iteration = _rebuilt(newton.iterate, namespace)
     return iterate
 

@@ -101,7 +101,8 @@ def tail_squared(functions: Functions, N: int, t1: float, T: float) -> float:
     if more == N:
         return beyond
     points = grid_size(more)
-    C = functions["slip_cosines"](more, t1, T)[0, 2 * more :]
+    _, sines = functions["stick_waves"](more, t1, T)
+    C = functions["slip_cosines"](more, t1, T, sines)[2 * more :]
     gamma = functions["harmonics"](1, more, T, functions["slip_moments"](1, more, t1, T))[0, 0]
     gamma[:N] = 0.0
     product = from_grid(symbol(C, points) * on_grid(gamma, points), more)

@@ -75,24 +75,23 @@ class Problem:
         N, K, functions = self.N, self.terms, self.kernel.functions
         b, c, (t1, T) = z[:N], z[N:-2], z[-2:]
         points = grid_size(N)
-        C = functions["slip_cosines"](N, t1, T)[0, 2 * N :]
+        cosines, sines = functions["stick_waves"](N, t1, T)
+        C = functions["slip_cosines"](N, t1, T, sines)[2 * N :]
         slip = symbol(C, points)
         D, D_T = functions["period_terms"](N, T)[:, 1:]
         M = functions["slip_moments"](2 * K, N, t1, T)
         gamma = functions["harmonics"](K, N, T, M)
-        end, end_rate = functions["at_end_of_stick"](K, N, gamma, t1, T)
+        end, end_rate = functions["at_end_of_stick"](K, N, gamma, cosines, sines, t1, T)
         n, phi = np.arange(1, N + 1), functions["half_stick_angle"](T, t1)
-        cosines, sines = np.cos(n * phi), np.sin(n * phi)
+        cosines, sines = cosines[1 : N + 1], sines[1 : N + 1]
         weight, weight_T = functions["velocity_weight"](T, n)
 
         # The slip part of (6): of the series beside g_1 itself, and of g_1.
         whole = b - c @ gamma[0]
         forces = np.empty((3, N))
         forces[0] = from_grid(slip * on_grid(whole, points), N)
-        # By t1 and T: slip ends elsewhere, where the series is `at_end`; and 1/omega_0
-        # is another part of the period.
-        at_end = (whole @ sines) * sines
-        forces[1], forces[2] = -at_end, forces[0] / T + (t1 / T) * at_end
+        at_end = whole @ sines
+        forces[1:] = functions["slip_part_by_times"](forces[0], at_end, sines, t1, T)
         h = np.zeros((K, N))
         if K:
             H = functions["through_harmonics"](K, N, t1, T, M)

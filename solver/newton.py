@@ -160,9 +160,9 @@ def jacobian(case: Any, z: Vector, J: Matrix) -> None:
 def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(case, z) = 0`` from `z`, which is overwritten.
 
-    The iteration stops when all corrections are small and that of the times is at rounding
-    level or no longer falls: then the rounding errors of the residual are all that is left,
-    and the last correction says how large they are.
+    The iteration stops when all corrections are small and that of the times, or the one
+    that would follow, is at rounding level, or no longer falls: then the rounding errors of
+    the residual are all that is left, and the last correction says how large they are.
 
     Returns
     -------
@@ -199,6 +199,9 @@ def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
             residual(case, trial, R)
             simplified = R.copy()
             solve_factorised(J, rows, simplified)
+            if length <= SETTLED and time_norm(simplified, z) <= ROUNDOFF:
+                z[:] = trial
+                return CONVERGED, iteration, time_norm(simplified, z), largest(R)
             if length <= SETTLED or step_norm(simplified, z) <= (1 - damping / 4) * length:
                 break
             damping /= 2

@@ -23,8 +23,8 @@ EASY_ALPHA = 1.0
 LONGEST_STRIDE, SHORTEST_STRIDE = 2.0, 1.02
 
 #: Harmonics up to which a dense matrix is quicker, the step to fewer of them beyond, and how
-#: close in ``t1`` to the rough start their orbit is to be the better one.
-MOST_DENSE, LADDER, CLOSE = 256, 16, 0.02
+#: many of those slip is to have that their orbit be better than the rough start.
+MOST_DENSE, LADDER, RESOLVED = 256, 16, 64
 
 #: Largest relative surprise in ``t1`` that a stride may bring.
 SAME_ORBIT = 0.5
@@ -68,11 +68,12 @@ class Search:
         start = cubic_slip(kernel, terms, order, *times)
         if order <= MOST_DENSE:
             return self.newton(kernel, (alpha, terms), start)
-        fewer = max(MOST_DENSE, order // LADDER)
-        coarse = self._about_mid_stick(kernel, alpha, terms, fewer, times)
-        if coarse.converged and abs(coarse.unknowns[-2] / times[0] - 1) < CLOSE:
-            start = np.zeros(len(start))
-            start[:fewer], start[order:] = coarse.unknowns[:fewer], coarse.unknowns[fewer:]
+        fewer, (t1, T) = max(MOST_DENSE, order // LADDER), times
+        if fewer * (1 - t1 / T) >= RESOLVED:
+            coarse = self._about_mid_stick(kernel, alpha, terms, fewer, times)
+            if coarse.converged:
+                start = np.zeros(len(start))
+                start[:fewer], start[order:] = coarse.unknowns[:fewer], coarse.unknowns[fewer:]
         outcome = matrix_free.solve(matrix_free.Problem(kernel, alpha, terms, order), start)
         self.iterations += outcome.iterations
         return outcome

@@ -35,7 +35,8 @@ def belt_at(alpha: float) -> ns.StickSlip:
 def test_sine_transforms_multiply_by_the_matrix(N: int, t1: float, s: float, seed: int) -> None:
     functions = kernels.plain("hb-symmetric").functions
     b = np.random.default_rng(seed).normal(size=N)
-    C = functions["slip_cosines"](N, t1, t1 + s)[0]
+    _, sines = functions["stick_waves"](N, t1, t1 + s)
+    C = functions["slip_cosines"](N, t1, t1 + s, sines)
     expected = np.empty(N)
     functions["slip_product"](N, b, C, expected)
     points = grid_size(N)
@@ -164,3 +165,10 @@ def test_a_long_series_is_evaluated_in_blocks() -> None:
     t = np.linspace(0, orbit.period, 2500)
     reference = ns.exact(DEFAULT).displacement(t * exact.times(1.0)[1] / orbit.unknowns[-1])
     np.testing.assert_allclose(orbit.displacement(t), reference, atol=2e-4)
+
+
+@pytest.mark.parametrize(("t1", "T"), [(1e-9, 6.0), (6.0, 6.0 + 1e-9)])
+def test_a_phase_shorter_than_the_samples_is_looked_at_nevertheless(t1, T) -> None:
+    z = np.zeros(2 * 3 + 3)
+    z[-2:] = t1, T
+    assert violations(METHODS["hb"], 3, belt_at(1.0), z)

@@ -196,5 +196,5 @@ def solve(
         def jacobian(case: None, z: Vector, out: Matrix) -> None:
             out[:] = evaluate(z)[1]
 
-        outcome = newton(plain_iteration(residual, jacobian), None, z)
+        outcome = newton(plain_iteration(residual, jacobian, compile_algebra=True), None, z)
         return outcome, evaluate(outcome.unknowns)[1]
