@@ -30,7 +30,8 @@ class Errors:
         ``t1/t1_exact - 1``, signed.
     acceleration : float
         (22), on normalised time.  A jump misplaced by ``dt`` contributes ``sqrt(dt)``:
-        in float64 the measure cannot go below about 1e-8.
+        in float64 the measure cannot go below about 1e-8.  For a Fourier series of more than
+        200 harmonics it is summed over them, and rounding is about 1e-7.
     acceleration_aligned : float
         The same with each phase mapped onto the exact one, so that the jumps coincide: it
         goes down to rounding, and says nothing of the times, which have errors of their own.
