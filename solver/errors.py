@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from . import exact
 from .arrays import Vector
 from .methods import Method
-from .quadrature import panels
+from .quadrature import Shape, acceleration_difference, panels
 from .spectral_errors import spectral_errors
 
 #: Harmonics above which sums over them replace quadrature, whose cost is their square.
@@ -44,13 +44,10 @@ class Errors:
 
 
 def acceleration_error(method: Method, order: int, alpha: float, z: Vector) -> float:
-    """Return (22): the relative L2 error of the acceleration on normalised time."""
-    t1, T = z[-2:]
-    exact_t1, exact_T = exact.times(alpha)
-    theta, weights = panels([t1 / T, exact_t1 / exact_T], max(order, 2))
-    approximate = method.evaluate(z, order, theta * T, 2, alpha)
-    reference = exact.evaluate(alpha, theta * exact_T, 2)
-    return math.sqrt((weights @ (approximate - reference) ** 2) / (weights @ reference**2))
+    """Return (22), the difference from the exact orbit."""
+    found = Shape(float(z[-2]), float(z[-1]), lambda t: method.evaluate(z, order, t, 2, alpha))
+    reference = Shape(*exact.times(alpha), lambda t: exact.evaluate(alpha, t, 2))
+    return acceleration_difference(found, reference, order)
 
 
 def aligned_acceleration_error(method: Method, order: int, alpha: float, z: Vector) -> float:

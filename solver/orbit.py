@@ -9,6 +9,7 @@ from . import admissible
 from .arrays import Vector
 from .belt import StickSlip
 from .errors import Errors, errors
+from .estimate import Estimate, estimate
 from .methods import METHODS, Method
 from .motion import Motion
 from .newton import Outcome
@@ -102,6 +103,11 @@ class Orbit(Motion):
         """Errors against the exact orbit: ``period``, ``t1``, ``acceleration`` (22)."""
         return errors(self._method, self.order, self.belt.alpha, self.unknowns)
 
+    @cached_property
+    def estimate(self) -> Estimate:
+        """Errors as they are estimated without the exact orbit; see `estimate`."""
+        return estimate(self._method, self.order, self.belt.alpha, self.outcome)
+
     def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
         z, order, alpha, evaluate = (
             self.unknowns,
@@ -124,6 +130,7 @@ class Orbit(Motion):
                 f"  acceleration error (22) = {self.errors.acceleration:.3e}",
                 f"    with phases aligned   = {self.errors.acceleration_aligned:.3e}",
                 f"  transition mismatch     = {self.transition_mismatch:.3e}",
+                f"  estimated error of T    = {self.estimate.period:.1e}",
                 f"  residual {self.residual_norm:.1e} after {self.iterations} iterations; "
                 f"{'admissible' if self.admissible else '; '.join(self.violations)}",
             )

@@ -1,6 +1,8 @@
-"""Gauss rules for functions that jump and oscillate."""
+"""Gauss rules for functions that jump and oscillate, and the measure (22) by them."""
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -31,3 +33,25 @@ def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
         points.append((ends[:-1, None] + half * (1 + x)).ravel())
         weights.append((half * w).ravel())
     return np.concatenate(points), np.concatenate(weights)
+
+
+@dataclass(frozen=True)
+class Shape:
+    """The acceleration of a periodic motion in ``[0, T)``, and where it jumps."""
+
+    t1: float
+    T: float
+    acceleration: Callable[[Vector], Vector]
+
+
+def acceleration_difference(found: Shape, reference: Shape, waves: int) -> float:
+    """Return (22): the relative L2 difference of accelerations on normalised time.
+
+    waves : int
+        Highest harmonic in either.
+    """
+    breaks = [found.t1 / found.T, reference.t1 / reference.T]
+    theta, weights = panels(breaks, max(waves, 2))
+    expected = reference.acceleration(theta * reference.T)
+    difference = found.acceleration(theta * found.T) - expected
+    return math.sqrt((weights @ difference**2) / (weights @ expected**2))

@@ -9,6 +9,7 @@ from . import kernels
 from .belt import StickSlip
 from .convergence import Rate, rate
 from .errors import Errors
+from .estimate import Estimate
 from .methods import METHODS, check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
 from .solve import solve
@@ -35,6 +36,8 @@ class Row:
         Against the exact orbit; None without an orbit.
     seconds : float
         Time of the search; with the first order of a method, compilation too.
+    estimate : Estimate or None
+        The errors as estimated without the exact orbit; None without an orbit.
     message : str
         Why there is no orbit; empty if there is one.
     """
@@ -47,6 +50,7 @@ class Row:
     iterations: int
     errors: Errors | None
     seconds: float
+    estimate: Estimate | None
     message: str = ""
 
     def as_dict(self) -> dict[str, object]:
@@ -54,6 +58,7 @@ class Row:
         row = asdict(self)
         if self.errors is None:
             row["errors"] = dict.fromkeys(field.name for field in fields(Errors))
+            row["estimate"] = dict.fromkeys(field.name for field in fields(Estimate))
         return row
 
 
@@ -174,8 +179,18 @@ def _row(belt: StickSlip, method: str, order: int, many: bool) -> Row:
             finding.iterations,
             None,
             seconds,
+            None,
             message,
         )
     seconds = time.perf_counter() - begin
-    iterations, errors = orbit.iterations, orbit.errors
-    return Row(method, order, "ok", orbit.t1, orbit.period, iterations, errors, seconds)
+    return Row(
+        method,
+        order,
+        "ok",
+        orbit.t1,
+        orbit.period,
+        orbit.iterations,
+        orbit.errors,
+        seconds,
+        orbit.estimate,
+    )

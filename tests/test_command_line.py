@@ -27,6 +27,7 @@ KEYS = [
     "transition_mismatch",
     "exact",
     "errors",
+    "estimate",
 ]
 
 

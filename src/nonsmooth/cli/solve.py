@@ -42,11 +42,14 @@ def document(
         result |= {name: getattr(found, name) for name in names}
         result |= {"admissible": found.admissible, "violations": list(found.violations)}
         result["transition_mismatch"] = found.transition_mismatch
-        return head | result | tail | {"errors": asdict(found.errors)}
+        judged = {"errors": asdict(found.errors), "estimate": asdict(found.estimate)}
+        return head | result | tail | judged
     result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(names)
     result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
     missing = dict.fromkeys(("period", "t1", "acceleration", "acceleration_aligned"))
-    return head | result | tail | {"errors": missing, "status": found.status}
+    unknown = dict.fromkeys(("period", "t1", "acceleration"))
+    judged = {"errors": missing, "estimate": unknown}
+    return head | result | tail | judged | {"status": found.status}
 
 
 @click.command(epilog=EPILOG)

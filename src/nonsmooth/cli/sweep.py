@@ -96,11 +96,18 @@ def as_csv(result: "Sweep") -> str:
     writer = csv.writer(text, lineterminator="\n")
     names = ["method", "order", "status", "t1", "period", "iterations", "seconds"]
     errors = ["period", "t1", "acceleration", "acceleration_aligned"]
-    writer.writerow(names + [f"error_{name}" for name in errors])
+    estimates = ["period", "t1", "acceleration"]
+    header = [f"error_{name}" for name in errors] + [f"estimate_{name}" for name in estimates]
+    writer.writerow(names + header)
     for row in result.rows:
         values = row.as_dict()
         found: Any = values["errors"]
-        writer.writerow([values[name] for name in names] + [found[name] for name in errors])
+        judged: Any = values["estimate"]
+        writer.writerow(
+            [values[name] for name in names]
+            + [found[name] for name in errors]
+            + [judged[name] for name in estimates]
+        )
     return text.getvalue()
 
 

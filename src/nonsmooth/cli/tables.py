@@ -53,7 +53,7 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
         "t1 [s]",
         "(22)",
         "aligned",
-        "mismatch",
+        "estimate",
         "it",
     )
     table = _table(*columns)
@@ -70,7 +70,7 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
             f"{orbit.t1:.7g}",
             f"{orbit.errors.acceleration:.2e}",
             f"{orbit.errors.acceleration_aligned:.2e}",
-            f"{orbit.transition_mismatch:.1e}",
+            f"{orbit.estimate.period:.1e}",
             str(orbit.iterations),
         )
     _print(table)
@@ -78,10 +78,10 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
 
 def convergence(result: "Sweep") -> None:
     """Print one row a method and order."""
-    table = _table("method", "N", "T [s]", "T/T_ex-1", "t1/t1_ex-1", "(22)", "aligned", "it")
+    table = _table("method", "N", "T [s]", "T/T_ex-1", "t1/t1_ex-1", "(22)", "estimate", "it")
     for row in result.rows:
         head = (row.method, str(row.order))
-        if row.errors is None or row.period is None:
+        if row.errors is None or row.period is None or row.estimate is None:
             table.add_row(*head, row.status, "", "", "", "", str(row.iterations))
             continue
         errors = row.errors
@@ -91,7 +91,7 @@ def convergence(result: "Sweep") -> None:
             f"{errors.period:.3e}",
             f"{errors.t1:.3e}",
             f"{errors.acceleration:.3e}",
-            f"{errors.acceleration_aligned:.3e}",
+            f"{row.estimate.period:.1e}",
             str(row.iterations),
         )
     _print(table)
