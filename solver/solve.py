@@ -5,7 +5,7 @@ from collections.abc import Callable
 from . import kernels
 from .belt import StickSlip
 from .kernels import PLAIN_ORDER, Kernel
-from .methods import check_alpha, check_method, check_order
+from .methods import METHODS, check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
 from .orbit import Orbit
 from .search import Search, starts
@@ -15,17 +15,31 @@ def _loader(order: int, many: bool) -> Callable[[str], Kernel]:
     return kernels.compiled if many or order > PLAIN_ORDER else kernels.plain
 
 
-def solve(belt: StickSlip, method: str, order: int, *, many: bool = False) -> Orbit:
-    """Return the periodic orbit of `belt` by one method of the paper.
+def solve(
+    belt: StickSlip,
+    method: str | None = None,
+    order: int | None = None,
+    *,
+    tol: float | None = None,
+    tol_acceleration: float | None = None,
+    many: bool = False,
+) -> Orbit:
+    """Return the periodic orbit of `belt`: by method and order, or as accurate as asked.
 
     Parameters
     ----------
     belt : StickSlip
         The oscillator.
     method : {"hb", "hb-c1", "c1"}
-        Section 3.1 (Fourier series), 3.2 (with one C1 function), 3.3 (C1 functions).
+        Section 3.1 (Fourier series), 3.2 (with one C1 function), 3.3 (C1 functions).  With
+        a tolerance it may be left out: then the cheapest is taken.
     order : int
-        ``N``, the number of harmonics, or the degree of the polynomial (15).
+        ``N``, the number of harmonics, or the degree of the polynomial (15).  A tolerance
+        chooses it.
+    tol : float, optional
+        Largest relative error of the period, as estimated.
+    tol_acceleration : float, optional
+        Largest error (22) of the acceleration, as estimated.
     many : bool
         Whether more orbits are to follow: compile the kernels.  The result is the same.
 
@@ -36,6 +50,8 @@ def solve(belt: StickSlip, method: str, order: int, *, many: bool = False) -> Or
         oscillator is not from 1e-8 to 1e8.
     NoOrbit
         If there is no admissible orbit, or none was found; it says which.
+    NotCertified
+        If no orbit in float64 is as accurate as asked for.
 
     Examples
     --------
@@ -45,10 +61,21 @@ def solve(belt: StickSlip, method: str, order: int, *, many: bool = False) -> Or
     >>> orbit = ns.solve(belt, method="c1", order=7)
     >>> round(orbit.period, 7), orbit.admissible
     (0.6712384, True)
+    >>> orbit = ns.solve(belt, tol=1e-9)
+    >>> orbit.method, orbit.order, orbit.estimate.period < 1e-9
+    ('c1', 11, True)
     """
+    if tol is not None or tol_acceleration is not None:
+        from .tolerance import within  # noqa: PLC0415  (it solves, too)
+
+        if order is not None:
+            raise ValueError(f"order: got {order!r} beside a tolerance, which chooses it")
+        methods = tuple(METHODS) if method is None else (check_method(method).name,)
+        return within(belt, tol, tol_acceleration, methods=methods, many=many).orbit
     chosen = check_method(method)
     check_alpha(belt.alpha)
-    search = Search(belt, chosen, check_order(order, chosen), _loader(order, many))
+    number = check_order(order, chosen)
+    search = Search(belt, chosen, number, _loader(number, many))
     tried: list[str] = []
     for name, start in starts(chosen, belt.alpha, search.order):
         try:

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "ExactOrbit": ("solver.motion", "ExactOrbit"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
+    "NotCertified": ("solver.tolerance", "NotCertified"),
     "Orbit": ("solver.orbit", "Orbit"),
     "ParameterError": ("solver.belt", "ParameterError"),
     "Row": ("solver.sweep", "Row"),
@@ -46,6 +47,7 @@ _HOMES = {
 __all__ = [
     "ExactOrbit",
     "NoOrbit",
+    "NotCertified",
     "Orbit",
     "ParameterError",
     "Row",

@@ -25,8 +25,12 @@ def need_flint(flag: str) -> None:
         raise Problem(f"{flag} needs python-flint: pip install 'nonsmooth[precise]'")
 
 
-def check_digits(digits: int | None) -> None:
-    """Check the number of digits before the work.
+#: Most harmonics that are refined: the matrix is dense.
+MOST_REFINED = 2000
+
+
+def check_digits(digits: int | None, order: int) -> None:
+    """Check the number of digits, and the order that is to have them, before the work.
 
     Raises
     ------
@@ -41,6 +45,8 @@ def check_digits(digits: int | None) -> None:
     if not FEWEST <= digits <= MOST:
         expected = f"a whole number from {FEWEST} to {MOST}"
         raise Problem(f"--digits: got {digits}, expected {expected}")
+    if order > MOST_REFINED:
+        raise Problem(f"--order: got {order}, expected at most {MOST_REFINED} with --digits")
 
 
 def add_precise(document: dict[str, Any], found: "Orbit | NoOrbit", digits: int) -> None:

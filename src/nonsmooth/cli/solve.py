@@ -11,14 +11,19 @@ from .output import PICTURES, as_json, check_target, write_text, write_whole
 from .parameters import belt_from, caption, parameter_options
 from .precise import add_precise, check_digits, show_precise
 from .problems import Problem
+from .tolerance import choose, why
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit import Orbit
 
+#: N without ``--order``.
+ORDER = 10
+
 EPILOG = """\b
 Examples:
+  nonsmooth solve --tol 1e-8
   nonsmooth solve --method c1 --order 7
   nonsmooth solve --order 10 -o orbit.png      all three methods
   nonsmooth solve --method hb --order 40 --case belt.toml --json
@@ -56,9 +61,9 @@ def document(
 @click.option(
     "--method", type=click.Choice(METHODS), help="Section 3.1, 3.2 or 3.3; without it, all."
 )
-@click.option(
-    "--order", type=int, default=10, show_default=True, help="N, the size of the expansion."
-)
+@click.option("--order", type=int, help=f"N, the size of the expansion.  [default: {ORDER}]")
+@click.option("--tol", type=float, help="Choose: largest relative error of the period.")
+@click.option("--tol-acceleration", type=float, help="Choose: largest error (22).")
 @parameter_options
 @click.option("--digits", type=int, help="Refine period and t1 to this many digits.")
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
@@ -68,19 +73,36 @@ def document(
 )  # fmt: skip
 def solve(
     method: str | None,
-    order: int,
+    order: int | None,
+    tol: float | None,
+    tol_acceleration: float | None,
     case: Path | None,
     json_: bool,
     output: Path | None,
     digits: int | None,
     **flags: float | None,
 ) -> int:
-    """Compute the periodic orbit by one method of the paper, or by all three."""
+    """Compute the periodic orbit by one method of the paper, or by all three.
+
+    With a tolerance, the cheapest method and order that meet it, by the estimated error.
+    """
     check_target(output, (".json", *PICTURES))
-    check_digits(digits)
-    belt = belt_from(case, flags)
-    found = {name: _search(belt, name, order) for name in ([method] if method else METHODS)}
+    from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
+
+    found: dict[str, Orbit | NoOrbit]
+    if tol is not None or tol_acceleration is not None:
+        check_digits(digits, 1)
+        choice = choose(belt_from(case, flags), method, order, tol, tol_acceleration)
+        belt, method, order = choice.orbit.belt, choice.orbit.method, choice.orbit.order
+        found = {method: choice.orbit}
+    else:
+        choice, order = None, ORDER if order is None else order
+        check_digits(digits, order)
+        belt = belt_from(case, flags)
+        found = {name: _search(belt, name, order) for name in ([method] if method else METHODS)}
     documents = [document(belt, name, order, result) for name, result in found.items()]
+    if choice is not None:
+        documents[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
     if digits is not None:
         for each in documents:
             add_precise(each, found[each["method"]], digits)
@@ -92,10 +114,10 @@ def solve(
 
         click.echo(caption(belt))
         solutions(belt, found)
+        if choice is not None:
+            click.echo(why(choice))
         if digits is not None:
             show_precise(documents)
-    from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
-
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
     if output is not None:
         _write(output, result, belt, orbits)
