@@ -11,11 +11,12 @@ from typing import Any, NoReturn
 
 import click
 
-from . import equations, generate, roots, solve, stability, sweep
+from . import equations, generate, roots, solve, stability, sweep, tradeoff
 from .problems import Problem
 
 EXAMPLES = """\b
 Examples:
+  nonsmooth solve --tol 1e-8
   nonsmooth solve --method c1 --order 7
   nonsmooth sweep --orders 1-40 -o convergence.png
   nonsmooth equations --format latex -o equations.tex
@@ -49,6 +50,7 @@ for command in (
     sweep.sweep,
     roots.roots,
     stability.stability,
+    tradeoff.tradeoff,
 ):
     cli.add_command(command)
 

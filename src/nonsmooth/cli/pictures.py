@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
     from nonsmooth.solver.orbit import Orbit
     from nonsmooth.solver.sweep import Sweep
+    from nonsmooth.tradeoff import Point
 
 #: Line style, marker and colour (Okabe & Ito) of each method; the paper's markers.
 STYLES: dict[str, dict[str, Any]] = {
@@ -130,3 +131,27 @@ def _caption(belt: "StickSlip") -> str:
         rf"stick-slip oscillator, $\alpha = \omega_n (\mu_s - \mu_k) F_N / (K V)$ = "
         f"{belt.alpha:.4g}, $F_N$ = {belt.normal_force:g} N"
     )
+
+
+def tradeoff_picture(points: "list[Point]", target: Path) -> None:
+    """Draw error against time, each method a line, the front behind them."""
+    with mpl.rc_context(SETTINGS):
+        figure = Figure(figsize=(7, 4.5), layout="constrained")
+        axes = figure.subplots()
+        front = sorted((p.seconds, p.error) for p in points if p.front)
+        axes.step(
+            *np.array(front).T, where="post", color="0.8", linewidth=5, label="the front",
+            zorder=1,
+        )  # fmt: skip
+        for method, style in STYLES.items():
+            for regime, name in (("float64", LABELS[method]), ("precise", "c1, many digits")):
+                chosen = [p for p in points if (p.regime, p.method) == (regime, method)]
+                if not chosen:
+                    continue
+                look = style if regime == "float64" else {"color": "0.2", "marker": "*"}
+                times, errors = [p.seconds for p in chosen], [p.error for p in chosen]
+                axes.plot(times, errors, label=name, markersize=5, zorder=2, **look)
+        axes.set(xscale="log", yscale="log", xlabel="time of one orbit [s]")
+        axes.set_ylabel("relative error of the period")
+        axes.legend(frameon=False)
+        save(figure, target)

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.sweep import Sweep
     from nonsmooth.stability import Cell, Form
+    from nonsmooth.tradeoff import Point
 
 
 #: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
@@ -106,6 +107,22 @@ def rates(result: "Sweep") -> None:
     table = _table("method", "T", "t1", "(22)")
     for name, rate in found.items():
         table.add_row(name, *(rate.text(error) for error in ("period", "t1", "acceleration")))
+    _print(table)
+
+
+def trade(points: "list[Point]") -> None:
+    """Print time against error, the front marked."""
+    table = _table("method", "N", "digits", "time [s]", "T/T_ex-1", "estimate", "front")
+    for point in points:
+        table.add_row(
+            point.method,
+            str(point.order),
+            "" if point.digits is None else str(point.digits),
+            f"{point.seconds:.1e}",
+            f"{point.error:.1e}",
+            "" if point.estimate is None else f"{point.estimate:.1e}",
+            "*" if point.front else "",
+        )
     _print(table)
 
 

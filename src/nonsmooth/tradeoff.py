@@ -1,0 +1,151 @@
+"""Time against error for one oscillator, measured here: in float64 and in many digits.
+
+In float64 a row is a whole `solve` by compiled kernels, checks included.  Beyond, the same
+equations are refined in high precision (`twin`), derivation not counted: ten times slower,
+and without a floor.
+"""
+
+import math
+import statistics
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from importlib.util import find_spec
+
+from .solver.belt import StickSlip
+from .solver.convergence import rate
+from .solver.no_orbit import NoOrbit
+from .solver.solve import solve
+
+#: Orders in float64; the Fourier series without and with one C1 function, and the C1 series.
+ORDERS = {
+    "hb": (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384, 65_536),
+    "hb-c1": (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384),
+    "c1": (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 20),
+}
+
+#: Digits of the period beyond float64, by the C1 series.
+DIGITS = (20, 30, 50)
+
+#: Seconds that are spent on one row, at least, and repetitions at most.
+SECONDS, MOST_ROUNDS = 0.02, 50
+
+#: An error below this is as good as any other in float64.
+ROUNDING = 2e-16
+
+
+@dataclass(frozen=True)
+class Point:
+    """One way to the orbit: what it takes, and how good it is.
+
+    Parameters
+    ----------
+    regime : {"float64", "precise"}
+        Arithmetic; the second is high precision.
+    method, order : str, int
+    digits : int or None
+        Decimal digits in high precision.
+    seconds : float
+        Median time of one orbit.
+    error, estimate : float or None
+        Error of the period, without sign: true, and as estimated (float64 only).
+    front : bool
+        Whether nothing measured is both faster and better, or as good.
+    """
+
+    regime: str
+    method: str
+    order: int
+    digits: int | None
+    seconds: float
+    error: float
+    estimate: float | None
+    front: bool = False
+
+
+def measure(
+    belt: StickSlip, progress: Callable[[str], None] = lambda done: None
+) -> list[Point]:
+    """Return all points, the front marked.
+
+    Parameters
+    ----------
+    belt : StickSlip
+        The oscillator.
+    progress : callable, optional
+        Called with what has just been measured, in words.
+    """
+    points = []
+    for method, orders in ORDERS.items():
+        for order in orders:
+            points += _float64(belt, method, order)
+            progress(f"{method}, N = {order}")
+    if find_spec("flint") is not None:
+        slope, offset = _geometric(belt)
+        for digits in DIGITS:
+            points += _precise(belt, int((digits + offset) / slope) + 2, digits)
+            progress(f"{digits} digits")
+    return with_front(points)
+
+
+def count() -> int:
+    """Return how many rows `measure` reports to its progress, at most."""
+    return sum(map(len, ORDERS.values())) + len(DIGITS)
+
+
+def _timed(work: Callable[[], object]) -> float:
+    work()  # compiles, loads, fills the caches
+    seen: list[float] = []
+    while len(seen) < MOST_ROUNDS and sum(seen) < SECONDS:
+        begin = time.perf_counter()
+        work()
+        seen.append(time.perf_counter() - begin)
+    return statistics.median(seen)
+
+
+def _float64(belt: StickSlip, method: str, order: int) -> list[Point]:
+    """Return the point of one method and order; none where there is no orbit."""
+    try:
+        orbit = solve(belt, method, order, many=True)
+    except NoOrbit:
+        return []
+    seconds = _timed(lambda: solve(belt, method, order, many=True))
+    error = max(abs(orbit.errors.period), ROUNDING)
+    return [Point("float64", method, order, None, seconds, error, orbit.estimate.period)]
+
+
+def _geometric(belt: StickSlip) -> tuple[float, float]:
+    """Return decimal digits of the period by the C1 series: each order's, and the first's."""
+    rows = []
+    for order in ORDERS["c1"]:
+        try:
+            rows.append((order, solve(belt, "c1", order, many=True).errors))
+        except NoOrbit:
+            continue
+    slope = rate("c1", rows).period or 0.5
+    order, errors = max((row for row in rows if abs(row[1].period) > 1e-12), default=rows[-1])
+    return slope, slope * order + math.log10(max(abs(errors.period), ROUNDING))
+
+
+def _precise(belt: StickSlip, order: int, digits: int) -> list[Point]:
+    """Return the point of the C1 series in many digits."""
+    from .twin import PrecisionError, precise  # noqa: PLC0415
+
+    try:
+        orbit = solve(belt, "c1", order, many=True)
+        found = precise(orbit, digits)
+        seconds = _timed(lambda: precise(orbit, digits))
+    except (NoOrbit, PrecisionError, ValueError):
+        return []
+    error = max(abs(float(found.error_period)), 10.0**-digits)
+    return [Point("precise", "c1", order, digits, seconds, error, None)]
+
+
+def with_front(points: list[Point]) -> list[Point]:
+    """Return the points, those marked that no other beats in time and error."""
+    best, front = float("inf"), set()
+    for index in sorted(range(len(points)), key=lambda i: (points[i].seconds, points[i].error)):
+        if points[index].error < best:
+            best = points[index].error
+            front.add(index)
+    return [replace(point, front=index in front) for index, point in enumerate(points)]

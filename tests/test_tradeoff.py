@@ -1,0 +1,63 @@
+"""Time against error: the front, the two regimes, table, document and picture."""
+
+import json
+
+import pytest
+
+from nonsmooth import tradeoff
+from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.tradeoff import Point, with_front
+
+
+def point(seconds: float, error: float) -> Point:
+    return Point("float64", "c1", 1, None, seconds, error, error)
+
+
+def test_the_front_is_what_nothing_faster_matches() -> None:
+    points = [point(3, 1e-9), point(1, 1e-2), point(2, 1e-2), point(4, 1e-8), point(5, 1e-12)]
+    assert [p.front for p in with_front(points)] == [True, True, False, False, True]
+    assert [p.seconds for p in with_front(points)] == [3, 1, 2, 4, 5]
+
+
+@pytest.fixture
+def few(monkeypatch) -> None:
+    orders = {"hb": (2, 8), "hb-c1": (2,), "c1": (4, 5, 7, 10)}
+    monkeypatch.setattr(tradeoff, "ORDERS", orders)
+    monkeypatch.setattr(tradeoff, "DIGITS", (20, 30))
+
+
+@pytest.mark.usefixtures("few")
+def test_points_of_both_regimes() -> None:
+    seen = []
+    points = tradeoff.measure(DEFAULT, seen.append)
+    assert len(seen) == tradeoff.count() == len(points)
+    for p in points:
+        assert p.seconds > 0
+        if p.regime == "float64":
+            assert p.estimate == pytest.approx(p.error, rel=0.1)
+        else:
+            assert p.error <= 10.0**-p.digits * 1.0001
+    assert points[-1].front  # nothing else has 30 digits
+    fastest = min(points, key=lambda p: p.seconds)
+    assert fastest.front
+
+
+@pytest.mark.usefixtures("few")
+def test_the_command_prints_a_table_a_document_and_a_picture(run, tmp_path) -> None:
+    status, out, _ = run("tradeoff")
+    assert status == 0
+    assert "front" in out
+    assert max(map(len, out.splitlines())) <= 80
+    target = tmp_path / "tradeoff.svg"
+    status, out, _ = run("tradeoff", "--json", "-o", target)
+    document = json.loads(out)
+    assert status == 0
+    assert document["parameters"]["normal_force"] == 400
+    assert {p["regime"] for p in document["points"]} == {"float64", "precise"}
+    assert target.read_text().count("<svg") == 1
+
+
+def test_a_case_that_float64_cannot_hold(run) -> None:
+    status, out, err = run("tradeoff", "--normal-force", 1e-12)
+    assert (status, out) == (2, "")
+    assert "alpha" in err
