@@ -5,7 +5,7 @@ from collections.abc import Callable
 from . import kernels
 from .belt import StickSlip
 from .kernels import PLAIN_ORDER, Kernel
-from .methods import METHODS, check_alpha, check_method, check_order
+from .methods import check_alpha, check_method, check_order
 from .no_orbit import NoOrbit
 from .orbit import Orbit
 from .search import Search, starts
@@ -22,6 +22,7 @@ def solve(
     *,
     tol: float | None = None,
     tol_acceleration: float | None = None,
+    budget: float | None = None,
     many: bool = False,
 ) -> Orbit:
     """Return the periodic orbit of `belt`: by method and order, or as accurate as asked.
@@ -40,6 +41,8 @@ def solve(
         Largest relative error of the period, as estimated.
     tol_acceleration : float, optional
         Largest error (22) of the acceleration, as estimated.
+    budget : float, optional
+        Seconds that one orbit may take: the best that fits, by compiled kernels.
     many : bool
         Whether more orbits are to follow: compile the kernels.  The result is the same.
 
@@ -52,6 +55,8 @@ def solve(
         If there is no admissible orbit, or none was found; it says which.
     NotCertified
         If no orbit in float64 is as accurate as asked for.
+    TooSlow
+        If none is computed within the budget.
 
     Examples
     --------
@@ -65,13 +70,10 @@ def solve(
     >>> orbit.method, orbit.order, orbit.estimate.period < 1e-9
     ('c1', 11, True)
     """
-    if tol is not None or tol_acceleration is not None:
-        from .tolerance import within  # noqa: PLC0415  (it solves, too)
+    if any(value is not None for value in (tol, tol_acceleration, budget)):
+        from .tolerance import chosen as choose  # noqa: PLC0415  (it solves, too)
 
-        if order is not None:
-            raise ValueError(f"order: got {order!r} beside a tolerance, which chooses it")
-        methods = tuple(METHODS) if method is None else (check_method(method).name,)
-        return within(belt, tol, tol_acceleration, methods=methods, many=many).orbit
+        return choose(belt, method, order, tol, tol_acceleration, budget, many=many).orbit
     chosen = check_method(method)
     check_alpha(belt.alpha)
     number = check_order(order, chosen)

@@ -1,6 +1,8 @@
-"""The cheapest orbit that is as accurate as asked for, by the estimate of its error."""
+"""The cheapest orbit that is as accurate as asked for, or the best that is quick enough."""
 
 import math
+import statistics
+import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -29,6 +31,15 @@ MARGIN = 0.9
 #: Orders of the C1 series beyond which nothing is left but rounding.
 MOST_C1 = 40
 
+#: Orders among which a budget chooses; seconds and rounds that are spent on measuring one.
+_DOUBLING = (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384, 65_536, 262_144, 1_000_000)
+ORDERS = {
+    "hb": _DOUBLING,
+    "hb-c1": _DOUBLING,
+    "c1": (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 20, 24),
+}
+MEASURED, MOST_ROUNDS = 0.01, 25
+
 #: Part of the order that a rate foretells at which trying begins.
 EARLY = 0.7
 
@@ -55,23 +66,34 @@ def cost(method: str, order: int) -> float:
 
 @dataclass(frozen=True)
 class Trial:
-    """One candidate: what it was, and its estimate; None where it has no orbit."""
+    """One candidate.
+
+    Parameters
+    ----------
+    method, order : str, int
+    estimate : Estimate or None
+        Of its errors; None where it has no orbit.
+    seconds : float or None
+        Of one solve, measured; None where nothing was to be measured.
+    """
 
     method: str
     order: int
     estimate: Estimate | None
+    seconds: float | None = None
 
 
 @dataclass(frozen=True)
 class Choice:
-    """What a tolerance led to.
+    """What a tolerance or a budget led to.
 
     Parameters
     ----------
     orbit : Orbit
-        The first candidate whose estimate is within the tolerance.
+        The first candidate whose estimate is within the tolerance; the best within the
+        budget.
     trials : tuple of Trial
-        All candidates, in the order in which they were tried, the chosen one last.
+        All candidates, in the order in which they were tried.
     """
 
     orbit: Orbit
@@ -114,6 +136,27 @@ class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
         return "; ".join(parts)
 
 
+class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
+    """No orbit is computed within the budget.
+
+    Parameters
+    ----------
+    budget, fastest : float
+        Seconds.
+    """
+
+    def __init__(self, budget: float, fastest: float) -> None:
+        super().__init__(budget, fastest)
+        self.budget = budget
+        self.fastest = fastest
+
+    def __str__(self) -> str:
+        return (
+            f"a budget of {self.budget:.2g} s: the fastest orbit takes {self.fastest:.2g} s "
+            "here; for many orbits see nonsmooth.solver.batch"
+        )
+
+
 def check_tolerance(name: str, tolerance: object) -> float:
     """Return a tolerance as a float.
 
@@ -126,6 +169,33 @@ def check_tolerance(name: str, tolerance: object) -> float:
     if not (good and 0 < float(tolerance) < 1):  # type: ignore[arg-type]
         raise ValueError(f"{name}: got {tolerance!r}, expected a number between 0 and 1")
     return float(tolerance)  # type: ignore[arg-type]
+
+
+def chosen(
+    belt: StickSlip,
+    method: str | None,
+    order: int | None,
+    tol: float | None,
+    tol_acceleration: float | None,
+    budget: float | None,
+    *,
+    many: bool = False,
+) -> Choice:
+    """Return what the tolerances or the budget lead to; see `within` and `fitting`.
+
+    Raises
+    ------
+    ValueError
+        If an order is given, or tolerances and a budget, or one of them is wrong.
+    """
+    if order is not None:
+        raise ValueError(f"order: got {order!r} beside a tolerance or budget, which chooses it")
+    methods = tuple(METHODS) if method is None else (method,)
+    if budget is None:
+        return within(belt, tol, tol_acceleration, methods=methods, many=many)
+    if tol is not None or tol_acceleration is not None:
+        raise ValueError(f"budget: got {budget!r} beside a tolerance, expected one of them")
+    return fitting(belt, budget, methods=methods)
 
 
 def within(
@@ -191,6 +261,64 @@ def within(
         lowest[name] = _foretold(name, order, estimate, wanted)
     beyond = {name: N for name, N in lowest.items() if METHODS[name].highest_order < N}
     raise NotCertified(wanted, tuple(trials), beyond)
+
+
+def fitting(
+    belt: StickSlip, budget: float, *, methods: Sequence[str] = tuple(METHODS)
+) -> Choice:
+    """Return the orbit with the smallest estimated error of the period within a time.
+
+    Every candidate is solved and timed here, by compiled kernels and with its checks; a
+    method is left at the first order that takes too long.
+
+    Parameters
+    ----------
+    belt : StickSlip
+        The oscillator.
+    budget : float
+        Seconds for one orbit.
+    methods : sequence of {"hb", "hb-c1", "c1"}
+        Methods to choose from.
+
+    Raises
+    ------
+    ValueError
+        If the budget is not a positive number of seconds, or a method is unknown.
+    TooSlow
+        If nothing fits.
+    """
+    if not (isinstance(budget, int | float) and 0 < budget < math.inf):
+        raise ValueError(f"budget: got {budget!r}, expected a positive number of seconds")
+    names = [check_method(name).name for name in methods]
+    check_alpha(belt.alpha)
+    trials: list[Trial] = []
+    best: Orbit | None = None
+    for name in names:
+        for order in ORDERS[name]:
+            orbit = _attempt(belt, name, order, many=True)
+            if orbit is None:
+                trials.append(Trial(name, order, None))
+                continue
+            seconds = _seconds(belt, name, order)
+            trials.append(Trial(name, order, orbit.estimate, seconds))
+            if seconds > budget:
+                break
+            if best is None or orbit.estimate.period < best.estimate.period:
+                best = orbit
+    if best is None:
+        times = [trial.seconds for trial in trials if trial.seconds is not None]
+        raise TooSlow(budget, min(times, default=math.inf))
+    return Choice(best, tuple(trials))
+
+
+def _seconds(belt: StickSlip, method: str, order: int) -> float:
+    """Return the median time of one solve, which has been done once."""
+    seen: list[float] = []
+    while len(seen) < MOST_ROUNDS and sum(seen) < MEASURED:
+        begin = time.perf_counter()
+        solve(belt, method, order, many=True)
+        seen.append(time.perf_counter() - begin)
+    return statistics.median(seen)
 
 
 def _candidates(methods: Sequence[str]) -> Iterator[tuple[str, int]]:

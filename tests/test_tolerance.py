@@ -9,9 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
+from nonsmooth.solver import tolerance
 from nonsmooth.solver.belt import DEFAULT
 from nonsmooth.solver.methods import METHODS
-from nonsmooth.solver.tolerance import cost, within
+from nonsmooth.solver.tolerance import cost, fitting, within
 
 
 def belt_at(alpha: float) -> ns.StickSlip:
@@ -131,3 +132,63 @@ def test_costs_rise_with_the_order() -> None:
     for method in METHODS:
         costs = [cost(method, N) for N in (1, 5, 20, 100, 256, 257, 1000)]
         assert costs == sorted(costs)
+
+
+@pytest.fixture
+def clock(monkeypatch) -> None:
+    """Replace the clock by the costs: a solve takes as many microseconds as they say."""
+    monkeypatch.setattr(tolerance, "_seconds", lambda belt, name, N: 1e-6 * cost(name, N))
+
+
+@pytest.mark.usefixtures("clock")
+@pytest.mark.parametrize("budget", [8e-6, 20e-6, 1e-3])
+def test_the_best_within_a_budget(budget: float) -> None:
+    choice = fitting(DEFAULT, budget)
+    fits = [t for t in choice.trials if t.seconds is not None and t.seconds <= budget]
+    best = min(t.estimate.period for t in fits)
+    assert choice.orbit.estimate.period == best
+    assert ns.solve(DEFAULT, budget=budget).order == choice.orbit.order
+    for name in METHODS:  # each is left at the first order that takes too long
+        slow = [t for t in choice.trials if t.method == name and (t.seconds or 0) > budget]
+        assert len(slow) <= 1
+
+
+@pytest.mark.usefixtures("clock")
+def test_nothing_fits(run) -> None:
+    with pytest.raises(ns.TooSlow, match="fastest orbit takes"):
+        ns.solve(DEFAULT, budget=1e-9)
+    status, out, err = run("solve", "--budget", "0.001us")
+    assert (status, out) == (1, "")
+    assert "budget" in err
+
+
+@pytest.mark.usefixtures("clock")
+def test_a_budget_on_the_command_line(run) -> None:
+    status, out, _ = run("solve", "--budget", "25us", "--json")
+    document = json.loads(out)
+    assert status == 0
+    assert document["method"] == "c1"
+    assert all(t["seconds"] is None or t["seconds"] > 0 for t in document["trials"])
+    status, out, _ = run("solve", "--budget", "25 us", "--method", "hb")
+    assert status == 0
+    assert "candidates that" in out
+    assert max(map(len, out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("text", ["", "1", "ms", "-1ms", "0s", "1 m", "nan s", "1e999s", "1h"])
+def test_a_time_that_is_none(run, text: str) -> None:
+    status, out, err = run("solve", f"--budget={text}")
+    assert (status, out) == (2, "")
+    assert "expected a time like" in err
+
+
+@pytest.mark.parametrize("budget", [0, -1.0, math.inf, math.nan, "1ms"])
+def test_a_budget_that_is_none(budget: object) -> None:
+    with pytest.raises(ValueError, match="budget: got"):
+        ns.solve(DEFAULT, budget=budget)  # type: ignore[arg-type]
+
+
+def test_a_budget_beside_a_tolerance(run) -> None:
+    status, _, err = run("solve", "--tol", "1e-3", "--budget", "1ms")
+    assert status == 2
+    assert "--budget" in err

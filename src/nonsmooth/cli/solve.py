@@ -11,7 +11,7 @@ from .output import PICTURES, as_json, check_target, write_text, write_whole
 from .parameters import belt_from, caption, parameter_options
 from .precise import add_precise, check_digits, show_precise
 from .problems import Problem
-from .tolerance import choose, why
+from .tolerance import choose, parse_seconds, why
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
@@ -24,6 +24,7 @@ ORDER = 10
 EPILOG = """\b
 Examples:
   nonsmooth solve --tol 1e-8
+  nonsmooth solve --budget 1ms
   nonsmooth solve --method c1 --order 7
   nonsmooth solve --order 10 -o orbit.png      all three methods
   nonsmooth solve --method hb --order 40 --case belt.toml --json
@@ -64,6 +65,7 @@ def document(
 @click.option("--order", type=int, help=f"N, the size of the expansion.  [default: {ORDER}]")
 @click.option("--tol", type=float, help="Choose: largest relative error of the period.")
 @click.option("--tol-acceleration", type=float, help="Choose: largest error (22).")
+@click.option("--budget", help="Choose: the best in this time, like 200us, 1ms, 2s.")
 @parameter_options
 @click.option("--digits", type=int, help="Refine period and t1 to this many digits.")
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
@@ -76,6 +78,7 @@ def solve(
     order: int | None,
     tol: float | None,
     tol_acceleration: float | None,
+    budget: str | None,
     case: Path | None,
     json_: bool,
     output: Path | None,
@@ -84,15 +87,17 @@ def solve(
 ) -> int:
     """Compute the periodic orbit by one method of the paper, or by all three.
 
-    With a tolerance, the cheapest method and order that meet it, by the estimated error.
+    With a tolerance, the cheapest method and order that meet it, by the estimated error;
+    with a budget, the best that fits, timed on this machine.
     """
     check_target(output, (".json", *PICTURES))
     from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
 
     found: dict[str, Orbit | NoOrbit]
-    if tol is not None or tol_acceleration is not None:
+    if any(value is not None for value in (tol, tol_acceleration, budget)):
         check_digits(digits, 1)
-        choice = choose(belt_from(case, flags), method, order, tol, tol_acceleration)
+        seconds = None if budget is None else parse_seconds(budget)
+        choice = choose(belt_from(case, flags), method, order, tol, tol_acceleration, seconds)
         belt, method, order = choice.orbit.belt, choice.orbit.method, choice.orbit.order
         found = {method: choice.orbit}
     else:
