@@ -12,7 +12,7 @@ import numpy as np
 
 from .arrays import Vector
 from .belt import StickSlip
-from .kernels import PLAIN_ORDER, compiled_functions, module
+from .kernels import functions_for, module
 from .scaling import product_of_powers
 
 #: Waves that are held at once.
@@ -72,19 +72,32 @@ def beside_g1(z: Vector, order: int) -> Vector:
 
 @lru_cache(maxsize=32)
 def _harmonics_of_g1(order: int, t1: float, T: float) -> Vector:
-    """Return the first harmonics of ``G``; an orbit is evaluated many times."""
-    many = order > PLAIN_ORDER
-    functions = compiled_functions("hb-c1") if many else vars(module("hb-c1"))
-    gamma: Vector = functions["harmonics_of_g1"](order, t1, T)[0]
-    return gamma
+    """Return the first harmonics of ``G``; an orbit is evaluated many times.
+
+    About mid-stick they are sines, and ``G`` is ``-6/s**2`` times the first odd C1 function
+    but for its mean.
+    """
+    functions, s = functions_for("hb-symmetric", order), T - t1
+    moments = functions["slip_moments"](1, order, t1, T)
+    sines = -6 / s**2 * functions["harmonics"](1, order, T, moments)[0, 0]
+    mean = module("hb-c1").mean_of_g1(T, s)[0]
+    return about_stick_start(sines, float(mean), t1, T)
+
+
+def about_stick_start(b: Vector, a0: float, t1: float, T: float) -> Vector:
+    """Return ``a0, a_1..a_N, b_1..b_N`` about ``t = 0`` for sines about mid-stick.
+
+    ``b sin(n omega_0 (t - t1/2)) = b cos(phi) sin(n omega_0 t) - b sin(phi) cos(n omega_0 t)``
+    with ``phi = n omega_0 t1/2``.
+    """
+    phi = math.pi * t1 / T * np.arange(1, len(b) + 1)
+    return np.concatenate(([a0], b * np.cos(phi), -b * np.sin(phi)))
 
 
 def from_symmetric(z: Vector, order: int) -> Vector:
     """Return the unknowns about ``t = 0`` for those about mid-stick.
 
-    ``b sin(n omega_0 (t - t1/2)) = b cos(phi) sin(n omega_0 t) - b sin(phi) cos(n omega_0 t)``
-    with ``phi = n omega_0 t1/2``; and the first C1 function is ``-s**2/6`` times the
-    smoothstep form of ``g1``.
+    The first C1 function is ``-s**2/6`` times the smoothstep form of ``g1``.
 
     Parameters
     ----------
@@ -96,10 +109,9 @@ def from_symmetric(z: Vector, order: int) -> Vector:
     ndarray, shape (2 order + K + 3,)
         ``a0, a_1..a_N, b_1..b_N``, the amplitude beside the tail of ``g1``, ``t1, T``.
     """
-    b, c, (t1, T) = z[:order], z[order:-2], z[-2:]
-    phi = math.pi * t1 / T * np.arange(1, order + 1)
-    amplitude = -((T - t1) ** 2) / 6 * c
-    return np.concatenate(([0.0], b * np.cos(phi), -b * np.sin(phi), amplitude, (t1, T)))
+    t1, T = z[-2:]
+    amplitude = -((T - t1) ** 2) / 6 * z[order:-2]
+    return np.concatenate([about_stick_start(z[:order], 0.0, t1, T), amplitude, z[-2:]])
 
 
 def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:

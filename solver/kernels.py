@@ -93,10 +93,21 @@ def is_compiled(method: str) -> bool:
     return any(folder.glob(f"*.iterate_{module(method).BODY[:16]}-*.nbi"))
 
 
-@cache
+_COMPILED: dict[str, dict[str, Any]] = {}
+
+
 def compiled_functions(method: str) -> dict[str, Any]:
     """Return every function of the generated module of `method`, compiled, by name."""
-    return compile_functions(module(method))
+    if method not in _COMPILED:
+        _COMPILED[method] = compile_functions(module(method))
+    return _COMPILED[method]
+
+
+def functions_for(method: str, order: int) -> dict[str, Any]:
+    """Return the functions of a module: compiled if they are already, or if it pays."""
+    if order > PLAIN_ORDER or method in _COMPILED:
+        return compiled_functions(method)
+    return vars(module(method))
 
 
 def _kernel(functions: dict[str, Any]) -> Kernel:

@@ -11,8 +11,9 @@ from scipy.special import spherical_jn
 import nonsmooth as ns
 from nonsmooth.codegen import hb_symmetric, odd_functions, symmetry
 from nonsmooth.codegen.system import DerivationError
+from nonsmooth.generated import hb_c1
 from nonsmooth.generated import hb_symmetric as kernel
-from nonsmooth.solver import exact, kernels
+from nonsmooth.solver import exact, fourier, kernels
 from nonsmooth.solver.fourier import from_symmetric
 from nonsmooth.solver.newton import newton
 from nonsmooth.solver.start import cubic_slip, rough_times
@@ -216,3 +217,18 @@ def test_a_wrong_formula_does_not_pass_the_derivation(monkeypatch, module, name,
     monkeypatch.setattr(module, name, getattr(module, name) + symmetry.T)
     with pytest.raises(DerivationError):
         check()
+
+
+@given(st.integers(1, 60), st.floats(0.01, 20), st.floats(0.5, 6))
+def test_harmonics_of_g1_are_the_same_about_mid_stick(N: int, t1: float, s: float) -> None:
+    direct = hb_c1.harmonics_of_g1(N, t1, t1 + s)[0]
+    np.testing.assert_allclose(
+        fourier._harmonics_of_g1(N, t1, t1 + s), direct, rtol=1e-12, atol=1e-14
+    )
+
+
+def test_what_is_in_the_cache_is_known_to_be() -> None:
+    symmetric = kernels.compiled("hb-symmetric")
+    newton(symmetric.iterate, (1.0, 0), cubic_slip(symmetric, 0, 3, *rough_times(1.0)))
+    assert kernels.is_compiled("hb-symmetric")
+    assert kernels.functions_for("hb-symmetric", 3)["residual"] is symmetric.residual
