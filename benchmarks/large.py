@@ -7,7 +7,8 @@ import sys
 
 import numpy as np
 
-from nonsmooth.solver import kernels, matrix_free
+from nonsmooth.solver import kernels, newton_krylov
+from nonsmooth.solver.matrix_free import Problem
 from nonsmooth.solver.newton import newton
 from nonsmooth.solver.start import cubic_slip, rough_times
 
@@ -50,8 +51,8 @@ def difference(terms: int, order: int = 1000, alpha: float = 1.0) -> float:
     kernel = kernels.compiled("hb-symmetric")
     start = cubic_slip(kernel, terms, order, *rough_times(alpha))
     dense = newton(kernel.iterate, (alpha, terms), start).unknowns[-2:]
-    problem = matrix_free.Problem(kernel, alpha, terms, order)
-    return float(np.max(np.abs(matrix_free.solve(problem, start).unknowns[-2:] / dense - 1)))
+    problem = Problem(kernel, alpha, terms, order)
+    return float(np.max(np.abs(newton_krylov.solve(problem, start).unknowns[-2:] / dense - 1)))
 
 
 def measure() -> tuple[list[dict[str, object]], list[dict[str, object]]]:

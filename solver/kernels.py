@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import newton
+from . import linear, newton
 from .arrays import Matrix, Vector
 
 #: Up to this order one orbit in plain Python is quicker than starting numba.
@@ -121,8 +121,8 @@ DRIVER = (
     newton.time_norm,
     newton.step_norm,
     newton.longest_step,
-    newton.factorise,
-    newton.solve_factorised,
+    linear.factorise,
+    linear.solve_factorised,
     newton.iterate,
 )
 

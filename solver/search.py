@@ -5,12 +5,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from . import c1_roots, matrix_free
+from . import c1_roots, newton_krylov
 from .admissible import violations
 from .arrays import Vector
 from .belt import StickSlip
 from .fourier import from_symmetric
 from .kernels import Kernel
+from .matrix_free import Problem
 from .methods import METHODS, Method
 from .newton import Outcome, newton
 from .no_orbit import NoOrbit
@@ -74,7 +75,7 @@ class Search:
             if coarse.converged:
                 start = np.zeros(len(start))
                 start[:fewer], start[order:] = coarse.unknowns[:fewer], coarse.unknowns[fewer:]
-        outcome = matrix_free.solve(matrix_free.Problem(kernel, alpha, terms, order), start)
+        outcome = newton_krylov.solve(Problem(kernel, alpha, terms, order), start)
         self.iterations += outcome.iterations
         return outcome
 

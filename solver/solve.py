@@ -71,7 +71,7 @@ def solve(
     ('c1', 11, True)
     """
     if any(value is not None for value in (tol, tol_acceleration, budget)):
-        from .tolerance import chosen as choose  # noqa: PLC0415  (it solves, too)
+        from .choose import choose  # noqa: PLC0415  (it solves, too)
 
         return choose(belt, method, order, tol, tol_acceleration, budget, many=many).orbit
     chosen = check_method(method)

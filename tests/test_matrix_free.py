@@ -7,11 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth.solver import exact, kernels, matrix_free, search
+from nonsmooth.solver import exact, kernels, newton_krylov, search
 from nonsmooth.solver.admissible import violations
 from nonsmooth.solver.belt import DEFAULT
 from nonsmooth.solver.errors import acceleration_error, aligned_acceleration_error
 from nonsmooth.solver.left_out import left_out
+from nonsmooth.solver.matrix_free import Problem
 from nonsmooth.solver.methods import METHODS
 from nonsmooth.solver.newton import newton
 from nonsmooth.solver.samples import samples
@@ -99,7 +100,7 @@ def test_the_orbit_is_the_dense_one(K: int, alpha: float, N: int) -> None:
     kernel = compiled()
     start = cubic_slip(kernel, K, N, *rough_times(alpha))
     dense = newton(kernel.iterate, (alpha, K), start)
-    free = matrix_free.solve(matrix_free.Problem(kernel, alpha, K, N), start)
+    free = newton_krylov.solve(Problem(kernel, alpha, K, N), start)
     assert dense.converged
     assert free.converged
     np.testing.assert_allclose(
@@ -111,9 +112,7 @@ def test_iterations_do_not_grow_with_the_harmonics() -> None:
     counts = []
     for N in (300, 3000, 30_000):
         start = cubic_slip(compiled(), 0, N, *rough_times(1.0))
-        counts.append(
-            matrix_free.solve(matrix_free.Problem(compiled(), 1.0, 0, N), start).iterations
-        )
+        counts.append(newton_krylov.solve(Problem(compiled(), 1.0, 0, N), start).iterations)
     assert max(counts) <= 6
 
 

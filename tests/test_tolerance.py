@@ -9,10 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth.solver import tolerance
+from nonsmooth.solver import budget as budgets
 from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.solver.budget import fitting
 from nonsmooth.solver.methods import METHODS
-from nonsmooth.solver.tolerance import cost, fitting, within
+from nonsmooth.solver.tolerance import cost, within
 
 
 def belt_at(alpha: float) -> ns.StickSlip:
@@ -137,7 +138,7 @@ def test_costs_rise_with_the_order() -> None:
 @pytest.fixture
 def clock(monkeypatch) -> None:
     """Replace the clock by the costs: a solve takes as many microseconds as they say."""
-    monkeypatch.setattr(tolerance, "_seconds", lambda belt, name, N: 1e-6 * cost(name, N))
+    monkeypatch.setattr(budgets, "_seconds", lambda belt, name, N: 1e-6 * cost(name, N))
 
 
 @pytest.mark.usefixtures("clock")

@@ -9,7 +9,7 @@ from .problems import Problem
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
-    from nonsmooth.solver.tolerance import Choice
+    from nonsmooth.solver.choice import Choice
 
 UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
 
@@ -51,10 +51,11 @@ def choose(
         cannot meet it, or nothing is quick enough.
     """
     from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.tolerance import NotCertified, TooSlow, chosen  # noqa: PLC0415
+    from nonsmooth.solver.choice import NotCertified, TooSlow  # noqa: PLC0415
+    from nonsmooth.solver.choose import choose as find  # noqa: PLC0415
 
     try:
-        return chosen(belt, method, order, tol, tol_acceleration, budget)
+        return find(belt, method, order, tol, tol_acceleration, budget)
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
