@@ -146,6 +146,8 @@ def require_zero(claims: Iterable[tuple[str, sp.Expr]]) -> None:
         Naming the first claim that does not hold.
     """
     for claim, difference in claims:
-        remainder = sp.simplify(sp.expand_func(difference))
+        remainder = sp.expand(sp.expand_func(difference))
+        if remainder != 0:
+            remainder = sp.simplify(remainder)
         if remainder != 0:
             raise DerivationError(f"{claim}: {remainder} is not zero")
