@@ -114,7 +114,7 @@ def derive() -> GalerkinSystem:
         method="hb-symmetric",
         section="3.1 and 3.2",
         title="Harmonic balance with K odd C1 functions, about mid-stick",
-        unknowns="b_1..b_N, c_1..c_K beside the tails of g_1, g_3, ..., t1, T",
+        unknowns="b_1..b_N, c_1..c_K beside the tails of the C1 functions, t1, T",
         equations=(*symmetry.equations(), *odd_functions.equations(), *_conditions()),
         jacobian=(),
         forms=closed_forms(),

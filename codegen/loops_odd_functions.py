@@ -38,7 +38,46 @@ def slip_moments(degrees, N, t1, T):
     return M
 
 
-def legendre_parts(K, t1, T):
+def accelerations(K, N):
+    """Return the accelerations of the C1 functions in P_1*, P_3*, ...
+
+    Function i has ``v (1 - v**2)**i (N + 1)**i`` in slip: the first jumps there, the next
+    has a jump one derivative later, and so on.  Their tails beyond N harmonics are of very
+    different size, and scaled alike; those of the P_l* themselves are nearly one and the
+    same, and what tells them apart would be lost.
+
+    Returns
+    -------
+    a : ndarray, shape (K, K + 1)
+        a[i, m] multiplies P_l*, l = 2 m + 1, in function i.
+    """
+    a = np.zeros((K, K + 1))
+    for i in range(K):
+        if i == 0:
+            a[0, 0] = 1.0
+            continue
+        for m in range(i):
+            below, here, above = squared(2 * m + 1)
+            if m > 0:
+                a[i, m - 1] -= below * a[i - 1, m] * (N + 1)
+            a[i, m] += (1 - here) * a[i - 1, m] * (N + 1)
+            a[i, m + 1] -= above * a[i - 1, m] * (N + 1)
+    return a
+
+
+def combined(a, table):
+    """Return rows of `table`, shape (3, degrees, n), combined by `accelerations`."""
+    K = len(a)
+    result = np.zeros((3, K, table.shape[2]))
+    for row in range(3):
+        for i in range(K):
+            for m in range(min(i + 1, K)):
+                for j in range(table.shape[2]):
+                    result[row, i, j] += a[i, m] * table[row, m, j]
+    return result
+
+
+def legendre_parts(K, N, t1, T):
     """Return the C1 functions in slip in P_1*, P_3*, ..., and their derivatives.
 
     Returns
@@ -60,7 +99,7 @@ def legendre_parts(K, t1, T):
         values = drift_in_slip(T, s)
         for row in range(3):
             q[row, 0, 0] += values[row]
-    return q
+    return combined(accelerations(K, N), q)
 
 
 def harmonics(K, N, T, M):
@@ -77,7 +116,7 @@ def harmonics(K, N, T, M):
     for i in range(K):
         for j in range(N):
             gamma[0, i, j], gamma[1, i, j], gamma[2, i, j] = harmonic(M[i, j], T, j + 1)
-    return gamma
+    return combined(accelerations(K, N), gamma)
 
 
 def through_harmonics(K, N, t1, T, M):
@@ -95,10 +134,10 @@ def through_harmonics(K, N, t1, T, M):
         H[0, 0, j], H[1, 0, j], H[2, 0, j] = through_motion_1(M[0, j], M[1, j], T, T - t1)
         for i in range(1, K):
             H[0, i, j], H[1, i, j], H[2, i, j] = through_motion(M[i, j], T, j + 1)
-    return H
+    return combined(accelerations(K, N), H)
 
 
-def through_each_other(K, t1, T):
+def through_each_other(K, N, t1, T):
     """Return the C1 functions through (1), tested by each other, and derivatives.
 
     Returns
@@ -107,19 +146,19 @@ def through_each_other(K, t1, T):
         Row 0 the value, row 1 the derivative by t1, row 2 by T.
     """
     W = np.zeros((3, K, K))
-    q = legendre_parts(K, t1, T)
+    q = legendre_parts(K, N, t1, T)
+    a = accelerations(K, N)
     for m in range(K + 1):
         norm, slope = legendre_norm(2 * m + 1, T - t1)
         for i in range(K):
             for k in range(K):
-                # <g_k'' + g_k, g_i>: g_k'' is P_l* with l = 2 k + 1.
-                unit = 1.0 if m == k else 0.0
-                product = (unit + q[0, k, m]) * q[0, i, m]
+                # <g_k'' + g_k, g_i>
+                product = (a[k, m] + q[0, k, m]) * q[0, i, m]
                 W[0, i, k] += norm * product
                 W[1, i, k] -= slope * product
                 W[2, i, k] += slope * product
                 for row in range(1, 3):
-                    rate = q[row, k, m] * q[0, i, m] + (unit + q[0, k, m]) * q[row, i, m]
+                    rate = q[row, k, m] * q[0, i, m] + (a[k, m] + q[0, k, m]) * q[row, i, m]
                     W[row, i, k] += norm * rate
     return W
 
@@ -140,7 +179,7 @@ def tails(K, N, C, D, M, gamma, sines, t1, T, rows):
         Coefficients of c_l in (14).
     """
     h = through_harmonics(K, N, t1, T, M)
-    w = through_each_other(K, t1, T)
+    w = through_each_other(K, N, t1, T)
     H = h.copy()
     part = np.empty(N)
     for i in range(K):
@@ -178,12 +217,13 @@ def at_end_of_stick(K, N, gamma, cosines, sines, t1, T):
     """
     displacement = np.zeros((3, K))
     velocity = np.zeros((3, K))
-    if K > 0:
-        rate = drift(T, T - t1)
+    a = accelerations(K, N)
+    rate = drift(T, T - t1)
+    for i in range(K):
         for row in range(3):
-            velocity[row, 0] = rate[row]
-            displacement[row, 0] = rate[row] * t1 / 2
-        displacement[1, 0] += rate[0] / 2
+            velocity[row, i] = a[i, 0] * rate[row]
+            displacement[row, i] = a[i, 0] * rate[row] * t1 / 2
+        displacement[1, i] += a[i, 0] * rate[0] / 2
     slope = (pi / T, -half_stick_angle(T, t1) / T)
     for n in range(1, N + 1):
         weight, weight_T = velocity_weight(T, n)

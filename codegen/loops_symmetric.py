@@ -24,7 +24,7 @@ def tail_conditions(K, N, z, gamma, out):
     """
     t1, T = z[-2], z[-1]
     size = len(NODES)
-    q = legendre_parts(K, t1, T)[0]
+    q, a = legendre_parts(K, N, t1, T)[0], accelerations(K, N)
     rate = drift(T, T - t1)[0]
     off_cos, off_sin, turn_cos, turn_sin, cos_n, sin_n, R = np.empty((7, size))
     tail = np.empty((K, size))
@@ -49,7 +49,7 @@ def tail_conditions(K, N, z, gamma, out):
                 total_rate, total = 0.0, 0.0
                 if phase == 0:
                     for i in range(K):
-                        tail[i, p] = rate * tau if i == 0 else 0.0
+                        tail[i, p] = a[i, 0] * rate * tau
                         total += z[N + i] * tail[i, p]
                     R[p] = residual_in_stick(total_rate, total)
                 else:
@@ -60,8 +60,7 @@ def tail_conditions(K, N, z, gamma, out):
                     for m in range(K + 1):
                         for i in range(K):
                             tail[i, p] += q[i, m] * odd
-                        if m < K:
-                            total_rate += z[N + m] * odd
+                            total_rate += z[N + i] * a[i, m] * odd
                         l = 2 * m + 1
                         even = ((2 * l + 1) * v * odd - l * even) / (l + 1)
                         odd = ((2 * l + 3) * v * even - (l + 1) * odd) / (l + 2)
@@ -183,6 +182,13 @@ def jacobian(case, z, J):
                 J[N + i, N + k] = w[0, i, k]
                 for row in range(1, 3):
                     J[N + i, row - 3] += w[row, i, k] * z[N + k]
+    if K > 1:  # one closed form has the digits to descend by, several have not
+        unit = np.zeros(N + K + 2)
+        unit[-2], unit[-1] = t1, T
+        for k in range(K):
+            unit[N + k] = 1.0
+            tail_conditions(K, N, unit, gamma[0], J[N : N + K, N + k])
+            unit[N + k] = 0.0
     # The slip part of (6), of which that of the series changes as its ends say.
     part = np.empty((3, N))
     slip_product(N, z, C, part[0])

@@ -9,6 +9,11 @@ integrated twice vanishes at both ends of slip with its slope, and ``g_l`` is ze
 function (12) of the paper up to a factor and a constant.
 
     g_l = q_{l-2} P_{l-2}* + q_l P_l* + q_{l+2} P_{l+2}*  in slip,   drift tau  in stick
+
+The kernel combines them into functions whose accelerations ``v (1 - v**2)**i`` join stick
+ever more smoothly: with K of them the first jump that is left to the sines is that of the
+derivative K + 2.  In (9) and (10) it is one of displacement or of velocity by turns, and the
+period converges like ``N**-1`` (K = 0), ``N**-3`` (1, 2), ``N**-5`` (3, 4), ``N**-7`` (5, 6).
 """
 
 import sympy as sp
@@ -41,6 +46,13 @@ Q_BELOW, Q_HERE, Q_ABOVE = (
 #: Slope of ``g_1`` in stick, and what it adds to ``q_1``.
 DRIFT = s**2 / (6 * T)
 Q_OF_DRIFT = DRIFT * s / 2
+
+#: ``v**2 P_l`` in ``P_{l-2}``, ``P_l``, ``P_{l+2}``.
+SQUARED = (
+    l * (l - 1) / ((2 * l + 1) * (2 * l - 1)),
+    (l + 1) ** 2 / ((2 * l + 1) * (2 * l + 3)) + l**2 / ((2 * l + 1) * (2 * l - 1)),
+    (l + 1) * (l + 2) / ((2 * l + 1) * (2 * l + 3)),
+)
 
 M_j, M3_j = sp.symbols("M M3", real=True)
 
@@ -80,6 +92,10 @@ def check_functions() -> None:
     G = (g1.SMOOTHSTEP - t / T).subs(g1.u, (v + 1) / 2).subs(t, T - s / 2 + s * v / 2)
     paper = -(s**2) / 6 * (G + (T - s) / (2 * T))
     claims.append(("g_1 is (12) but for a factor and a constant", in_slip(1) - paper))
+    for index in (1, 3, 8):
+        parts = zip((index - 2, index, index + 2), SQUARED, strict=True)
+        total = sum(q.subs(l, index) * sp.legendre(max(d, 0), v) for d, q in parts)
+        claims.append((f"v**2 P_{index}", total - v**2 * sp.legendre(index, v)))
     for index in (3, 5):
         wave = sp.sin(2 * z * v / 2)
         direct = sp.integrate(in_slip(index).subs(s, 1) * wave, (v, -1, 1)) / 2
@@ -171,6 +187,12 @@ def closed_forms() -> tuple[ClosedForm, ...]:
             f"What the drift adds to q_1, {by}",
             (T, s),
             with_derivatives(Q_OF_DRIFT),
+        ),
+        ClosedForm(
+            "squared",
+            "v**2 P_l in P_{l-2}, P_l, P_{l+2}.",
+            (l,),
+            SQUARED,
         ),
         ClosedForm(
             "legendre_norm",

@@ -70,15 +70,22 @@ class Quadrature:
             return np.cos(angle) @ (n * self.w * b)
         return np.sin(angle) @ (b if derivative == 0 else -((n * self.w) ** 2) * b)
 
+    def smooth(self, i: int, tau, phase: int, derivative: int):
+        """Return C1 function i: ``v (1 - v**2)**i (N + 1)**i`` in slip, integrated twice."""
+        v = np.polynomial.Polynomial([0, 1])
+        power = (v * (1 - v**2) ** i * (self.N + 1) ** i).coef
+        parts = legendre.poly2leg(power)[1::2]
+        return sum(c * self.g(m, tau, phase, derivative) for m, c in enumerate(parts))
+
     def tail(self, i: int, tau, phase: int, derivative: int):
         def product(n: int) -> float:
             return sum(
-                self.over(lambda t, p: self.g(i, t, p, 0) * np.sin(n * self.w * t), p)
+                self.over(lambda t, p: self.smooth(i, t, p, 0) * np.sin(n * self.w * t), p)
                 for p in range(2)
             )
 
         gamma = np.array([2 / self.T * product(n) for n in range(1, self.N + 1)])
-        return self.g(i, tau, phase, derivative) - self.sines(gamma, tau, derivative)
+        return self.smooth(i, tau, phase, derivative) - self.sines(gamma, tau, derivative)
 
     def motion(self, tau, phase: int, derivative: int):
         total = self.sines(self.z[: self.N], tau, derivative)
@@ -198,6 +205,32 @@ def test_further_odd_functions_help(K: int, error: float) -> None:
     found = newton(symmetric.iterate, (1.0, K), cubic_slip(symmetric, K, 8, *rough_times(1.0)))
     assert found.converged
     assert found.unknowns[-1] / exact.times(1.0)[1] - 1 == pytest.approx(error, rel=0.05)
+
+
+@pytest.mark.parametrize(("K", "N"), [(3, 150), (4, 60), (5, 32), (6, 16)])
+@pytest.mark.parametrize("alpha", [0.3, 1.0])
+def test_more_functions_reach_rounding_and_stay_there(K: int, N: int, alpha: float) -> None:
+    kernel = kernels.compiled("hb-symmetric")
+    found = newton(kernel.iterate, (alpha, K), cubic_slip(kernel, K, N, *rough_times(alpha)))
+    assert found.converged
+    assert abs(found.unknowns[-1] / exact.times(alpha)[1] - 1) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("K", "order"), [(0, 1), (1, 3), (2, 3), (3, 5), (4, 5)], ids="K={}".format
+)
+def test_each_second_function_adds_two_orders(K: int, order: int) -> None:
+    """The first jump that is left: of derivative K + 2, in (9) for odd K, in (10) for even."""
+    kernel, T = kernels.compiled("hb-symmetric"), exact.times(1.0)[1]
+
+    def worst(N: int) -> float:
+        """Return the largest error of a few orders: it changes sign with the order."""
+        starts = (cubic_slip(kernel, K, n, *rough_times(1.0)) for n in range(N, N + 5))
+        found = [newton(kernel.iterate, (1.0, K), start) for start in starts]
+        return max(abs(f.unknowns[-1] / T - 1) for f in found)
+
+    rate = np.log2(worst(16) / worst(64)) / 2
+    assert rate == pytest.approx(order, abs=0.6)
 
 
 @pytest.mark.parametrize(
