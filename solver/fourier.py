@@ -9,6 +9,7 @@ import math
 from functools import lru_cache
 
 import numpy as np
+from numpy.polynomial import legendre
 
 from .arrays import Vector
 from .belt import StickSlip
@@ -59,14 +60,46 @@ def evaluate_hb(z: Vector, order: int, t: Vector, derivative: int, alpha: float)
 
 def evaluate_hb_c1(z: Vector, order: int, t: Vector, derivative: int, alpha: float) -> Vector:
     """Return the motion (11) at times `t` in ``[0, T)``."""
-    g1 = z[-3] * smoothstep(z[-2], z[-1], t, derivative)
-    return np.asarray(series(beside_g1(z, order), order, t, derivative) + g1)
+    beside = series(beside_g1(z, order), order, t, derivative)
+    return beside + c1_functions(z, order, t, derivative)
+
+
+def c1_functions(z: Vector, order: int, t: Vector, derivative: int) -> Vector:
+    """Return what is beside the series: ``g1``, and further C1 functions if there are any.
+
+    Function i > 0 has the acceleration ``v (1 - v**2)**i (N + 1)**i`` in slip,
+    ``v = 2 u - 1``, in units of its coefficient; its parts are those of the kernel.
+    """
+    t1, T = z[-2:]
+    total = z[2 * order + 1] * smoothstep(t1, T, t, derivative)
+    further = z[2 * order + 2 : -2]
+    if not len(further):
+        return np.asarray(total)
+    K, s = len(further) + 1, T - t1
+    functions = functions_for("hb-symmetric", order)
+    accelerations = functions["accelerations"](K, order)
+    displacements = functions["legendre_parts"](K, order, t1, T)[0]
+    odd = np.zeros(2 * K + 2)
+    odd[1::2] = further @ (accelerations if derivative == 2 else displacements)[1:]
+    slope = 2 / s if derivative == 1 else 1.0
+    in_slip = slope * legendre.legval(
+        2 * (t - t1) / s - 1, legendre.legder(odd) if derivative == 1 else odd
+    )
+    drift = float(further @ accelerations[1:, 0]) * functions["drift"](T, s)[0]
+    in_stick = drift * (t - t1 / 2, np.ones_like(t), np.zeros_like(t))[derivative]
+    return np.asarray(total + np.where(t < t1, in_stick, in_slip))
 
 
 def beside_g1(z: Vector, order: int) -> Vector:
-    """Return `z` with the coefficients that stand beside ``g1`` itself, not its tail."""
-    changed = z.copy()
-    changed[: 2 * order + 1] -= z[-3] * _harmonics_of_g1(order, float(z[-2]), float(z[-1]))
+    """Return `z` with the coefficients beside the C1 functions themselves, not their tails."""
+    t1, T = float(z[-2]), float(z[-1])
+    changed, further = z.copy(), z[2 * order + 2 : -2]
+    changed[: 2 * order + 1] -= z[2 * order + 1] * _harmonics_of_g1(order, t1, T)
+    if len(further):
+        functions, K = functions_for("hb-symmetric", order), len(further) + 1
+        moments = functions["slip_moments"](K, order, t1, T)
+        gamma = functions["harmonics"](K, order, T, moments)[0, 1:]
+        changed[: 2 * order + 1] -= about_stick_start(further @ gamma, 0.0, t1, T)
     return changed
 
 
@@ -102,16 +135,18 @@ def from_symmetric(z: Vector, order: int) -> Vector:
     Parameters
     ----------
     z : ndarray, shape (order + K + 2,)
-        ``b_1..b_N``, ``c_1..c_K`` beside the tails, ``t1``, ``T``; K 0 or 1.
+        ``b_1..b_N``, ``c_1..c_K`` beside the tails, ``t1``, ``T``.
 
     Returns
     -------
     ndarray, shape (2 order + K + 3,)
-        ``a0, a_1..a_N, b_1..b_N``, the amplitude beside the tail of ``g1``, ``t1, T``.
+        ``a0, a_1..a_N, b_1..b_N``, the amplitude beside the tail of ``g1``, ``c_2..c_K``,
+        ``t1, T``.
     """
     t1, T = z[-2:]
-    amplitude = -((T - t1) ** 2) / 6 * z[order:-2]
-    return np.concatenate([about_stick_start(z[:order], 0.0, t1, T), amplitude, z[-2:]])
+    amplitudes = z[order:-2].copy()
+    amplitudes[:1] *= -((T - t1) ** 2) / 6
+    return np.concatenate([about_stick_start(z[:order], 0.0, t1, T), amplitudes, z[-2:]])
 
 
 def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
@@ -125,8 +160,14 @@ def coefficients_hb(z: Vector, order: int, belt: StickSlip) -> dict[str, object]
 
 
 def coefficients_hb_c1(z: Vector, order: int, belt: StickSlip) -> dict[str, object]:
-    """Return ``a0``, ``a``, ``b`` of (11) in m and ``c1`` of the printed ``g1`` in m/s**4."""
+    """Return ``a0``, ``a``, ``b`` of (11) in m and ``c1`` of the printed ``g1`` in m/s**4.
+
+    With further C1 functions ``c``, in m/s**2: of the accelerations ``v (1 - v**2)**i``,
+    ``i = 1, 2, ...``, ``v`` from -1 to 1 in slip.
+    """
     t1, T = z[-2:]
-    amplitude = float(z[-3] / (T * (T - t1) ** 3))
+    amplitude = float(z[2 * order + 1] / (T * (T - t1) ** 3))
     c1 = product_of_powers(amplitude, (belt.belt_speed, 1), (belt.time_unit, -3))
-    return {**coefficients_hb(beside_g1(z, order), order, belt), "c1": c1}
+    further = z[2 * order + 2 : -2] * (order + 1.0) ** np.arange(1, len(z) - 2 * order - 3)
+    more = {"c": (belt.acceleration_unit * further).tolist()} if len(further) else {}
+    return {**coefficients_hb(beside_g1(z, order), order, belt), "c1": c1, **more}

@@ -2,7 +2,7 @@
 
 import operator
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from . import fourier, polynomial
@@ -71,6 +71,29 @@ METHODS: Mapping[str, Method] = MappingProxyType(
         )
     }
 )
+
+
+#: Most C1 functions beside a Fourier series, and harmonics with more than one of them.
+MOST_TERMS, MOST_HARMONICS_BESIDE = 6, 200
+
+
+def with_terms(method: Method, terms: object) -> Method:
+    """Return Section 3.2 with `terms` C1 functions; any other method as it is for 1.
+
+    Raises
+    ------
+    ValueError
+        If it is not a whole number from 1 to 6, or another method is to have several.
+    """
+    if isinstance(terms, bool) or not isinstance(terms, int) or not 1 <= terms <= MOST_TERMS:
+        expected = f"a whole number from 1 to {MOST_TERMS}"
+        raise ValueError(f"c1_terms: got {terms!r}, expected {expected}")
+    if terms == 1:
+        return method
+    if method.name != "hb-c1":
+        raise ValueError(f"c1_terms: got {terms!r}, expected 1 for method {method.name}")
+    title = f"Fourier series + {terms} C1 functions"
+    return replace(method, title=title, c1_terms=terms, highest_order=MOST_HARMONICS_BESIDE)
 
 
 def check_method(name: object) -> Method:

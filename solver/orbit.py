@@ -10,7 +10,7 @@ from .arrays import Vector
 from .belt import StickSlip
 from .errors import Errors, errors
 from .estimate import Estimate, estimate
-from .methods import METHODS, Method
+from .methods import METHODS, Method, with_terms
 from .motion import Motion
 from .newton import Outcome
 
@@ -31,6 +31,8 @@ class Orbit(Motion):
         The dimensionless unknowns of the kernel, and how Newton's method found them.
     iterations : int
         Jacobians factorised in all, those of the way to the start included.
+    c1_terms : int
+        C1 functions of ``"hb-c1"``; the paper has one.
     """
 
     belt: StickSlip
@@ -38,6 +40,7 @@ class Orbit(Motion):
     order: int
     outcome: Outcome
     iterations: int
+    c1_terms: int = 1
 
     @property
     def unknowns(self) -> Vector:
@@ -46,7 +49,7 @@ class Orbit(Motion):
 
     @property
     def _method(self) -> Method:
-        return METHODS[self.method]
+        return with_terms(METHODS[self.method], self.c1_terms)
 
     @property
     def period(self) -> float:

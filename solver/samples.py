@@ -32,7 +32,7 @@ def samples(z: Vector, order: int, terms: int) -> tuple[Vector, Vector, Vector]:
     z : ndarray
         Unknowns about ``t = 0``, dimensionless; see `fourier`.
     terms : int
-        C1 functions beside the series, 0 or 1.
+        C1 functions beside the series.
 
     Returns
     -------
@@ -50,6 +50,6 @@ def samples(z: Vector, order: int, terms: int) -> tuple[Vector, Vector, Vector]:
     velocity = fft.dct(rates, type=1)[1:-1] / 2
     if terms:
         t = tau + t1 / 2
-        displacement += z[-3] * fourier.smoothstep(t1, T, t, 0)
-        velocity += z[-3] * fourier.smoothstep(t1, T, t, 1)
+        displacement += fourier.c1_functions(z, order, t, 0)
+        velocity += fourier.c1_functions(z, order, t, 1)
     return tau, displacement, velocity

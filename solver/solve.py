@@ -5,7 +5,7 @@ from collections.abc import Callable
 from . import kernels
 from .belt import StickSlip
 from .kernels import PLAIN_ORDER, Kernel
-from .methods import check_alpha, check_method, check_order
+from .methods import check_alpha, check_method, check_order, with_terms
 from .no_orbit import NoOrbit
 from .orbit import Orbit
 from .search import Search, starts
@@ -20,6 +20,7 @@ def solve(
     method: str | None = None,
     order: int | None = None,
     *,
+    c1_terms: int = 1,
     tol: float | None = None,
     tol_acceleration: float | None = None,
     budget: float | None = None,
@@ -37,6 +38,9 @@ def solve(
     order : int
         ``N``, the number of harmonics, or the degree of the polynomial (15).  A tolerance
         chooses it.
+    c1_terms : int
+        C1 functions of ``"hb-c1"``, 1 to 6; the paper has one.  For several, `order` is at
+        most 200.
     tol : float, optional
         Largest relative error of the period, as estimated.
     tol_acceleration : float, optional
@@ -74,7 +78,7 @@ def solve(
         from .choose import choose  # noqa: PLC0415  (it solves, too)
 
         return choose(belt, method, order, tol, tol_acceleration, budget, many=many).orbit
-    chosen = check_method(method)
+    chosen = with_terms(check_method(method), c1_terms)
     check_alpha(belt.alpha)
     number = check_order(order, chosen)
     search = Search(belt, chosen, number, _loader(number, many))
@@ -88,7 +92,7 @@ def solve(
         if not outcome.converged:
             tried.append(f"{name}: {outcome.reason}")
             continue
-        orbit = Orbit(belt, chosen.name, search.order, outcome, search.iterations)
+        orbit = Orbit(belt, chosen.name, number, outcome, search.iterations, c1_terms)
         if orbit.admissible:
             outcome.unknowns.flags.writeable = False
             return orbit

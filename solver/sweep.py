@@ -10,7 +10,7 @@ from .belt import StickSlip
 from .convergence import Rate, rate
 from .errors import Errors
 from .estimate import Estimate
-from .methods import METHODS, check_alpha, check_method, check_order
+from .methods import METHODS, check_alpha, check_method, check_order, with_terms
 from .no_orbit import NoOrbit
 from .solve import solve
 
@@ -68,6 +68,7 @@ class Sweep:
 
     belt: StickSlip
     rows: tuple[Row, ...]
+    c1_terms: int = 1
 
     def of(self, method: str) -> tuple[Row, ...]:
         """Return the rows of one method."""
@@ -104,6 +105,7 @@ def sweep(
     methods: str | Sequence[str] | None = None,
     orders: Iterable[int] = range(1, 41),
     *,
+    c1_terms: int = 1,
     progress: Callable[[Row], None] = lambda row: None,
 ) -> Sweep:
     """Solve for each method and order, and compare with the exact orbit.
@@ -117,6 +119,8 @@ def sweep(
         method cannot compute and another can.
     orders : iterable of int
         The orders of every method.
+    c1_terms : int
+        C1 functions of ``"hb-c1"``, 1 to 6; the paper has one.
     progress : callable, optional
         Called with each row when it is done.
 
@@ -136,23 +140,27 @@ def sweep(
     c1          5     0.6712755659     5.463e-05   2.319e-02
     """
     check_alpha(belt.alpha)
-    jobs = _jobs(methods, list(orders))
+    jobs = _jobs(methods, list(orders), c1_terms)
     rows, many = [], _worth_compiling(jobs)
     for name, order in jobs:
-        row = _row(belt, name, order, many)
+        row = _row(belt, name, order, many, c1_terms)
         progress(row)
         rows.append(row)
-    return Sweep(belt, tuple(rows))
+    return Sweep(belt, tuple(rows), c1_terms)
 
 
-def _jobs(methods: str | Sequence[str] | None, orders: list[int]) -> list[tuple[str, int]]:
+def _jobs(
+    methods: str | Sequence[str] | None, orders: list[int], c1_terms: int
+) -> list[tuple[str, int]]:
     """Return each method and order that is to be computed."""
+    known = dict(METHODS) | {"hb-c1": with_terms(METHODS["hb-c1"], c1_terms)}
     if methods is not None:
         names = (methods,) if isinstance(methods, str) else methods
-        return [(name, check_order(n, check_method(name))) for name in names for n in orders]
-    most = max(METHODS.values(), key=lambda method: method.highest_order)
+        chosen = [known[check_method(name).name] for name in names]
+        return [(method.name, check_order(n, method)) for method in chosen for n in orders]
+    most = max(known.values(), key=lambda method: method.highest_order)
     numbers = [check_order(n, most) for n in orders]
-    return [(m.name, n) for m in METHODS.values() for n in numbers if n <= m.highest_order]
+    return [(m.name, n) for m in known.values() for n in numbers if n <= m.highest_order]
 
 
 def _worth_compiling(jobs: list[tuple[str, int]]) -> bool:
@@ -163,10 +171,11 @@ def _worth_compiling(jobs: list[tuple[str, int]]) -> bool:
     return all(kernels.is_compiled(name) for name in names)
 
 
-def _row(belt: StickSlip, method: str, order: int, many: bool) -> Row:
+def _row(belt: StickSlip, method: str, order: int, many: bool, c1_terms: int) -> Row:
     begin = time.perf_counter()
     try:
-        orbit = solve(belt, method, order, many=many)
+        terms = c1_terms if method == "hb-c1" else 1
+        orbit = solve(belt, method, order, c1_terms=terms, many=many)
     except NoOrbit as finding:
         seconds = time.perf_counter() - begin
         message = str(finding)

@@ -49,7 +49,8 @@ def document(
         result |= {"admissible": found.admissible, "violations": list(found.violations)}
         result["transition_mismatch"] = found.transition_mismatch
         judged = {"errors": asdict(found.errors), "estimate": asdict(found.estimate)}
-        return head | result | tail | judged
+        more = {"c1_terms": found.c1_terms} if found.c1_terms > 1 else {}
+        return head | result | tail | judged | more
     result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(names)
     result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
     missing = dict.fromkeys(("period", "t1", "acceleration", "acceleration_aligned"))
@@ -63,6 +64,9 @@ def document(
     "--method", type=click.Choice(METHODS), help="Section 3.1, 3.2 or 3.3; without it, all."
 )
 @click.option("--order", type=int, help=f"N, the size of the expansion.  [default: {ORDER}]")
+@click.option(
+    "--c1-terms", type=int, default=1, show_default=True, help="C1 functions of hb-c1, 1 to 6."
+)
 @click.option("--tol", type=float, help="Choose: largest relative error of the period.")
 @click.option("--tol-acceleration", type=float, help="Choose: largest error (22).")
 @click.option("--budget", help="Choose: the best in this time, like 200us, 1ms, 2s.")
@@ -76,6 +80,7 @@ def document(
 def solve(
     method: str | None,
     order: int | None,
+    c1_terms: int,
     tol: float | None,
     tol_acceleration: float | None,
     budget: str | None,
@@ -96,6 +101,10 @@ def solve(
     found: dict[str, Orbit | NoOrbit]
     if any(value is not None for value in (tol, tol_acceleration, budget)):
         check_digits(digits, 1)
+        if c1_terms != 1:
+            raise Problem(
+                f"--c1-terms: got {c1_terms} beside a tolerance or budget, expected 1"
+            )
         seconds = None if budget is None else parse_seconds(budget)
         choice = choose(belt_from(case, flags), method, order, tol, tol_acceleration, seconds)
         belt, method, order = choice.orbit.belt, choice.orbit.method, choice.orbit.order
@@ -103,8 +112,12 @@ def solve(
     else:
         choice, order = None, ORDER if order is None else order
         check_digits(digits, order)
+        if digits is not None and c1_terms != 1:
+            raise Problem(f"--c1-terms: got {c1_terms} beside --digits, expected 1")
         belt = belt_from(case, flags)
-        found = {name: _search(belt, name, order) for name in ([method] if method else METHODS)}
+        names = [method] if method else METHODS
+        terms = {name: c1_terms if method or name == "hb-c1" else 1 for name in names}
+        found = {name: _search(belt, name, order, terms[name]) for name in names}
     documents = [document(belt, name, order, result) for name, result in found.items()]
     if choice is not None:
         documents[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
@@ -129,17 +142,17 @@ def solve(
     return 0 if len(orbits) == len(found) else 1
 
 
-def _search(belt: "StickSlip", method: str, order: int) -> "Orbit | NoOrbit":
+def _search(belt: "StickSlip", method: str, order: int, terms: int) -> "Orbit | NoOrbit":
     from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.solve import solve as search  # noqa: PLC0415
 
     try:
-        return search(belt, method, order)
+        return search(belt, method, order, c1_terms=terms)
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
-        raise Problem(f"--{error}") from error
+        raise Problem("--" + str(error).replace("c1_terms", "c1-terms")) from error
     except NoOrbit as finding:
         click.echo(f"nonsmooth: {method}, N = {order}: {finding}", err=True)
         return finding

@@ -35,6 +35,9 @@ Examples:
     show_default=True,
     help="Orders: numbers, ranges, 10,100,...,1000.",
 )
+@click.option(
+    "--c1-terms", type=int, default=1, show_default=True, help="C1 functions of hb-c1, 1 to 6."
+)
 @parameter_options
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 @click.option(
@@ -44,6 +47,7 @@ Examples:
 def sweep(
     methods: str | None,
     orders: str,
+    c1_terms: int,
     case: Path | None,
     json_: bool,
     output: Path | None,
@@ -59,17 +63,27 @@ def sweep(
 
     try:
         with progress(len(names or METHODS) * len(numbers), "sweep") as advance:
-            result = compute(belt, names, numbers, progress=lambda row: advance(_name(row)))
+            result = compute(
+                belt,
+                names,
+                numbers,
+                c1_terms=c1_terms,
+                progress=lambda row: advance(_name(row)),
+            )
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
-        raise Problem(f"--orders: {error}") from error
+        text = str(error)
+        about = "--c1-terms" + text[8:] if text.startswith("c1_terms") else f"--orders: {text}"
+        raise Problem(about) from error
     if json_:
         click.echo(as_json(document(result)))
     else:
         from .tables import convergence, rates  # noqa: PLC0415
 
         click.echo(caption(belt))
+        if c1_terms > 1:
+            click.echo(f"hb-c1 with {c1_terms} C1 functions.\n")
         convergence(result)
         rates(result)
     if output is not None:
@@ -86,6 +100,7 @@ def document(result: "Sweep") -> dict[str, Any]:
     return {
         "parameters": asdict(result.belt),
         "rows": [row.as_dict() for row in result.rows],
+        "c1_terms": result.c1_terms,
         "rates": {name: asdict(rate) for name, rate in result.rates().items()},
     }
 
