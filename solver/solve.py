@@ -75,6 +75,8 @@ def solve(
     ('c1', 11, True)
     """
     if any(value is not None for value in (tol, tol_acceleration, budget)):
+        if c1_terms != 1:
+            raise ValueError(f"c1_terms: got {c1_terms!r} beside a tolerance, expected 1")
         from .choose import choose  # noqa: PLC0415  (it solves, too)
 
         return choose(belt, method, order, tol, tol_acceleration, budget, many=many).orbit

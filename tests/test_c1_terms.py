@@ -70,7 +70,7 @@ def test_further_coefficients_are_those_of_the_acceleration() -> None:
 def test_the_command_line_takes_several(run) -> None:
     status, out, _ = run("solve", "--order", 8, "--c1-terms", 3)
     assert status == 0
-    assert "hb-c1, K = 3" in out
+    assert "hb-c1(3)" in out
     assert max(map(len, out.splitlines())) <= 80
     _, out, _ = run("solve", "--method", "hb-c1", "--order", 8, "--c1-terms", 3, "--json")
     document = json.loads(out)
@@ -107,6 +107,11 @@ def test_where_several_cannot_be(run, others: tuple) -> None:
     assert (status, out) == (2, "")
     assert "got" in err
     assert "expected" in err
+
+
+def test_a_tolerance_chooses_among_the_methods_of_the_paper() -> None:
+    with pytest.raises(ValueError, match="c1_terms: got 2 beside"):
+        ns.solve(DEFAULT, tol=1e-3, c1_terms=2)
 
 
 @pytest.mark.parametrize("terms", [True, 2.0, "2", None])

@@ -63,13 +63,11 @@ def sweep(
 
     try:
         with progress(len(names or METHODS) * len(numbers), "sweep") as advance:
-            result = compute(
-                belt,
-                names,
-                numbers,
-                c1_terms=c1_terms,
-                progress=lambda row: advance(_name(row)),
-            )
+
+            def done(row: "Row") -> None:
+                advance(_name(row))
+
+            result = compute(belt, names, numbers, c1_terms=c1_terms, progress=done)
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:

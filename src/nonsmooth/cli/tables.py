@@ -64,7 +64,7 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
             table.add_row(method, "", orbit.status)
             continue
         table.add_row(
-            method if orbit.c1_terms == 1 else f"{method}, K = {orbit.c1_terms}",
+            method if orbit.c1_terms == 1 else f"{method}({orbit.c1_terms})",
             str(orbit.order),
             f"{orbit.period:.9g}",
             f"{orbit.errors.period:.2e}",
