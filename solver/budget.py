@@ -3,7 +3,7 @@
 import math
 import statistics
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from .belt import StickSlip
 from .choice import Choice, TooSlow, Trial, attempt
@@ -70,10 +70,16 @@ def fitting(
 
 
 def _seconds(belt: StickSlip, method: str, order: int) -> float:
-    """Return the median time of one solve, which has been done once."""
+    """Return the median time of one solve."""
+    return median_seconds(lambda: solve(belt, method, order, many=True))
+
+
+def median_seconds(work: Callable[[], object]) -> float:
+    """Return the median time of `work`, after one run that fills the caches."""
+    work()
     seen: list[float] = []
     while len(seen) < MOST_ROUNDS and sum(seen) < MEASURED:
         begin = time.perf_counter()
-        solve(belt, method, order, many=True)
+        work()
         seen.append(time.perf_counter() - begin)
     return statistics.median(seen)

@@ -7,9 +7,7 @@ from .belt import StickSlip
 from .choice import LEAST, MARGIN, Choice, NotCertified, Trial, attempt
 from .estimate import Estimate
 from .methods import METHODS, check_alpha, check_method
-
-#: Harmonics up to which 3.1 and 3.2 are solved densely; see `search`.
-DENSE = 256
+from .search import MOST_DENSE
 
 #: How the errors fall with the order, ``N**-rate`` (make sweep); for 3.2 their envelope.
 RATES = {
@@ -38,7 +36,7 @@ def cost(method: str, order: int) -> float:
     N = float(order)
     if method == "c1":
         return 3 + 0.6 * N + 0.027 * N**2
-    if N > DENSE:
+    if N > MOST_DENSE:
         return 5000 + 2 * N if method == "hb" else 10_000 + 2.5 * N
     dense = 4 + 0.7 * N + 0.012 * N**2 + 1.8e-4 * N**3
     return dense if method == "hb" else 2.4 * dense + 8

@@ -6,13 +6,12 @@ and without a floor.
 """
 
 import math
-import statistics
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 
 from .solver.belt import StickSlip
+from .solver.budget import median_seconds
 from .solver.convergence import rate
 from .solver.no_orbit import NoOrbit
 from .solver.solve import solve
@@ -26,9 +25,6 @@ ORDERS = {
 
 #: Digits of the period beyond float64, by the C1 series.
 DIGITS = (20, 30, 50)
-
-#: Seconds that are spent on one row, at least, and repetitions at most.
-SECONDS, MOST_ROUNDS = 0.02, 50
 
 #: An error below this is as good as any other in float64.
 ROUNDING = 2e-16
@@ -93,23 +89,13 @@ def count() -> int:
     return sum(map(len, ORDERS.values())) + len(DIGITS)
 
 
-def _timed(work: Callable[[], object]) -> float:
-    work()  # compiles, loads, fills the caches
-    seen: list[float] = []
-    while len(seen) < MOST_ROUNDS and sum(seen) < SECONDS:
-        begin = time.perf_counter()
-        work()
-        seen.append(time.perf_counter() - begin)
-    return statistics.median(seen)
-
-
 def _float64(belt: StickSlip, method: str, order: int) -> list[Point]:
     """Return the point of one method and order; none where there is no orbit."""
     try:
         orbit = solve(belt, method, order, many=True)
     except NoOrbit:
         return []
-    seconds = _timed(lambda: solve(belt, method, order, many=True))
+    seconds = median_seconds(lambda: solve(belt, method, order, many=True))
     error = max(abs(orbit.errors.period), ROUNDING)
     return [Point("float64", method, order, None, seconds, error, orbit.estimate.period)]
 
@@ -134,7 +120,7 @@ def _precise(belt: StickSlip, order: int, digits: int) -> list[Point]:
     try:
         orbit = solve(belt, "c1", order, many=True)
         found = precise(orbit, digits)
-        seconds = _timed(lambda: precise(orbit, digits))
+        seconds = median_seconds(lambda: precise(orbit, digits))
     except (NoOrbit, PrecisionError, ValueError):
         return []
     error = max(abs(float(found.error_period)), 10.0**-digits)
