@@ -3,8 +3,7 @@
     python -m benchmarks.c1_terms
 
 The largest period error among N and the three orders after it, at alpha = 1: it changes sign
-with the order.  A dash where an order is not converged: there the error is rounding without
-the last function.
+with the order.  A dash where an order is not converged.
 """
 
 import math

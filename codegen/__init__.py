@@ -5,9 +5,11 @@ Stages, one file each, in the order in which a derivation runs through them:
 1. `oscillator`: Section 2 as data.
 2. `inner_product`, `fourier`, `slip_moments`, `c1_legendre`: basis functions and the
    inner product (8), in closed form with symbolic indices.
-3. `hb`, `hb_c1`, `c1`: Sections 3.1, 3.2, 3.3, each ending in a `system.GalerkinSystem`.
-4. `printing` shows the record to a reader, `emit` writes it as a module of kernels,
-   `generate` puts the modules into ``generated/``.
+3. `hb`, `hb_c1`, `c1`: Sections 3.1, 3.2, 3.3, each ending in a `system.GalerkinSystem`; and
+   what is solved in their place, `hb_symmetric` and `c1_reduced`, in such records as well.
+4. `text`, `latex`, `html` show the record to a reader, whole or written out at one order
+   (`expansion`); `emit` writes it as a module of kernels, `generate` puts the modules into
+   ``generated/``, and `alongside` shows an equation and its functions together.
 
 Nothing else in the package imports SymPy.
 """
@@ -16,12 +18,18 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from types import MappingProxyType
 
-from . import c1, hb, hb_c1
+from . import alongside, c1, c1_reduced, hb, hb_c1, hb_symmetric
+from .alongside import SideBySide
 from .system import DerivationError, Equation, GalerkinSystem
 
 #: The methods of the paper, in its order, and what derives each.
 METHODS: Mapping[str, Callable[[], GalerkinSystem]] = MappingProxyType(
     {"hb": hb.derive, "hb-c1": hb_c1.derive, "c1": c1.derive}
+)
+
+#: What is solved in their place, where that is quicker: the same orbits.
+SOLVED: Mapping[str, Callable[[], GalerkinSystem]] = MappingProxyType(
+    {"hb-symmetric": hb_symmetric.derive, "c1-reduced": c1_reduced.derive}
 )
 
 
@@ -31,18 +39,55 @@ def derive(method: str) -> GalerkinSystem:
 
     Parameters
     ----------
-    method : {"hb", "hb-c1", "c1"}
-        Section 3.1, 3.2 or 3.3 of the paper.
+    method : {"hb", "hb-c1", "c1", "hb-symmetric", "c1-reduced"}
+        Section 3.1, 3.2 or 3.3 of the paper; or what is solved in place of the first two,
+        by the symmetry of the orbit, and of the third, as one scalar equation.
 
     Raises
     ------
     ValueError
         If `method` is none of these.
     """
-    if method not in METHODS:
-        known = ", ".join(METHODS)
-        raise ValueError(f"method: got {method!r}, expected one of {known}")
-    return METHODS[method]()
+    known = {**METHODS, **SOLVED}
+    if method not in known:
+        raise ValueError(f"method: got {method!r}, expected one of {', '.join(known)}")
+    return known[method]()
 
 
-__all__ = ["METHODS", "DerivationError", "Equation", "GalerkinSystem", "derive"]
+def side_by_side(method: str) -> tuple[SideBySide, ...]:
+    """Return each equation of a method with its LaTeX and its generated code.
+
+    Parameters
+    ----------
+    method : {"hb", "hb-c1", "c1", "hb-symmetric", "c1-reduced"}
+        As for `derive`.
+
+    Returns
+    -------
+    tuple of SideBySide
+        In the order of the record; only what the kernel computes.
+
+    Raises
+    ------
+    ValueError
+        If `method` is none of these.
+
+    Examples
+    --------
+    >>> shown = {row.equation.number: row for row in side_by_side("c1")}
+    >>> shown["20"].source.splitlines()[0]
+    'def velocity_gain(p0, s):'
+    """
+    return alongside.side_by_side(derive(method))
+
+
+__all__ = [
+    "METHODS",
+    "SOLVED",
+    "DerivationError",
+    "Equation",
+    "GalerkinSystem",
+    "SideBySide",
+    "derive",
+    "side_by_side",
+]

@@ -132,6 +132,10 @@ def conditions() -> tuple[Condition, Condition, Condition]:
     )
 
 
+#: How the kernel puts (17) together, in Legendre polynomials.
+RESIDUAL = ("line_constant", "line_slope", "time_scale", "add_integral", "slip_residual")
+
+
 def _equations() -> tuple[Equation, ...]:
     """Return (15) to (20) as the paper has them, with (18) in closed form."""
     factor, rest = _slip_residual()
@@ -150,11 +154,27 @@ def _equations() -> tuple[Equation, ...]:
         Equation("", "constants of integration", (e0, START[e0])),
         Equation("", "constants of integration", (e1, START[e1])),
         Equation("17", "residual in stick", (R3, STICK.residual(LINE)), stick_t),
-        Equation("17", "residual in slip", (R3, slip), slip_t),
-        Equation("18", "orthogonality", (test, orthogonality.closed, zero), "k = 0, ..., N"),
+        Equation("17", "residual in slip", (R3, slip), slip_t, RESIDUAL),
+        Equation(
+            "18",
+            "orthogonality",
+            (test, orthogonality.closed, zero),
+            "k = 0, ..., N",
+            ("twice_integrated", "norm", "project"),
+        ),
         Equation("", "slip duration", (s, T - t1)),
-        Equation("19", "periodic displacement", (x_T, displacement.closed, zero)),
-        Equation("20", "periodic velocity", (v_T, velocity.closed, zero)),
+        Equation(
+            "19",
+            "periodic displacement",
+            (x_T, displacement.closed, zero),
+            functions=("displacement_gain", "displacement_weights"),
+        ),
+        Equation(
+            "20",
+            "periodic velocity",
+            (v_T, velocity.closed, zero),
+            functions=("velocity_gain", "velocity_weight"),
+        ),
     )
 
 
@@ -193,6 +213,7 @@ def derive() -> GalerkinSystem:
         section="3.3",
         title="C1 expansion",
         unknowns="p_0..p_N (acceleration in slip, in P_n*(u)), t1, T",
+        coefficients=(d[n],),
         equations=(*_equations(), *c1_legendre.equations(d, LINE.subs(START))),
         jacobian=_jacobian(),
         forms=c1_legendre.closed_forms(LINE.subs(START)),

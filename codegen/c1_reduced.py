@@ -20,9 +20,10 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .c1_legendre import s, u
+from .c1_reduced_equations import equations
 from .elimination import condition
 from .oscillator import alpha
-from .system import ClosedForm, Equation, GalerkinSystem, require_zero
+from .system import ClosedForm, GalerkinSystem, require_zero
 
 n, m, j = sp.symbols("n m j", integer=True, nonnegative=True)
 
@@ -238,7 +239,7 @@ def derive() -> GalerkinSystem:
         section="3.3",
         title="C1 expansion, reduced to one scalar equation",
         unknowns="s = T - t1",
-        equations=(Equation("", "scalar equation", (alpha * D + M, sp.Integer(0))),),
+        equations=equations((RATIO_AT_1, RATIO_AT_0), alpha * D + M, stick_duration()),
         jacobian=(),
         forms=closed_forms(),
     )

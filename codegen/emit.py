@@ -17,6 +17,7 @@ from sympy.printing.pycode import PythonCodePrinter
 
 from .loops_c1 import C1_LOOPS
 from .loops_c1_bands import C1_BAND_LOOPS
+from .loops_c1_orbits import C1_ORBIT_LOOPS
 from .loops_c1_reduced import C1_REDUCED_LOOPS
 from .loops_fourier import FOURIER_TABLES, HB_LOOPS
 from .loops_hb_c1 import HB_C1_LOOPS
@@ -27,7 +28,7 @@ LOOPS: Mapping[str, str] = MappingProxyType(
     {
         "hb": FOURIER_TABLES + HB_LOOPS,
         "hb-c1": FOURIER_TABLES + HB_C1_LOOPS,
-        "c1": C1_LOOPS + C1_BAND_LOOPS,
+        "c1": C1_LOOPS + C1_BAND_LOOPS + C1_ORBIT_LOOPS,
         "c1-reduced": C1_REDUCED_LOOPS,
         "hb-symmetric": SYMMETRIC_LOOPS,
     }

@@ -61,6 +61,19 @@ ENTRIES = {
     for number, test in TEST.items()
 }
 
+#: What the kernel calls them.
+NAMES = {
+    ("a0", "5"): "constant_by_one",
+    ("a", "5"): "sine_by_one",
+    ("b", "5"): "cosine_by_one",
+    ("a0", "6"): "constant_by_sine",
+    ("a", "6"): "sine_by_sine",
+    ("b", "6"): "cosine_by_sine",
+    ("a0", "7"): "constant_by_cosine",
+    ("a", "7"): "sine_by_cosine",
+    ("b", "7"): "cosine_by_cosine",
+}
+
 #: ``-(j omega_0)**2 T/2``, what the acceleration adds on the diagonal.
 PERIOD_TERM = ENTRIES["a", "6"].diagonal_term
 
@@ -75,6 +88,12 @@ def orthogonality(number: str) -> sp.Expr:
     return total
 
 
+def functions(number: str) -> tuple[str, ...]:
+    """Return the functions of the kernel that compute (5), (6) or (7)."""
+    entries = tuple(name for key, name in NAMES.items() if key[1] == number)
+    return (*entries, *(() if number == "5" else ("period_term",)), "fourier_product")
+
+
 #: Left sides of (9) and (10): displacement and velocity of the series at ``t = 0``.
 DISPLACEMENT_AT_0 = a0 / 2 + sp.Sum(b[n], (n, 1, N))
 VELOCITY_WEIGHT = SINE.diff(t).subs(t, 0)
@@ -84,13 +103,14 @@ VELOCITY_AT_0 = sp.Sum(a[n] * VELOCITY_WEIGHT, (n, 1, N))
 def definitions() -> tuple[Equation, ...]:
     """Return ``C_k`` and ``S_k``: the slip integrals that every condition refers to."""
     rows = []
-    for integral in (SLIP_COSINE, SLIP_SINE):
+    for integral, function in ((SLIP_COSINE, "slip_cosine"), (SLIP_SINE, "slip_sine")):
         symbol, name = integral.table[k], integral.table.label
         unevaluated = sp.Integral(integral.harmonic, (t, t1, T))
         sides = (symbol, unevaluated, integral.generic)
-        rows.append(Equation("", f"slip integral {name}_k", sides, "k != 0"))
+        rows.append(Equation("", f"slip integral {name}_k", sides, "k != 0", (function,)))
         zero = (integral.table[0], integral.zero)
-        rows.append(Equation("", f"slip integral {name}_0, the diagonal", zero))
+        title = f"slip integral {name}_0, the diagonal"
+        rows.append(Equation("", title, zero, functions=(f"{function}_zero",)))
     return tuple(rows)
 
 
@@ -174,15 +194,7 @@ def closed_forms() -> tuple[ClosedForm, ...]:
             (T, j),
             (period_term, period_term.diff(T)),
         ),
-        _entry_form("constant_by_one", ("a0", "5")),
-        _entry_form("sine_by_one", ("a", "5")),
-        _entry_form("cosine_by_one", ("b", "5")),
-        _entry_form("constant_by_sine", ("a0", "6")),
-        _entry_form("sine_by_sine", ("a", "6")),
-        _entry_form("cosine_by_sine", ("b", "6")),
-        _entry_form("constant_by_cosine", ("a0", "7")),
-        _entry_form("sine_by_cosine", ("a", "7")),
-        _entry_form("cosine_by_cosine", ("b", "7")),
+        *(_entry_form(name, key) for key, name in NAMES.items()),
         ClosedForm(
             "velocity_weight",
             "Coefficient of a_n in (10), and its derivative by T.",

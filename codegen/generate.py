@@ -7,7 +7,7 @@ import os
 import tempfile
 from pathlib import Path
 
-from . import METHODS, c1_reduced, derive, hb_symmetric
+from . import METHODS, SOLVED, derive
 from .emit import module_source
 
 #: The folder of the generated modules, beside the folder of this file.
@@ -20,7 +20,7 @@ INIT = '''"""Kernels of the three methods, a module each, written by ``nonsmooth
 def sources() -> dict[str, str]:
     """Derive every method and return the text of each generated file, by name."""
     files = {"__init__.py": INIT}
-    for system in (*map(derive, METHODS), c1_reduced.derive(), hb_symmetric.derive()):
+    for system in map(derive, (*METHODS, *SOLVED)):
         files[f"{system.method.replace('-', '_')}.py"] = module_source(system)
     return files
 

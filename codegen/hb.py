@@ -14,6 +14,9 @@ x = sp.Function("x")
 R1 = sp.Function("R1")(t)
 v0 = x(t).diff(t).subs(t, 0)
 
+FREQUENCY_ROW = Equation("", "frequency", (omega_0, FREQUENCY[omega_0]), functions=("angle",))
+COEFFICIENTS = (fourier.a0, fourier.a[n], fourier.b[n])
+
 
 def residual() -> tuple[Equation, ...]:
     """Return (4) phase by phase, with the friction force of (2) substituted."""
@@ -36,7 +39,8 @@ def _orthogonality(number: str) -> Equation:
     closed = fourier.orthogonality(number)
     where = "" if number == "5" else "j = 1, ..., N"
     sides = (inner, closed, sp.Integer(0))
-    return Equation(number, f"orthogonal to {title[number]}", sides, where)
+    functions = fourier.functions(number)
+    return Equation(number, f"orthogonal to {title[number]}", sides, where, functions)
 
 
 def inner_product_statement() -> tuple[sp.Expr, sp.Expr]:
@@ -59,19 +63,28 @@ def derive() -> GalerkinSystem:
         section="3.1",
         title="Classical harmonic balance (Fourier series)",
         unknowns="a0, a_1..a_N, b_1..b_N, t1, T",
+        coefficients=COEFFICIENTS,
         equations=(
             Equation("3", "expansion", (x(t), fourier.SERIES)),
-            Equation("", "frequency", (omega_0, FREQUENCY[omega_0])),
+            FREQUENCY_ROW,
             *residual(),
             *(_orthogonality(number) for number in ("5", "6", "7")),
-            Equation("8", "inner product", inner_product_statement()),
+            Equation(
+                "8", "inner product", inner_product_statement(), functions=("slip_integrals",)
+            ),
             *fourier.definitions(),
             Equation(
                 "9",
                 "displacement at t = 0",
                 (x(0), fourier.DISPLACEMENT_AT_0, INITIAL_STATE[0]),
+                functions=("initial_state", "initial_residual"),
             ),
-            Equation("10", "velocity at t = 0", (v0, fourier.VELOCITY_AT_0, INITIAL_STATE[1])),
+            Equation(
+                "10",
+                "velocity at t = 0",
+                (v0, fourier.VELOCITY_AT_0, INITIAL_STATE[1]),
+                functions=("velocity_weight", "initial_state", "initial_residual"),
+            ),
         ),
         jacobian=fourier.jacobian(),
         forms=fourier.closed_forms(),

@@ -27,6 +27,10 @@ H0, Hg = sp.symbols("H_0 H_g", real=True)
 Hs, Hc = sp.IndexedBase("H^s"), sp.IndexedBase("H^c")
 
 
+#: Them, and what the kernel calls their test functions.
+COLUMNS = {H0: "one", Hs[j]: "sine", Hc[j]: "cosine", Hg: "g1"}
+
+
 def _jacobian() -> tuple[Equation, ...]:
     """Return the derivatives that ``c1`` and (14) add to those of the Fourier series."""
     rows = []
@@ -60,19 +64,24 @@ def _definitions() -> tuple[Equation, ...]:
         Hg: (Inner(through_g1, g1), SCALE_S**2 * BY_G1),
     }
     title = "g1 through (1), in slip"
-    return tuple(Equation("", title, (h, *sides)) for h, sides in moments.items())
+    names = {h: (f"g1_by_{test}", "g1_column") for h, test in COLUMNS.items()}
+    return tuple(Equation("", title, (h, *moments[h]), "", names[h]) for h in moments)
 
 
 def _tail() -> tuple[Equation, ...]:
     """Return the harmonics that the kernel takes away from ``g1``, leaving its tail."""
     a0_of_g1 = sp.Symbol("gamma_0", real=True)
     sines, cosines = sp.IndexedBase("gamma^s"), sp.IndexedBase("gamma^c")
-    title = "harmonic of g1/(T s**3), which the kernel takes away"
+    title, after = "harmonic of g1/(T s**3), which the kernel takes away", "harmonics_of_g1"
     return (
-        Equation("", title, (a0_of_g1, smooth.MEAN)),
-        Equation("", title, (sines[j], smooth.SINE_OF_G1)),
-        Equation("", title, (cosines[j], smooth.COSINE_OF_G1)),
+        Equation("", title, (a0_of_g1, smooth.MEAN), "", ("mean_of_g1", after)),
+        Equation("", title, (sines[j], smooth.SINE_OF_G1), "", ("sine_of_g1", after)),
+        Equation("", title, (cosines[j], smooth.COSINE_OF_G1), "", ("cosine_of_g1", after)),
     )
+
+
+#: How the kernel puts the column of ``c1`` together, for the tail of ``g1``.
+TAIL = ("g1_column", "tail_column", "c1_product")
 
 
 def _orthogonality() -> tuple[Equation, ...]:
@@ -83,13 +92,15 @@ def _orthogonality() -> tuple[Equation, ...]:
         sides = (Inner(R2, fourier.TEST[number]), fourier.orthogonality(number) + c1 * column)
         where = "" if number == "5" else "j = 1, ..., N"
         title = f"({number}) for R2"
-        rows.append(Equation(number, title, (*sides, sp.Integer(0)), where))
+        functions = (*fourier.functions(number), f"g1_by_{COLUMNS[column]}", *TAIL)
+        rows.append(Equation(number, title, (*sides, sp.Integer(0)), where, functions))
     forcing = fourier.FORCING * smooth.slip_integral(smooth.G_IN_SLIP)
     require_zero([("forcing of (14)", forcing + x_s * BY_ONE)])
     series = sp.Sum(fourier.a[n] * Hs[n] + fourier.b[n] * Hc[n], (n, 1, N))
     closed = fourier.a0 * H0 / 2 + series + c1 * Hg - x_s * H0
     last = (Inner(R2, g1), closed, sp.Integer(0))
-    rows.append(Equation("14", "orthogonal to g1", last))
+    functions = ("g1_by_g1", *TAIL, "g1_condition")
+    rows.append(Equation("14", "orthogonal to g1", last, functions=functions))
     return tuple(rows)
 
 
@@ -115,25 +126,58 @@ def derive() -> GalerkinSystem:
     displacement = fourier.DISPLACEMENT_AT_0 + c1 * G1_STICK.subs(t, 0)
     stick, slip = (f"{p.start} <= t < {p.end} ({p.name})" for p in PHASES)
     R1 = hb.R1
+    in_stick, in_slip = (
+        ("harmonic_acceleration", f"residual_in_{p.name}", "residual_and_tail") for p in PHASES
+    )
     return GalerkinSystem(
         method="hb-c1",
         section="3.2",
         title="Classical harmonic balance with one C1 term",
         unknowns="a0, a_1..a_N, b_1..b_N beside the tail of g1, c1 T s**3, t1, T",
+        coefficients=(*hb.COEFFICIENTS, c1),
         equations=(
             Equation("11", "expansion", (hb.x(t), fourier.SERIES + c1 * g1)),
-            Equation("12", "g1 in stick", (g1, G1_STICK, SCALE * smooth.G_STICK), stick),
-            Equation("12", "g1 in slip", (g1, G1_SLIP, SCALE * (SMOOTHSTEP - t / T)), slip),
+            hb.FREQUENCY_ROW,
+            Equation(
+                "12",
+                "g1 in stick",
+                (g1, G1_STICK, SCALE * smooth.G_STICK),
+                stick,
+                ("g1_in_stick",),
+            ),
+            Equation(
+                "12",
+                "g1 in slip",
+                (g1, G1_SLIP, SCALE * (SMOOTHSTEP - t / T)),
+                slip,
+                ("g1_in_slip",),
+            ),
             Equation("", "time in slip", (u, (t - t1) / (T - t1))),
-            Equation("13", "residual in stick", (R2, R1), stick),
-            Equation("13", "residual in slip", (R2, R1 + c1 * through_g1), slip),
+            Equation("13", "residual in stick", (R2, R1), stick, in_stick),
+            Equation("13", "residual in slip", (R2, R1 + c1 * through_g1), slip, in_slip),
             *_orthogonality(),
             *fourier.definitions(),
             *_definitions(),
             *moment_definitions(),
             *_tail(),
-            Equation("9", "displacement at t = 0", (hb.x(0), displacement, INITIAL_STATE[0])),
-            Equation("10", "velocity at t = 0", (hb.v0, velocity, INITIAL_STATE[1])),
+            Equation(
+                "9",
+                "displacement at t = 0",
+                (hb.x(0), displacement, INITIAL_STATE[0]),
+                functions=("initial_state", "initial_residual", "tail_at_0"),
+            ),
+            Equation(
+                "10",
+                "velocity at t = 0",
+                (hb.v0, velocity, INITIAL_STATE[1]),
+                functions=(
+                    "velocity_weight",
+                    "g1_velocity",
+                    "initial_state",
+                    "initial_residual",
+                    "tail_at_0",
+                ),
+            ),
         ),
         jacobian=(*fourier.jacobian(), *_jacobian()),
         forms=(*fourier.closed_forms(), *smooth.closed_forms()),

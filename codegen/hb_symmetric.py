@@ -18,16 +18,10 @@ velocity of the response has not.
 
 import sympy as sp
 
-from . import fourier, odd_functions, symmetry
+from . import fourier, odd_functions, symmetric_equations, symmetry
 from . import g1 as smooth
-from .inner_product import N, j, n
-from .oscillator import INITIAL_STATE
 from .slip_moments import bessel_forms, z
-from .system import ClosedForm, Equation, GalerkinSystem, Inner, require_zero
-
-y = sp.Function("y")
-b, c = sp.IndexedBase("b", real=True), sp.IndexedBase("c", real=True)
-h = sp.IndexedBase("h")
+from .system import ClosedForm, GalerkinSystem, require_zero
 
 #: The recurrence by which ``j_{l+1}`` follows from ``j_l`` and ``j_{l-1}``.
 _l = odd_functions.l
@@ -49,25 +43,6 @@ def check_recurrence() -> None:
         step = NEXT_BESSEL.subs(values).subs(_l, degree)
         claims.append((f"j_{degree + 1}", sp.expand_func(sp.jn(degree + 1, z) - step)))
     require_zero(claims)
-
-
-def _conditions() -> tuple[Equation, ...]:
-    """Return (6), (14), (9), (10) about mid-stick, for the reader."""
-    l, K = _l, sp.Symbol("K", integer=True, nonnegative=True)
-    R = sp.Function("R")(symmetry.tau)
-    force = sp.Sum(symmetry.SINE_BY_SINE * b[n], (n, 1, N)) + sp.Sum(c[l] * h[l, j], (l, 1, K))
-    tail = sp.Symbol("tail_l")
-    return (
-        Equation(
-            "6",
-            "orthogonal to sin(j omega_0 tau)",
-            (Inner(R, symmetry.TEST), fourier.PERIOD_TERM * b[j] + force, sp.Integer(0)),
-            "j = 1, ..., N",
-        ),
-        Equation("14", "orthogonal to the tail of g_l", (Inner(R, tail), sp.Integer(0))),
-        Equation("9", "displacement at t = 0", (y(0), INITIAL_STATE[0])),
-        Equation("10", "velocity at t = 0", (y(symmetry.tau).diff(symmetry.tau), 1)),
-    )
 
 
 def closed_forms() -> tuple[ClosedForm, ...]:
@@ -113,9 +88,9 @@ def derive() -> GalerkinSystem:
     return GalerkinSystem(
         method="hb-symmetric",
         section="3.1 and 3.2",
-        title="Harmonic balance with K odd C1 functions, about mid-stick",
+        title="Sines and K C1 functions about mid-stick",
         unknowns="b_1..b_N, c_1..c_K beside the tails of the C1 functions, t1, T",
-        equations=(*symmetry.equations(), *odd_functions.equations(), *_conditions()),
+        equations=symmetric_equations.equations(),
         jacobian=(),
         forms=closed_forms(),
     )

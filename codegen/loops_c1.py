@@ -5,7 +5,7 @@ Input to `emit`: the names of the closed forms of `c1_legendre.closed_forms`.
 
 C1_LOOPS = '''
 def add_integral(n, weight, rho):
-    """Add weight Q_n to rho, the parts in P_l*; P_-1 = -P_0 and P_-2 = -P_1."""
+    """Add weight Q_n to rho, parts in P_l*; ``P_-1 = -P_0`` and ``P_-2 = -P_1``."""
     below, same, above = twice_integrated(n)
     sign, l = (1, n - 2) if n >= 2 else (-1, 1 - n)
     rho[l] += sign * weight * below
@@ -71,7 +71,7 @@ def residual(alpha, z, R):
 
 
 def jacobian(alpha, z, J):
-    """Fill J with the derivatives of `residual` by p_n, t1, T; |k - n| <= 4 in (18)."""
+    """Fill J with the derivatives of `residual` by p_n, t1, T; in (18) ``|k - n| <= 4``."""
     N = len(z) - 3
     T = z[-1]
     s = T - z[-2]

@@ -180,7 +180,7 @@ def band_newton(alpha, t1, T, A, B, parts, weights, p, M, X, twice, rho):
             p[i] -= damping * (X[i, 0] - X[i, 1] * step_t1 - X[i, 2] * step_T)
         t1 -= damping * step_t1
         T -= damping * step_T
-        if abs(step_t1) <= 1e-9 * T and abs(step_T) <= 1e-9 * T:
+        if abs(step_t1) <= 1e-9 * T and abs(step_T - step_t1) <= 1e-9 * s + 1e-15 * T:
             return t1, T, 0
     return t1, T, 1
 '''

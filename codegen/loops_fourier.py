@@ -42,7 +42,7 @@ def slip_integrals(N, t1, T):
     -------
     C, S : ndarray, shape (3, 4 N + 1)
         Row 0 the value, row 1 the derivative by t1, row 2 by T.  A negative k counts
-        from the end, as NumPy's indices do: C_-k = C_k and S_-k = -S_k.
+        from the end, as NumPy's indices do: ``C_-k = C_k``, ``S_-k = -S_k``.
     """
     C = np.empty((3, 4 * N + 1))
     S = np.empty((3, 4 * N + 1))

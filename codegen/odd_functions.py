@@ -24,7 +24,7 @@ from .c1_legendre import n as degree
 from .inner_product import FREQUENCY, j, k, omega_0
 from .oscillator import T, t, t1
 from .slip_moments import about_mid_slip, s, with_derivatives, z
-from .system import ClosedForm, Equation, require_zero
+from .system import ClosedForm, require_zero
 
 l = sp.Symbol("l", integer=True, positive=True)
 v = sp.Symbol("v", real=True)
@@ -108,17 +108,6 @@ def check_functions() -> None:
         ) * (-1) ** (index // 2)
         claims.append((f"derivative of j_{index}", slope))
     require_zero(claims)
-
-
-def equations() -> tuple[Equation, ...]:
-    """Return the definitions, for the reader."""
-    P = sp.Function("P")
-    g_l = sp.Symbol("g_l")
-    total = Q_BELOW * P(l - 2, v) + Q_HERE * P(l, v) + Q_ABOVE * P(l + 2, v)
-    return (
-        Equation("", "C1 function l in slip", (g_l, total), "l = 3, 5, ..."),
-        Equation("12", "the function of the paper", (sp.Symbol("g_1"), in_slip(1))),
-    )
 
 
 def _through_bessel(value: sp.Expr) -> tuple[sp.Expr, ...]:

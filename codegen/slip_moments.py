@@ -124,13 +124,16 @@ def definitions() -> tuple[Equation, ...]:
     harmonic = omega_0 * k * (t1 + s * u)
     rows = [
         Equation("", "slip duration", (s, TIMES[s])),
-        Equation("", "half angle of harmonic k in slip", (z, TIMES[z])),
+        Equation("", "half angle of harmonic k in slip", (z, TIMES[z]), "", ("half_angle",)),
     ]
     for l, tables in TABLES.items():
         if l == 0:
             continue
+        bessel = tuple(f"spherical_bessel_{degree}" for degree in (l - 1, l))
         for table, wave, value in zip(tables, (sp.cos, sp.sin), moments(l), strict=True):
             integrand = sp.legendre(l, 2 * u - 1) * wave(harmonic)
-            unevaluated = s * sp.Integral(integrand, (u, 0, 1))
-            rows.append(Equation("", "slip moment", (table[k], unevaluated, value)))
+            sides = (table[k], s * sp.Integral(integrand, (u, 0, 1)), value)
+            name = f"{'cosine' if wave is sp.cos else 'sine'}_moment_{l}"
+            functions = (name, *bessel, "slip_moments")
+            rows.append(Equation("", "slip moment", sides, functions=functions))
     return tuple(rows)

@@ -14,7 +14,7 @@ import sympy as sp
 from . import fourier
 from .inner_product import FREQUENCY, C, j, k, n, omega_0
 from .oscillator import SLIP, STICK, T, t, t1
-from .system import ClosedForm, Equation, require_zero
+from .system import ClosedForm, require_zero
 
 #: Time since the middle of stick, and the two phases in it.
 tau = sp.Symbol("tau", real=True)
@@ -103,16 +103,6 @@ def check_symmetry() -> None:
             mirrored = product.subs(tau, start + end - tau)
             claims.append((f"sine by {even} in {name}", sp.expand_trig(product + mirrored)))
     require_zero(claims)
-
-
-def equations() -> tuple[Equation, ...]:
-    """Return the definitions, for the reader."""
-    integral = sp.Integral(sp.cos(k * omega_0 * tau), (tau, *SLIP_ENDS))
-    return (
-        Equation("", "time since mid-stick", (tau, t - t1 / 2)),
-        Equation("", "slip integral C_k about mid-stick", (C[k], integral, SLIP_COSINE)),
-        Equation("", "slip integral C_0", (C[0], SLIP_COSINE_ZERO)),
-    )
 
 
 def closed_forms() -> tuple[ClosedForm, ...]:

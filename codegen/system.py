@@ -6,7 +6,7 @@ paper's notation, with its numbers) and the closed forms of which a kernel is ma
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
@@ -44,12 +44,38 @@ class Equation:
         Equal to each other, from the paper's form to the closed form and its value.
     where : str
         The range of the indices or of the time, for the reader.
+    functions : tuple of str
+        Functions of the generated module that compute it, closed forms first.
     """
 
     number: str
     title: str
     sides: tuple[sp.Expr, ...]
     where: str = ""
+    functions: tuple[str, ...] = ()
+
+    @property
+    def words(self) -> str:
+        """What the equation says, and where it holds."""
+        return f"{self.title}; {self.where}" if self.where else self.title
+
+    def latex(self) -> str:
+        """Return the equation as displayed LaTeX, with its number as the tag."""
+        from .latex import displayed  # noqa: PLC0415  (printing is a later stage)
+
+        return displayed(self)
+
+    def text(self, unicode: bool = True) -> str:
+        """Return the equation as text for a terminal, in Unicode or in plain ASCII."""
+        from .text import equation_text  # noqa: PLC0415
+
+        return equation_text(self, unicode)
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return self.latex()
 
 
 @dataclass(frozen=True)
@@ -90,15 +116,25 @@ class GalerkinSystem:
         The derivative of the conditions with respect to every unknown.
     forms : tuple of ClosedForm
         Dimensionless closed forms, in the order in which they are emitted.
+    coefficients : tuple of Symbol or Indexed
+        The unknown coefficients of the paper; an index runs from 1 or, where its symbol
+        may be zero, from 0 to ``N``.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> ns.equations("hb-c1")  # doctest: +ELLIPSIS
+    GalerkinSystem(method='hb-c1', section='3.2', ...)
     """
 
     method: str
     section: str
     title: str
     unknowns: str
-    equations: tuple[Equation, ...]
-    jacobian: tuple[Equation, ...]
-    forms: tuple[ClosedForm, ...]
+    equations: tuple[Equation, ...] = field(repr=False)
+    jacobian: tuple[Equation, ...] = field(repr=False)
+    forms: tuple[ClosedForm, ...] = field(repr=False)
+    coefficients: tuple[sp.Expr, ...] = field(default=(), repr=False)
 
     def equation(self, number: str) -> Equation:
         """Return the equation with this number in the paper.
@@ -107,6 +143,13 @@ class GalerkinSystem:
         ------
         KeyError
             If the method has no such equation.
+
+        Examples
+        --------
+        >>> import nonsmooth as ns
+        >>> equation = ns.equations("hb").equation("9")
+        >>> equation.title, equation.sides
+        ('displacement at t = 0', (x(0), a0/2 + Sum(b[n], (n, 1, N)), x_0))
         """
         for candidate in self.equations:
             if candidate.number == number:
@@ -116,21 +159,65 @@ class GalerkinSystem:
 
     def latex(self) -> str:
         """Return the equations as LaTeX, numbered as in the paper, without a preamble."""
-        from .printing import system_latex  # noqa: PLC0415  (printing derives, too)
+        from .latex import equation_latex  # noqa: PLC0415
 
-        return system_latex(self)
+        return "\n".join(map(equation_latex, self.equations))
 
-    def text(self) -> str:
-        """Return the equations as text for a terminal."""
-        from .printing import system_text  # noqa: PLC0415
-
-        return system_text(self)
+    def text(self, unicode: bool = True) -> str:
+        """Return the equations as text for a terminal, in Unicode or in plain ASCII."""
+        return "\n\n".join(equation.text(unicode) for equation in self.equations)
 
     def __str__(self) -> str:
         return self.text()
 
     def _repr_latex_(self) -> str:
-        return self.latex()
+        from .latex import in_notebook  # noqa: PLC0415
+
+        return in_notebook(self.equations)
+
+    def unknown_symbols(self, order: int) -> tuple[sp.Expr, ...]:
+        """Return the unknowns at one order: the paper's coefficients, ``t1`` and ``T``.
+
+        Examples
+        --------
+        >>> import nonsmooth as ns
+        >>> ns.equations("hb").unknown_symbols(2)
+        (a0, a[1], a[2], b[1], b[2], t1, T)
+        """
+        from .expansion import check_order, unknowns  # noqa: PLC0415
+
+        return unknowns(self, check_order(order))
+
+    def expanded(self, order: int) -> tuple[sp.Eq, ...]:
+        """Return the conditions at one order, every sum carried out, as SymPy equations.
+
+        They are in the unknowns and the parameters of the oscillator alone: what the
+        record abbreviates is put in.
+
+        Parameters
+        ----------
+        order : int
+            ``N``, from 1 to 5.
+
+        Raises
+        ------
+        ValueError
+            If `order` is anything else, or the record is not in the paper's unknowns.
+
+        Examples
+        --------
+        >>> import nonsmooth as ns
+        >>> import sympy as sp
+        >>> *_, displacement, velocity = ns.equations("c1").expanded(1)
+        >>> velocity
+        Eq((T - t1)**2*d[1]/2 + (T - t1)*d[0], 0)
+        >>> f = sp.lambdify(ns.equations("c1").unknown_symbols(1), velocity.lhs)
+        >>> f(-1.0, 0.5, 2.0, 6.0)
+        0.0
+        """
+        from .expansion import expanded  # noqa: PLC0415
+
+        return expanded(self, order)
 
     def form(self, name: str) -> ClosedForm:
         """Return the closed form that becomes the function `name` of the kernel."""

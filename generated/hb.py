@@ -18,7 +18,7 @@ from math import cos, pi, sin
 import numpy as np
 
 MATHEMATICS = "851c471666c4cbce6ed6a2d283f5c0404550cf246df269604066bf78183b2d35"  # of the closed forms, by srepr
-BODY = "b1e5794ee425d485fe0c1d421017e1e716ea1eeef7ce5bc717490fc30c1f999e"  # of the text below
+BODY = "fe1a7006d4fca4614daef735aa70beb2d4574e1d381e9d14807fc9e621341f4d"  # of the text below
 
 
 def slip_cosine_zero(t1, T):
@@ -155,7 +155,7 @@ def slip_integrals(N, t1, T):
     -------
     C, S : ndarray, shape (3, 4 N + 1)
         Row 0 the value, row 1 the derivative by t1, row 2 by T.  A negative k counts
-        from the end, as NumPy's indices do: C_-k = C_k and S_-k = -S_k.
+        from the end, as NumPy's indices do: ``C_-k = C_k``, ``S_-k = -S_k``.
     """
     C = np.empty((3, 4 * N + 1))
     S = np.empty((3, 4 * N + 1))

@@ -18,7 +18,7 @@ from math import cos, pi, sin
 import numpy as np
 
 MATHEMATICS = "97ec6064a4d7e04c1b377ddf0faf2ee0c2aaa0da7973eb6d83f54d4762bcbc48"  # of the closed forms, by srepr
-BODY = "e58471328ee1e61efada99c1e9d226bb8afce76df66a1576ee8cc23b50616f74"  # of the text below
+BODY = "31944e5f359ea2174bdcea8960bd5bf3c84ef7374df034c7660695202ce2b90b"  # of the text below
 
 
 def slip_cosine_zero(t1, T):
@@ -319,7 +319,7 @@ def slip_integrals(N, t1, T):
     -------
     C, S : ndarray, shape (3, 4 N + 1)
         Row 0 the value, row 1 the derivative by t1, row 2 by T.  A negative k counts
-        from the end, as NumPy's indices do: C_-k = C_k and S_-k = -S_k.
+        from the end, as NumPy's indices do: ``C_-k = C_k``, ``S_-k = -S_k``.
     """
     C = np.empty((3, 4 * N + 1))
     S = np.empty((3, 4 * N + 1))

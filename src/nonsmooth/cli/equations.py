@@ -1,31 +1,131 @@
 """``nonsmooth equations``: the derived equations, numbered as in the paper."""
 
+import os
+import sys
+from collections.abc import Callable, Iterable
+from functools import partial
 from pathlib import Path
 
 import click
 
-from .output import check_target, write_text
+from . import tex
+from .output import check_target, write_bytes, write_text
+from .problems import Problem
+from .progress import busy
 
 METHODS = ("hb", "hb-c1", "c1")
 
+#: What is solved in place of the first two and of the third.
+SOLVED = ("hb-symmetric", "c1-reduced")
 
-@click.command()
+#: What the suffix of a file says about its format.
+SUFFIXES = {".txt": "text", ".tex": "latex", ".html": "html", ".pdf": "pdf"}
+
+FORMATS = tuple(SUFFIXES.values())
+
+EPILOG = """\b
+Examples:
+  nonsmooth equations --method hb
+  nonsmooth equations -o equations.html
+  nonsmooth equations --format latex --fragment -o equations.tex
+  nonsmooth equations --method c1 --expand 2
+  nonsmooth equations --method hb-symmetric    what is solved for hb, hb-c1
+"""
+
+
+@click.command(epilog=EPILOG)
 @click.option(
-    "--method", type=click.Choice(METHODS), help="Section 3.1, 3.2 or 3.3; without it, all."
+    "--method",
+    type=click.Choice((*METHODS, *SOLVED)),
+    help="Section 3.1, 3.2 or 3.3, without it all; or what is solved in place of the first "
+    "two, about mid-stick, and of the third in batches, as one equation.",
 )
 @click.option(
-    "--format", "format_", type=click.Choice(["text", "latex"]), default="text",
-    help="Text for the terminal, or a LaTeX document.",
+    "--format", "format_", type=click.Choice(FORMATS),
+    help="Text for the terminal, a LaTeX document, a page, or a PDF made by the TeX installed; "
+    "without it, what the name of the file says, or text.",
+)  # fmt: skip
+@click.option("--fragment", is_flag=True, help=r"LaTeX without a preamble, to \input.")
+@click.option(
+    "--expand", "order", type=int, metavar="N",
+    help="The equations of order N, 1 to 5, written out in full.",
 )  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file.")
-def equations(method: str | None, format_: str, output: Path | None) -> None:
-    """Print the equations that SymPy derives, with the numbers of the paper."""
-    check_target(output, ())
-    from nonsmooth.codegen import printing  # noqa: PLC0415
+def equations(
+    method: str | None, format_: str | None, fragment: bool, order: int | None,
+    output: Path | None,
+) -> None:  # fmt: skip
+    """Print the equations that SymPy derives, with the numbers of the paper.
 
-    document = {"text": printing.text_document, "latex": printing.latex_document}[format_]
-    text = document([method] if method else METHODS)
+    Text is plain ASCII where the terminal has no other characters, or with LC_ALL=C.
+    """
+    check_target(output, ())
+    chosen = _format(format_, output)
+    if fragment and chosen != "latex":
+        raise Problem(f"--fragment: got format {chosen}, expected latex")
+    document = _document(chosen, fragment, output is not None)
+    try:
+        with busy("deriving the equations"):
+            text = document([method] if method else METHODS, order)
+    except ValueError as error:
+        name, _, expected = str(error).partition(": ")
+        raise Problem(f"--{'expand' if name == 'order' else name}: {expected}") from error
     if output is None:
         click.echo(text, nl=False)
+    elif chosen == "pdf":
+        write_bytes(output, tex.pdf(text))
     else:
         write_text(output, text)
+
+
+def _format(format_: str | None, output: Path | None) -> str:
+    """Return the format that the flag or the name of the file asks for.
+
+    Raises
+    ------
+    Problem
+        If they contradict each other, if the name says nothing that is known, or if a PDF
+        has no file or no TeX.
+    """
+    suffix = "" if output is None else output.suffix.lower()
+    named = SUFFIXES.get(suffix)
+    if format_ is not None and named not in {None, format_}:
+        expected = ", ".join(q for q, name in SUFFIXES.items() if name == format_)
+        raise Problem(f"-o: got {output} with --format {format_}, expected {expected}")
+    if format_ is None and named is None and suffix:
+        expected = ", ".join(SUFFIXES)
+        raise Problem(f"-o: got {output}, expected a name that ends in one of {expected}")
+    chosen = format_ or named or "text"
+    if chosen == "pdf":
+        if output is None:
+            raise Problem("--format: got pdf without a file, expected -o FILE.pdf")
+        tex.engine()
+    return chosen
+
+
+def _document(
+    format_: str, fragment: bool, to_file: bool
+) -> Callable[[Iterable[str], int | None], str]:
+    """Return what makes the document of this format."""
+    if format_ == "html":
+        from nonsmooth.codegen.html import html_document  # noqa: PLC0415
+
+        return html_document
+    if format_ == "text":
+        from nonsmooth.codegen.text import text_document  # noqa: PLC0415
+
+        return partial(text_document, unicode=to_file or _terminal_has_unicode())
+    from nonsmooth.codegen import latex  # noqa: PLC0415
+
+    return latex.latex_fragment if fragment else latex.latex_document
+
+
+def _terminal_has_unicode() -> bool:
+    """Whether the characters of the equations can be printed, and are wanted."""
+    if os.environ.get("LC_ALL") in {"C", "POSIX"}:
+        return False
+    try:
+        "ωₙ²⋅∑∫⎛⎞⟨⟩".encode(sys.stdout.encoding or "ascii")
+    except UnicodeEncodeError:
+        return False
+    return True

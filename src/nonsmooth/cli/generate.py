@@ -1,11 +1,20 @@
 """``nonsmooth generate``: derive the equations and write the kernels."""
 
+from types import ModuleType
+
 import click
 
 from .problems import Problem
+from .progress import busy
+
+EPILOG = """\b
+Examples:
+  nonsmooth generate
+  nonsmooth generate --check      for a continuous integration
+"""
 
 
-@click.command()
+@click.command(epilog=EPILOG)
 @click.option(
     "--check", is_flag=True, help="Only compare, write nothing; exit 1 on a difference."
 )
@@ -14,12 +23,19 @@ def generate(check: bool) -> int:
 
     A file is written only when its text changes.
     """
-    from nonsmooth.codegen import generate as stage  # noqa: PLC0415
+    with busy("deriving the equations"):
+        from nonsmooth.codegen import generate as stage  # noqa: PLC0415
 
-    if check:
-        found = stage.differences()
-        click.echo("\n".join(found) if found else f"{stage.FOLDER.name}/ is up to date")
-        return 1 if found else 0
+        return _compare(stage) if check else _write(stage)
+
+
+def _compare(stage: ModuleType) -> int:
+    found = stage.differences()
+    click.echo("\n".join(found) if found else f"{stage.FOLDER.name}/ is up to date")
+    return 1 if found else 0
+
+
+def _write(stage: ModuleType) -> int:
     try:
         changes = stage.write()
     except OSError as error:

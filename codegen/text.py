@@ -1,0 +1,118 @@
+"""Print the derived equations in a terminal, in 80 columns.
+
+Input: the records.  Output: text, in Unicode or in plain ASCII.
+"""
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from textwrap import fill
+
+import sympy as sp
+from sympy.printing.pretty.stringpict import prettyForm, stringPict
+
+from .drawing import drawn
+from .pieces import Piece, filled, pieces, signed
+from .sections import sections
+from .system import Equation
+
+#: Columns for the mathematics, and of the margin left of it.
+COLUMNS, MARGIN = 73, 7
+
+#: What a line begins with: a side, and what is left of a long one.
+EQUALS, CONTINUED = "= ", "    "
+
+#: Columns that a sign between two terms takes.
+SIGN = 3
+
+
+def _drawn_piece(piece: Piece, unicode: bool) -> prettyForm:
+    """Return a piece drawn, with the sign and the brackets about it."""
+    parts: list[str | prettyForm] = []
+    first = piece.first
+    for before in piece.opens:
+        sign, factor = signed(before, first)
+        parts += _with_sign(sign, first, *_opening(factor, unicode))
+        first = True
+    sign, term = signed(piece.term, first)
+    parts += [*_with_sign(sign, first, drawn(term, unicode)), piece.closes]
+    return prettyForm(*stringPict.next(*parts))
+
+
+def _opening(before: sp.Expr, unicode: bool) -> Sequence[str | prettyForm]:
+    if isinstance(before, sp.Sum):
+        return drawn(before, unicode, sign=True), "["
+    return ("(",) if before == 1 else (drawn(before, unicode), "⋅(" if unicode else "*(")
+
+
+def _with_sign(sign: str, first: bool, *parts: str | prettyForm) -> Sequence[str | prettyForm]:
+    """Return `parts` behind `sign`; before a fraction it would pass for a part of the bar."""
+    high = isinstance(parts[0], prettyForm) and parts[0].height() > 1
+    return (
+        f"{'' if first else ' '}{sign}{' ' if sign and (high or not first) else ''}",
+        *parts,
+    )
+
+
+def _rows(side: sp.Expr, columns: int, unicode: bool) -> list[prettyForm]:
+    """Return one side as lines of drawings, as many pieces on each as fit."""
+    forms = [
+        _drawn_piece(piece, unicode)
+        for piece in pieces(side, lambda term: drawn(term, unicode).width() + SIGN > columns)
+    ]
+    lines = filled([form.width() for form in forms], columns)
+    return [prettyForm(*stringPict.next(*forms[line])) for line in lines]
+
+
+def _stacked(rows: Sequence[prettyForm]) -> list[str]:
+    """Return the rows below each other, with a blank line about those that are high."""
+    lines = list(rows[0].picture)
+    for above, below in pairwise(rows):
+        if above.height() > 1 or below.height() > 1:
+            lines.append("")
+        lines.extend(below.picture)
+    return [line.rstrip() for line in lines]
+
+
+def _prefixed(rows: Sequence[prettyForm], first: str) -> list[prettyForm]:
+    """Return the rows, the first behind `first`, the others as its continuation."""
+    head, *more = rows
+    return [prettyForm(*head.left(first)), *(prettyForm(*r.left(CONTINUED)) for r in more)]
+
+
+def _mathematics(sides: Sequence[sp.Expr], unicode: bool) -> list[str]:
+    """Return the lines of a chain of sides: beside each other if they fit, else stacked."""
+    head = drawn(sides[0], unicode)
+    room = COLUMNS - head.width() - 1 - len(EQUALS)
+    beside = [_rows(side, room, unicode) for side in sides[1:]]
+    if room > 0 and all(len(rows) == 1 and rows[0].width() <= room for rows in beside):
+        margin = " " * (head.width() + 1)
+        lines = [prettyForm(*rows[0].left(EQUALS)) for rows in beside]
+        lines[:1] = [prettyForm(*stringPict.next(head, " ", lines[0]))]
+        return _stacked([lines[0], *(prettyForm(*line.left(margin)) for line in lines[1:])])
+    whole = _rows(sides[0], COLUMNS - len(CONTINUED), unicode)
+    rows = _prefixed(whole, "")
+    for side in sides[1:]:
+        wrapped = _rows(side, COLUMNS - len(CONTINUED), unicode)
+        rows += _prefixed(wrapped, EQUALS)
+    return _stacked(rows)
+
+
+def equation_text(equation: Equation, unicode: bool = True) -> str:
+    """Return one equation as text for a terminal."""
+    number = f"({equation.number})" if equation.number else "-"
+    lines = _mathematics(equation.sides, unicode)
+    indented = (" " * MARGIN + line if line else "" for line in lines)
+    return "\n".join([f"{number:>5}  {equation.words}", *indented])
+
+
+def text_document(
+    methods: Iterable[str], order: int | None = None, *, unicode: bool = True
+) -> str:
+    """Return the equations of `methods` as text for a terminal; see `sections`."""
+    parts = []
+    for section in sections(methods, order):
+        parts.append(f"{section.heading}\n{'=' * len(section.heading)}\n")
+        if section.note:
+            parts.append(fill(section.note, COLUMNS + MARGIN) + "\n")
+        parts.extend(f"{equation_text(e, unicode)}\n" for e in section.equations)
+    return "\n".join(parts)

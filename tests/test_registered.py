@@ -1,0 +1,62 @@
+"""A method is registered wherever methods are listed: what a new expansion must not miss."""
+
+import re
+from collections.abc import Iterable
+
+import numpy as np
+import pytest
+import test_generated
+import test_kernels
+import test_orbits
+from shown import README
+
+import nonsmooth as ns
+from nonsmooth import codegen, tradeoff
+from nonsmooth.cli import equations, pictures
+from nonsmooth.codegen import emit
+from nonsmooth.files import origin
+from nonsmooth.solver import budget, kernels, methods
+from nonsmooth.solver.belt import DEFAULT
+
+#: Lists of methods that are to be the same, in the order of the guide in CONTRIBUTING.md.
+LISTS: dict[str, Iterable[str]] = {
+    "solver/methods.py: METHODS": methods.METHODS,
+    "solver/budget.py: ORDERS": budget.ORDERS,
+    "src/nonsmooth/tradeoff.py: ORDERS": dict.fromkeys(name for name, _ in tradeoff.ORDERS),
+    "src/nonsmooth/cli/equations.py: METHODS": equations.METHODS,
+    "src/nonsmooth/cli/pictures.py: STYLES": pictures.STYLES,
+    "src/nonsmooth/cli/pictures.py: LABELS": pictures.LABELS,
+    "src/nonsmooth/files/origin.py: COEFFICIENTS": origin.COEFFICIENTS,
+    "tests/test_generated.py: METHODS": test_generated.METHODS,
+    "tests/test_kernels.py: METHODS": test_kernels.METHODS,
+    "tests/test_orbits.py: METHODS": test_orbits.METHODS,
+}
+
+
+@pytest.mark.parametrize("place", LISTS)
+def test_every_derived_method_is_registered(place: str) -> None:
+    assert list(LISTS[place]) == list(codegen.METHODS)
+
+
+def test_the_command_knows_what_is_solved() -> None:
+    assert tuple(codegen.SOLVED) == equations.SOLVED
+
+
+@pytest.mark.parametrize("method", codegen.METHODS)
+def test_every_method_has_loops_and_a_module_of_kernels(method: str) -> None:
+    assert method in emit.LOOPS
+    assert method in kernels.MODULES
+
+
+@pytest.mark.parametrize("method", codegen.METHODS)
+def test_family_and_amplitude_are_those_of_the_method(method: str) -> None:
+    orbit = ns.solve(DEFAULT, method, 5)
+    family = ns.family(DEFAULT, "belt_speed", [DEFAULT.belt_speed], method, 5)
+    x = orbit.displacement(np.linspace(0, orbit.period, 10_001))
+    assert family["period"] == pytest.approx(orbit.period, rel=1e-12)
+    assert orbit.amplitude == pytest.approx((x.max() - x.min()) / 2, rel=1e-6)
+
+
+def test_every_method_is_in_the_readme() -> None:
+    table = README.split("## The three methods")[1].split("\n## ")[0]
+    assert re.findall(r"^\| `([\w-]+)` \|", table, re.MULTILINE) == list(codegen.METHODS)
