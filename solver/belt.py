@@ -2,9 +2,10 @@
 
 import math
 import numbers
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from types import MappingProxyType
+from typing import Any
 
 #: Unit of each parameter, and what it must be.
 PARAMETERS: Mapping[str, tuple[str, str]] = MappingProxyType(
@@ -54,6 +55,19 @@ def parameter_errors(parameters: Mapping[str, object]) -> list[str]:
             "without a drop from static to kinetic friction there is no stick-slip"
         )
     return errors
+
+
+def alpha_of(parameters: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:
+    """Return ``alpha``; of arrays with NumPy's root, of numbers with that of `math`."""
+    p = parameters
+    impedance = sqrt(p["stiffness"]) * sqrt(p["mass"])
+    drop = (p["mu_s"] - p["mu_k"]) * p["normal_force"]
+    return drop / impedance / p["belt_speed"]
+
+
+def time_unit_of(parameters: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:
+    """Return ``1/omega_n`` in s; see `alpha_of`."""
+    return sqrt(parameters["mass"]) / sqrt(parameters["stiffness"])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,14 +138,12 @@ class StickSlip:
     @property
     def alpha(self) -> float:
         """``omega_n (mu_s - mu_k) F_N / (K V)``, the one number that shapes the orbit."""
-        impedance = math.sqrt(self.stiffness) * math.sqrt(self.mass)
-        drop = (self.mu_s - self.mu_k) * self.normal_force
-        return drop / impedance / self.belt_speed
+        return float(alpha_of(vars(self), math.sqrt))
 
     @property
     def time_unit(self) -> float:
         """``1/omega_n`` in s: the unit of dimensionless time."""
-        return math.sqrt(self.mass) / math.sqrt(self.stiffness)
+        return float(time_unit_of(vars(self), math.sqrt))
 
     @property
     def length_unit(self) -> float:
@@ -155,7 +167,7 @@ class StickSlip:
 
 
 #: Section 4 of the paper.  The paper does not print F_N; 400 N is our choice, because
-#: it makes alpha = 1 and is the roundest force at which the claims of Fig. 4 hold.
+#: it makes alpha = 1 and is the roundest force at which nearly all claims of Fig. 4 hold.
 DEFAULT = StickSlip(
     mass=10.0, stiffness=1000.0, belt_speed=1.0, mu_s=0.5, mu_k=0.25, normal_force=400.0
 )

@@ -82,7 +82,7 @@ class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
         if found:
             estimate, best = min(found, key=lambda pair: getattr(pair[0], name))
             value = getattr(estimate, name)
-            parts.append(f"the best was {value:.1e} by {best.method}, N = {best.order}")
+            parts.append(f"the best tried was {value:.1e} by {best.method}, N = {best.order}")
         parts += [f"{name} would need N of about {N:.0e}" for name, N in self.foretold.items()]
         return "; ".join(parts)
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import lu_factor, lu_solve
+import scipy  # its parts are loaded where they are used
 
 from .arrays import Matrix, Vector
 from .kernels import Kernel
@@ -141,12 +141,12 @@ class Problem:
         entry = self.kernel.functions["sine_by_sine"]
         coupling = entry(C[np.abs(j[:, None] - j)], C[j[:, None] + j]) / D[:m, None]
         low = border.low(coupling)
-        factors = lu_factor(low)
+        factors = scipy.linalg.lu_factor(low)
 
         def precondition(r: Vector) -> Vector:
             right = np.concatenate([r[:m], r[self.N :]])
             right[m : len(right) - 2] -= border.by_sine[:, m:] @ r[m : self.N]
-            solved = lu_solve(factors, right)
+            solved = scipy.linalg.lu_solve(factors, right)
             step = r.copy()
             step[:m], step[self.N :] = solved[:m], solved[m:]
             step[m : self.N] -= solved[m:] @ border.columns[:, m:]

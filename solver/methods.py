@@ -96,6 +96,17 @@ def with_terms(method: Method, terms: object) -> Method:
     return replace(method, title=title, c1_terms=terms, highest_order=MOST_HARMONICS_BESIDE)
 
 
+def name_with_terms(method: str, c1_terms: int) -> str:
+    """Return how a method is called, with the number of its C1 functions if not the paper's.
+
+    Examples
+    --------
+    >>> name_with_terms("hb-c1", 1), name_with_terms("hb-c1", 3)
+    ('hb-c1', 'hb-c1(3)')
+    """
+    return method if c1_terms == 1 else f"{method}({c1_terms})"
+
+
 def check_method(name: object) -> Method:
     """Return the method of this name.
 

@@ -1,5 +1,6 @@
 """Periodic motions in SI units, and the exact one."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -24,6 +25,11 @@ class Motion:
     @property
     def t1(self) -> float:
         """End of stick in s."""
+        raise NotImplementedError
+
+    @property
+    def amplitude(self) -> float:
+        """Half of the way between the two ends of the motion, in m."""
         raise NotImplementedError
 
     def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
@@ -98,6 +104,11 @@ class ExactOrbit(Motion):
     def t1(self) -> float:
         """End of stick, ``2 A/V``, in s."""
         return closed_form.times(self.belt.alpha)[0] * self.belt.time_unit
+
+    @property
+    def amplitude(self) -> float:
+        """Half of the way between the two ends of the motion, in m."""
+        return self.belt.length_unit * math.hypot(1.0, self.belt.alpha)
 
     def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
         alpha = self.belt.alpha

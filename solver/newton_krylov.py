@@ -1,7 +1,7 @@
 """Newton's method with GMRES for equations without a matrix; see `matrix_free`."""
 
 import numpy as np
-from scipy.sparse.linalg import LinearOperator, gmres
+import scipy  # its parts are loaded where they are used
 
 from .arrays import Vector
 from .matrix_free import Linearised, Problem
@@ -65,10 +65,10 @@ def solve(problem: Problem, start: Vector, limit: int = ITERATION_LIMIT) -> Outc
 
 def _krylov(here: Linearised, n: int) -> Vector:
     """Return the inverse of the Jacobian times the residual."""
-    A = LinearOperator((n, n), matvec=here.product, dtype=float)
-    P = LinearOperator((n, n), matvec=here.precondition, dtype=float)
+    A = scipy.sparse.linalg.LinearOperator((n, n), matvec=here.product, dtype=float)
+    P = scipy.sparse.linalg.LinearOperator((n, n), matvec=here.precondition, dtype=float)
     first = here.precondition(here.residual)
-    found, _ = gmres(
+    found, _ = scipy.sparse.linalg.gmres(
         A, here.residual, x0=first, rtol=INNER_TOLERANCE, atol=0.0, M=P,
         restart=INNER_STEPS, maxiter=1,
     )  # fmt: skip

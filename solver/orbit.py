@@ -6,6 +6,7 @@ from functools import cached_property
 from html import escape
 
 from . import admissible
+from .amplitude import amplitude
 from .arrays import Vector
 from .belt import StickSlip
 from .errors import Errors, errors
@@ -60,6 +61,12 @@ class Orbit(Motion):
     def t1(self) -> float:
         """End of stick in s."""
         return float(self.unknowns[-2] * self.belt.time_unit)
+
+    @cached_property
+    def amplitude(self) -> float:
+        """Half of the way between the two ends of the motion, in m."""
+        method, belt = self._method, self.belt
+        return belt.length_unit * amplitude(method, self.order, belt.alpha, self.unknowns)
 
     @property
     def converged(self) -> bool:

@@ -7,7 +7,7 @@ first C1 function in closed form.
 import math
 
 import numpy as np
-from scipy import fft
+import scipy  # its parts are loaded where they are used
 
 from . import fourier
 from .arrays import Vector
@@ -40,14 +40,14 @@ def samples(z: Vector, order: int, terms: int) -> tuple[Vector, Vector, Vector]:
         ``tau`` from 0 to ``T/2``, ends not included.
     """
     t1, T = z[-2:]
-    points = fft.next_fast_len(max(FEWEST, PER_HARMONIC * order), real=True) - 1
+    points = scipy.fft.next_fast_len(max(FEWEST, PER_HARMONIC * order), real=True) - 1
     tau = T / 2 * np.arange(1, points + 1) / (points + 1)
     beside = fourier.beside_g1(z, order) if terms else z
     b = sines_about_mid_stick(beside, order)
     rates = np.zeros(points + 2)
     rates[1 : order + 1] = b * (2 * math.pi / T) * np.arange(1, order + 1)
     displacement = beside[0] / 2 + on_grid(b, points) / 2
-    velocity = fft.dct(rates, type=1)[1:-1] / 2
+    velocity = scipy.fft.dct(rates, type=1)[1:-1] / 2
     if terms:
         t = tau + t1 / 2
         displacement += fourier.c1_functions(z, order, t, 0)

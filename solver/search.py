@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from . import c1_roots, newton_krylov
+from . import c1_roots, continuation, newton_krylov
 from .admissible import violations
 from .arrays import Vector
 from .belt import StickSlip
@@ -59,10 +59,10 @@ class Search:
             start = with_coefficients(kernel, alpha, order, t1, T)
             return self.newton(kernel, alpha, start)
         kernel = self.load("hb-symmetric")
-        found = self._about_mid_stick(kernel, alpha, terms, order, (t1, T))
+        found = self.about_mid_stick(kernel, alpha, terms, order, (t1, T))
         return replace(found, unknowns=from_symmetric(found.unknowns, order))
 
-    def _about_mid_stick(
+    def about_mid_stick(
         self, kernel: Kernel, alpha: float, terms: int, order: int, times: tuple[float, float]
     ) -> Outcome:
         """Solve 3.1 or 3.2 about mid-stick: dense, or from fewer harmonics, matrix-free."""
@@ -71,7 +71,7 @@ class Search:
             return self.newton(kernel, (alpha, terms), start)
         fewer, (t1, T) = max(MOST_DENSE, order // LADDER), times
         if fewer * (1 - t1 / T) >= RESOLVED:
-            coarse = self._about_mid_stick(kernel, alpha, terms, fewer, times)
+            coarse = self.about_mid_stick(kernel, alpha, terms, fewer, times)
             if coarse.converged:
                 start = np.zeros(len(start))
                 start[:fewer], start[order:] = coarse.unknowns[:fewer], coarse.unknowns[fewer:]
@@ -112,6 +112,30 @@ def _from_easy_alpha(search: Search) -> Outcome:
     return outcome
 
 
+def _from_short_stick(search: Search) -> Outcome:
+    """Follow the solutions of 3.2 from `EASY_ALPHA` by the duration of stick, round folds."""
+    alpha, terms, order = search.belt.alpha, search.method.c1_terms or 0, search.order
+    kernel = search.load("hb-symmetric")
+    found = search.about_mid_stick(kernel, EASY_ALPHA, terms, order, rough_times(EASY_ALPHA))
+    if found.converged:
+        near, iterations = continuation.follow(kernel, terms, found.unknowns, alpha)
+        search.iterations += iterations
+        found = search.newton(kernel, (alpha, terms), near)
+    return replace(found, unknowns=from_symmetric(found.unknowns, order))
+
+
+def _from_fewer_functions(search: Search) -> Outcome:
+    """Start 3.2 with one C1 function, and add the others one by one."""
+    alpha, terms, order = search.belt.alpha, search.method.c1_terms or 0, search.order
+    kernel = search.load("hb-symmetric")
+    found = search.about_mid_stick(kernel, alpha, 1, order, rough_times(alpha))
+    for number in range(2, terms + 1):
+        if found.converged:
+            start = np.insert(found.unknowns, -2, 0.0)
+            found = search.newton(kernel, (alpha, number), start)
+    return replace(found, unknowns=from_symmetric(found.unknowns, order))
+
+
 def _from_root(search: Search) -> Outcome:
     """Start 3.3 from the admissible one of all its real solutions; see `c1_roots`."""
     order, belt = search.order, search.belt
@@ -134,7 +158,9 @@ Start = tuple[str, Callable[[Search], Outcome]]
 
 _ROUGH: Start = ("a rough slip duration", _from_rough_times)
 _EASY: Start = (f"continuation from alpha = {EASY_ALPHA:g}", _from_easy_alpha)
+_STICK: Start = (f"continuation from alpha = {EASY_ALPHA:g} by t1", _from_short_stick)
 _SERIES: Start = ("the orbit of 3.1", _from_fourier)
+_FEWER: Start = ("the orbit with fewer C1 functions", _from_fewer_functions)
 _ROOTS: Start = ("isolation of all real solutions", _from_root)
 
 
@@ -144,8 +170,9 @@ def starts(method: Method, alpha: float, order: int) -> tuple[Start, ...]:
     Very many harmonics resolve the phases; what the rough start does not reach there,
     nothing does.
 
-    Where stick is short, ``alpha < 1``, ``g1`` adds little: 3.1 is a neighbour that 3.2
-    starts from.
+    Where stick is short, ``alpha < 1``, a C1 function adds little: 3.1, or 3.2 with fewer of
+    them, is a neighbour to start from.  From where stick is long and the harmonics are few,
+    only the way by ``t1`` leads on.
     """
     if method.name == "c1":
         return (_ROUGH, _ROOTS)
@@ -153,4 +180,7 @@ def starts(method: Method, alpha: float, order: int) -> tuple[Start, ...]:
         return (_ROUGH,)
     if method.name == "hb":
         return (_ROUGH, _EASY)
-    return (_SERIES, _ROUGH, _EASY) if alpha < EASY_ALPHA else (_ROUGH, _SERIES, _EASY)
+    others = (_SERIES,) if method.c1_terms == 1 else (_FEWER, _SERIES)
+    first = (*others, _ROUGH) if alpha < EASY_ALPHA else (_ROUGH, *others)
+    reached = 1 / continuation.FARTHEST <= alpha <= continuation.FARTHEST
+    return (*first, _STICK) if reached else first

@@ -100,6 +100,18 @@ def test_the_choice_is_explained_in_80_columns(run) -> None:
     assert max(map(len, out.splitlines())) <= 80
 
 
+@pytest.mark.parametrize("tol", ["1e-10", "1e-14"])
+def test_digits_beyond_the_table_are_shown_and_right(run, tol: str) -> None:
+    _, out, _ = run("solve", "--tol", tol)
+    line = next(line for line in out.splitlines() if "T = 0.67" in line)
+    period = line.partition("T = ")[2].split()[0]
+    assert len(period) - 2 >= round(-math.log10(float(tol)))
+    exact = ns.exact(DEFAULT).period
+    assert abs(float(period) - exact) <= 1.5 * 10.0 ** -(len(period) - 2)
+    _, out, _ = run("solve", "--tol", "1e-8")
+    assert "T = " not in out
+
+
 @pytest.mark.parametrize("value", ["0", "-1e-3", "1", "nan", "inf", "2"])
 @pytest.mark.parametrize("flag", ["--tol", "--tol-acceleration"])
 def test_a_tolerance_that_is_none(run, flag: str, value: str) -> None:
