@@ -1,8 +1,12 @@
 """What several tests share: the default oscillator, and a command line to call."""
 
+import os
 import subprocess
 import sys
 from collections.abc import Callable
+
+# Before NumPy: on small arrays the threads of its BLAS cost more than they give.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import pytest
 from hypothesis import settings
@@ -16,6 +20,25 @@ settings.register_profile("fixed", deadline=None, derandomize=True)
 settings.load_profile("fixed")
 
 Outcome = tuple[int, str, str]
+
+#: The command line as a terminal starts it.  What runs in the background of a script inherits
+#: that Ctrl-C is ignored.
+_PROGRAM = (
+    "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+    "from nonsmooth.cli import main; main()"
+)
+
+
+@pytest.fixture
+def interruptible() -> Callable[..., "subprocess.Popen[str]"]:
+    """Return a starter of the command line in a process that takes Ctrl-C."""
+
+    def start(*arguments: object) -> "subprocess.Popen[str]":
+        command = [sys.executable, "-c", _PROGRAM, *map(str, arguments)]
+        pipe = subprocess.PIPE
+        return subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True)
+
+    return start
 
 
 @pytest.fixture

@@ -278,3 +278,24 @@ def test_python_takes_a_numpy_integer_as_order(belt: ns.StickSlip) -> None:
 def test_python_names_a_wrong_method(method: object, belt: ns.StickSlip) -> None:
     with pytest.raises(ValueError, match="method: got"):
         ns.solve(belt, method, 5)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        (("--format", "latex", "-o", "{}/a.html"), "a.html with --format latex"),
+        (("--format", "text", "-o", "{}/a.PDF"), "expected .txt"),
+        (("-o", "{}/a.docx"), "expected a name that ends in one of .txt, .tex, .html, .pdf"),
+        (("--format", "pdf"), "expected -o FILE.pdf"),
+        (("--fragment",), "--fragment: got format text, expected latex"),
+        (("--fragment", "-o", "{}/a.html"), "--fragment: got format html"),
+        (("--expand", "0"), "--expand: got 0, expected a whole number from 1 to 5"),
+        (("--expand", "6"), "--expand: got 6"),
+        (("--expand", "two"), "'two' is not a valid integer"),
+    ],
+)
+def test_equations_in_a_format_or_an_order_that_is_not_there(
+    run, tmp_path: Path, arguments: tuple[str, ...], named: str
+) -> None:
+    assert named in refused(run, "equations", *(a.format(tmp_path) for a in arguments))
+    assert list(tmp_path.iterdir()) == []

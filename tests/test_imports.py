@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-HEAVY = ("sympy", "numba", "matplotlib", "rich")
+HEAVY = ("sympy", "numba", "matplotlib", "rich", "scipy.optimize")
 WHICH = f"import sys; print([m for m in {HEAVY!r} if m in sys.modules])"
 
 

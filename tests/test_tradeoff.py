@@ -10,7 +10,7 @@ from nonsmooth.tradeoff import Point, with_front
 
 
 def point(seconds: float, error: float) -> Point:
-    return Point("float64", "c1", 1, None, seconds, error, error)
+    return Point("float64", "c1", 1, 1, None, seconds, error, error)
 
 
 def test_the_front_is_what_nothing_faster_matches() -> None:
@@ -21,7 +21,9 @@ def test_the_front_is_what_nothing_faster_matches() -> None:
 
 @pytest.fixture
 def few(monkeypatch) -> None:
-    orders = {"hb": (2, 8), "hb-c1": (2,), "c1": (4, 5, 7, 10)}
+    orders = {
+        ("hb", 1): (2, 8), ("hb-c1", 1): (2,), ("hb-c1", 3): (8,), ("c1", 1): (4, 5, 7, 10)
+    }  # fmt: skip
     monkeypatch.setattr(tradeoff, "ORDERS", orders)
     monkeypatch.setattr(tradeoff, "DIGITS", (20, 30))
 
@@ -37,6 +39,7 @@ def test_points_of_both_regimes() -> None:
             assert p.estimate == pytest.approx(p.error, rel=0.1)
         else:
             assert p.error <= 10.0**-p.digits * 1.0001
+    assert [p.order for p in points if p.c1_terms == 3] == [8]
     assert points[-1].front  # nothing else has 30 digits
     fastest = min(points, key=lambda p: p.seconds)
     assert fastest.front
@@ -47,6 +50,7 @@ def test_the_command_prints_a_table_a_document_and_a_picture(run, tmp_path) -> N
     status, out, _ = run("tradeoff")
     assert status == 0
     assert "front" in out
+    assert "hb-c1(3)" in out
     assert max(map(len, out.splitlines())) <= 80
     target = tmp_path / "tradeoff.svg"
     status, out, _ = run("tradeoff", "--json", "-o", target)

@@ -18,7 +18,10 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .codegen import derive as equations
+    from .files.api import load, save
+    from .files.errors import FileError
     from .solver.belt import ParameterError, StickSlip
+    from .solver.family import Family, family
     from .solver.motion import ExactOrbit, exact
     from .solver.no_orbit import NoOrbit
     from .solver.orbit import Orbit
@@ -31,6 +34,8 @@ if TYPE_CHECKING:
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
     "ExactOrbit": ("solver.motion", "ExactOrbit"),
+    "FileError": ("files.errors", "FileError"),
+    "Family": ("solver.family", "Family"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "NotCertified": ("solver.choice", "NotCertified"),
     "Orbit": ("solver.orbit", "Orbit"),
@@ -41,12 +46,17 @@ _HOMES = {
     "TooSlow": ("solver.choice", "TooSlow"),
     "equations": ("codegen", "derive"),
     "exact": ("solver.motion", "exact"),
+    "load": ("files.api", "load"),
+    "save": ("files.api", "save"),
+    "family": ("solver.family", "family"),
     "solve": ("solver.solve", "solve"),
     "sweep": ("solver.sweep", "sweep"),
 }
 
 __all__ = [
     "ExactOrbit",
+    "Family",
+    "FileError",
     "NoOrbit",
     "NotCertified",
     "Orbit",
@@ -58,6 +68,9 @@ __all__ = [
     "__version__",
     "equations",
     "exact",
+    "family",
+    "load",
+    "save",
     "solve",
     "sweep",
 ]

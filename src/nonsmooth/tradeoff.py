@@ -13,14 +13,19 @@ from importlib.util import find_spec
 from .solver.belt import StickSlip
 from .solver.budget import median_seconds
 from .solver.convergence import rate
+from .solver.methods import name_with_terms
 from .solver.no_orbit import NoOrbit
+from .solver.orbit import Orbit
 from .solver.solve import solve
 
-#: Orders in float64; the Fourier series without and with one C1 function, and the C1 series.
-ORDERS = {
-    "hb": (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384, 65_536),
-    "hb-c1": (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384),
-    "c1": (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 20),
+#: Method and its C1 functions, with the orders in float64.  Of 3.2 with several functions
+#: those numbers that are the first of their order of convergence.
+ORDERS: dict[tuple[str, int], tuple[int, ...]] = {
+    ("hb", 1): (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384, 65_536),
+    ("hb-c1", 1): (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384),
+    ("hb-c1", 3): (2, 4, 8, 16, 32, 64, 128),
+    ("hb-c1", 5): (2, 4, 8, 16, 32),
+    ("c1", 1): (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 20),
 }
 
 #: Digits of the period beyond float64, by the C1 series.
@@ -38,7 +43,8 @@ class Point:
     ----------
     regime : {"float64", "precise"}
         Arithmetic; the second is high precision.
-    method, order : str, int
+    method, c1_terms, order : str, int, int
+        `c1_terms` are the C1 functions of ``"hb-c1"``.
     digits : int or None
         Decimal digits in high precision.
     seconds : float
@@ -51,6 +57,7 @@ class Point:
 
     regime: str
     method: str
+    c1_terms: int
     order: int
     digits: int | None
     seconds: float
@@ -72,10 +79,10 @@ def measure(
         Called with what has just been measured, in words.
     """
     points = []
-    for method, orders in ORDERS.items():
+    for (method, terms), orders in ORDERS.items():
         for order in orders:
-            points += _float64(belt, method, order)
-            progress(f"{method}, N = {order}")
+            points += _float64(belt, method, terms, order)
+            progress(f"{name_with_terms(method, terms)}, N = {order}")
     if find_spec("flint") is not None:
         slope, offset = _geometric(belt)
         for digits in DIGITS:
@@ -89,21 +96,26 @@ def count() -> int:
     return sum(map(len, ORDERS.values())) + len(DIGITS)
 
 
-def _float64(belt: StickSlip, method: str, order: int) -> list[Point]:
+def _float64(belt: StickSlip, method: str, terms: int, order: int) -> list[Point]:
     """Return the point of one method and order; none where there is no orbit."""
+
+    def orbit() -> Orbit:
+        return solve(belt, method, order, c1_terms=terms, many=True)
+
     try:
-        orbit = solve(belt, method, order, many=True)
+        found = orbit()
     except NoOrbit:
         return []
-    seconds = median_seconds(lambda: solve(belt, method, order, many=True))
-    error = max(abs(orbit.errors.period), ROUNDING)
-    return [Point("float64", method, order, None, seconds, error, orbit.estimate.period)]
+    seconds = median_seconds(orbit)
+    error = max(abs(found.errors.period), ROUNDING)
+    judged = found.estimate.period
+    return [Point("float64", method, terms, order, None, seconds, error, judged)]
 
 
 def _geometric(belt: StickSlip) -> tuple[float, float]:
     """Return decimal digits of the period by the C1 series: each order's, and the first's."""
     rows = []
-    for order in ORDERS["c1"]:
+    for order in ORDERS["c1", 1]:
         try:
             rows.append((order, solve(belt, "c1", order, many=True).errors))
         except NoOrbit:
@@ -124,7 +136,7 @@ def _precise(belt: StickSlip, order: int, digits: int) -> list[Point]:
     except (NoOrbit, PrecisionError, ValueError):
         return []
     error = max(abs(float(found.error_period)), 10.0**-digits)
-    return [Point("precise", "c1", order, digits, seconds, error, None)]
+    return [Point("precise", "c1", 1, order, digits, seconds, error, None)]
 
 
 def with_front(points: list[Point]) -> list[Point]:

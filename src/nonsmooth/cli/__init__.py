@@ -11,8 +11,9 @@ from typing import Any, NoReturn
 
 import click
 
-from . import equations, generate, roots, solve, stability, sweep, tradeoff
+from . import equations, generate, report, roots, solve, stability, sweep, tradeoff
 from .problems import Problem
+from .version import show_version
 
 EXAMPLES = """\b
 Examples:
@@ -23,18 +24,10 @@ Examples:
 """
 
 
-def _version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
-    if wanted and not context.resilient_parsing:
-        import nonsmooth  # noqa: PLC0415
-
-        click.echo(f"nonsmooth {nonsmooth.__version__}")
-        context.exit()
-
-
 @click.group(epilog=EXAMPLES, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option(
-    "--version", is_flag=True, expose_value=False, is_eager=True, callback=_version,
-    help="Show the version and exit.",
+    "--version", is_flag=True, expose_value=False, is_eager=True, callback=show_version,
+    help="Show what a bug report needs and exit.",
 )  # fmt: skip
 def cli() -> None:
     """Periodic orbits of a stick-slip oscillator by harmonic balance and Galerkin expansions.
@@ -51,6 +44,7 @@ for command in (
     roots.roots,
     stability.stability,
     tradeoff.tradeoff,
+    report.report,
 ):
     cli.add_command(command)
 
@@ -62,6 +56,8 @@ def _fail(message: str, status: int) -> NoReturn:
 
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the command line; every mistake is one line and a status, never a traceback."""
+    # For matrices as small as these threads cost more than they give: twice the time.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     context: dict[str, Any] = {"prog_name": "nonsmooth", "standalone_mode": False}
     try:
         status = cli.main(arguments, **context)

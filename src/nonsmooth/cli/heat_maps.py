@@ -7,7 +7,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from .pictures import LABELS, SETTINGS, save
+from nonsmooth.style import LABELS, SETTINGS, save
 
 if TYPE_CHECKING:
     from nonsmooth.stability import Cell

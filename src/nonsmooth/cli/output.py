@@ -1,25 +1,31 @@
 """Files are written whole or not at all; where they cannot be is said before the work."""
 
-import json
-import math
 import os
 import tempfile
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import click
 
+from nonsmooth.files.whole import whole
+
 from .problems import Problem
 
-#: Version of the JSON documents.
-SCHEMA = 1
+#: What data can be written as.
+DATA = (".json", ".csv", ".nc")
 
 PICTURES = (".png", ".svg", ".pdf")
+
+if TYPE_CHECKING:
+    from nonsmooth.files.api import Savable
 
 
 def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
     """Check that `path` has one of the suffixes and that its folder takes a file.
+
+    Without suffixes it may have any, and is no picture.
 
     Raises
     ------
@@ -41,8 +47,10 @@ def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
         raise Problem(f"-o: cannot write to {path.parent}: {error.strerror}") from error
     os.close(handle)
     os.unlink(probe)
-    if path.suffix.lower() in PICTURES:
+    if suffixes and path.suffix.lower() in PICTURES:
         need_matplotlib()
+    if path.suffix.lower() == ".nc":
+        need("netCDF4", "-o: netCDF", "netcdf")
 
 
 def need_matplotlib() -> None:
@@ -53,10 +61,19 @@ def need_matplotlib() -> None:
     Problem
         Saying how to install what is missing.
     """
-    from importlib.util import find_spec  # noqa: PLC0415
+    need("matplotlib", "-o: a picture", "plot")
 
-    if find_spec("matplotlib") is None:
-        raise Problem("-o: a picture needs matplotlib: pip install 'nonsmooth[plot]'")
+
+def need(library: str, what: str, extra: str) -> None:
+    """Check that a library of an extra is installed.
+
+    Raises
+    ------
+    Problem
+        Saying what needs it, and how to install it.
+    """
+    if find_spec(library) is None:
+        raise Problem(f"{what} needs {library}: pip install 'nonsmooth[{extra}]'")
 
 
 def write_whole(path: Path, write: Callable[[Path], None]) -> None:
@@ -67,24 +84,23 @@ def write_whole(path: Path, write: Callable[[Path], None]) -> None:
     Problem
         If the file cannot be written; then nothing is left of it.
     """
-    handle, name = tempfile.mkstemp(dir=path.parent, suffix=path.suffix)
-    os.close(handle)
-    temporary = Path(name)
     try:
-        write(temporary)
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
+        with whole(path) as temporary:
+            write(temporary)
     except OSError as error:
         raise Problem(f"-o: cannot write {path}: {error.strerror}") from error
-    finally:
-        temporary.unlink(missing_ok=True)
     click.echo(f"wrote {path}", err=True)
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def write_file(path: Path, thing: "Savable") -> None:
+    """Write orbits, a sweep or families as .json, .csv or .nc."""
+    from nonsmooth.files.api import save  # noqa: PLC0415
+
+    try:
+        save(thing, path)
+    except OSError as error:
+        raise Problem(f"-o: cannot write {path}: {error.strerror}") from error
+    click.echo(f"wrote {path}", err=True)
 
 
 def write_text(path: Path, text: str) -> None:
@@ -96,16 +112,10 @@ def write_text(path: Path, text: str) -> None:
     write_whole(path, write)
 
 
-def as_json(document: dict[str, Any]) -> str:
-    """Return a JSON document with its schema version; what is not finite is null."""
-    whole = {"schema": SCHEMA} | document
-    return json.dumps(_finite(whole), indent=2, allow_nan=False)
+def write_bytes(path: Path, content: bytes) -> None:
+    """Write a binary file whole or not at all."""
 
+    def write(target: Path) -> None:
+        target.write_bytes(content)
 
-def _finite(value: Any) -> Any:
-    """Return `value` with null for numbers that JSON has no word for."""
-    if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+    write_whole(path, write)

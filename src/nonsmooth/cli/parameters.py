@@ -28,7 +28,7 @@ TABLE = "stick_slip"
 
 CHOICE = (
     "F_N = 400 N (alpha = 1) is our choice: the paper does not print F_N, and this\n"
-    "is a round value for which the claims of its Fig. 4 hold."
+    "is a round value for which nearly all claims of its Fig. 4 hold."
 )
 
 

@@ -1,8 +1,4 @@
-"""Pictures: the orbit against the exact one, and how the methods converge.
-
-Colours that colour-blind readers tell apart, and a marker or line style for each method,
-so that the pictures can be read in grey.
-"""
+"""Pictures: the orbit against the exact one, and how the methods converge."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,44 +8,22 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from nonsmooth.solver.motion import Motion, exact
+from nonsmooth.style import (
+    EXACT,
+    LABELS,
+    SETTINGS,
+    STYLES,
+    above_floor,
+    draw_floor,
+    line,
+    save,
+)
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
     from nonsmooth.solver.orbit import Orbit
     from nonsmooth.solver.sweep import Sweep
     from nonsmooth.tradeoff import Point
-
-#: Line style, marker and colour (Okabe & Ito) of each method; the paper's markers.
-STYLES: dict[str, dict[str, Any]] = {
-    "hb": {"color": "#0072B2", "marker": "D", "linestyle": "--"},
-    "hb-c1": {"color": "#D55E00", "marker": "s", "linestyle": "-."},
-    "c1": {"color": "#009E73", "marker": "o", "linestyle": ":"},
-}
-EXACT: dict[str, Any] = {"color": "0.25", "linestyle": "-", "linewidth": 1.0}
-
-#: A jump misplaced by one rounding error of t/T contributes about its square root to (22).
-FLOOR = float(np.sqrt(np.finfo(float).eps))
-
-LABELS = {
-    "hb": "hb: Fourier series (3.1)",
-    "hb-c1": "hb-c1: with one $C^1$ function (3.2)",
-    "c1": "c1: $C^1$ functions (3.3)",
-}
-
-SETTINGS: Any = {
-    "font.size": 9,
-    "axes.grid": True,
-    "grid.alpha": 0.3,
-    "axes.axisbelow": True,
-    "svg.hashsalt": "nonsmooth",
-    "svg.fonttype": "path",
-}
-
-
-def save(figure: Figure, target: Path) -> None:
-    """Write the figure without a date: the same input gives the same bytes."""
-    metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    figure.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
 
 
 def orbit_picture(belt: "StickSlip", orbits: "list[Orbit]", target: Path) -> None:
@@ -60,9 +34,8 @@ def orbit_picture(belt: "StickSlip", orbits: "list[Orbit]", target: Path) -> Non
         reference = exact(belt)
         _draw_motion(plane, histories, reference, "exact", EXACT)
         for orbit in orbits:
-            style = STYLES[orbit.method] | {"marker": "", "linewidth": 1.4}
             label = f"{LABELS[orbit.method]}, N = {orbit.order}"
-            _draw_motion(plane, histories, orbit, label, style)
+            _draw_motion(plane, histories, orbit, label, line(orbit.method))
         plane.set(xlabel="displacement [m]", ylabel="velocity [m/s]", title="limit cycle")
         names = ("displacement [m]", "velocity [m/s]", "acceleration [m/s²]")
         for axes, name in zip(histories, names, strict=True):
@@ -102,12 +75,10 @@ def convergence_picture(result: "Sweep", target: Path) -> None:
             }
             period.plot(orders, [(row.period or 0) / reference for row in rows], **style)
             size.semilogy(orders, [max(abs(e.period), 1e-16) for e in errors], **style)
-            visible = [
-                e.acceleration if e.acceleration > FLOOR / 10 else np.nan for e in errors
-            ]
+            visible = [above_floor(e.acceleration) for e in errors]
             acceleration.semilogy(orders, visible, **style)
         period.axhline(1, **EXACT)
-        _draw_floor(acceleration)
+        draw_floor(acceleration)
         period.set(xlabel="order N", ylabel="T / T exact", title="period (Fig. 4)")
         size.set(xlabel="order N", ylabel="|T / T exact - 1|", title="period error")
         title = "acceleration error (Fig. 6)"
@@ -118,19 +89,19 @@ def convergence_picture(result: "Sweep", target: Path) -> None:
         save(figure, target)
 
 
-def _draw_floor(axes: Any) -> None:
-    """Mark where rounding of t1 alone holds (22); what is far below it is so by luck."""
-    axes.axhline(FLOOR, color="0.5", linewidth=0.8, linestyle=(0, (5, 5)))
-    where = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
-    style = {"fontsize": 7, "color": "0.4"}
-    axes.annotate("floor in float64", (0.02, FLOOR), xytext=(0, 3), **where, **style)
-
-
 def _caption(belt: "StickSlip") -> str:
     return (
         rf"stick-slip oscillator, $\alpha = \omega_n (\mu_s - \mu_k) F_N / (K V)$ = "
         f"{belt.alpha:.4g}, $F_N$ = {belt.normal_force:g} N"
     )
+
+
+def _by_way(points: "list[Point]") -> "dict[tuple[str, str, int], list[Point]]":
+    """Return the points of each regime, method and number of C1 functions."""
+    found: dict[tuple[str, str, int], list[Point]] = {}
+    for point in points:
+        found.setdefault((point.regime, point.method, point.c1_terms), []).append(point)
+    return found
 
 
 def tradeoff_picture(points: "list[Point]", target: Path) -> None:
@@ -143,14 +114,18 @@ def tradeoff_picture(points: "list[Point]", target: Path) -> None:
             *np.array(front).T, where="post", color="0.8", linewidth=5, label="the front",
             zorder=1,
         )  # fmt: skip
-        for method, style in STYLES.items():
-            for regime, name in (("float64", LABELS[method]), ("precise", "c1, many digits")):
-                chosen = [p for p in points if (p.regime, p.method) == (regime, method)]
-                if not chosen:
-                    continue
-                look = style if regime == "float64" else {"color": "0.2", "marker": "*"}
-                times, errors = [p.seconds for p in chosen], [p.error for p in chosen]
-                axes.plot(times, errors, label=name, markersize=5, zorder=2, **look)
+        for (regime, method, terms), chosen in _by_way(points).items():
+            times, errors = [p.seconds for p in chosen], [p.error for p in chosen]
+            label, look = LABELS[method], STYLES[method]
+            if terms > 1:
+                label = f"{method} with {terms} $C^1$ functions"
+                look = look | {"fillstyle": "none", "linewidth": 0.8}
+            if regime == "precise":
+                label, look = "c1, many digits", {"color": "0.2", "marker": "*"}
+            axes.plot(times, errors, label=label, markersize=5, zorder=2, **look)
+            if terms > 1:
+                where: Any = {"xytext": (4, -8), "textcoords": "offset points", "fontsize": 7}
+                axes.annotate(f"K = {terms}", (times[-1], errors[-1]), **where)
         axes.set(xscale="log", yscale="log", xlabel="time of one orbit [s]")
         axes.set_ylabel("relative error of the period")
         axes.legend(frameon=False)

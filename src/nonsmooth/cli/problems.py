@@ -15,3 +15,11 @@ class Problem(Exception):  # noqa: N818  (its text is what the user reads)
     def __init__(self, message: str, status: int = 2) -> None:
         super().__init__(" ".join(message.split("\n")))
         self.status = status
+
+
+def about_option(error: ValueError) -> Problem:
+    """Return the problem of a wrong order or number of C1 functions, naming its option."""
+    text = str(error)
+    if text.startswith("c1_terms"):
+        return Problem("--c1-terms" + text.removeprefix("c1_terms"))
+    return Problem(f"--orders: {text}")

@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .output import as_json
+from nonsmooth.files.json_text import as_json
+
 from .parameters import belt_from, caption, parameter_options
 from .problems import Problem
+from .progress import busy
 
 if TYPE_CHECKING:
     from nonsmooth.solver.belt import StickSlip
@@ -31,7 +33,8 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
     slip duration, alpha D(s**2) = s E(s**2), isolated in exact arithmetic.
     """
     belt = belt_from(case, flags)
-    rows = _rows(belt, order)
+    with busy(f"all solutions of order {order}"):
+        rows = _rows(belt, order)
     if json_:
         click.echo(as_json({"order": order, "parameters": asdict(belt), "roots": rows}))
     else:

@@ -2,15 +2,16 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 from .equations import METHODS
-from .output import PICTURES, as_json, check_target, write_text, write_whole
+from .output import DATA, PICTURES, check_target, write_file, write_text, write_whole
 from .parameters import belt_from, caption, parameter_options
 from .precise import add_precise, check_digits, show_precise
 from .problems import Problem
+from .progress import busy
 from .tolerance import choose, parse_seconds, why
 
 if TYPE_CHECKING:
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 #: N without ``--order``.
 ORDER = 10
 
+#: Estimated error of the period above which an orbit is not returned without a word.
+FAR_OFF = 0.1
+
 EPILOG = """\b
 Examples:
   nonsmooth solve --tol 1e-8
@@ -30,33 +34,6 @@ Examples:
   nonsmooth solve --method hb --order 40 --case belt.toml --json
   nonsmooth solve --method c1 --order 20 --digits 50
 """
-
-
-def document(
-    belt: "StickSlip", method: str, order: int, found: "Orbit | NoOrbit"
-) -> dict[str, Any]:
-    """Return one solution as JSON has it; with null for what an absent orbit lacks."""
-    from nonsmooth.solver.motion import exact  # noqa: PLC0415
-    from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
-
-    reference = exact(belt)
-    head = {"method": method, "order": order, "parameters": asdict(belt)}
-    tail = {"exact": {"t1": reference.t1, "period": reference.period}}
-    names = ("residual_norm", "t1", "period", "coefficients")
-    if isinstance(found, Orbit):
-        result: dict[str, Any] = {"converged": found.converged, "iterations": found.iterations}
-        result |= {name: getattr(found, name) for name in names}
-        result |= {"admissible": found.admissible, "violations": list(found.violations)}
-        result["transition_mismatch"] = found.transition_mismatch
-        judged = {"errors": asdict(found.errors), "estimate": asdict(found.estimate)}
-        more = {"c1_terms": found.c1_terms} if found.c1_terms > 1 else {}
-        return head | result | tail | judged | more
-    result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(names)
-    result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
-    missing = dict.fromkeys(("period", "t1", "acceleration", "acceleration_aligned"))
-    unknown = dict.fromkeys(("period", "t1", "acceleration"))
-    judged = {"errors": missing, "estimate": unknown}
-    return head | result | tail | judged | {"status": found.status}
 
 
 @click.command(epilog=EPILOG)
@@ -75,7 +52,7 @@ def document(
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path),
-    help="Write the orbit: .json, or a picture .png, .svg, .pdf.",
+    help="Write the orbit: .json, .nc, its motion .csv; or a picture .png, .svg, .pdf.",
 )  # fmt: skip
 def solve(
     method: str | None,
@@ -95,7 +72,7 @@ def solve(
     With a tolerance, the cheapest method and order that meet it, by the estimated error;
     with a budget, the best that fits, timed on this machine.
     """
-    check_target(output, (".json", *PICTURES))
+    check_target(output, (*DATA, *PICTURES))
     from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
 
     found: dict[str, Orbit | NoOrbit]
@@ -118,15 +95,18 @@ def solve(
         names = [method] if method else METHODS
         terms = {name: c1_terms if method or name == "hb-c1" else 1 for name in names}
         found = {name: _search(belt, name, order, terms[name]) for name in names}
-    documents = [document(belt, name, order, result) for name, result in found.items()]
+    from nonsmooth.files.documents import of_solution, with_origin  # noqa: PLC0415
+    from nonsmooth.files.json_text import sealed  # noqa: PLC0415
+
+    documents = [of_solution(belt, name, order, result) for name, result in found.items()]
     if choice is not None:
         documents[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
     if digits is not None:
         for each in documents:
             add_precise(each, found[each["method"]], digits)
-    result = documents[0] if method else {"orbits": documents}
+    text = sealed(with_origin(documents[0] if method else {"orbits": documents}, list(found)))
     if json_:
-        click.echo(as_json(result))
+        click.echo(text, nl=False)
     else:
         from .tables import solutions  # noqa: PLC0415
 
@@ -137,8 +117,9 @@ def solve(
         if digits is not None:
             show_precise(documents)
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
+    _warn_of_far_off(orbits if tol is None else [])
     if output is not None:
-        _write(output, result, belt, orbits)
+        _write(output, text, belt, orbits)
     return 0 if len(orbits) == len(found) else 1
 
 
@@ -148,7 +129,8 @@ def _search(belt: "StickSlip", method: str, order: int, terms: int) -> "Orbit | 
     from nonsmooth.solver.solve import solve as search  # noqa: PLC0415
 
     try:
-        return search(belt, method, order, c1_terms=terms)
+        with busy(f"{method}, N = {order}"):
+            return search(belt, method, order, c1_terms=terms)
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
@@ -158,12 +140,25 @@ def _search(belt: "StickSlip", method: str, order: int, terms: int) -> "Orbit | 
         return finding
 
 
-def _write(
-    output: Path, result: dict[str, Any], belt: "StickSlip", orbits: "list[Orbit]"
-) -> None:
-    if output.suffix.lower() == ".json":
-        write_text(output, as_json(result) + "\n")
-        return
-    from .pictures import orbit_picture  # noqa: PLC0415
+def _warn_of_far_off(orbits: "list[Orbit]") -> None:
+    for orbit in orbits:
+        off = orbit.estimate.period
+        if off > FAR_OFF:
+            hint = (
+                f"its period is off by {off:.0%}, by the estimate; --tol chooses a better one"
+            )
+            click.echo(f"nonsmooth: {orbit.method}, N = {orbit.order}: {hint}", err=True)
 
-    write_whole(output, lambda target: orbit_picture(belt, orbits, target))
+
+def _write(output: Path, text: str, belt: "StickSlip", orbits: "list[Orbit]") -> None:
+    if output.suffix.lower() == ".json":
+        write_text(output, text)
+    elif output.suffix.lower() in DATA:
+        if orbits:
+            write_file(output, orbits)
+        else:
+            click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
+    else:
+        from .pictures import orbit_picture  # noqa: PLC0415
+
+        write_whole(output, lambda target: orbit_picture(belt, orbits, target))

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .output import PICTURES, as_json, check_target, write_text, write_whole
+from nonsmooth.files.json_text import as_json
+
+from .output import PICTURES, check_target, write_text, write_whole
 from .precise import need_flint
 from .progress import progress
 

@@ -1,13 +1,17 @@
 """Tables for people, on stdout, at most 80 columns wide."""
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy.typing as npt
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonsmooth.solver.family_points import STATUS
+from nonsmooth.solver.methods import name_with_terms
 from nonsmooth.solver.motion import exact
 from nonsmooth.solver.orbit import Orbit
 
@@ -18,6 +22,9 @@ if TYPE_CHECKING:
     from nonsmooth.stability import Cell, Form
     from nonsmooth.tradeoff import Point
 
+
+#: Estimated error of the period below which the digits of a column are not all.
+MORE_DIGITS = 1e-9
 
 #: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
 WIDEST = 200
@@ -64,7 +71,7 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
             table.add_row(method, "", orbit.status)
             continue
         table.add_row(
-            method if orbit.c1_terms == 1 else f"{method}({orbit.c1_terms})",
+            name_with_terms(method, orbit.c1_terms),
             str(orbit.order),
             f"{orbit.period:.9g}",
             f"{orbit.errors.period:.2e}",
@@ -75,6 +82,24 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
             str(orbit.iterations),
         )
     _print(table)
+    for orbit in found.values():
+        if isinstance(orbit, Orbit) and orbit.estimate.period < MORE_DIGITS:
+            period = certain_digits(orbit.period, orbit.estimate.period)
+            t1 = certain_digits(orbit.t1, orbit.estimate.t1)
+            name = name_with_terms(orbit.method, orbit.c1_terms)
+            click.echo(f"{name}, N = {orbit.order}: T = {period} s, t1 = {t1} s")
+
+
+def certain_digits(value: float, error: float) -> str:
+    """Return a number by the digits that a relative error leaves.
+
+    Examples
+    --------
+    >>> certain_digits(0.1999999999876, 3e-10), certain_digits(2e-20, 0.0)
+    ('0.200000000', '2.000000000000000e-20')
+    """
+    digits = min(16, max(1, math.floor(-math.log10(error)))) if error > 0 else 16
+    return f"{value:#.{digits}g}"
 
 
 def convergence(result: "Sweep") -> None:
@@ -110,12 +135,32 @@ def rates(result: "Sweep") -> None:
     _print(table)
 
 
+def family_points(heading: str, order: int, found: "Mapping[str, npt.NDArray[Any]]") -> None:
+    """Print points along a parameter."""
+    columns = ("method", "N", heading, "alpha", "T [s]", "amp. [m]", "stick/T", "estimate")
+    table = _table(*columns)
+    for method, points in found.items():
+        for point in points:
+            head = (method, str(order), f"{point['value']:.6g}", f"{point['alpha']:.4g}")
+            if point["status"]:
+                table.add_row(*head, STATUS[point["status"]])
+                continue
+            table.add_row(
+                *head,
+                f"{point['period']:.9g}",
+                f"{point['amplitude']:.7g}",
+                f"{point['stick_fraction']:.5f}",
+                f"{point['estimate_period']:.1e}",
+            )
+    _print(table)
+
+
 def trade(points: "list[Point]") -> None:
     """Print time against error, the front marked."""
     table = _table("method", "N", "digits", "time [s]", "T/T_ex-1", "estimate", "front")
     for point in points:
         table.add_row(
-            point.method,
+            name_with_terms(point.method, point.c1_terms),
             str(point.order),
             "" if point.digits is None else str(point.digits),
             f"{point.seconds:.1e}",

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .output import PICTURES, as_json, check_target, write_text, write_whole
+from nonsmooth.files.json_text import as_json
+
+from .output import PICTURES, check_target, write_text, write_whole
 from .parameters import belt_from, caption, parameter_options
 from .problems import Problem
 from .progress import progress

@@ -1,0 +1,43 @@
+"""``nonsmooth --version``: what a bug report needs."""
+
+import os
+import platform
+from importlib.metadata import PackageNotFoundError, requires, version
+
+import click
+from click.core import Context, Parameter
+
+
+def show_version(context: Context, _: Parameter, wanted: bool) -> None:
+    """Print the version, the mathematics, the machine and the libraries, and leave."""
+    if not wanted or context.resilient_parsing:
+        return
+    from nonsmooth.files.origin import mathematics  # noqa: PLC0415
+    from nonsmooth.solver.methods import METHODS  # noqa: PLC0415
+
+    click.echo(f"nonsmooth {version('nonsmooth')}, mathematics {mathematics(METHODS)}")
+    click.echo(
+        f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
+        f"{os.cpu_count()} cores"
+    )
+    for name in _libraries():
+        click.echo(f"  {name} {_version(name)}")
+    context.exit()
+
+
+def _libraries() -> list[str]:
+    """Return the libraries that compute, draw or write: all but those of the developers."""
+    needed = [line.partition(";") for line in requires("nonsmooth") or []]
+    names = [
+        line.partition(">=")[0].strip()
+        for line, _, marker in needed
+        if not marker or any(extra in marker for extra in ("plot", "precise", "netcdf"))
+    ]
+    return sorted(names, key=str.lower)
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "(not installed)"
