@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 OUTPUT := output
 
 .DEFAULT_GOAL := help
-.PHONY: help solve sweep stability test test-long bench bench-kernels generate equations lint clean
+.PHONY: help solve sweep stability test test-long bench bench-kernels generate equations report docs lint dist lowest clean
 
 help:  ## list the targets
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
@@ -42,14 +42,39 @@ equations: $(VENV)/ready  ## the derived equations as a LaTeX document
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth equations --format latex -o $(OUTPUT)/equations.tex
 
+report: $(VENV)/ready  ## the paper recomputed: figures, equations and claims on one page
+	@mkdir -p $(OUTPUT)
+	@$(BIN)/nonsmooth report -o $(OUTPUT)/report
+
+docs: $(VENV)/ready-docs  ## the documentation as a site: output/docs/index.html
+	@rm -rf $(OUTPUT)/docs docs/reference/modules
+	@$(BIN)/python -m sphinx -q -j auto -W --keep-going -n docs $(OUTPUT)/docs
+	@echo "wrote $(OUTPUT)/docs/index.html"
+
 lint: $(VENV)/ready  ## formatting, style, types, and whether generated/ is up to date
 	@$(BIN)/ruff format --check .
 	@$(BIN)/ruff check .
 	@$(BIN)/mypy
 	@$(BIN)/nonsmooth generate --check
 
+dist:  ## the sdist and the wheel, installed in an environment of its own and run
+	@rm -rf dist
+	@$(PYTHON) -m venv dist/.venv
+	@dist/.venv/bin/python -m pip install --quiet --disable-pip-version-check 'build>=1.2'
+	@dist/.venv/bin/python -m build --outdir dist . >/dev/null
+	@$(PYTHON) -m venv --clear dist/.venv
+	@dist/.venv/bin/python -m pip install --quiet --disable-pip-version-check dist/*.whl
+	@cd dist && .venv/bin/nonsmooth solve --tol 1e-8 && .venv/bin/nonsmooth generate --check
+	@rm -rf dist/.venv && ls dist
+
+lowest:  ## all tests with the lowest versions that pyproject.toml allows, in .venv-lowest
+	@$(PYTHON) -m venv --clear .venv-lowest
+	@$(PYTHON) .ci/lowest.py > .venv-lowest/constraints
+	@.venv-lowest/bin/python -m pip install --quiet --disable-pip-version-check -c .venv-lowest/constraints -e '.[plot,report,precise,netcdf,test]'
+	@.venv-lowest/bin/python -m pytest
+
 clean:  ## remove the environment and everything made
-	rm -rf $(VENV) $(OUTPUT) build dist src/*.egg-info .pytest_cache .mypy_cache .ruff_cache
+	rm -rf $(VENV) .venv-lowest $(OUTPUT) docs/reference/modules build dist src/*.egg-info .pytest_cache .mypy_cache .ruff_cache
 
 # uv, where it is installed, is only quicker; venv and pip do the same.
 $(VENV)/ready: pyproject.toml
@@ -57,10 +82,19 @@ $(VENV)/ready: pyproject.toml
 	  echo "nonsmooth needs Python 3.11 or newer; set PYTHON=python3.x" >&2; exit 1; }
 	@if command -v uv >/dev/null 2>&1; then \
 	  uv venv --quiet --clear --python $(PYTHON) $(VENV) && \
-	  uv pip install --quiet --python $(BIN)/python -e '.[plot,precise,test,lint,bench]'; \
+	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,test,lint,bench]'; \
 	else \
 	  $(PYTHON) -m venv --clear $(VENV) || { \
 	    echo "python3-venv is missing: apt-get install python3-venv" >&2; exit 1; }; \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,precise,test,lint,bench]'; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,test,lint,bench]'; \
+	fi
+	@touch $@
+
+# Sphinx and a notebook kernel are heavy, and for one target only.
+$(VENV)/ready-docs: $(VENV)/ready
+	@if command -v uv >/dev/null 2>&1; then \
+	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,docs]'; \
+	else \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,docs]'; \
 	fi
 	@touch $@

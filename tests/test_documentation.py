@@ -1,18 +1,18 @@
-"""What the documentation shows is what the program does: doctests and README."""
+"""What the documentation shows is what the program does: doctests, README and pages."""
 
 import doctest
 import importlib
+import itertools
+import json
 import pkgutil
 import re
 import shlex
 from pathlib import Path
 
 import pytest
+from shown import PAGES, README, ROOT, differences
 
 import nonsmooth
-
-ROOT = Path(__file__).resolve().parent.parent
-README = (ROOT / "README.md").read_text("utf-8")
 
 
 def modules() -> list[str]:
@@ -34,43 +34,78 @@ def test_some_docstrings_have_examples() -> None:
         assert any(test.examples for test in finder.find(module)), name
 
 
-def test_python_examples_of_the_readme_run() -> None:
-    result = doctest.testfile(str(ROOT / "README.md"), module_relative=False)
-    assert result.attempted > 3
+@pytest.mark.parametrize("page", [page for page, text in PAGES.items() if ">>>" in text])
+def test_python_examples_of_the_pages_run(page: str) -> None:
+    result = doctest.testfile(str(ROOT / page), module_relative=False)
+    assert result.attempted > 0
     assert result.failed == 0
 
 
-def blocks() -> list[tuple[str, str]]:
-    """Return each command of the README's console blocks with the output shown."""
-    text = "\n".join(re.findall(r"```console\n(.*?)```", README, flags=re.DOTALL))
+def blocks(page: str) -> list[tuple[str, str]]:
+    """Return each command of a page's console blocks with the output shown."""
+    text = "\n".join(re.findall(r"```console\n(.*?)```", PAGES[page], flags=re.DOTALL))
     parts = re.split(r"^\$ ", text, flags=re.MULTILINE)[1:]
     commands = [part.partition("\n") for part in parts]
     return [(line, out) for line, _, out in commands if line.startswith("nonsmooth ")]
 
 
-def same(shown: str, printed: str) -> bool:
-    """Whether two words are the same, or the same number to rounding."""
-    if shown == printed:
-        return True
-    try:
-        return float(printed) == pytest.approx(float(shown), rel=1e-2, abs=1e-13)
-    except ValueError:
-        return False
+def shown() -> list[tuple[str, str, str]]:
+    """Return each command with output, after the page that shows it."""
+    return [(page, *block) for page in PAGES for block in blocks(page) if block[1].strip()]
 
 
-@pytest.mark.parametrize(("command", "output"), [b for b in blocks() if b[1].strip()])
-def test_output_in_the_readme_is_what_the_command_prints(
-    run, command: str, output: str
+@pytest.mark.parametrize(("page", "command", "output"), shown())
+def test_output_on_a_page_is_what_the_command_prints(
+    run, page: str, command: str, output: str, tmp_path: Path, monkeypatch
 ) -> None:
+    monkeypatch.chdir(tmp_path)
+    for case in re.findall(r"```toml\n(.*?)```", PAGES[page], flags=re.DOTALL):
+        Path("belt.toml").write_text(case, encoding="utf-8")
     _, out, err = run(*shlex.split(command)[1:])
-    shown, printed = output.split(), (out + err).split()
-    assert len(shown) == len(printed)
-    different = [pair for pair in zip(shown, printed, strict=True) if not same(*pair)]
-    assert different == []
+    assert differences(output, out + err) == []
+
+
+DOCUMENTS = (
+    "solve --order 3",
+    "solve --method c1 --order 4 --normal-force 100",
+    "solve --tol 1e-2",
+    "solve --method c1 --order 3 --digits 20",
+    "solve --method hb-c1 --order 8 --c1-terms 2",
+    "sweep --orders 3,4",
+    "sweep --vary belt-speed=1:2:2",
+    "roots --order 3",
+)
+
+
+def keys(document: object) -> set[str]:
+    """Return all keys of a JSON document, those of what it contains included."""
+    if isinstance(document, dict):
+        return {*document, *itertools.chain(*map(keys, document.values()))}
+    if isinstance(document, list):
+        return {*itertools.chain(*map(keys, document))}
+    return set()
+
+
+@pytest.mark.parametrize("command", DOCUMENTS)
+def test_every_key_of_a_document_is_on_the_page_of_files(run, command: str) -> None:
+    _, out, _ = run(*command.split(), "--json")
+    named = set(re.findall(r"`\"?(\w[\w-]*)", PAGES["docs/reference/files.md"]))
+    assert keys(json.loads(out)) - named == set()
+
+
+@pytest.mark.parametrize("name", [name for name in nonsmooth.__all__ if name[0] != "_"])
+def test_every_public_name_is_in_the_reference(name: str) -> None:
+    assert re.search(rf"auto\w+:: nonsmooth\.{name}$", PAGES["docs/reference/python.md"], re.M)
+
+
+def test_the_columns_of_a_sweep_are_on_the_page_of_files(run, tmp_path: Path) -> None:
+    run("sweep", "--methods", "c1", "--orders", "3", "-o", tmp_path / "sweep.csv")
+    columns = (tmp_path / "sweep.csv").read_text("utf-8").splitlines()[0]
+    assert columns in "".join(PAGES["docs/reference/files.md"].split())
 
 
 def test_the_readme_shows_real_output() -> None:
-    assert sum(bool(output.strip()) for _, output in blocks()) >= 2
+    assert sum(page == "README.md" for page, *_ in shown()) >= 2
 
 
 def test_every_place_that_the_readme_names_exists() -> None:
