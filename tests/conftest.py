@@ -25,7 +25,7 @@ Outcome = tuple[int, str, str]
 #: that Ctrl-C is ignored.
 _PROGRAM = (
     "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
-    "from nonsmooth.cli import main; main()"
+    "from nonsmooth.__main__ import main; main()"
 )
 
 

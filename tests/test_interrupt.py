@@ -1,0 +1,93 @@
+"""Ctrl-C where Python would forget it: in destructors and in callbacks from C."""
+
+import subprocess
+import sys
+import textwrap
+
+import pytest
+
+INTERRUPTED = (130, "nonsmooth: interrupted\n")
+
+SHAPE = """
+import ctypes, signal, sys, time
+from nonsmooth.interrupt import end_on_interrupt
+
+signal.signal(signal.SIGINT, signal.{handler})
+
+class Interrupted:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+
+class Half:
+    def __init__(self):
+        signal.raise_signal(signal.SIGINT)
+        self.handle = 1
+
+    def __del__(self):
+        self.handle
+
+@ctypes.CFUNCTYPE(None)
+def callback():
+    signal.raise_signal(signal.SIGINT)
+
+def program():
+{body}
+
+end_on_interrupt(program)
+"""
+
+
+def ends(body: str, handler: str = "default_int_handler") -> tuple[int, str]:
+    """Return status and stderr of a program with this body, started with this handler."""
+    indented = textwrap.indent(textwrap.dedent(body).strip(), "    ")
+    program = SHAPE.format(body=indented, handler=handler)
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    return done.returncode, done.stderr
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "signal.raise_signal(signal.SIGINT)",
+        "Interrupted(); time.sleep(30)",
+        "callback(); time.sleep(30)",
+        "callback(); raise RuntimeError('no compiled object yet')",
+        "callback(); sys.exit(2)",
+        "Half()",
+        "Interrupted(); Interrupted(); time.sleep(30)",
+    ],
+)
+def test_an_interrupt_is_heeded_wherever_it_strikes(body: str) -> None:
+    assert ends(body) == INTERRUPTED
+
+
+def test_what_is_to_be_undone_is_undone() -> None:
+    body = """
+    try:
+        callback(); time.sleep(30)
+    finally:
+        sys.stderr.write("undone, ")
+    """
+    assert ends(body) == (130, "undone, nonsmooth: interrupted\n")
+
+
+def test_work_that_was_done_before_is_done() -> None:
+    assert ends("callback(); sys.exit(0)") == (0, "")
+
+
+def test_without_an_interrupt_nothing_is_hidden() -> None:
+    body = """
+    class Broken:
+        def __del__(self):
+            raise ValueError("shown")
+    Broken()
+    sys.exit(3)
+    """
+    status, err = ends(body)
+    assert status == 3
+    assert "ValueError: shown" in err
+
+
+def test_in_the_background_it_stays_ignored() -> None:
+    assert ends("signal.raise_signal(signal.SIGINT); sys.exit(0)", "SIG_IGN") == (0, "")
