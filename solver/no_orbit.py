@@ -27,7 +27,7 @@ class NoOrbit(Exception):  # noqa: N818  (a finding about the oscillator, not a 
         self.iterations = 0
 
     def __str__(self) -> str:
-        return "; ".join((self.reason, *(f"from {attempt}" for attempt in self.tried)))
+        return "; ".join((self.reason, *self.tried))
 
     @property
     def status(self) -> str:

@@ -156,12 +156,12 @@ def _from_root(search: Search) -> Outcome:
 #: A way to an orbit, and its name.
 Start = tuple[str, Callable[[Search], Outcome]]
 
-_ROUGH: Start = ("a rough slip duration", _from_rough_times)
-_EASY: Start = (f"continuation from alpha = {EASY_ALPHA:g}", _from_easy_alpha)
-_STICK: Start = (f"continuation from alpha = {EASY_ALPHA:g} by t1", _from_short_stick)
-_SERIES: Start = ("the orbit of 3.1", _from_fourier)
-_FEWER: Start = ("the orbit with fewer C1 functions", _from_fewer_functions)
-_ROOTS: Start = ("isolation of all real solutions", _from_root)
+_ROUGH: Start = ("from a rough slip duration", _from_rough_times)
+_EASY: Start = (f"by continuation from alpha = {EASY_ALPHA:g}", _from_easy_alpha)
+_STICK: Start = (f"by continuation of t1 from alpha = {EASY_ALPHA:g}", _from_short_stick)
+_SERIES: Start = ("from the orbit of 3.1", _from_fourier)
+_FEWER: Start = ("from the orbit with fewer C1 functions", _from_fewer_functions)
+_ROOTS: Start = ("from the isolation of all real solutions", _from_root)
 
 
 def starts(method: Method, alpha: float, order: int) -> tuple[Start, ...]:

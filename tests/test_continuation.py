@@ -81,7 +81,7 @@ def test_beyond_the_fold_is_a_solution_and_its_error_is_said(order: int, force: 
 def test_beyond_the_fold_what_is_no_orbit_is_called_so() -> None:
     with pytest.raises(ns.NoOrbit) as caught:
         ns.solve(oscillator(70.0), "hb-c1", 40)
-    assert caught.value.tried[-1].startswith("continuation from alpha = 1 by t1: a solution")
+    assert caught.value.tried[-1].startswith("by continuation of t1 from alpha = 1: a solution")
     assert "mean velocity in stick" in caught.value.tried[-1]
 
 
