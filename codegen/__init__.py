@@ -43,10 +43,20 @@ def derive(method: str) -> GalerkinSystem:
         Section 3.1, 3.2 or 3.3 of the paper; or what is solved in place of the first two,
         by the symmetry of the orbit, and of the third, as one scalar equation.
 
+    Returns
+    -------
+    GalerkinSystem
+        Derived once in a process.
+
     Raises
     ------
     ValueError
         If `method` is none of these.
+
+    Examples
+    --------
+    >>> derive("c1").equation("16").sides[1]  # doctest: +ELLIPSIS
+    e_0*t + e_1 + ...
     """
     known = {**METHODS, **SOLVED}
     if method not in known:

@@ -16,7 +16,7 @@ import sympy as sp
 from . import c1_legendre
 from .c1_legendre import s
 from .inner_product import N
-from .oscillator import INITIAL_STATE, PHASES, SLIP, STICK, T, omega_n, t, t1
+from .oscillator import INITIAL_STATE, PHASES, SLIP, STICK, T, t, t1
 from .system import Equation, GalerkinSystem, Inner, require_zero
 
 n, k = sp.symbols("n k", integer=True, nonnegative=True)
@@ -65,8 +65,15 @@ def check_c1() -> None:
 
 
 def _slip_residual() -> tuple[sp.Expr, sp.Expr]:
-    """Return the residual (17) in slip: the factor of ``d_n``, and the rest."""
-    return MONOMIAL + omega_n**2 * TRIAL, SLIP.residual(LINE)
+    """Return the residual (17) in slip: the factor of ``d_n``, and the rest.
+
+    Slip is linear with constant coefficients, so a term of (16) may start at 0 instead of
+    at ``t1``.
+    """
+    force = SLIP.residual(sp.Integer(0))
+    factor = sp.expand(SLIP.residual(TRIAL.subs(tau, t)) - force).subs(t, tau)
+    terms = (sp.powsimp(sp.factor(term)) for term in sp.Add.make_args(factor))
+    return sp.Add(*terms), SLIP.residual(LINE)
 
 
 def _tidy(expression: sp.Expr) -> sp.Expr:

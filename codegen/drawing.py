@@ -83,9 +83,10 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         ((variable, start, end),) = expr.limits
         sign = "∫" if self._use_unicode else "Int"
         head = self._operator(sign, end, str(self._print(start).s))
-        form = stringPict.next(
-            head, self._print(expr.function), f" d{self._name(str(variable))}"
-        )
+        inside = self._print(expr.function)
+        if isinstance(expr.function, sp.Add):
+            inside = prettyForm(*inside.parens())
+        form = stringPict.next(head, inside, f" d{self._name(str(variable))}")
         return prettyForm(*form, binding=prettyForm.MUL)
 
     def _print_Derivative(self, expr: sp.Derivative) -> prettyForm:

@@ -115,7 +115,7 @@ def definitions() -> tuple[Equation, ...]:
 
 
 def jacobian() -> tuple[Equation, ...]:
-    """Return the derivatives of (5)-(7), (9), (10) with respect to every unknown.
+    """Return the derivatives of (5)-(7): by the coefficients, and what those by time need.
 
     The conditions are linear in the coefficients, in ``C_k`` and in ``S_k``: a derivative
     with respect to a coefficient is its entry, and the derivatives with respect to ``t1``
@@ -141,6 +141,32 @@ def jacobian() -> tuple[Equation, ...]:
         label = sp.Derivative(term, time, evaluate=False)
         rows.append(Equation("", "diagonal term", (label, term.diff(time))))
     return tuple(rows)
+
+
+def closure_jacobian(velocity: sp.Expr) -> tuple[Equation, ...]:
+    """Return the derivatives of (9) and (10) that are not zero.
+
+    Parameters
+    ----------
+    velocity : Expr
+        Left side of (10), which alone has the times.
+    """
+    derivatives = {
+        ("9", a0): DISPLACEMENT_AT_0.diff(a0),
+        ("9", b[n]): COSINE.subs(t, 0),
+        ("10", a[n]): VELOCITY_WEIGHT,
+        ("10", t1): velocity.subs(FREQUENCY).diff(t1),
+        ("10", T): velocity.subs(FREQUENCY).diff(T),
+    }
+    return tuple(
+        Equation(
+            "",
+            f"({number}) by {unknown}",
+            (sp.Derivative(sp.Symbol(f"R_{number}"), unknown, evaluate=False), derivative),
+        )
+        for (number, unknown), derivative in derivatives.items()
+        if derivative != 0
+    )
 
 
 def _integral_form(integral: SlipIntegral, name: str) -> ClosedForm:

@@ -28,7 +28,7 @@ from .slip_moments import (
     s,
     z,
 )
-from .system import ClosedForm, require_zero
+from .system import ClosedForm, DerivationError, require_zero
 
 u = sp.Symbol("u", real=True)
 
@@ -87,6 +87,11 @@ def slip_integral(polynomial: sp.Expr) -> sp.Expr:
 def _by_harmonic(table: int) -> sp.Expr:
     """Return ``int_slip (G'' + omega_n**2 G) f(j omega_0 t) dt``, f cos (0) or sin (1)."""
     coefficients = legendre_coefficients(THROUGH_MOTION, u)
+    if not coefficients.keys() <= TABLES.keys():
+        degrees = ", ".join(map(str, sorted(coefficients.keys() - TABLES.keys())))
+        raise DerivationError(
+            f"(14) needs moments of degree {degrees}: see slip_moments.TABLES"
+        )
     return sp.Add(*(c * TABLES[l][table][j] for l, c in coefficients.items()))
 
 

@@ -86,6 +86,6 @@ def derive() -> GalerkinSystem:
                 functions=("velocity_weight", "initial_state", "initial_residual"),
             ),
         ),
-        jacobian=fourier.jacobian(),
+        jacobian=(*fourier.jacobian(), *fourier.closure_jacobian(fourier.VELOCITY_AT_0)),
         forms=fourier.closed_forms(),
     )

@@ -10,7 +10,7 @@ from . import fourier, hb
 from . import g1 as smooth
 from .g1 import BY_COSINE, BY_G1, BY_ONE, BY_SINE, SCALE, SCALE_S, SMOOTHSTEP, through_tables, u
 from .inner_product import N, j, k, n
-from .oscillator import INITIAL_STATE, PHASES, T, omega_n, t, t1, x_s
+from .oscillator import INITIAL_STATE, PHASES, SLIP, T, omega_n, t, t1, x_s
 from .slip_moments import TABLES, moments, with_derivatives
 from .slip_moments import definitions as moment_definitions
 from .system import Equation, GalerkinSystem, Inner, require_zero
@@ -22,7 +22,8 @@ R2 = sp.Function("R2")(t)
 #: ``g1`` put through the left side of (1).
 through_g1 = g1.diff(t, 2) + omega_n**2 * g1
 
-#: ``H_0``, ``H^s_j``, ``H^c_j``, ``H_g``: ``g1`` through (1), tested by each function.
+#: ``H_0``, ``H^s_j``, ``H^c_j``, ``H_g``: the residual of ``g1``, which is zero in stick,
+#: tested by each function.
 H0, Hg = sp.symbols("H_0 H_g", real=True)
 Hs, Hc = sp.IndexedBase("H^s"), sp.IndexedBase("H^c")
 
@@ -31,10 +32,20 @@ Hs, Hc = sp.IndexedBase("H^s"), sp.IndexedBase("H^c")
 COLUMNS = {H0: "one", Hs[j]: "sine", Hc[j]: "cosine", Hg: "g1"}
 
 
+#: What ``c1`` adds to (9) and (10).
+G1_AT_0 = smooth.G1_STICK.subs(t, 0)
+VELOCITY_OF_G1 = smooth.G1_STICK.diff(t)
+
+#: Left sides of (9) and (10).
+DISPLACEMENT_AT_0 = fourier.DISPLACEMENT_AT_0 + c1 * G1_AT_0
+VELOCITY_AT_0 = fourier.VELOCITY_AT_0 + c1 * VELOCITY_OF_G1
+
+
 def _jacobian() -> tuple[Equation, ...]:
     """Return the derivatives that ``c1`` and (14) add to those of the Fourier series."""
     rows = []
-    for number, column in (("5", H0), ("6", Hs[j]), ("7", Hc[j]), ("14", Hg)):
+    columns = {"5": H0, "6": Hs[j], "7": Hc[j], "14": Hg, "10": VELOCITY_OF_G1}
+    for number, column in columns.items():
         label = sp.Derivative(sp.Symbol(f"R_{number}"), c1, evaluate=False)
         rows.append(Equation("", f"({number}) by c1", (label, column)))
     for unknown, row in ((fourier.a0, H0 / 2), (fourier.a[n], Hs[n]), (fourier.b[n], Hc[n])):
@@ -56,14 +67,19 @@ def _jacobian() -> tuple[Equation, ...]:
     return tuple(rows)
 
 
+def _over_slip(test: sp.Expr) -> sp.Expr:
+    return sp.Integral(through_g1 * test, (t, SLIP.start, SLIP.end))
+
+
 def _definitions() -> tuple[Equation, ...]:
+    """Return the inner products of the residual of ``g1``: integrals over slip alone."""
     moments = {
-        H0: (Inner(through_g1, sp.Integer(1)), sp.factor(SCALE_S * BY_ONE)),
-        Hs[j]: (Inner(through_g1, fourier.TEST["6"]), SCALE_S * BY_SINE),
-        Hc[j]: (Inner(through_g1, fourier.TEST["7"]), SCALE_S * BY_COSINE),
-        Hg: (Inner(through_g1, g1), SCALE_S**2 * BY_G1),
+        H0: (_over_slip(sp.Integer(1)), sp.factor(SCALE_S * BY_ONE)),
+        Hs[j]: (_over_slip(fourier.TEST["6"]), SCALE_S * BY_SINE),
+        Hc[j]: (_over_slip(fourier.TEST["7"]), SCALE_S * BY_COSINE),
+        Hg: (_over_slip(g1), SCALE_S**2 * BY_G1),
     }
-    title = "g1 through (1), in slip"
+    title = "residual of g1, which is zero in stick"
     names = {h: (f"g1_by_{test}", "g1_column") for h, test in COLUMNS.items()}
     return tuple(Equation("", title, (h, *moments[h]), "", names[h]) for h in moments)
 
@@ -84,7 +100,7 @@ def _tail() -> tuple[Equation, ...]:
 TAIL = ("g1_column", "tail_column", "c1_product")
 
 
-def _orthogonality() -> tuple[Equation, ...]:
+def orthogonality() -> tuple[Equation, ...]:
     """Return (5), (6), (7) for ``R2`` and (14)."""
     rows = []
     columns = {"5": H0, "6": Hs[j], "7": Hc[j]}
@@ -122,8 +138,6 @@ def derive() -> GalerkinSystem:
     smooth.check_symmetry()
     smooth.check_harmonics()
     G1_STICK, G1_SLIP = smooth.G1_STICK, smooth.G1_SLIP
-    velocity = fourier.VELOCITY_AT_0 + c1 * G1_STICK.diff(t)
-    displacement = fourier.DISPLACEMENT_AT_0 + c1 * G1_STICK.subs(t, 0)
     stick, slip = (f"{p.start} <= t < {p.end} ({p.name})" for p in PHASES)
     R1 = hb.R1
     in_stick, in_slip = (
@@ -155,7 +169,7 @@ def derive() -> GalerkinSystem:
             Equation("", "time in slip", (u, (t - t1) / (T - t1))),
             Equation("13", "residual in stick", (R2, R1), stick, in_stick),
             Equation("13", "residual in slip", (R2, R1 + c1 * through_g1), slip, in_slip),
-            *_orthogonality(),
+            *orthogonality(),
             *fourier.definitions(),
             *_definitions(),
             *moment_definitions(),
@@ -163,13 +177,13 @@ def derive() -> GalerkinSystem:
             Equation(
                 "9",
                 "displacement at t = 0",
-                (hb.x(0), displacement, INITIAL_STATE[0]),
+                (hb.x(0), DISPLACEMENT_AT_0, INITIAL_STATE[0]),
                 functions=("initial_state", "initial_residual", "tail_at_0"),
             ),
             Equation(
                 "10",
                 "velocity at t = 0",
-                (hb.v0, velocity, INITIAL_STATE[1]),
+                (hb.v0, VELOCITY_AT_0, INITIAL_STATE[1]),
                 functions=(
                     "velocity_weight",
                     "g1_velocity",
@@ -179,6 +193,6 @@ def derive() -> GalerkinSystem:
                 ),
             ),
         ),
-        jacobian=(*fourier.jacobian(), *_jacobian()),
+        jacobian=(*fourier.jacobian(), *fourier.closure_jacobian(VELOCITY_AT_0), *_jacobian()),
         forms=(*fourier.closed_forms(), *smooth.closed_forms()),
     )

@@ -36,7 +36,8 @@ def sections(methods: Iterable[str], order: int | None = None) -> list[Section]:
         return [_written_out(derive(method), order) for method in methods]
     found = [Section(f"Section 2: {section2.TITLE}", section2.equations())]
     for system in map(derive, methods):
-        heading = f"Section {system.section}: {system.title} ({system.method})"
+        several = "s" if " and " in system.section else ""
+        heading = f"Section{several} {system.section}: {system.title} ({system.method})"
         found.append(Section(heading, system.equations))
         if system.jacobian:
             found.append(Section(f"Jacobian of Section {system.section}", system.jacobian))

@@ -113,7 +113,8 @@ class GalerkinSystem:
     equations : tuple of Equation
         Expansion, residual, orthogonality conditions, closure.
     jacobian : tuple of Equation
-        The derivative of the conditions with respect to every unknown.
+        The derivatives of the conditions that are not zero; those of (5) to (7) and (14) by
+        ``t1`` and ``T`` as the derivatives of the tables that they are linear in.
     forms : tuple of ClosedForm
         Dimensionless closed forms, in the order in which they are emitted.
     coefficients : tuple of Symbol or Indexed

@@ -1,4 +1,4 @@
-"""The orbit against time integration: start anywhere, integrate, and compare the cycles.
+"""The orbit against time integration: start in stick, integrate, and compare the cycles.
 
 In stick the mass moves with the belt until the spring reaches the static limit: no integration
 is needed.  In slip `scipy.integrate.solve_ivp` integrates equation (1), and an event stops it

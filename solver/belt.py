@@ -90,8 +90,8 @@ class StickSlip:
     Raises
     ------
     ParameterError
-        A `ValueError`: if a parameter is not a finite number in its range; all of them
-        are named at once.
+        A `ValueError`: if a parameter is not a finite number in its range, all of them
+        named at once; if ``mu_k >= mu_s``; or if a unit of the motion is beyond float64.
 
     Examples
     --------

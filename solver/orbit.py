@@ -83,7 +83,8 @@ class Orbit(Motion):
         """The paper's coefficients in SI units.
 
         ``hb``: ``a0``, ``a``, ``b`` of (3) in m; ``hb-c1``: those of (11), and ``c1`` of
-        the printed ``g1`` in m/s**4; ``c1``: ``d`` of (15), ``d[n]`` in m/s**(n+2).
+        the printed ``g1`` in m/s**4 or, of several C1 functions, ``c``; ``c1``: ``d`` of
+        (15), ``d[n]`` in m/s**(n+2).  ``a``, ``b``, ``c`` and ``d`` are lists.
         """
         return self._method.coefficients(self.unknowns, self.order, self.belt)
 

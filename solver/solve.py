@@ -34,27 +34,29 @@ def solve(
         The oscillator.
     method : {"hb", "hb-c1", "c1"}
         Section 3.1 (Fourier series), 3.2 (with one C1 function), 3.3 (C1 functions).  With
-        a tolerance it may be left out: then the cheapest is taken.
+        a tolerance or a budget it may be left out: then the cheapest, or the best, is taken.
     order : int
         ``N``, the number of harmonics, or the degree of the polynomial (15).  A tolerance
-        chooses it.
+        or a budget chooses it, and it is left out.
     c1_terms : int
         C1 functions of ``"hb-c1"``, 1 to 6; the paper has one.  For several, `order` is at
         most 200.
     tol : float, optional
-        Largest relative error of the period, as estimated.
+        Largest relative error of the period, as estimated; between 0 and 1.
     tol_acceleration : float, optional
-        Largest error (22) of the acceleration, as estimated.
+        Largest error (22) of the acceleration, as estimated; between 0 and 1.
     budget : float, optional
-        Seconds that one orbit may take: the best that fits, by compiled kernels.
+        Seconds that one orbit may take: the best that fits, by compiled kernels.  Not beside
+        a tolerance.
     many : bool
         Whether more orbits are to follow: compile the kernels.  The result is the same.
 
     Raises
     ------
     ValueError
-        If `method` or `order` is not one that can be computed, or `alpha` of the
-        oscillator is not from 1e-8 to 1e8.
+        If `method`, `order`, `c1_terms`, a tolerance or the budget is not one that can be
+        computed, if they exclude each other, or if `alpha` of the oscillator is not from
+        1e-8 to 1e8.
     NoOrbit
         If there is no admissible orbit, or none was found; it says which.
     NotCertified

@@ -69,6 +69,44 @@ def test_16_is_c1_and_a_series_that_starts_with_a_kink_is_refused(
         c1.check_c1()
 
 
+class Damped(oscillator.Phase):
+    """Slip with viscous damping."""
+
+    def residual(self, x: sp.Expr) -> sp.Expr:
+        return sp.expand(super().residual(x) + 2 * zeta * oscillator.omega_n * x.diff(t))
+
+
+zeta = sp.Symbol("zeta", positive=True)
+
+
+@pytest.mark.parametrize(("n", "k"), [(0, 0), (1, 0), (3, 2)])
+def test_17_and_18_follow_from_the_phase(
+    n: int, k: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slip = Damped("slip", t1, T, sticking=False)
+    monkeypatch.setattr(c1, "SLIP", slip)
+    condition, *_ = c1.conditions()
+    closed = (condition.weight * condition.entry).subs({c1.n: n, c1.k: k})
+    tau, omega_n = c1.tau, oscillator.omega_n
+    phi, test = (tau ** (i + 2) / ((i + 1) * (i + 2)) for i in (n, k))
+    damping = 2 * zeta * omega_n * phi.diff(tau)
+    integrand = (phi.diff(tau, 2) + damping + omega_n**2 * phi) * test
+    expected = sp.integrate(sp.expand(integrand), (tau, 0, c1.s))
+    assert closed.has(zeta)
+    assert sp.expand(closed - expected) == 0
+    load = sp.integrate(
+        sp.expand(slip.residual(c1.LINE).subs(t, t1 + tau) * test), (tau, 0, c1.s)
+    )
+    shown = (condition.weight * condition.load).subs(c1.k, k)
+    assert sp.simplify(sp.expand(shown - load.subs(c1.START))) == 0
+
+
+def test_a_phase_that_needs_other_moments_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(g1, "THROUGH_MOTION", g1.THROUGH_MOTION + g1.u**2)
+    with pytest.raises(DerivationError, match="moments of degree 2"):
+        g1._by_harmonic(0)
+
+
 @pytest.mark.parametrize("l", [0, 1, 2, 3])
 def test_legendre_moments_are_spherical_bessel_functions(l: int) -> None:
     slip_moments.about_mid_slip(l)

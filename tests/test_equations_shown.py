@@ -126,6 +126,20 @@ def test_functions_of_time_are_those_of_the_paper(method: str, number: str) -> N
             assert got == pytest.approx(float(function(np.array(t))), rel=1e-10, abs=1e-12)
 
 
+def test_the_residual_of_g1_is_tested_over_slip() -> None:
+    system = derive("hb-c1")
+    shown = [e for e in system.equations if e.title.startswith("residual of g1")]
+    assert len(shown) == 4
+    for equation in shown:
+        name, integral, closed = equation.sides
+        at = {symbol: 2 for symbol in closed.free_symbols if symbol.name == "j"}
+        put_in = integral.subs(hb_c1.g1, hb_c1.smooth.G1_SLIP).doit().subs(at)
+        expected = value(put_in, system, numbers)
+        assert value(closed.subs(at), system, numbers) == pytest.approx(expected, rel=1e-11), (
+            name
+        )
+
+
 @pytest.mark.parametrize(("name", "wave"), [("gamma^s", sine), ("gamma^c", cosine)])
 def test_harmonics_of_the_tail_are_those_of_12(name: str, wave) -> None:
     system = derive("hb-c1")

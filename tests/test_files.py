@@ -260,3 +260,15 @@ def test_families_over_other_values_do_not_go_together(tmp_path: Path) -> None:
     families = [ns.family(DEFAULT, "mass", [1.0, 2.0]), ns.family(DEFAULT, "mass", [1.0, 3.0])]
     with pytest.raises(ValueError, match="same values"):
         ns.save(families, tmp_path / "families.json")
+
+
+@pytest.mark.parametrize("kind", ["exact", "empty", "number", "both"])
+def test_what_is_no_orbit_is_not_saved(kind: str, tmp_path: Path) -> None:
+    orbit = ns.solve(DEFAULT, "c1", 5)
+    family = ns.family(DEFAULT, "belt_speed", [1.0], "c1", 5)
+    things = {"exact": ns.exact(DEFAULT), "empty": [], "number": 3, "both": [orbit, family]}
+    target = tmp_path / "orbit.json"
+    target.write_text("before")
+    with pytest.raises(TypeError, match=r"^thing: got .*, expected an orbit"):
+        ns.save(things[kind], target)
+    assert target.read_text() == "before"

@@ -11,10 +11,11 @@ import test_orbits
 from shown import README
 
 import nonsmooth as ns
-from nonsmooth import codegen, tradeoff
-from nonsmooth.cli import equations, pictures
+from nonsmooth import codegen, style, tradeoff
+from nonsmooth.cli import equations
 from nonsmooth.codegen import emit
 from nonsmooth.files import origin
+from nonsmooth.report import figures, page
 from nonsmooth.solver import budget, kernels, methods
 from nonsmooth.solver.belt import DEFAULT
 
@@ -24,8 +25,10 @@ LISTS: dict[str, Iterable[str]] = {
     "solver/budget.py: ORDERS": budget.ORDERS,
     "src/nonsmooth/tradeoff.py: ORDERS": dict.fromkeys(name for name, _ in tradeoff.ORDERS),
     "src/nonsmooth/cli/equations.py: METHODS": equations.METHODS,
-    "src/nonsmooth/cli/pictures.py: STYLES": pictures.STYLES,
-    "src/nonsmooth/cli/pictures.py: LABELS": pictures.LABELS,
+    "src/nonsmooth/style.py: STYLES": style.STYLES,
+    "src/nonsmooth/style.py: LABELS": style.LABELS,
+    "src/nonsmooth/report/figures.py: NAMES": figures.NAMES,
+    "src/nonsmooth/report/page.py: GENERATED": page.GENERATED,
     "src/nonsmooth/files/origin.py: COEFFICIENTS": origin.COEFFICIENTS,
     "tests/test_generated.py: METHODS": test_generated.METHODS,
     "tests/test_kernels.py: METHODS": test_kernels.METHODS,

@@ -48,7 +48,7 @@ class Job:
         """Return all that the points depend on."""
         from nonsmooth import __version__  # noqa: PLC0415
 
-        generated = [kernels.module(name).BODY for name in ("c1", "c1-reduced", "hb-symmetric")]
+        generated = [kernels.module(name).BODY for name in kernels.MODULES]
         return asdict(self) | {"version": __version__, "generated": generated}
 
     def chunks(self, size: int) -> "Iterator[Chunk]":

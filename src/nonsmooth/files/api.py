@@ -5,7 +5,8 @@ on arrays; CSV holds the rows of a sweep or a family, and the motion of an orbit
 in SI units, and every file says with which version and which mathematics it was made.
 """
 
-from collections.abc import Sequence
+import reprlib
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -41,6 +42,8 @@ def save(thing: Savable, path: str | Path) -> None:
     ------
     FileError
         A `ValueError`: if the name ends otherwise, or netCDF4 is not installed.
+    TypeError
+        If `thing` is none of these, or a sequence that is empty or of both.
     OSError
         If the file cannot be written; then nothing is left of it.
 
@@ -57,18 +60,9 @@ def save(thing: Savable, path: str | Path) -> None:
     """
     target = Path(path)
     form = _format(target)
+    write, what = _writer(form, thing)
     with whole(target) as temporary:
-        if isinstance(thing, Sweep):
-            form.write_sweep(thing, temporary)
-        elif isinstance(thing, Points):
-            form.write_points(thing, temporary)
-        else:
-            several = [thing] if isinstance(thing, Orbit | Family) else thing
-            families = [one for one in several if isinstance(one, Family)]
-            if families:
-                form.write_points(of_families(families), temporary)
-            else:
-                form.write_orbits(several, temporary)
+        write(what, temporary)
 
 
 def load(path: str | Path) -> Loaded:
@@ -98,6 +92,23 @@ def load(path: str | Path) -> Loaded:
         pass
     found: Loaded = form.read(source)
     return found
+
+
+def _writer(form: Any, thing: Savable) -> tuple[Callable[[Any, Path], None], Any]:
+    """Return what writes this kind of thing, and the thing as it takes it."""
+    if isinstance(thing, Sweep):
+        return form.write_sweep, thing
+    if isinstance(thing, Points):
+        return form.write_points, thing
+    several = [thing] if isinstance(thing, Orbit | Family) else thing
+    if isinstance(several, Sequence) and several:
+        if all(isinstance(one, Orbit) for one in several):
+            return form.write_orbits, several
+        families = [one for one in several if isinstance(one, Family)]
+        if len(families) == len(several):
+            return form.write_points, of_families(families)
+    kinds = "an orbit, a family, a sequence of one of these, or a sweep"
+    raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
 
 
 def _format(path: Path) -> Any:

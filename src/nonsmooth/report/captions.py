@@ -143,11 +143,11 @@ def _acceleration(case: Case) -> str:
     rates = [(m, case.rates(m).acceleration) for m in ("hb", "hb-c1")]
     fall = listed([f"{m} like {power_of_order(rate)}" for m, rate in rates if rate is not None])
     rising = [(m, len(rises(case, m))) for m in ("hb", "hb-c1", "c1")]
-    up = listed([f"{m} at {count}" for m, count in rising])
+    up = listed([f"{m} {count} times" for m, count in rising])
     return (
         f"The error falls slowly in Fourier series, {fall or 'how is not to be said here'}; in "
         "the C¹ series it goes down in stairs, two orders to a step. How often it is larger "
-        f"than at the order before: {up} of the {MOST} orders."
+        f"than at the order before, from N = 2 to {MOST}: {up}."
     )
 
 
@@ -170,7 +170,7 @@ PLATES = (
             "fig-2d": "Acceleration against time: zero in stick, with a jump at each end.",
         },
         _orbit,
-        "solve --method c1 --order 20 -o fig-2.svg",
+        "solve --method c1 --order 20 -o orbit.svg",
     ),
     Plate(
         f"Fig. 3: acceleration by classical harmonic balance, N = {MOST}",
@@ -179,7 +179,7 @@ PLATES = (
             "fig-3-detail": "The end of stick, enlarged: the overshoot before the jump.",
         },
         _many_harmonics,
-        f"solve --method hb --order {MOST} -o fig-3.svg",
+        f"solve --method hb --order {MOST} -o harmonics.svg",
     ),
     Plate(
         "Fig. 4: the period against the order",
@@ -188,18 +188,18 @@ PLATES = (
             "fig-4-errors": "Size of the period error against N, on a logarithmic scale.",
         },
         _period,
-        f"sweep --orders 1-{MOST} -o fig-4.svg",
+        f"sweep --orders 1-{MOST} -o convergence.svg",
     ),
     Plate(
         f"Fig. 5: acceleration by the three methods, N = {THREE}",
         {"fig-5": "Acceleration over a period at N = 3 by three methods, and the exact one."},
         _three_methods,
-        f"solve --order {THREE} -o fig-5.svg",
+        f"solve --order {THREE} -o three.svg",
     ),
     Plate(
         "Fig. 6: the error of the acceleration against the order",
         {"fig-6": "Error (22) against N on a logarithmic scale, for three methods."},
         _acceleration,
-        f"sweep --orders 1-{MOST} -o fig-6.svg",
+        f"sweep --orders 1-{MOST} -o convergence.svg",
     ),
 )

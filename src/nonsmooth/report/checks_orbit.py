@@ -67,7 +67,7 @@ def g1_is_c1(case: Case) -> Finding:
         for d in (0, 1)
     ]
     jump = 6 * (T / (T - t1)) ** 2
-    words = f"its acceleration jumps by {number(jump)} in units of T and of its rise"
+    words = f"its acceleration jumps by {number(jump)} h/T², with h the height it rises in slip"
     return Finding(max(gaps) <= ROUNDING * (1 + 1 / (T - t1)), words)
 
 

@@ -1,6 +1,7 @@
 """For which normal forces a statement holds: a scan over alpha, and bisection of the ends.
 
-With the other parameters fixed, `F_N` is proportional to alpha, and alpha alone decides.
+With the other parameters fixed, `F_N` is proportional to alpha, and alpha alone decides, but
+for the direction of friction in stick: that depends on ``mu_k/mu_s``, whatever `F_N`.
 """
 
 from collections.abc import Callable
