@@ -77,5 +77,5 @@ def in_span_of_harmonics(case: Case) -> Finding:
     g1 = smoothstep(t1, T, np.arange(GRID) * T / GRID, 0)
     harmonics = np.abs(np.fft.rfft(g1))[1:]
     left = math.sqrt(float(np.sum(harmonics[MOST:] ** 2) / np.sum(harmonics**2)))
-    words = f"{percent(left)} of g₁ is left of it after its first {MOST} harmonics"
+    words = f"{percent(left)} of g₁, its mean apart, is left after its first {MOST} harmonics"
     return Finding(left < ROUNDING, words)
