@@ -28,7 +28,7 @@ class ParameterError(ValueError):
         self.errors = tuple(errors)
 
 
-def _is_number(value: object) -> bool:
+def is_number(value: object) -> bool:
     """Whether `value` is a finite real number that a float can hold; a bool is not."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         return False
@@ -45,7 +45,7 @@ def parameter_errors(parameters: Mapping[str, object]) -> list[str]:
     for name, value in parameters.items():
         expected = PARAMETERS[name][1]
         limit = 0.0 if name == "mu_k" else math.ulp(0.0)
-        if _is_number(value) and float(value) >= limit:  # type: ignore[arg-type]
+        if is_number(value) and float(value) >= limit:  # type: ignore[arg-type]
             numeric[name] = float(value)  # type: ignore[arg-type]
         else:
             errors.append(f"{name}: got {value!r}, expected {expected}")

@@ -5,7 +5,7 @@ import statistics
 import time
 from collections.abc import Callable, Sequence
 
-from .belt import StickSlip
+from .belt import StickSlip, is_number
 from .choice import Choice, TooSlow, Trial, attempt
 from .methods import METHODS, check_alpha, check_method
 from .orbit import Orbit
@@ -45,7 +45,7 @@ def fitting(
     TooSlow
         If nothing fits.
     """
-    if not (isinstance(budget, int | float) and 0 < budget < math.inf):
+    if not (is_number(budget) and budget > 0):
         raise ValueError(f"budget: got {budget!r}, expected a positive number of seconds")
     names = [check_method(name).name for name in methods]
     check_alpha(belt.alpha)

@@ -120,6 +120,8 @@ def family(
     >>> orbits["stick_fraction"].round(3)
     array([0.496, 0.298, 0.157])
     """
+    if not np.isrealobj(values):
+        raise ValueError("values: got complex numbers, expected real ones")
     numbers = np.atleast_1d(np.asarray(values, dtype=float)).ravel()
     check(belt, parameter, numbers)
     chosen = with_terms(check_method(method), c1_terms)

@@ -26,8 +26,10 @@ from .solve import solve
 #: Largest relative change of the period that the last digits may bring.
 SAME_ORBIT = 1e-9
 
-#: Order up to which the bands keep the last digits of t1; at 400 they leave 6e-12 T.
+#: Order up to which the bands keep the last digits of t1, and alpha from which they do, up to
+#: an order and beyond it.  At alpha = 1e-6 they leave 1e-11 T, at N = 400 6e-12 T.
 MOST_BY_BANDS = 104
+LEAST_BY_BANDS, FEW_FUNCTIONS, LEAST_BY_WIDE_BANDS = 1e-5, 48, 1e-3
 
 #: What `Family.points` says of a point, and the words for it.
 STATUS = ("ok", "no-orbit", "not-converged")
@@ -93,7 +95,8 @@ def _c1_orbits(alpha: Vector, order: int) -> tuple[Vector, Vector, Vector]:
     functions = kernels.compiled_functions("c1")
     tables = functions["band_tables"](order)
     functions["orbits"](first.alpha, *tables, t1, T, amplitude, status)
-    same = (status == OK) & (np.abs(T - first.T) <= SAME_ORBIT * T)
+    least = LEAST_BY_BANDS if order <= FEW_FUNCTIONS else LEAST_BY_WIDE_BANDS
+    same = (status == OK) & (np.abs(T - first.T) <= SAME_ORBIT * T) & (alpha >= least)
     for column in (t1, T, amplitude):
         column[~same] = np.nan
     return t1, T, amplitude

@@ -85,15 +85,19 @@ def with_terms(method: Method, terms: object) -> Method:
     ValueError
         If it is not a whole number from 1 to 6, or another method is to have several.
     """
-    if isinstance(terms, bool) or not isinstance(terms, int) or not 1 <= terms <= MOST_TERMS:
+    try:
+        number = 0 if isinstance(terms, bool) else operator.index(terms)  # type: ignore[arg-type]
+    except TypeError:
+        number = 0
+    if not 1 <= number <= MOST_TERMS:
         expected = f"a whole number from 1 to {MOST_TERMS}"
         raise ValueError(f"c1_terms: got {terms!r}, expected {expected}")
-    if terms == 1:
+    if number == 1:
         return method
     if method.name != "hb-c1":
         raise ValueError(f"c1_terms: got {terms!r}, expected 1 for method {method.name}")
-    title = f"Fourier series + {terms} C1 functions"
-    return replace(method, title=title, c1_terms=terms, highest_order=MOST_HARMONICS_BESIDE)
+    title = f"Fourier series + {number} C1 functions"
+    return replace(method, title=title, c1_terms=number, highest_order=MOST_HARMONICS_BESIDE)
 
 
 def name_with_terms(method: str, c1_terms: int) -> str:

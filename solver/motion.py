@@ -32,17 +32,21 @@ class Motion:
         """Half of the way between the two ends of the motion, in m."""
         raise NotImplementedError
 
-    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
-        """Return the dimensionless period and ``evaluate(t, derivative)`` on ``[0, T)``."""
+    def _dimensionless(self) -> tuple[float, float, Callable[[Vector, int], Vector]]:
+        """Return ``t1``, ``T`` and ``evaluate(t, derivative)`` on ``[0, T)``, dimensionless."""
         raise NotImplementedError
 
     def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
-        times = np.asarray(t, dtype=float)
+        times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
         if not np.isfinite(times).all():
             raise ValueError(f"t: got {t!r}, expected finite times in s")
-        T, evaluate = self._dimensionless()
-        phase = np.mod(times.ravel() / self.belt.time_unit, T)
-        phase[phase >= T] = 0.0  # np.mod of a tiny negative number is T itself
+        in_period = np.mod(times.ravel(), self.period)
+        in_period[in_period >= self.period] = 0.0  # of a tiny negative number
+        t1, T, evaluate = self._dimensionless()
+        phase, slips = in_period / self.belt.time_unit, in_period >= self.t1
+        # the change of units may round a time into the other phase
+        first, end = np.where(slips, t1, 0.0), np.where(slips, T, t1)
+        phase = np.clip(phase, first, np.nextafter(end, 0.0))
         belt = self.belt
         unit = (belt.length_unit, belt.belt_speed, belt.acceleration_unit)[derivative]
         values = unit * evaluate(phase, derivative)
@@ -76,7 +80,7 @@ class Motion:
     def acceleration(self, t: npt.ArrayLike) -> Vector:
         """Return the acceleration in m/s**2 at times `t`; see `displacement`.
 
-        Where it jumps the value is that of the phase which begins.
+        Where it jumps, at `t1` and at `period`, the value is that of the phase which begins.
         """
         return self._at(t, 2)
 
@@ -110,10 +114,10 @@ class ExactOrbit(Motion):
         """Half of the way between the two ends of the motion, in m."""
         return self.belt.length_unit * math.hypot(1.0, self.belt.alpha)
 
-    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
+    def _dimensionless(self) -> tuple[float, float, Callable[[Vector, int], Vector]]:
         alpha = self.belt.alpha
         evaluate = closed_form.evaluate
-        return closed_form.times(alpha)[1], lambda t, order: evaluate(alpha, t, order)
+        return *closed_form.times(alpha), lambda t, order: evaluate(alpha, t, order)
 
 
 def exact(belt: StickSlip) -> ExactOrbit:

@@ -119,14 +119,11 @@ class Orbit(Motion):
         """Errors as they are estimated without the exact orbit; see `estimate`."""
         return estimate(self._method, self.order, self.belt.alpha, self.outcome)
 
-    def _dimensionless(self) -> tuple[float, Callable[[Vector, int], Vector]]:
-        z, order, alpha, evaluate = (
-            self.unknowns,
-            self.order,
-            self.belt.alpha,
-            self._method.evaluate,
-        )
-        return float(z[-1]), lambda t, derivative: evaluate(z, order, t, derivative, alpha)
+    def _dimensionless(self) -> tuple[float, float, Callable[[Vector, int], Vector]]:
+        z, order, alpha = self.unknowns, self.order, self.belt.alpha
+        t1, T = map(float, z[-2:])
+        evaluate = self._method.evaluate
+        return t1, T, lambda t, derivative: evaluate(z, order, t, derivative, alpha)
 
     def _repr_html_(self) -> str:
         return f"<pre>{escape(str(self))}</pre>"

@@ -96,7 +96,9 @@ def solve(
         if not outcome.converged:
             tried.append(f"{name}: {outcome.reason}")
             continue
-        orbit = Orbit(belt, chosen.name, number, outcome, search.iterations, c1_terms)
+        orbit = Orbit(
+            belt, chosen.name, number, outcome, search.iterations, chosen.c1_terms or 1
+        )
         if orbit.admissible:
             outcome.unknowns.flags.writeable = False
             return orbit

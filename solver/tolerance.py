@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from .belt import StickSlip
+from .belt import StickSlip, is_number
 from .choice import LEAST, MARGIN, Choice, NotCertified, Trial, attempt
 from .estimate import Estimate
 from .methods import METHODS, check_alpha, check_method
@@ -50,8 +50,7 @@ def check_tolerance(name: str, tolerance: object) -> float:
     ValueError
         If it is not a number between 0 and 1.
     """
-    good = isinstance(tolerance, int | float) and not isinstance(tolerance, bool)
-    if not (good and 0 < float(tolerance) < 1):  # type: ignore[arg-type]
+    if not (is_number(tolerance) and 0 < float(tolerance) < 1):  # type: ignore[arg-type]
         raise ValueError(f"{name}: got {tolerance!r}, expected a number between 0 and 1")
     return float(tolerance)  # type: ignore[arg-type]
 

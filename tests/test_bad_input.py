@@ -299,3 +299,62 @@ def test_equations_in_a_format_or_an_order_that_is_not_there(
 ) -> None:
     assert named in refused(run, "equations", *(a.format(tmp_path) for a in arguments))
     assert list(tmp_path.iterdir()) == []
+
+
+FIGURES = "9" * 5000
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("--orders", FIGURES),
+        ("--orders", f"1-{FIGURES}"),
+        ("--orders", f"1,2,...,{FIGURES}"),
+        ("--vary", f"mass=1:2:{FIGURES}"),
+        ("--vary", "mass=1:2:3", "--orders", FIGURES),
+    ],
+    ids=lambda arguments: arguments[-2],
+)
+def test_whole_numbers_of_any_length(run, arguments) -> None:
+    error = refused(run, "sweep", *arguments)
+    assert f"{arguments[-2]}: got " in error
+    assert "expected" in error
+
+
+@pytest.mark.parametrize(
+    "content", [f"mass = {FIGURES}", "x = " + "[" * 100_000], ids=["figures", "depth"]
+)
+def test_a_case_file_beyond_what_python_reads(run, content: str, tmp_path: Path) -> None:
+    case = tmp_path / "belt.toml"
+    case.write_text(f"[stick_slip]\n{content}\n")
+    assert f"--case: {case} is not TOML: " in refused(run, "solve", "--case", case)
+
+
+def test_a_case_file_with_the_mark_of_an_editor(run, tmp_path: Path) -> None:
+    case = tmp_path / "belt.toml"
+    lines = "".join(f"{name} = {value}\n" for name, value in GOOD.items())
+    case.write_text("[stick_slip]\n" + lines, encoding="utf-8-sig")
+    assert run("solve", "--method", "c1", "--order", 5, "--case", case)[0] == 0
+
+
+@pytest.mark.parametrize("budget", [True, 0, -1.0, float("nan"), float("inf"), "1"])
+def test_budgets_that_are_no_seconds(budget: object) -> None:
+    with pytest.raises(ValueError, match="budget: got"):
+        ns.solve(ns.StickSlip(**GOOD), budget=budget)  # type: ignore[arg-type]
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    belt = ns.StickSlip(**GOOD)
+    orbit = ns.solve(belt, "hb-c1", np.int64(8), c1_terms=np.int64(2))  # type: ignore[arg-type]
+    assert orbit.c1_terms == 2
+    assert type(orbit.c1_terms) is int
+    assert ns.solve(belt, tol=np.float32(1e-6)).method == "c1"  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("times", [1j, [0.1 + 1j], np.array([0.1 + 0j])])
+def test_times_that_are_not_real(times: object) -> None:
+    orbit = ns.exact(ns.StickSlip(**GOOD))
+    with pytest.raises(ValueError, match=r"t: got .*, expected finite times"):
+        orbit.displacement(times)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="values: got complex"):
+        ns.family(orbit.belt, "mass", times)  # type: ignore[arg-type]

@@ -362,3 +362,17 @@ def test_a_reader_that_leaves_is_no_error() -> None:
     )
     assert result.stdout.startswith("Section 2")
     assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("--mu-k", "0.4999999"),
+        ("--normal-force", "4.123456e-6", "--stiffness", "1.234567e-7"),
+        ("--digits", "60", "--mu-k", "0.4999999"),
+    ],
+    ids=" ".join,
+)
+def test_tables_of_long_numbers_fit_80_columns(run, arguments) -> None:
+    _, out, _ = run("solve", "--method", "c1", "--order", 24, *arguments)
+    assert max(map(len, out.splitlines())) <= 80

@@ -163,3 +163,17 @@ def test_a_family_prints_itself() -> None:
     assert len(lines) == 3
     assert lines[0].split()[:2] == ["belt_speed", "alpha"]
     assert "not-converged" in str(ns.family(DEFAULT, "belt_speed", [1e-4], "hb", 3))
+
+
+@pytest.mark.parametrize("order", [24, 40, 60, 104])
+def test_a_short_stick_is_what_solve_gives(order: int) -> None:
+    alpha = np.random.default_rng(order).uniform(-7, -2, 12)
+    belt = ns.StickSlip(mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0, normal_force=1)
+    family = ns.family(belt, "normal_force", 10**alpha, "c1", order)
+    for point in family.points:
+        if point["status"]:
+            continue
+        orbit = ns.solve(replace(belt, normal_force=float(point["value"])), "c1", order)
+        # both are solutions to rounding, which is a part of T: the estimates say so
+        assert abs(point["t1"] / orbit.t1 - 1) < point["estimate_t1"]
+        assert point["estimate_t1"] == pytest.approx(orbit.estimate.t1, rel=0.6)

@@ -272,3 +272,23 @@ def test_what_is_no_orbit_is_not_saved(kind: str, tmp_path: Path) -> None:
     with pytest.raises(TypeError, match=r"^thing: got .*, expected an orbit"):
         ns.save(things[kind], target)
     assert target.read_text() == "before"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [(",ok,", ",banana,"), ("c1,5,", "c2,5,"), ("c1,5,", "c1,five,")]
+)
+def test_a_row_that_is_none(old: str, new: str, tmp_path: Path) -> None:
+    path = tmp_path / "rows.csv"
+    ns.save(ns.sweep(DEFAULT, methods=["c1"], orders=[5]), path)
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+    with pytest.raises(ns.FileError, match="damaged"):
+        ns.load(path)
+
+
+def test_a_document_of_no_sensible_depth(tmp_path: Path) -> None:
+    path = tmp_path / "deep.json"
+    path.write_text("[" * 200_000)
+    with pytest.raises(ns.FileError, match="not JSON"):
+        ns.load(path)

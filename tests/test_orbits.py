@@ -198,3 +198,27 @@ def test_nothing_but_the_orbit_is_returned(method: str, alpha: float) -> None:
             assert abs(orbit.errors.t1) <= 1 / (2 * order)
         assert orbit.period - orbit.t1 < 2 * np.pi * 1.3 * belt.time_unit
         assert orbit.t1 < 2 * exact.t1
+
+
+def test_at_a_jump_the_acceleration_is_that_of_the_phase_which_begins() -> None:
+    random = np.random.default_rng(12)
+    for _ in range(60):
+        mass, stiffness, speed, force = 10 ** random.uniform(-2, 3, 4)
+        belt = ns.StickSlip(
+            mass=mass, stiffness=stiffness, belt_speed=speed, mu_s=0.6, mu_k=0.2,
+            normal_force=force,
+        )  # fmt: skip
+        motions = [ns.exact(belt)]
+        if 0.1 < belt.alpha < 100:
+            motions.append(ns.solve(belt, "c1", 20))
+        for motion in motions:
+            T, t1 = motion.period, motion.t1
+            starts = np.array([-4 * T, -T, 0.0, T, 2 * T])
+            assert not motion.acceleration(starts).any()
+            assert not motion.acceleration(np.nextafter(t1, 0))
+            fall = -belt.acceleration_unit * belt.alpha
+            if belt.alpha > 1e-9:
+                ends = np.array([t1, np.nextafter(T, 0), -np.nextafter(0, 1)])
+                signs = np.array([1, -1, 0])
+                expected = pytest.approx(signs * fall, rel=1e-5, abs=1e-300)
+                assert motion.acceleration(ends) == expected

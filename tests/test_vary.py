@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.cli.family_store import WRITTEN
+from nonsmooth.cli.family_store import RECORD, WRITTEN
 from nonsmooth.cli.vary import parse_vary
 from nonsmooth.solver.belt import DEFAULT
 
@@ -158,10 +158,10 @@ def test_bad_input(run, arguments: list[str], expected: str) -> None:
 
 def test_a_disk_without_room_is_said_before_the_work(run, tmp_path: Path, monkeypatch) -> None:
     usage = shutil.disk_usage(tmp_path)
-    monkeypatch.setattr("shutil.disk_usage", lambda folder: usage._replace(free=301_999))
+    monkeypatch.setattr("shutil.disk_usage", lambda folder: usage._replace(free=309_999))
     status, _, err = run("sweep", "--vary", "mass=1:2:1000", "-o", tmp_path / "family.csv")
     assert status == 2
-    assert "--vary: 1000 points need about 0.000302 GB in" in err
+    assert "--vary: 1000 points need about 0.00031 GB in" in err
     assert list(tmp_path.iterdir()) == []
 
 
@@ -252,3 +252,57 @@ def test_the_file_of_another_sweep_is_left_alone(run, tmp_path: Path) -> None:
     assert "holds another sweep" in err
     assert part.read_bytes() == b"something else\n"
     assert not target.exists()
+
+
+def begun(tmp_path: Path) -> tuple[list[str], Path, Path]:
+    """Return a sweep that was killed: its arguments, its target, its points."""
+    arguments, target = [*LONG[0][0]], tmp_path / "family.csv"
+    process = started(arguments, target, 3_000_000)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    return arguments, target, target.with_name(target.name + ".part")
+
+
+@pytest.mark.parametrize("damage", ["zeros", "a bit", "swapped"])
+def test_points_that_a_disk_has_lost_are_computed_again(damage: str, tmp_path: Path) -> None:
+    arguments, target, part = begun(tmp_path)
+    content, size = bytearray(part.read_bytes()), RECORD.itemsize
+    first = content.index(b"\n") + 1
+    place = first + 700 * size
+    if damage == "zeros":
+        content[place:] = bytes(len(content) - place)
+    elif damage == "a bit":
+        content[place + 20] ^= 4
+    else:
+        content[place : place + 2 * size] = (
+            content[place + size : place + 2 * size] + content[place : place + size]
+        )
+    part.write_bytes(content)
+    command = [*COMMAND, *arguments, "-o"]
+    last = subprocess.run([*command, target], check=True, capture_output=True, text=True)
+    assert last.stderr.startswith("going on after 700 of 400000 points")
+    whole = tmp_path / "whole.csv"
+    subprocess.run([*command, whole], check=True, capture_output=True)
+    assert target.read_bytes() == whole.read_bytes()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="file locks are POSIX")
+def test_two_runs_do_not_write_the_same_file(run, tmp_path: Path) -> None:
+    target = tmp_path / "family.csv"
+    process = started(["--vary", "mass=1:2:10000000"], target, 2_000)
+    try:
+        status, _, err = run("sweep", "--vary", "mass=1:3:30", "-o", target)
+    finally:
+        process.kill()
+        process.wait()
+    assert status == 2
+    assert f"another run is writing {target}.part" in err
+
+
+def test_values_whose_quotient_is_no_float(run) -> None:
+    vary = parse_vary("mu-k=1e-320:0.25:5", log=True)
+    values = vary.values(0, 5)
+    assert values[-1] == 0.25
+    assert values[0] == pytest.approx(1e-320, rel=1e-3)  # subnormal
+    assert np.diff(np.log(values)) == pytest.approx(np.full(4, 183.8), rel=1e-3)
+    assert run("sweep", "--vary", "mu-k=1e-320:0.25:5", "--log")[0] == 0

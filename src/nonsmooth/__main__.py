@@ -1,5 +1,7 @@
 """``python -m nonsmooth`` and the ``nonsmooth`` command."""
 
+import os
+import sys
 from typing import NoReturn
 
 from .interrupt import end_on_interrupt
@@ -7,6 +9,9 @@ from .interrupt import end_on_interrupt
 
 def main() -> NoReturn:
     """Run the command line as a program of its own."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by the shell: >&-
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
     end_on_interrupt(_command_line)
 
 

@@ -5,6 +5,7 @@ and admissible orbit (or, for ``generate --check``, a difference), 2 bad input, 
 interrupted.
 """
 
+import contextlib
 import os
 import sys
 from typing import Any, NoReturn
@@ -24,7 +25,23 @@ Examples:
 """
 
 
-@click.group(epilog=EXAMPLES, context_settings={"help_option_names": ["-h", "--help"]})
+class _ReaderLeft(Exception):  # noqa: N818
+    """The reader of stdout has left: what it wanted it has."""
+
+
+class _Commands(click.Group):
+    """Commands whose broken pipe click does not make an exit with 1: that is for no orbit."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError as error:
+            raise _ReaderLeft from error
+
+
+@click.group(
+    cls=_Commands, epilog=EXAMPLES, context_settings={"help_option_names": ["-h", "--help"]}
+)
 @click.option(
     "--version", is_flag=True, expose_value=False, is_eager=True, callback=show_version,
     help="Show what a bug report needs and exit.",
@@ -74,8 +91,9 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         _fail(str(problem), problem.status)
     except (click.Abort, KeyboardInterrupt):
         _fail("interrupted", 130)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (_ReaderLeft, BrokenPipeError):
+        with contextlib.suppress(OSError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(0)
     except OSError as error:
         _fail(str(error), 2)

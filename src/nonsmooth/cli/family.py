@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .orders import is_whole
 from .output import DATA, write_file, write_whole
 from .problems import Problem, about_option
 from .vary import parse_vary
@@ -74,7 +75,7 @@ def job_from(
 
     from .family_job import Job  # noqa: PLC0415
 
-    if orders is not None and not orders.isdecimal():
+    if orders is not None and not is_whole(orders):
         raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
     order = family.ORDER if orders is None else int(orders)
     chosen = tuple(dict.fromkeys(methods or ["c1"]))

@@ -88,7 +88,7 @@ class Chunk:
 
 def compute(job: Job, store: Store, target: Path | None) -> None:
     """Compute the points that the store does not hold."""
-    done = store.done()
+    done = min(store.sound(), len(job))
     todo = [
         chunk
         for method in job.methods
@@ -106,7 +106,7 @@ def compute(job: Job, store: Store, target: Path | None) -> None:
                 advance(f"{chunk.method}, {job.vary.flag} = {found['value'][-1]:g}")
         except KeyboardInterrupt:
             if target is not None:
-                kept = f"{store.done()} of {len(job)} points are kept in {beside(target)}"
+                kept = f"{len(store)} of {len(job)} points are kept in {beside(target)}"
                 click.echo(f"{kept}; the same command goes on after them", err=True)
             raise
 

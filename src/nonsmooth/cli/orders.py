@@ -5,6 +5,14 @@ from collections.abc import Iterable
 from .equations import METHODS
 from .problems import Problem
 
+#: Most figures of a whole number.
+MOST_FIGURES = 18
+
+
+def is_whole(text: str) -> bool:
+    """Return whether `text` is a whole number, and of a length that makes sense."""
+    return text.isdecimal() and len(text) <= MOST_FIGURES
+
 
 def parse_orders(text: str) -> list[int]:
     """Return the orders that `text` names, ascending, each once.
@@ -36,7 +44,7 @@ def _between(before: list[str], after: list[str], text: str) -> Iterable[int]:
     neighbours = [*before, *after]
     expected = 'expected "..." between numbers a, b and c, where b/a multiplies on to c'
     problem = Problem(f"--orders: got {text!r}, {expected}")
-    if len(neighbours) != 3 or not all(part.isdecimal() for part in neighbours):
+    if len(neighbours) != 3 or not all(map(is_whole, neighbours)):
         raise problem
     first, second, last = map(int, neighbours)
     factor = second // first if first else 0
@@ -54,7 +62,7 @@ def _between(before: list[str], after: list[str], text: str) -> Iterable[int]:
 def _range(part: str, text: str) -> Iterable[int]:
     expected = "expected numbers from 1 and ranges, like 1-40 or 1,3,10-20"
     first, dash, last = part.partition("-")
-    if not (first.isdecimal() and (last.isdecimal() or not dash)):
+    if not (is_whole(first) and (is_whole(last) or not dash)):
         raise Problem(f"--orders: got {text!r}, {expected}")
     low, high = int(first), int(last or first)
     if low < 1:

@@ -39,6 +39,8 @@ def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
         raise Problem(f"-o: got {path}, expected a name that ends in one of {expected}")
     if path.is_dir():
         raise Problem(f"-o: {path} is a folder, expected a file")
+    if path.exists() and not path.is_file():
+        raise Problem(f"-o: {path} is a device or a pipe, expected a file")
     if not path.parent.is_dir():
         raise Problem(f"-o: the folder {path.parent} does not exist")
     try:

@@ -1,4 +1,4 @@
-"""The oscillator from a case file, from flags, or both; flags go before the file."""
+"""The oscillator from a case file, from flags, or both; flags override the file."""
 
 import tomllib
 from collections.abc import Callable, Mapping
@@ -37,7 +37,7 @@ def parameter_options(command: Callable[..., Any]) -> Callable[..., Any]:
     for name, help_ in reversed(FLAGS.items()):
         flag = f"--{name.replace('_', '-')}"
         command = click.option(flag, name, type=float, help=help_)(command)
-    help_ = "Case file with a table [stick_slip]; flags go before it."
+    help_ = "Case file with a table [stick_slip]; flags override it."
     return click.option("--case", type=click.Path(path_type=Path), help=help_)(command)
 
 
@@ -50,13 +50,13 @@ def read_case(path: Path) -> dict[str, object]:
         If the file cannot be read, is not TOML, or has no such table.
     """
     try:
-        text = path.read_bytes().decode("utf-8")
+        text = path.read_bytes().decode("utf-8-sig")  # editors on Windows write a mark first
         content = tomllib.loads(text)
     except OSError as error:
         raise Problem(f"--case: cannot read {path}: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise Problem(f"--case: {path} is not a text file; expected TOML") from error
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
         raise Problem(f"--case: {path} is not TOML: {error}") from error
     table = content.get(TABLE)
     if not isinstance(table, dict):

@@ -26,8 +26,18 @@ if TYPE_CHECKING:
 #: Estimated error of the period below which the digits of a column are not all.
 MORE_DIGITS = 1e-9
 
+#: Columns beyond which the gaps of a table are one column and not two.
+WIDE = 80
+
 #: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
 WIDEST = 200
+
+
+class _Console(Console):
+    """A console that hands a broken pipe on, and does not exit with 1."""
+
+    def on_broken_pipe(self) -> None:
+        raise BrokenPipeError
 
 
 def _print(table: Table) -> None:
@@ -35,9 +45,11 @@ def _print(table: Table) -> None:
 
     On a narrow terminal a cell goes on in the next line: no digit is left out.
     """
-    console = Console()
+    console = _Console()
     if not console.is_terminal:
-        console = Console(width=WIDEST)
+        console = _Console(width=WIDEST)
+        if console.measure(table).maximum > WIDE:
+            table.padding = (0, 1, 0, 0)
     console.print(table)
 
 

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from .orders import is_whole
 from .parameters import FLAGS
 from .problems import Problem
 
@@ -56,11 +57,13 @@ class Vary:
         import numpy as np  # noqa: PLC0415
 
         numbers, steps = np.arange(start, stop), self.count - 1
-        found = (
-            self.first * (self.last / self.first) ** (numbers / steps)
-            if self.log
-            else self.first + numbers * ((self.last - self.first) / steps)
-        )
+        part = numbers / steps
+        if not self.log:
+            found = self.first + numbers * ((self.last - self.first) / steps)
+        elif 0 < self.last / self.first < math.inf:
+            found = self.first * (self.last / self.first) ** part
+        else:
+            found = self.first ** (1 - part) * self.last**part
         found[numbers == steps] = self.last
         return np.asarray(found, dtype=np.float64)
 
@@ -92,7 +95,7 @@ def parse_vary(text: str, log: bool) -> Vary:
         raise Problem(f"--vary: got {text!r}, {EXPECTED}") from error
     if not (math.isfinite(first) and math.isfinite(last) and first != last):
         raise Problem(f"--vary: got {text!r}, expected two different numbers as the ends")
-    if not parts[2].strip().isdecimal() or not 2 <= int(parts[2]) <= MOST_POINTS:
+    if not is_whole(parts[2].strip()) or not 2 <= int(parts[2]) <= MOST_POINTS:
         expected = f"a whole number from 2 to {MOST_POINTS}"
         raise Problem(f"--vary: got {parts[2]!r} points, expected {expected}")
     if log and not (first > 0 and last > 0):

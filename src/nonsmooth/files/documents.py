@@ -10,6 +10,8 @@ import numpy as np
 from nonsmooth.solver.belt import StickSlip
 from nonsmooth.solver.errors import Errors
 from nonsmooth.solver.estimate import Estimate
+from nonsmooth.solver.family_points import STATUS
+from nonsmooth.solver.methods import METHODS
 from nonsmooth.solver.motion import exact
 from nonsmooth.solver.newton import Outcome
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -87,6 +89,8 @@ def to_sweep(document: dict[str, Any]) -> Sweep:
 def to_row(row: dict[str, Any]) -> Row:
     """Return a row of a sweep; an error that is null beside an orbit is infinite."""
     found = row["status"] == "ok"
+    if row["status"] not in STATUS or row["method"] not in METHODS:
+        raise ValueError(f"a row {row['status']!r} of {row['method']!r}")
     values = {name: _known(row["errors"][name]) for name in row["errors"]}
     judged = {name: _known(row["estimate"][name]) for name in row["estimate"]}
     errors = Errors(**values) if found else None

@@ -1,5 +1,7 @@
 """netCDF-4 files: arrays with units; by netCDF4, in the extra ``netcdf``."""
 
+import errno
+import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
@@ -28,11 +30,14 @@ def _created(
     target: Path, kind: str, belt: StickSlip, methods: Sequence[str]
 ) -> Iterator[Dataset]:
     """Create a file that says what it holds, and seal it when it is complete."""
-    with Dataset(target, "w", format="NETCDF4") as file:
-        title = f"Stick-slip oscillator: {kind}"
-        file.setncatts({"title": title, "kind": kind, "schema": SCHEMA})
-        file.setncatts(origin(methods) | asdict(belt))
-        yield file
+    try:
+        with Dataset(target, "w", format="NETCDF4") as file:
+            title = f"Stick-slip oscillator: {kind}"
+            file.setncatts({"title": title, "kind": kind, "schema": SCHEMA})
+            file.setncatts(origin(methods) | asdict(belt))
+            yield file
+    except RuntimeError as error:  # the library's word for a disk that is full
+        raise OSError(errno.EIO, f"{os.strerror(errno.EIO)} ({error})") from error
     with target.open("ab") as sealed:
         sealed.write(seal_of(target, target.stat().st_size))
 

@@ -99,7 +99,7 @@ def _document(path: Path) -> dict[str, Any]:
     try:
         text = path.read_bytes().decode("utf-8")
         document = json.loads(text)
-    except ValueError as error:  # of the encoding, or of the JSON
+    except (ValueError, RecursionError) as error:  # of the encoding, or of the JSON
         raise damaged(path, f"not JSON: {error}") from error
     if not isinstance(document, dict):
         raise FileError(path, "no file of nonsmooth")

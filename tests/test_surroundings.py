@@ -1,0 +1,76 @@
+"""The command line where its surroundings are hostile: closed streams, pipes, full disks."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="shells and devices are POSIX")
+
+NONSMOOTH = f"{sys.executable} -m nonsmooth"
+
+
+def shell(command: str, folder: Path) -> "subprocess.CompletedProcess[str]":
+    """Run a command of the shell, whose status is that of the first that failed."""
+    arguments = ["bash", "-o", "pipefail", "-c", command.replace("nonsmooth", NONSMOOTH, 1)]
+    return subprocess.run(arguments, cwd=folder, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "solve --method c1 --order 5",
+        "sweep --methods c1 --orders 3,5",
+        "equations",
+        "--version",
+    ],
+)
+@pytest.mark.parametrize("stream", ["1", "2"])
+def test_a_stream_that_is_closed_takes_nothing_away(
+    command: str, stream: str, tmp_path: Path
+) -> None:
+    done = shell(f"nonsmooth {command} {stream}>&-", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert bool(done.stdout) == (stream == "2")
+
+
+@pytest.mark.parametrize(
+    "command",
+    ["sweep --methods c1 --orders 1-20", "equations", "sweep --vary mass=1:2:30000 --json"],
+)
+def test_a_reader_that_leaves_at_once_is_no_error(command: str, tmp_path: Path) -> None:
+    done = shell(f"nonsmooth {command} | head -c 1", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("name", ["orbit.json", "orbit.nc", "orbit.csv", "orbit.png"])
+def test_a_full_disk_leaves_nothing(name: str, tmp_path: Path) -> None:
+    if name.endswith(".nc"):
+        pytest.importorskip("netCDF4")
+    before = shell("nonsmooth solve --method c1 --order 5", tmp_path)  # writes caches
+    assert before.returncode == 0
+    limit = 1 if name.endswith(".json") else 10  # KiB
+    order = 60 if name.endswith(".json") else 5
+    command = f"ulimit -f {limit}; nonsmooth solve --method c1 --order {order} -o {name}"
+    done = shell(command, tmp_path)
+    assert done.returncode == 2, done.stderr
+    assert f"nonsmooth: -o: cannot write {name}: " in done.stderr
+    assert "Traceback" not in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("command", ["solve --method c1 --order 5", "equations"])
+def test_a_pipe_is_not_replaced_by_a_file(command: str, tmp_path: Path) -> None:
+    pipe = tmp_path / "orbit.json"
+    os.mkfifo(pipe)
+    name = pipe.name if command.startswith("solve") else "text"
+    if name != pipe.name:
+        pipe.rename(tmp_path / name)
+    done = shell(f"nonsmooth {command} -o {name}", tmp_path)
+    assert done.returncode == 2
+    assert done.stderr == f"nonsmooth: -o: {name} is a device or a pipe, expected a file\n"
+    assert (tmp_path / name).is_fifo()
