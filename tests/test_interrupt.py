@@ -42,7 +42,8 @@ def ends(body: str, handler: str = "default_int_handler") -> tuple[int, str]:
     indented = textwrap.indent(textwrap.dedent(body).strip(), "    ")
     program = SHAPE.format(body=indented, handler=handler)
     command = [sys.executable, "-c", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    # less than a program here sleeps: it is to be woken
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=20)
     return done.returncode, done.stderr
 
 

@@ -36,7 +36,7 @@ def end_on_interrupt(program: Callable[[], NoReturn]) -> NoReturn:
 
     def unraisable(lost: "sys.UnraisableHookArgs") -> None:
         if lost.exc_type is KeyboardInterrupt:
-            threading.Timer(_AGAIN, _thread.interrupt_main).start()
+            threading.Timer(_AGAIN, _interrupt_main_thread).start()
         elif not heard.is_set():
             sys.__unraisablehook__(lost)
 
@@ -49,6 +49,14 @@ def end_on_interrupt(program: Callable[[], NoReturn]) -> NoReturn:
         if not heard.is_set():
             raise
         _leave(error.code if isinstance(error, SystemExit) else None)
+
+
+def _interrupt_main_thread() -> None:
+    """Send SIGINT to the main thread, which wakes it where it waits for the system."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+    else:
+        _thread.interrupt_main()
 
 
 def _leave(status: object) -> NoReturn:
