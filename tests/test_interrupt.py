@@ -57,6 +57,7 @@ def ends(body: str, handler: str = "default_int_handler") -> tuple[int, str]:
         "callback(); sys.exit(2)",
         "Half()",
         "Interrupted(); Interrupted(); time.sleep(30)",
+        "[Interrupted() for _ in range(100000)]; time.sleep(30)",
     ],
 )
 def test_an_interrupt_is_heeded_wherever_it_strikes(body: str) -> None:
@@ -73,8 +74,40 @@ def test_what_is_to_be_undone_is_undone() -> None:
     assert ends(body) == (130, "undone, nonsmooth: interrupted\n")
 
 
+def test_an_interrupt_while_it_ends_changes_nothing() -> None:
+    body = """
+    class Strikes:
+        def write(self, text):
+            signal.raise_signal(signal.SIGINT)
+            sys.__stderr__.write(text)
+
+        def flush(self):
+            signal.raise_signal(signal.SIGINT)
+            sys.__stderr__.flush()
+
+    sys.stdout = sys.stderr = Strikes()
+    signal.raise_signal(signal.SIGINT)
+    """
+    assert ends(body) == INTERRUPTED
+
+
+def test_an_interrupt_after_the_end_changes_nothing() -> None:
+    body = """
+    import atexit
+    atexit.register(signal.raise_signal, signal.SIGINT)
+    sys.exit(3)
+    """
+    assert ends(body) == (3, "")
+
+
 def test_work_that_was_done_before_is_done() -> None:
-    assert ends("callback(); sys.exit(0)") == (0, "")
+    body = """
+    try:
+        signal.raise_signal(signal.SIGINT)
+    except KeyboardInterrupt:
+        sys.exit(0)
+    """
+    assert ends(body) == (0, "")
 
 
 def test_without_an_interrupt_nothing_is_hidden() -> None:

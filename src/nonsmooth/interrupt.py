@@ -5,12 +5,10 @@ from C, both of which a compiler has many, that is printed and forgotten, and th
 on or fails later by what was left undone.
 """
 
-import _thread
 import contextlib
 import os
 import signal
 import sys
-import threading
 import types
 from collections.abc import Callable
 from typing import NoReturn
@@ -28,35 +26,36 @@ def end_on_interrupt(program: Callable[[], NoReturn]) -> NoReturn:
     Then the process ends at once, after all ``finally``, but without the destructors of
     what was half made.
     """
-    heard = threading.Event()
+    heard = ended = False
 
-    def interrupt(_signal: int, _frame: types.FrameType | None) -> None:
-        heard.set()
-        raise KeyboardInterrupt
+    def interrupt(_signal: int, frame: types.FrameType | None) -> None:
+        nonlocal heard
+        if ended:
+            return
+        heard = True
+        if frame is not None and frame.f_code is unraisable.__code__:  # there it would be lost
+            signal.setitimer(signal.ITIMER_REAL, _AGAIN)
+        else:
+            raise KeyboardInterrupt
 
     def unraisable(lost: "sys.UnraisableHookArgs") -> None:
         if lost.exc_type is KeyboardInterrupt:
-            threading.Timer(_AGAIN, _interrupt_main_thread).start()
-        elif not heard.is_set():
+            signal.setitimer(signal.ITIMER_REAL, _AGAIN)
+        elif not heard:
             sys.__unraisablehook__(lost)
 
-    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-        signal.signal(signal.SIGINT, interrupt)
-    sys.unraisablehook = unraisable
     try:
+        if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            signal.signal(signal.SIGINT, interrupt)
+            if hasattr(signal, "setitimer"):  # not so on Windows, where Python's ways remain
+                signal.signal(signal.SIGALRM, interrupt)
+                sys.unraisablehook = unraisable
         program()
     except BaseException as error:
-        if not heard.is_set():
+        ended = True  # first: until a call is made, no signal is handled
+        if not heard:
             raise
         _leave(error.code if isinstance(error, SystemExit) else None)
-
-
-def _interrupt_main_thread() -> None:
-    """Send SIGINT to the main thread, which wakes it where it waits for the system."""
-    if hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-    else:
-        _thread.interrupt_main()
 
 
 def _leave(status: object) -> NoReturn:
