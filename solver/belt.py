@@ -57,6 +57,18 @@ def parameter_errors(parameters: Mapping[str, object]) -> list[str]:
     return errors
 
 
+def check_type(belt: object) -> None:
+    """Check that `belt` is an oscillator, not its parameters.
+
+    Raises
+    ------
+    TypeError
+        If it is anything but a `StickSlip`.
+    """
+    if not isinstance(belt, StickSlip):
+        raise TypeError(f"belt: got {belt!r:.80}, expected a StickSlip")
+
+
 def alpha_of(parameters: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:
     """Return ``alpha``; of arrays with NumPy's root, of numbers with that of `math`."""
     p = parameters

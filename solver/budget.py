@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from .belt import StickSlip, is_number
 from .choice import Choice, TooSlow, Trial, attempt
-from .methods import METHODS, check_alpha, check_method
+from .methods import METHODS, check_belt, check_method
 from .orbit import Orbit
 from .solve import solve
 
@@ -48,7 +48,7 @@ def fitting(
     if not (is_number(budget) and budget > 0):
         raise ValueError(f"budget: got {budget!r}, expected a positive number of seconds")
     names = [check_method(name).name for name in methods]
-    check_alpha(belt.alpha)
+    check_belt(belt)
     trials: list[Trial] = []
     best: Orbit | None = None
     for name in names:

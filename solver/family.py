@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from .arrays import Vector
 from .batch import OK
-from .belt import PARAMETERS, StickSlip
+from .belt import PARAMETERS, StickSlip, check_type
 from .estimate import CONVERGED_ORDER
 from .family_points import STATUS, points, with_value
 from .methods import check_alpha, check_method, check_order, with_terms
@@ -105,6 +105,8 @@ def family(
 
     Raises
     ------
+    TypeError
+        If `belt` is no `StickSlip`.
     ValueError
         If the parameter, the method or the order is not one that there is, or a value
         makes no oscillator (`ParameterError`).
@@ -120,9 +122,13 @@ def family(
     >>> orbits["stick_fraction"].round(3)
     array([0.496, 0.298, 0.157])
     """
+    check_type(belt)
     if not np.isrealobj(values):
         raise ValueError("values: got complex numbers, expected real ones")
-    numbers = np.atleast_1d(np.asarray(values, dtype=float)).ravel()
+    try:
+        numbers = np.atleast_1d(np.asarray(values, dtype=float)).ravel()
+    except (TypeError, ValueError):
+        raise ValueError(f"values: got {values!r:.80}, expected numbers") from None
     check(belt, parameter, numbers)
     chosen = with_terms(check_method(method), c1_terms)
     number = check_order(order, chosen)

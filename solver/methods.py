@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from . import fourier, polynomial
 from .arrays import Vector
-from .belt import ParameterError, StickSlip
+from .belt import ParameterError, StickSlip, check_type
 
 
 @dataclass(frozen=True)
@@ -143,6 +143,20 @@ def check_alpha(alpha: float) -> float:
         )
         raise ParameterError([message])
     return alpha
+
+
+def check_belt(belt: StickSlip) -> None:
+    """Check that `belt` is an oscillator whose orbit can be computed.
+
+    Raises
+    ------
+    TypeError
+        If it is no `StickSlip`.
+    ParameterError
+        If its ``alpha`` is beyond what float64 can hold.
+    """
+    check_type(belt)
+    check_alpha(belt.alpha)
 
 
 def check_order(order: object, method: Method) -> int:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from . import exact as closed_form
 from .arrays import Vector
-from .belt import StickSlip
+from .belt import StickSlip, check_type
 
 
 class Motion:
@@ -123,6 +123,11 @@ class ExactOrbit(Motion):
 def exact(belt: StickSlip) -> ExactOrbit:
     """Return the exact orbit of Section 2.
 
+    Raises
+    ------
+    TypeError
+        If `belt` is no `StickSlip`.
+
     Examples
     --------
     >>> import nonsmooth as ns
@@ -131,4 +136,5 @@ def exact(belt: StickSlip) -> ExactOrbit:
     >>> ns.exact(belt).t1
     0.2
     """
+    check_type(belt)
     return ExactOrbit(belt)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from . import kernels
 from .belt import StickSlip
 from .kernels import PLAIN_ORDER, Kernel
-from .methods import check_alpha, check_method, check_order, with_terms
+from .methods import check_belt, check_method, check_order, with_terms
 from .no_orbit import NoOrbit
 from .orbit import Orbit
 from .search import Search, starts
@@ -53,6 +53,8 @@ def solve(
 
     Raises
     ------
+    TypeError
+        If `belt` is no `StickSlip`.
     ValueError
         If `method`, `order`, `c1_terms`, a tolerance or the budget is not one that can be
         computed, if they exclude each other, or if `alpha` of the oscillator is not from
@@ -83,7 +85,7 @@ def solve(
 
         return choose(belt, method, order, tol, tol_acceleration, budget, many=many).orbit
     chosen = with_terms(check_method(method), c1_terms)
-    check_alpha(belt.alpha)
+    check_belt(belt)
     number = check_order(order, chosen)
     search = Search(belt, chosen, number, _loader(number, many))
     tried: list[str] = []

@@ -10,7 +10,7 @@ from .belt import StickSlip
 from .convergence import Rate, rate
 from .errors import Errors
 from .estimate import Estimate
-from .methods import METHODS, check_alpha, check_method, check_order, with_terms
+from .methods import METHODS, check_belt, check_method, check_order, with_terms
 from .no_orbit import NoOrbit
 from .solve import solve
 
@@ -126,6 +126,8 @@ def sweep(
 
     Raises
     ------
+    TypeError
+        If `belt` is no `StickSlip`.
     ValueError
         If a method or an order is not one that can be computed; before anything is.
 
@@ -139,7 +141,9 @@ def sweep(
     c1          3     0.6690781172    -3.219e-03   1.310e-01
     c1          5     0.6712755659     5.463e-05   2.319e-02
     """
-    check_alpha(belt.alpha)
+    check_belt(belt)
+    if not isinstance(orders, Iterable):
+        raise ValueError(f"orders: got {orders!r}, expected whole numbers in a sequence")
     jobs = _jobs(methods, list(orders), c1_terms)
     rows, many = [], _worth_compiling(jobs)
     for name, order in jobs:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from .belt import StickSlip, is_number
 from .choice import LEAST, MARGIN, Choice, NotCertified, Trial, attempt
 from .estimate import Estimate
-from .methods import METHODS, check_alpha, check_method
+from .methods import METHODS, check_belt, check_method
 from .search import MOST_DENSE
 
 #: How the errors fall with the order, ``N**-rate`` (make sweep); for 3.2 their envelope.
@@ -101,7 +101,7 @@ def within(
     if not wanted:
         raise ValueError("tol: got None, expected a number between 0 and 1")
     names = [check_method(name).name for name in methods]
-    check_alpha(belt.alpha)
+    check_belt(belt)
     trials: list[Trial] = []
     lowest: dict[str, float] = dict.fromkeys(names, 0.0)  # orders below have no prospect
     hopeless = any(MARGIN * tol <= LEAST[error] for error, tol in wanted.items())

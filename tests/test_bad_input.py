@@ -1,6 +1,7 @@
 """Bad input: one line that names the argument, the value and what was expected; status 2."""
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -204,7 +205,7 @@ def test_a_failed_write_leaves_the_old_file(run, tmp_path: Path, monkeypatch) ->
     replace = os.replace
 
     def fail(source, destination):
-        if Path(destination) != target:  # numba caches by the same means
+        if Path(destination) != target.resolve():  # numba caches by the same means
             return replace(source, destination)
         raise OSError(28, "No space left on device")
 
@@ -358,3 +359,28 @@ def test_times_that_are_not_real(times: object) -> None:
         orbit.displacement(times)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="values: got complex"):
         ns.family(orbit.belt, "mass", times)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("belt", [GOOD, None, "belt", ns.StickSlip, 1.0])
+@pytest.mark.parametrize(
+    "function",
+    [
+        ns.exact,
+        ns.sweep,
+        lambda belt: ns.solve(belt, "c1", 7),
+        lambda belt: ns.solve(belt, tol=1e-6),
+        lambda belt: ns.solve(belt, budget=1.0),
+        lambda belt: ns.family(belt, "mass", [1.0]),
+    ],
+)
+def test_what_is_no_oscillator(function: Callable[[object], object], belt: object) -> None:
+    with pytest.raises(TypeError, match=r"belt: got .*, expected a StickSlip"):
+        function(belt)
+
+
+def test_values_and_orders_that_are_no_numbers() -> None:
+    belt = ns.StickSlip(**GOOD)
+    with pytest.raises(ValueError, match=r"values: got \['a'\], expected numbers"):
+        ns.family(belt, "mass", ["a"])
+    with pytest.raises(ValueError, match="orders: got 5, expected whole numbers"):
+        ns.sweep(belt, orders=5)  # type: ignore[arg-type]

@@ -74,3 +74,17 @@ def test_a_pipe_is_not_replaced_by_a_file(command: str, tmp_path: Path) -> None:
     assert done.returncode == 2
     assert done.stderr == f"nonsmooth: -o: {name} is a device or a pipe, expected a file\n"
     assert (tmp_path / name).is_fifo()
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_what_a_link_points_to_is_written(there: bool, tmp_path: Path) -> None:
+    target, link = tmp_path / "results" / "orbit.json", tmp_path / "orbit.json"
+    target.parent.mkdir()
+    if there:
+        target.write_text("old")
+    link.symlink_to(target)
+    done = shell("nonsmooth solve --method c1 --order 5 -o orbit.json", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert link.is_symlink()
+    assert '"c1"' in target.read_text()
+    assert [path.name for path in target.parent.iterdir()] == [target.name]

@@ -11,11 +11,14 @@ from pathlib import Path
 def whole(path: Path) -> Iterator[Path]:
     """Yield a temporary file beside `path`, which takes its place if all goes well.
 
+    Of a symbolic link, what it points to is replaced.
+
     Raises
     ------
     OSError
         If it cannot be written; then nothing is left of it.
     """
+    path = Path(os.path.realpath(path))
     handle, name = tempfile.mkstemp(
         dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
     )
