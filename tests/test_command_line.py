@@ -2,17 +2,11 @@
 
 import csv
 import json
-import os
 import shutil
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 
 import pytest
 
-from nonsmooth.cli import cli
 from nonsmooth.codegen import generate as stage
 
 KEYS = [
@@ -267,101 +261,6 @@ def test_equations_as_latex_name_every_number(run, tmp_path: Path) -> None:
     assert status == 0
     for number in range(1, 21):
         assert f"\\tag{{{number}}}" in text
-
-
-COMMANDS = (
-    "generate", "equations", "solve", "sweep", "roots", "stability", "tradeoff", "report",
-)  # fmt: skip
-
-
-@pytest.mark.parametrize("command", COMMANDS)
-def test_help_has_examples(run, command: str) -> None:
-    status, out, _ = run(command, "--help")
-    assert status == 0
-    assert f"Usage: nonsmooth {command}" in out
-    assert "Example" in out
-    assert max(map(len, out.splitlines())) <= 80
-
-
-def test_help_names_every_command(run) -> None:
-    status, out, _ = run()
-    assert status == 0
-    assert "Examples:" in out
-    assert set(cli.commands) == set(COMMANDS)
-    assert all(f"\n  {command} " in out for command in COMMANDS)
-
-
-def test_the_version_says_what_a_bug_report_needs(run) -> None:
-    status, out, _ = run("--version")
-    assert status == 0
-    assert out.startswith("nonsmooth 0.")
-    for name in ("mathematics", "Python 3.", "cores", "numba ", "sympy ", "python-flint"):
-        assert name in out
-
-
-def test_a_shell_completes_commands_and_methods() -> None:
-    words = {"COMP_WORDS": "nonsmooth solve --method hb", "COMP_CWORD": "3"}
-    environment = os.environ | words | {"_NONSMOOTH_COMPLETE": "bash_complete"}
-    program = "from nonsmooth.__main__ import main; main()"
-    found = subprocess.run(
-        [sys.executable, "-c", program],
-        check=False,
-        env=environment,
-        capture_output=True,
-        text=True,
-    )
-    assert found.stdout.split() == ["plain,hb", "plain,hb-c1"]
-
-
-@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
-@pytest.mark.parametrize(
-    "arguments",
-    [("equations", "-o", "equations.tex"), ("stability", "-o", "digits.json")],
-    ids=lambda arguments: arguments[0],
-)
-def test_an_interrupt_leaves_nothing_half_written(
-    interruptible, arguments, tmp_path: Path
-) -> None:
-    *command, name = arguments
-    process = interruptible(*command, tmp_path / name)
-    time.sleep(2)
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=30)
-    assert process.returncode == 130
-    assert err.endswith("nonsmooth: interrupted\n")
-    assert out == ""
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_the_module_is_a_command(tmp_path: Path) -> None:
-    command = [sys.executable, "-W", "error", "-m", "nonsmooth", "solve", "--order", "3"]
-    result = subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path)
-    assert "hb-c1" in result.stdout
-
-
-def test_interruption_exits_with_130_and_leaves_no_file(
-    run, tmp_path: Path, monkeypatch
-) -> None:
-    from nonsmooth.solver import sweep as stage_sweep
-
-    def interrupt(*arguments, **options):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(stage_sweep, "solve", interrupt)
-    target = tmp_path / "rows.csv"
-    status, _, err = run("sweep", "--orders", "1-3", "-o", target)
-    assert status == 130
-    assert err.strip().endswith("nonsmooth: interrupted")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_a_reader_that_leaves_is_no_error() -> None:
-    command = f"{sys.executable} -m nonsmooth equations | head -n 1"
-    result = subprocess.run(
-        ["bash", "-o", "pipefail", "-c", command], capture_output=True, text=True, check=False
-    )
-    assert result.stdout.startswith("Section 2")
-    assert "Traceback" not in result.stderr
 
 
 @pytest.mark.parametrize(

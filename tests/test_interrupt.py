@@ -1,8 +1,12 @@
-"""Ctrl-C where Python would forget it: in destructors and in callbacks from C."""
+"""Ctrl-C: in the midst of commands, and where Python would forget it."""
 
+import os
+import signal
 import subprocess
 import sys
 import textwrap
+import time
+from pathlib import Path
 
 import pytest
 
@@ -125,3 +129,39 @@ def test_without_an_interrupt_nothing_is_hidden() -> None:
 
 def test_in_the_background_it_stays_ignored() -> None:
     assert ends("signal.raise_signal(signal.SIGINT); sys.exit(0)", "SIG_IGN") == (0, "")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
+@pytest.mark.parametrize(
+    "arguments",
+    [("equations", "-o", "equations.tex"), ("stability", "-o", "digits.json")],
+    ids=lambda arguments: arguments[0],
+)
+def test_an_interrupt_leaves_nothing_half_written(
+    interruptible, arguments, tmp_path: Path
+) -> None:
+    *command, name = arguments
+    process = interruptible(*command, tmp_path / name)
+    time.sleep(2)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert err.endswith("nonsmooth: interrupted\n")
+    assert out == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_interruption_exits_with_130_and_leaves_no_file(
+    run, tmp_path: Path, monkeypatch
+) -> None:
+    from nonsmooth.solver import sweep as stage_sweep
+
+    def interrupt(*arguments, **options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(stage_sweep, "solve", interrupt)
+    target = tmp_path / "rows.csv"
+    status, _, err = run("sweep", "--orders", "1-3", "-o", target)
+    assert status == 130
+    assert err.strip().endswith("nonsmooth: interrupted")
+    assert list(tmp_path.iterdir()) == []

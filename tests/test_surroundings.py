@@ -44,6 +44,7 @@ def test_a_stream_that_is_closed_takes_nothing_away(
 def test_a_reader_that_leaves_at_once_is_no_error(command: str, tmp_path: Path) -> None:
     done = shell(f"nonsmooth {command} | head -c 1", tmp_path)
     assert done.returncode == 0, done.stderr
+    assert len(done.stdout) == 1
     assert "Traceback" not in done.stderr
 
 
