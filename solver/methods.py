@@ -77,6 +77,14 @@ METHODS: Mapping[str, Method] = MappingProxyType(
 MOST_TERMS, MOST_HARMONICS_BESIDE = 6, 200
 
 
+def _whole(value: object) -> int:
+    """Return a whole number as an int, and 0 for all else; a bool is none."""
+    try:
+        return 0 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        return 0
+
+
 def with_terms(method: Method, terms: object) -> Method:
     """Return Section 3.2 with `terms` C1 functions; any other method as it is for 1.
 
@@ -85,10 +93,7 @@ def with_terms(method: Method, terms: object) -> Method:
     ValueError
         If it is not a whole number from 1 to 6, or another method is to have several.
     """
-    try:
-        number = 0 if isinstance(terms, bool) else operator.index(terms)  # type: ignore[arg-type]
-    except TypeError:
-        number = 0
+    number = _whole(terms)
     if not 1 <= number <= MOST_TERMS:
         expected = f"a whole number from 1 to {MOST_TERMS}"
         raise ValueError(f"c1_terms: got {terms!r}, expected {expected}")
@@ -167,10 +172,7 @@ def check_order(order: object, method: Method) -> int:
     ValueError
         If it is not a whole number from 1 to the method's highest.
     """
-    try:
-        number = 0 if isinstance(order, bool) else operator.index(order)  # type: ignore[arg-type]
-    except TypeError:
-        number = 0
+    number = _whole(order)
     if not 1 <= number <= method.highest_order:
         raise ValueError(
             f"order: got {order!r}, expected a whole number from 1 to {method.highest_order} "

@@ -59,7 +59,7 @@ def ends(body: str, handler: str = "default_int_handler") -> tuple[int, str]:
         "callback(); time.sleep(30)",
         "callback(); raise RuntimeError('no compiled object yet')",
         "callback(); sys.exit(2)",
-        "Half()",
+        "try:\n    Half()\nexcept KeyboardInterrupt:\n    pass\nsys.exit(2)",
         "Interrupted(); Interrupted(); time.sleep(30)",
         "[Interrupted() for _ in range(100000)]; time.sleep(30)",
     ],
@@ -76,6 +76,26 @@ def test_what_is_to_be_undone_is_undone() -> None:
         sys.stderr.write("undone, ")
     """
     assert ends(body) == (130, "undone, nonsmooth: interrupted\n")
+
+
+def test_an_interrupt_in_the_hook_that_reports_what_is_lost_is_heeded() -> None:
+    body = """
+    class Strikes:
+        @classmethod
+        def from_param(cls, lost):
+            return signal.SIGINT
+
+    sys.__unraisablehook__ = ctypes.PyDLL(None)["raise"]
+    sys.__unraisablehook__.argtypes = [Strikes]
+
+    class Broken:
+        def __del__(self):
+            raise ValueError
+
+    Broken()
+    time.sleep(30)
+    """
+    assert ends(body) == INTERRUPTED
 
 
 def test_an_interrupt_while_it_ends_changes_nothing() -> None:
@@ -95,13 +115,28 @@ def test_an_interrupt_while_it_ends_changes_nothing() -> None:
     assert ends(body) == INTERRUPTED
 
 
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="a device of Linux")
+def test_an_interrupt_that_cannot_be_reported_is_in_the_status() -> None:
+    body = """
+    sys.stdout = sys.stderr = open("/dev/full", "w")
+    print("more than the disk takes")
+    signal.raise_signal(signal.SIGINT)
+    """
+    assert ends(body) == (130, "")
+
+
 def test_an_interrupt_after_the_end_changes_nothing() -> None:
     body = """
     import atexit
-    atexit.register(signal.raise_signal, signal.SIGINT)
+
+    @atexit.register
+    def last():
+        signal.raise_signal(signal.SIGINT)
+        sys.stderr.write("done")
+
     sys.exit(3)
     """
-    assert ends(body) == (3, "")
+    assert ends(body) == (3, "done")
 
 
 def test_work_that_was_done_before_is_done() -> None:

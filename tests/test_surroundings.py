@@ -89,3 +89,12 @@ def test_what_a_link_points_to_is_written(there: bool, tmp_path: Path) -> None:
     assert link.is_symlink()
     assert '"c1"' in target.read_text()
     assert [path.name for path in target.parent.iterdir()] == [target.name]
+
+
+def test_a_link_into_no_folder_is_said_before_the_work(tmp_path: Path) -> None:
+    (tmp_path / "orbit.json").symlink_to("results/orbit.json")
+    done = shell("nonsmooth solve --method c1 --order 5 -o orbit.json", tmp_path)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert "-o: the folder " in done.stderr
+    assert "results does not exist" in done.stderr

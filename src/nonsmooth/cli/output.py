@@ -41,12 +41,13 @@ def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
         raise Problem(f"-o: {path} is a folder, expected a file")
     if path.exists() and not path.is_file():
         raise Problem(f"-o: {path} is a device or a pipe, expected a file")
-    if not path.parent.is_dir():
-        raise Problem(f"-o: the folder {path.parent} does not exist")
+    folder = Path(os.path.realpath(path)).parent if path.is_symlink() else path.parent
+    if not folder.is_dir():
+        raise Problem(f"-o: the folder {folder} does not exist")
     try:
-        handle, probe = tempfile.mkstemp(dir=path.parent)
+        handle, probe = tempfile.mkstemp(dir=folder)
     except OSError as error:
-        raise Problem(f"-o: cannot write to {path.parent}: {error.strerror}") from error
+        raise Problem(f"-o: cannot write to {folder}: {error.strerror}") from error
     os.close(handle)
     os.unlink(probe)
     if suffixes and path.suffix.lower() in PICTURES:
