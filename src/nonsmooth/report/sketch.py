@@ -51,4 +51,5 @@ def friction(axes: Any, case: Case) -> None:
             ha="right",
         )  # fmt: skip
     axes.margins(y=0.12)
+    axes.locator_params(axis="x", nbins=5)
     axes.set(xlabel="velocity relative to the belt [m/s]", ylabel="friction [N]")
