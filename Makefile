@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 OUTPUT := output
 
 .DEFAULT_GOAL := help
-.PHONY: help solve sweep stability test test-long bench bench-kernels generate equations report docs lint dist lowest clean
+.PHONY: help solve sweep stability test test-long mutants bench bench-kernels generate equations report docs lint dist lowest clean
 
 help:  ## list the targets
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
@@ -23,11 +23,14 @@ stability: $(VENV)/ready  ## digits kept at the extremes, against high precision
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth stability -o $(OUTPUT)/stability.png
 
-test: $(VENV)/ready  ## all tests
-	@$(BIN)/python -m pytest
+test: $(VENV)/ready  ## the tests: two minutes on two cores
+	@$(BIN)/python -m pytest -n 2 -m 'not long'
 
-test-long: $(VENV)/ready  ## 100,000 random oscillators against high precision: about half an hour
-	@EXAMPLES=100000 $(BIN)/python -m pytest tests/test_extremes.py
+test-long: $(VENV)/ready  ## all tests, 100,000 random oscillators among them: most of an hour
+	@EXAMPLES=100000 $(BIN)/python -m pytest -n 2
+
+mutants: $(VENV)/ready  ## deliberate mistakes: which of them the tests catch
+	@cd tests && ../$(BIN)/python -m mutants
 
 bench: $(VENV)/ready  ## time against accuracy, our methods and others
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.run -o $(OUTPUT)

@@ -5,6 +5,7 @@ quicker for a single orbit of moderate order, because importing numba and loadin
 cached takes more than a second; compiled kernels are for many orbits.
 """
 
+import hashlib
 import importlib
 import os
 import types
@@ -90,7 +91,7 @@ def compiled(method: str) -> Kernel:
 def is_compiled(method: str) -> bool:
     """Return whether the solver of `method` is in numba's cache, as far as can be seen."""
     folder = Path(compiled(method).iterate.stats.cache_path or os.devnull)  # type: ignore[attr-defined]
-    return any(folder.glob(f"*.iterate_{module(method).BODY[:16]}-*.nbi"))
+    return any(folder.glob(f"*.iterate_{fingerprint(module(method))}-*.nbi"))
 
 
 _COMPILED: dict[str, dict[str, Any]] = {}
@@ -127,12 +128,24 @@ DRIVER = (
 )
 
 
+@cache
+def _driver_text() -> bytes:
+    """Return the text of what is compiled with every kernel."""
+    return b"".join(Path(str(part.__file__)).read_bytes() for part in (newton, linear))
+
+
+def fingerprint(source: types.ModuleType) -> str:
+    """Return a hash of all that is compiled for a generated module, the driver included."""
+    return hashlib.sha256(source.BODY.encode() + _driver_text()).hexdigest()[:16]
+
+
 def compile_functions(source: types.ModuleType) -> dict[str, Any]:
     """Return the functions of a generated module, and its solver, compiled, by name.
 
     A function that calls another must find it compiled, so each is rebuilt over a
-    namespace of its own.  Its name in numba's cache carries the hash of the module's
-    text: after a regeneration nothing old can be found, whatever the clock says.
+    namespace of its own.  Its name in numba's cache carries the hash of the module's text
+    and of the driver's: after a change of either nothing old can be found, whatever the clock
+    says.
 
     Parameters
     ----------
@@ -146,9 +159,10 @@ def compile_functions(source: types.ModuleType) -> dict[str, Any]:
         namespace["prange"] = prange
     own = [value for value in vars(source).values() if isinstance(value, types.FunctionType)]
     functions: tuple[Any, ...] = (*own, *DRIVER)
+    key = fingerprint(source)
     for function in functions:
         clone = _rebuilt(function, namespace)
-        clone.__qualname__ = f"{function.__name__}_{source.BODY[:16]}"
+        clone.__qualname__ = f"{function.__name__}_{key}"
         namespace[function.__name__] = _jit(clone)
     return namespace
 

@@ -1,0 +1,69 @@
+"""Compare documents whose numbers are in hexadecimal."""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).resolve().parent
+
+#: Where libraries or processor are others than those of the frozen files, what must agree
+#: nevertheless, and the part of a number by which it may differ: rounding, and what the
+#: condition of the printed forms makes of it.
+TIMES = frozenset({"period", "t1", "slip", "value", "alpha"})
+ROUNDING = 1e-11
+
+
+def pairs(old: Any, new: Any, place: str = "") -> Iterator[tuple[str, Any, Any]]:
+    """Yield the values of two documents, side by side, with the place where they stand."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        for key in sorted(old.keys() | new.keys()):
+            yield from pairs(old.get(key), new.get(key), f"{place}.{key}")
+    elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        for index, (before, after) in enumerate(zip(old, new, strict=True)):
+            yield from pairs(before, after, f"{place}[{index}]")
+    else:
+        yield place, old, new
+
+
+def _is_time(place: str) -> bool:
+    """Whether a place holds a time or what it depends on, and not an error of one."""
+    *around, key = place.split(".")
+    return key in TIMES and not {"errors", "estimate"} & set(around)
+
+
+def _number(value: Any) -> float | None:
+    try:
+        return float.fromhex(value) if isinstance(value, str) else None
+    except ValueError:
+        return None
+
+
+def _change(old: Any, new: Any) -> float:
+    """Return by which part of itself a number has changed; infinite if it was none."""
+    before, after = _number(old), _number(new)
+    if before is None or after is None:
+        return math.inf
+    return abs(after - before) / max(abs(before), 1e-300)
+
+
+def differences(old: Any, new: Any, *, exactly: bool) -> list[str]:
+    """Return the places in which two documents differ: in a bit, or beyond rounding."""
+    found = []
+    for place, before, after in pairs(old, new):
+        rounding = not exactly and _number(before) is not None and not _is_time(place)
+        if before == after or rounding:
+            continue
+        if exactly or _change(before, after) > ROUNDING:
+            found.append(f"{place}: {before} was frozen, {after} is what it is")
+    return found
+
+
+def largest_change(old: Any, new: Any) -> float:
+    """Return the largest part by which a time has changed."""
+    changes = [
+        _change(before, after)
+        for place, before, after in pairs(old, new)
+        if _is_time(place) and before != after
+    ]
+    return max(changes, default=0.0)

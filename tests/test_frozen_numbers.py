@@ -1,0 +1,39 @@
+"""What the program says today is what it said when its numbers were frozen.
+
+Whoever changes a number on purpose writes the files anew, `python -m frozen` in `tests/`, and
+says in the commit by how much and why.
+"""
+
+import json
+
+import pytest
+from frozen import equations, grid, machine
+from frozen.compare import FOLDER, differences
+
+#: Last bits depend on libraries and processor; elsewhere the times agree to rounding.
+SAME_MACHINE = machine.described() == json.loads((FOLDER / "machine.json").read_text("utf-8"))
+
+
+@pytest.mark.parametrize("name", grid.GRIDS)
+def test_numbers_are_the_frozen_ones(name: str) -> None:
+    frozen = json.loads((FOLDER / f"{name}.json").read_text("utf-8"))
+    found = differences(frozen, json.loads(grid.text(name)), exactly=SAME_MACHINE)
+    assert not found, f"{len(found)} differences\n" + "\n".join(found[:10])
+
+
+def test_equations_in_every_format_are_the_frozen_ones() -> None:
+    shown = dict(equations.shown())
+    folder = FOLDER / "equations"
+    assert sorted(path.name for path in folder.iterdir()) == sorted(shown)
+    for name, text in shown.items():
+        assert text == (folder / name).read_text("utf-8"), name
+
+
+def test_a_last_bit_is_a_difference_and_rounding_is_none_elsewhere() -> None:
+    old = [{"period": (1.5).hex(), "residual_norm": (1e-17).hex(), "status": "ok"}]
+    new = [{"period": (1.5 + 2**-52).hex(), "residual_norm": (2e-17).hex(), "status": "ok"}]
+    assert len(differences(old, new, exactly=True)) == 2
+    assert differences(old, new, exactly=False) == []
+    assert differences(old, [{**new[0], "status": "no-orbit"}], exactly=False)
+    assert differences(old, [{**new[0], "period": (1.5001).hex()}], exactly=False)
+    assert differences(old, [], exactly=False)
