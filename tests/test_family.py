@@ -142,6 +142,16 @@ def test_slip_velocity_is_the_integral_of_its_acceleration() -> None:
     assert kernel.slip_velocity(p, s, 0.0)[0] == pytest.approx(1, abs=1e-13)
 
 
+@pytest.mark.parametrize("count", [1, 4, 5, 8, 9, 11])
+def test_every_chunk_is_in_the_family(count: int, monkeypatch) -> None:
+    values = values_of("belt_speed", 11)[:count]
+    whole = ns.family(DEFAULT, "belt_speed", values, "c1", 8)
+    monkeypatch.setattr("nonsmooth.solver.family.CHUNK", 4)
+    found = ns.family(DEFAULT, "belt_speed", values, "c1", 8)
+    assert found["value"].tolist() == values.tolist()
+    assert found.points.tobytes() == whole.points.tobytes()
+
+
 def test_a_parameter_that_there_is_not() -> None:
     with pytest.raises(ValueError, match=r"parameter: got 'speed', expected one of mass,"):
         ns.family(DEFAULT, "speed", [1.0])

@@ -177,7 +177,7 @@ def test_an_interrupt_leaves_nothing_half_written(
 ) -> None:
     *command, name = arguments
     process = interruptible(*command, tmp_path / name)
-    time.sleep(2)
+    time.sleep(1)
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=30)
     assert process.returncode == 130

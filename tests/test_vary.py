@@ -28,6 +28,28 @@ def test_values_end_where_they_were_told_to() -> None:
         assert parts == values.tolist()
 
 
+@pytest.mark.parametrize("log", [False, True])
+@pytest.mark.parametrize("ends", ["0.3:0.9", "1:1e-3", "0.2:0.9", "0.1:0.3", "0.9:0.3"])
+def test_no_rounding_is_left_at_the_ends(ends: str, log: bool) -> None:
+    """Of 0.3, 0.6, 0.9 the last would be 0.9000000000000001, and by a factor 0.8999999999999999."""
+    for count in (*range(2, 40), 1000, 16385):
+        vary = parse_vary(f"mu-s={ends}:{count}", log)
+        first, last = map(float, ends.split(":"))
+        values = vary.values(0, count)
+        assert len(values) == count
+        assert (values[0], values[-1]) == (first, last)
+        assert vary.values(count - 1, count).tolist() == [last]
+        assert min(first, last) == values.min()
+        assert max(first, last) == values.max()
+
+
+@pytest.mark.parametrize("log", [(), ("--log",)])
+def test_the_last_point_of_a_file_is_the_end(log, run, tmp_path: Path) -> None:
+    path = tmp_path / "family.csv"
+    assert run("sweep", "--vary", "mu-s=0.3:0.9:3", *log, "-o", path)[0] == 0
+    assert ns.load(path)["value"][[0, -1]].tolist() == [0.3, 0.9]
+
+
 def test_the_table_says_that_only_alpha_matters(run) -> None:
     status, out, _ = run("sweep", *VARY)
     assert status == 0

@@ -2,10 +2,12 @@
 
 The record that SymPy derived is evaluated a second time, in ball arithmetic (Arb, through
 python-flint), and the orbit that float64 found is refined: the residual in high precision,
-the step by the Jacobian in float64.  Each step gains about ten digits.  It settles every
-dispute about float64.
+the step by the Jacobian in float64.  Each step gains about ten digits.  What is left is the
+radius of the ball around each time: a difference from the exact orbit is computed anew with
+more digits until its own ball is small against it.  It settles every dispute about float64.
 """
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -24,10 +26,14 @@ from .solver.orbit import Orbit
 #: Digits that the reader may ask for.
 FEWEST, MOST = 1, 1000
 
-#: Digits carried beyond those asked for; more if the balls say that they do not suffice.
+#: Digits of an error that are shown, where no fewer are asked for.
+SHOWN_OF_ERROR = 20
+
+#: Digits carried at first beyond those asked for: a guess, the balls ask for more.
 GUARD = 25
 
-ITERATION_LIMIT = 200
+#: Digits beyond which an error counts as zero; steps, beside one for each digit.
+MOST_WORKING, ITERATION_LIMIT = 10_000, 200
 
 
 class PrecisionError(ArithmeticError):
@@ -68,7 +74,8 @@ class Twin:
     Parameters
     ----------
     unknowns : tuple of arb
-        Coefficients, ``t1``, ``T``; dimensionless.
+        Coefficients, ``t1``, ``T``; dimensionless.  The radius of the times is what the last
+        step and the rounding of the residual leave open; the coefficients are midpoints.
     iterations : int
         Evaluations of the residual in high precision.
     residual_norm : arb
@@ -110,12 +117,13 @@ def refine(method: str, alpha: Any, start: Vector, digits: int) -> Twin:
         If the steps do not get shorter.
     """
     working = digits + GUARD
-    while True:
+    while working <= MOST_WORKING:
         with precision(working):
             twin = _refine(method, arb(alpha), start, digits)
         if twin is not None:
             return twin
-        working += working // 2
+        working *= 2
+    raise PrecisionError(f"{method}: {digits} digits are not had with {MOST_WORKING}")
 
 
 def _refine(method: str, alpha: Any, start: Vector, digits: int) -> Twin | None:
@@ -128,24 +136,29 @@ def _refine(method: str, alpha: Any, start: Vector, digits: int) -> Twin | None:
     inverse = np.linalg.inv(J)
     goal = arb(10) ** -(digits + 2) * z[-1]
     shortest = arb("inf")
-    for iteration in range(1, ITERATION_LIMIT):
+    for iteration in range(1, ITERATION_LIMIT + digits):
         residual(alpha, z, R)
         norm = max(abs(value.mid()) for value in R)
-        if max(value.rad() for value in R) > arb(10) ** -(digits + 5):
-            return None
-        if norm == 0:
-            return Twin(tuple(z), iteration, norm)
-        step = inverse @ np.array([float((value / norm).mid()) for value in R])
-        z = np.array(
-            [(value - arb(float(s)) * norm).mid() for value, s in zip(z, step, strict=True)]
+        # What the rounding of the residual moves the times by, and the step.
+        rounding = max(value.rad() for value in R) * float(
+            np.abs(inverse[-2:]).sum(axis=1).max()
         )
-        length = norm * float(np.abs(step[-2:]).max())
+        if not rounding < goal / 10:
+            return None
+        scale = norm if norm != 0 else arb(1)
+        step = inverse @ np.array([float((value / scale).mid()) for value in R])
+        z = np.array(
+            [(value - arb(float(s)) * scale).mid() for value, s in zip(z, step, strict=True)]
+        )
+        length = scale * float(np.abs(step[-2:]).max())
         if length < goal:
-            return Twin(tuple(z), iteration, norm)
+            radius = (length + rounding).upper()
+            times = (arb(value, radius) for value in z[-2:])
+            return Twin((*z[:-2], *times), iteration, norm)
         if not length < 4 * shortest:
             raise PrecisionError(f"{method}: the refinement does not converge")
         shortest = min(shortest, length)
-    raise PrecisionError(f"{method}: no convergence in {ITERATION_LIMIT} steps")
+    raise PrecisionError(f"{method}: no convergence within the limit of steps")
 
 
 def exact_times(alpha: Any) -> tuple[Any, Any]:
@@ -168,7 +181,7 @@ class PreciseOrbit:
     Parameters
     ----------
     digits : int
-        Digits of each number.
+        Digits of `period` and `t1`; of the errors as many, but no more than 20.
     period, t1 : str
         In s.
     error_period, error_t1 : str
@@ -209,20 +222,28 @@ def precise(orbit: Orbit, digits: int) -> PreciseOrbit:
         raise ValueError(
             f"digits: got {digits!r}, expected a whole number from {FEWEST} to {MOST}"
         )
-    with precision(digits + GUARD + 20):
+    refined = digits + GUARD
+    while refined <= MOST_WORKING:
+        values, twin = _times_and_errors(orbit, refined)
+        few = min(digits, SHOWN_OF_ERROR)
+        shown = (digits, digits, few, few)
+        if all(_is_sure(value, n) for value, n in zip(values, shown, strict=True)):
+            texts = [str(v.str(n, radius=False)) for v, n in zip(values, shown, strict=True)]
+            norm = str(twin.residual_norm.str(3, radius=False))
+            return PreciseOrbit(digits, *texts, norm, twin.iterations)
+        refined *= 2
+    raise PrecisionError(f"{orbit.method}: its error is zero in {MOST_WORKING} digits")
+
+
+def _times_and_errors(orbit: Orbit, digits: int) -> tuple[tuple[Any, ...], Twin]:
+    """Return ``T``, ``t1`` in s and their errors as balls, the twin of so many digits."""
+    with precision(2 * digits + 100):  # so that nothing hangs on the parameters
         alpha, unit = _alpha_and_time(orbit.belt)
-        twin = refine(orbit.method, alpha, orbit.unknowns, digits + GUARD)
-        exact_t1, exact_T = exact_times(alpha)
+        twin = refine(orbit.method, alpha, orbit.unknowns, digits)
+        t1, T = exact_times(alpha)
+        return (twin.T * unit, twin.t1 * unit, (twin.T - T) / T, (twin.t1 - t1) / t1), twin
 
-        def text(value: Any, shown: int = digits) -> str:
-            return str(value.str(shown, radius=False))
 
-        return PreciseOrbit(
-            digits,
-            text(twin.T * unit),
-            text(twin.t1 * unit),
-            text((twin.T - exact_T) / exact_T, min(digits, 20)),
-            text((twin.t1 - exact_t1) / exact_t1, min(digits, 20)),
-            text(twin.residual_norm, 3),
-            twin.iterations,
-        )
+def _is_sure(value: Any, digits: int) -> bool:
+    """Return whether the ball of `value` is small against it: its digits, and one more."""
+    return bool(value.rel_accuracy_bits() > (digits + 1) * math.log2(10))

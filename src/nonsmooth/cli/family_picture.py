@@ -21,25 +21,30 @@ PANELS = {
 
 
 def family_picture(job: Job, found: Mapping[str, Points], target: Path) -> None:
+    """Write the figure of a sweep over a parameter as a picture."""
+    with mpl.rc_context(SETTINGS):
+        save(family_figure(job, found), target)
+
+
+def family_figure(job: Job, found: Mapping[str, Points]) -> Figure:
     """Draw the four along the parameter, each method a line."""
     unit = PARAMETERS[job.vary.parameter][0]
     label = job.vary.flag.replace("-", " ") + (f" [{unit}]" if unit else "")
-    with mpl.rc_context(SETTINGS):
-        figure = Figure(figsize=(8, 6), layout="constrained")
-        for axes, (name, title) in zip(
-            figure.subplots(2, 2, sharex=True).ravel(), PANELS.items(), strict=True
-        ):
-            for method, points in found.items():
-                axes.plot(points["value"], points[name], label=LABELS[method], **line(method))
-            axes.set_ylabel(title)
-            if job.vary.log:
-                axes.set_xscale("log")
-            if name != "stick_fraction" and (job.vary.log or name == "estimate_period"):
-                axes.set_yscale("log")
-            if axes.get_subplotspec().is_last_row():
-                axes.set_xlabel(label)
-        figure.legend(
-            *figure.axes[0].get_legend_handles_labels(), loc="outside upper left",
-            ncols=len(found), frameon=False, title=f"$N = {job.order}$",
-        )  # fmt: skip
-        save(figure, target)
+    figure = Figure(figsize=(8, 6), layout="constrained")
+    for axes, (name, title) in zip(
+        figure.subplots(2, 2, sharex=True).ravel(), PANELS.items(), strict=True
+    ):
+        for method, points in found.items():
+            axes.plot(points["value"], points[name], label=LABELS[method], **line(method))
+        axes.set_ylabel(title)
+        if job.vary.log:
+            axes.set_xscale("log")
+        if name != "stick_fraction" and (job.vary.log or name == "estimate_period"):
+            axes.set_yscale("log")
+        if axes.get_subplotspec().is_last_row():
+            axes.set_xlabel(label)
+    figure.legend(
+        *figure.axes[0].get_legend_handles_labels(), loc="outside upper left",
+        ncols=len(found), frameon=False, title=f"$N = {job.order}$",
+    )  # fmt: skip
+    return figure

@@ -20,24 +20,26 @@ FORMS = {"stable": "stable forms (the kernels)", "printed": "as printed, SI unit
 
 
 def stability_picture(found: "list[Cell]", target: Path) -> None:
+    """Write the heat maps as a picture."""
+    with mpl.rc_context(SETTINGS | {"axes.grid": False}):
+        save(heat_maps(found), target)
+
+
+def heat_maps(found: "list[Cell]") -> Figure:
     """Draw the digits of ``t1`` and ``T`` that each form keeps, a row a method."""
     methods = list(dict.fromkeys(cell.method for cell in found))
-    settings = SETTINGS | {"axes.grid": False}
-    with mpl.rc_context(settings):
-        figure = Figure(figsize=(9, 3.1 * len(methods)), layout="constrained")
-        axes = figure.subplots(len(methods), 2, squeeze=False)
-        for row, method in zip(axes, methods, strict=True):
-            cells = [cell for cell in found if cell.method == method]
-            for place, form in zip(row, FORMS, strict=True):
-                image = _draw(place, cells, form)
-                place.set_title(f"{LABELS[method]}\n{FORMS[form]}", fontsize=9)
-        bar = figure.colorbar(image, ax=axes, shrink=0.6)
-        bar.set_label("digits of t1 and T, relative to T")
-        words = (
-            "—: no orbit at this order, slip not resolved, or not measured;  ×: no convergence"
-        )
-        figure.supxlabel(words, fontsize=8)
-        save(figure, target)
+    figure = Figure(figsize=(9, 3.1 * len(methods)), layout="constrained")
+    axes = figure.subplots(len(methods), 2, squeeze=False)
+    for row, method in zip(axes, methods, strict=True):
+        cells = [cell for cell in found if cell.method == method]
+        for place, form in zip(row, FORMS, strict=True):
+            image = _draw(place, cells, form)
+            place.set_title(f"{LABELS[method]}\n{FORMS[form]}", fontsize=9)
+    bar = figure.colorbar(image, ax=axes, shrink=0.6)
+    bar.set_label("digits of t1 and T, relative to T")
+    words = "—: no orbit at this order, slip not resolved, or not measured;  ×: no convergence"
+    figure.supxlabel(words, fontsize=8)
+    return figure
 
 
 def _draw(axes: Any, cells: "list[Cell]", form: str) -> Any:

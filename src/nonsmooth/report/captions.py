@@ -93,7 +93,7 @@ def _many_harmonics(case: Case) -> str:
     return (
         f"Even with N = {MOST} harmonics the series overshoots beside each jump, in stick by "
         f"{percent(size / jump)} of it, {number(end)} s before stick ends. More harmonics make "
-        " the ripple narrower, not lower: Gibbs' phenomenon. Only the mean square of the "
+        "the ripple narrower, not lower: Gibbs' phenomenon. Only the mean square of the "
         f"error, (22), goes to zero; here it is {percent(case.acceleration_error('hb', MOST))}."
     )
 
