@@ -10,8 +10,12 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("jinja2")
 
+from computed import acceleration_errors, period_errors
+from computed import case as shared
+from written import value
+
 import nonsmooth as ns
-from nonsmooth.cli import folders
+from nonsmooth.cli import folders, pictures
 from nonsmooth.report import build
 from nonsmooth.report.case import Case
 from nonsmooth.report.claims import CLAIMS
@@ -33,7 +37,7 @@ NOT_QUITE = {
 
 @pytest.fixture(scope="module")
 def case() -> Case:
-    return Case(DEFAULT)
+    return shared(DEFAULT)
 
 
 @pytest.fixture(scope="module")
@@ -142,6 +146,33 @@ def test_every_claim_has_a_verdict_and_intervals(text: str) -> None:
         assert shown[1] == NOT_QUITE.get(claim.name, "holds"), claim.name
         assert article.count("up to 200\xa0N and from 360\xa0N up") == len(claim.parts)
         assert claim.where in article
+        kind = {"holds": "holds", "holds in part": "in-part", "does not hold": "not"}[shown[1]]
+        assert f'<article class="claim {kind}"' in article
+        marks = re.findall(r'class="mark">(.)<', article)
+        counted = [
+            mark == "✓" for mark, part in zip(marks, claim.parts, strict=True) if part.counts
+        ]
+        assert (all(counted), any(counted)) == (kind == "holds", kind != "not")
+
+
+def test_the_table_of_the_page_has_the_errors_of_the_rows(text: str) -> None:
+    (table,) = re.findall(r"<table>.*?</table>", text, re.DOTALL)
+    assert re.findall(r"N = (\d+)", table) == ["3", "10", "40"]
+    assert re.findall(r"<th scope=\"col\">(.*?)</th>", table) == ["period", "(22)"] * 3
+    rows = re.findall(r"<tr><th scope=\"row\"><code>(.*?)</code>(.*?)</tr>", table, re.DOTALL)
+    assert [name for name, _ in rows] == ["hb", "hb-c1", "c1"]
+    for name, cells in rows:
+        errors = [
+            errors_of(DEFAULT, name) for errors_of in (period_errors, acceleration_errors)
+        ]
+        expected = [error[N] for N in (3, 10, 40) for error in errors]
+        for cell, error in zip(re.findall(r"<td>(.*?)</td>", cells), expected, strict=True):
+            if abs(error) < 1e-12 or cell == "rounding":
+                assert (cell, abs(error) < 2e-8) == ("rounding", True)
+            else:
+                assert value(cell.removesuffix("\xa0%").removesuffix(" %")) == pytest.approx(
+                    100 * error, rel=5.001e-3
+                )
 
 
 def test_the_readme_counts_the_verdicts() -> None:
@@ -159,6 +190,7 @@ def test_the_page_says_who_chose_the_normal_force(text: str) -> None:
 
 def test_the_commands_on_the_page_run(text: str, run, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(pictures, "save", lambda figure, target: target.write_bytes(b""))
     commands = set(re.findall(r"<pre><code>nonsmooth (.*?)</code></pre>", text))
     commands.remove("report -o report")
     assert len(commands) == 4  # Figs. 4 and 6 share one
@@ -171,7 +203,7 @@ def test_the_same_case_gives_the_same_bytes(
     folder: Path, text: str, found: Intervals, tmp_path: Path, monkeypatch
 ) -> None:
     again = Case(DEFAULT)
-    monkeypatch.setattr(build, "PICTURES", ("fig-3-detail", "fig-6", "claims"))
+    monkeypatch.setattr(build, "PICTURES", ("fig-3-detail", "claims"))
     build.draw(again, found, tmp_path, lambda done: None)
     for path in tmp_path.iterdir():
         assert path.read_bytes() == (folder / path.name).read_bytes(), path.name

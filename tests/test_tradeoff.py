@@ -46,12 +46,7 @@ def test_points_of_both_regimes() -> None:
 
 
 @pytest.mark.usefixtures("few")
-def test_the_command_prints_a_table_a_document_and_a_picture(run, tmp_path) -> None:
-    status, out, _ = run("tradeoff")
-    assert status == 0
-    assert "front" in out
-    assert "hb-c1(3)" in out
-    assert max(map(len, out.splitlines())) <= 80
+def test_the_command_prints_a_document_and_writes_a_picture(run, tmp_path) -> None:
     target = tmp_path / "tradeoff.svg"
     status, out, _ = run("tradeoff", "--json", "-o", target)
     document = json.loads(out)

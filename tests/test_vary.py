@@ -31,7 +31,7 @@ def test_values_end_where_they_were_told_to() -> None:
 @pytest.mark.parametrize("log", [False, True])
 @pytest.mark.parametrize("ends", ["0.3:0.9", "1:1e-3", "0.2:0.9", "0.1:0.3", "0.9:0.3"])
 def test_no_rounding_is_left_at_the_ends(ends: str, log: bool) -> None:
-    """Of 0.3, 0.6, 0.9 the last would be 0.9000000000000001, and by a factor 0.8999999999999999."""
+    """Of 0.3, 0.6, 0.9 the last would be 0.9000000000000001, by a factor 0.8999999999999999."""
     for count in (*range(2, 40), 1000, 16385):
         vary = parse_vary(f"mu-s={ends}:{count}", log)
         first, last = map(float, ends.split(":"))

@@ -68,7 +68,7 @@ class Workplace:
 
     def pytest(self, tests: tuple[str, ...]) -> tuple[int, str]:
         """Run tests up to the first failure and return pytest's status and its output."""
-        done = self._run("-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests)
+        done = self._run("-m", "pytest", "-x", "-rfE", "-p", "no:cacheprovider", *tests)
         return done.returncode, done.stdout + done.stderr
 
     def survives(self, mutant: Mutant) -> tuple[bool, str]:

@@ -15,6 +15,7 @@ from nonsmooth.style import (
     STYLES,
     above_floor,
     draw_floor,
+    label,
     line,
     save,
 )
@@ -39,8 +40,8 @@ def orbit_figure(belt: "StickSlip", orbits: "list[Orbit]") -> Figure:
     reference = exact(belt)
     _draw_motion(plane, histories, reference, "exact", EXACT)
     for orbit in orbits:
-        label = f"{LABELS[orbit.method]}, N = {orbit.order}"
-        _draw_motion(plane, histories, orbit, label, line(orbit.method))
+        words = f"{label(orbit.method, orbit.c1_terms)}, N = {orbit.order}"
+        _draw_motion(plane, histories, orbit, words, line(orbit.method))
     plane.set(xlabel="displacement [m]", ylabel="velocity [m/s]", title="limit cycle")
     names = ("displacement [m]", "velocity [m/s]", "acceleration [m/s²]")
     for axes, name in zip(histories, names, strict=True):
@@ -52,13 +53,13 @@ def orbit_figure(belt: "StickSlip", orbits: "list[Orbit]") -> Figure:
 
 
 def _draw_motion(
-    plane: Any, histories: list[Any], motion: Motion, label: str, style: dict[str, Any]
+    plane: Any, histories: list[Any], motion: Motion, words: str, style: dict[str, Any]
 ) -> None:
     part = np.linspace(0, 1, 2001)
     times = part * motion.period
     times[-1] = np.nextafter(motion.period, 0)
     x, v, a = motion.displacement(times), motion.velocity(times), motion.acceleration(times)
-    plane.plot(x, v, label=label, **style)
+    plane.plot(x, v, label=words, **style)
     for axes, values in zip(histories, (x, v, a), strict=True):
         axes.plot(part, values, **style)
 
@@ -81,7 +82,7 @@ def convergence_figure(result: "Sweep") -> Figure:
         style = STYLES[method] | {
             "markersize": 4,
             "linewidth": 0.9,
-            "label": LABELS[method],
+            "label": label(method, result.c1_terms),
         }
         period.plot(orders, [(row.period or 0) / reference for row in rows], **style)
         size.semilogy(orders, [max(abs(e.period), 1e-16) for e in errors], **style)
@@ -131,13 +132,13 @@ def tradeoff_figure(points: "list[Point]") -> Figure:
     )  # fmt: skip
     for (regime, method, terms), chosen in _by_way(points).items():
         times, errors = [p.seconds for p in chosen], [p.error for p in chosen]
-        label, look = LABELS[method], STYLES[method]
+        words, look = LABELS[method], STYLES[method]
         if terms > 1:
-            label = f"{method} with {terms} $C^1$ functions"
+            words = f"{method} with {terms} $C^1$ functions"
             look = look | {"fillstyle": "none", "linewidth": 0.8}
         if regime == "precise":
-            label, look = "c1, many digits", {"color": "0.2", "marker": "*"}
-        axes.plot(times, errors, label=label, markersize=5, zorder=2, **look)
+            words, look = "c1, many digits", {"color": "0.2", "marker": "*"}
+        axes.plot(times, errors, label=words, markersize=5, zorder=2, **look)
         if terms > 1:
             where: Any = {"xytext": (4, -8), "textcoords": "offset points", "fontsize": 7}
             axes.annotate(f"K = {terms}", (times[-1], errors[-1]), **where)

@@ -10,7 +10,7 @@ from nonsmooth.solver.no_orbit import NoOrbit
 from .case import MOST, Case
 from .checks_c1 import THREE
 from .checks_fourier import BAND, rises
-from .words import listed, number, percent, power_of_order
+from .words import listed, number, percent, power_of_order, times
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ def _acceleration(case: Case) -> str:
     rates = [(m, case.rates(m).acceleration) for m in ("hb", "hb-c1")]
     fall = listed([f"{m} like {power_of_order(rate)}" for m, rate in rates if rate is not None])
     rising = [(m, len(rises(case, m))) for m in ("hb", "hb-c1", "c1")]
-    up = listed([f"{m} {count} times" for m, count in rising])
+    up = listed([f"{m} {times(count)}" for m, count in rising])
     return (
         f"The error falls slowly in Fourier series, {fall or 'how is not to be said here'}; in "
         "the C¹ series it goes down in stairs, two orders to a step. How often it is larger "

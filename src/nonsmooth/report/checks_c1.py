@@ -89,7 +89,10 @@ def in_band_with_any_solution(case: Case) -> Finding:
             errors[N] = abs(case.period_error("c1", N))
         else:
             short = [z for z in c1_roots.solutions(N, case.alpha) if z[-1] - z[-2] < 2 * np.pi]
-            nearest = min(short, key=lambda z: abs(z[-2] - t1), default=np.zeros(2))
+            if not short:
+                words = f"at N = {N} there is none of a slip shorter than a natural period"
+                return Finding(False, words)
+            nearest = min(short, key=lambda z: abs(z[-2] - t1))
             errors[N] = abs(float(nearest[-1]) - T) / T
         if errors[N] < FLOORS["period"]:
             break

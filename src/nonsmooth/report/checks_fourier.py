@@ -7,7 +7,7 @@ from nonsmooth.solver.convergence import FLOORS
 
 from .case import MOST, Case
 from .finding import Finding
-from .words import listed, number, percent, power_of_order
+from .words import listed, number, percent, power_of_order, times
 
 #: Gibbs' constant: the overshoot of a Fourier series, in jumps.
 GIBBS = 0.0894898722360836
@@ -115,9 +115,11 @@ def rises(case: Case, method: str) -> list[int]:
 def _in_words(case: Case, method: str, orders: list[int]) -> str:
     if not orders:
         return "it never rises"
-    before, after = (case.acceleration_error(method, N) for N in (orders[0] - 1, orders[0]))
-    words = f"it rises at N = {orders[0]}, from {number(before, 5)} to {number(after, 5)}"
-    return words + (f", and {len(orders) - 1} times more" if orders[1:] else "")
+    pair = [case.acceleration_error(method, N) for N in (orders[0] - 1, orders[0])]
+    digits = next(d for d in range(5, 18) if number(pair[0], d) != number(pair[1], d))
+    before, after = (number(error, digits) for error in pair)
+    words = f"it rises at N = {orders[0]}, from {before} to {after}"
+    return words + (f", and {times(len(orders) - 1)} more" if orders[1:] else "")
 
 
 def monotone(case: Case) -> Finding:

@@ -55,6 +55,17 @@ def power_of_order(rate: float) -> str:
     return "N" + f"{-rate:.2f}".translate(_RAISED).replace(".", "·")
 
 
+def times(count: int) -> str:
+    """Return how often.
+
+    Examples
+    --------
+    >>> times(0), times(1), times(5)
+    ('never', 'once', '5 times')
+    """
+    return {0: "never", 1: "once"}.get(count, f"{count} times")
+
+
 def listed(words: list[str]) -> str:
     """Return words with commas, and an "and" before the last.
 

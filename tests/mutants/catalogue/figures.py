@@ -1,0 +1,194 @@
+"""Mistakes in the report: what its figures draw, and what is written beside them."""
+
+from ..mutant import Mutant
+
+REPORT = "src/nonsmooth/report/"
+
+FIGURES = ("tests/test_figures.py", "tests/test_figures_of_motion.py")
+CAPTIONS = ("tests/test_captions.py",)
+
+#: What is drawn in the report.
+_FIGURES = (
+    Mutant(
+        "the axes of Fig. 2(a) swapped",
+        REPORT + "figures.py",
+        "axes.plot(motion.displacement(times), motion.velocity(times),",
+        "axes.plot(motion.velocity(times), motion.displacement(times),",
+        FIGURES,
+    ),
+    Mutant(
+        "the labels of Fig. 2(a) swapped",
+        REPORT + "figures.py",
+        'axes.set(xlabel="displacement x [m]", ylabel="velocity [m/s]")',
+        'axes.set(xlabel="velocity [m/s]", ylabel="displacement x [m]")',
+        FIGURES,
+    ),
+    Mutant(
+        "A and B of Fig. 2(a) swapped",
+        REPORT + "figures.py",
+        'for name, x, v in zip("AB",',
+        'for name, x, v in zip("BA",',
+        FIGURES,
+    ),
+    Mutant(
+        "a wrong unit in Fig. 2(d)",
+        REPORT + "figures.py",
+        '("m", "m/s", "m/s²")[derivative]',
+        '("m", "m/s", "m/s")[derivative]',
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 2(b) marks the end of stick as the centre",
+        REPORT + "figures.py",
+        "centre = case.belt.slip_centre",
+        "centre = case.belt.slip_centre + case.alpha * case.belt.length_unit",
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 1(b) has friction along the velocity",
+        REPORT + "sketch.py",
+        "axes.plot([0, -sign * belt.belt_speed], [sign * kinetic] * 2",
+        "axes.plot([0, sign * belt.belt_speed], [sign * kinetic] * 2",
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 5 names a method after another",
+        REPORT + "figures.py",
+        "axes.plot(part, orbit.acceleration(times), label=NAMES[method], **line(method))",
+        "axes.plot(part, orbit.acceleration(times), "
+        'label=NAMES[{"hb": "c1", "c1": "hb"}.get(method, method)], **line(method))',
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 5 at another order",
+        REPORT + "figures.py",
+        "SMALL, LAST = 3, 12",
+        "SMALL, LAST = 4, 12",
+        FIGURES,
+    ),
+    Mutant(
+        "the overshoot in the units of the acceleration",
+        REPORT + "figures.py",
+        'words = f"overshoot {percent(size / jump)} of the jump"',
+        'words = f"overshoot {percent(size)} of the jump"',
+        FIGURES,
+    ),
+    Mutant(
+        "the band of Fig. 4 a tenth as wide",
+        REPORT + "figures.py",
+        "axes.axhspan(1 - BAND, 1 + BAND,",
+        "axes.axhspan(1 - BAND / 10, 1 + BAND / 10,",
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 4 has the periods mirrored at the exact one",
+        REPORT + "figures.py",
+        "lambda method, N: 1 + case.period_error(method, N), LAST)",
+        "lambda method, N: 1 - case.period_error(method, N), LAST)",
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 6 labelled as the error of the period",
+        REPORT + "figures.py",
+        'axes.set(yscale="log", ylabel="error (22) of the acceleration")',
+        'axes.set(yscale="log", ylabel="|T / T exact − 1|")',
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 6 draws the error of the period",
+        REPORT + "figures.py",
+        "lambda method, N: above_floor(case.acceleration_error(method, N)), MOST",
+        "lambda method, N: above_floor(abs(case.period_error(method, N))), MOST",
+        FIGURES,
+    ),
+    Mutant(
+        "the markers of the methods swapped",
+        "src/nonsmooth/style.py",
+        '"c1": {"color": "#009E73", "marker": "o"',
+        '"c1": {"color": "#009E73", "marker": "s"',
+        FIGURES,
+    ),
+)
+
+#: What is written beside the figures.
+_CAPTIONS = (
+    Mutant(
+        "the caption of Fig. 4 inverted",
+        REPORT + "captions.py",
+        'return f"The C¹ series is ahead for good from',
+        'return f"The C¹ series is behind for good from',
+        CAPTIONS,
+    ),
+    Mutant(
+        "the caption of Fig. 4 has the last order behind",
+        REPORT + "captions.py",
+        "N = {behind[-1] + 1}",
+        "N = {behind[-1]}",
+        CAPTIONS,
+    ),
+    Mutant(
+        "ahead at every order where it is never ahead",
+        REPORT + "captions.py",
+        "    if not behind:\n",
+        "    if behind:\n",
+        CAPTIONS,
+    ),
+    Mutant(
+        "the caption of Fig. 4 has those outside of the band",
+        REPORT + "captions.py",
+        "errors[N] > BAND]",
+        "errors[N] < BAND]",
+        CAPTIONS,
+    ),
+    Mutant(
+        "the share of slip for that of stick",
+        REPORT + "captions.py",
+        "share = motion.t1 / motion.period",
+        "share = 1 - motion.t1 / motion.period",
+        CAPTIONS,
+    ),
+    Mutant(
+        "the jump without its unit",
+        REPORT + "captions.py",
+        'f"{number(jump)} m/s². That is',
+        'f"{number(case.alpha)} m/s². That is',
+        CAPTIONS,
+    ),
+    Mutant(
+        "kinetic friction for static",
+        REPORT + "captions.py",
+        "{number(belt.mu_s * belt.normal_force)}",
+        "{number(belt.mu_k * belt.normal_force)}",
+        CAPTIONS,
+    ),
+    Mutant(
+        "the time of the ripple for its distance from the end",
+        REPORT + "captions.py",
+        'end = case.orbit("hb", MOST).t1 - time',
+        "end = time",
+        CAPTIONS,
+    ),
+    Mutant(
+        "the errors of Fig. 5 are those of the period",
+        REPORT + "captions.py",
+        'f"{method} {percent(case.acceleration_error(method, THREE))}"',
+        'f"{method} {percent(abs(case.period_error(method, THREE)))}"',
+        CAPTIONS,
+    ),
+    Mutant(
+        "the rates beside Fig. 6 are those of the period",
+        REPORT + "captions.py",
+        "rates = [(m, case.rates(m).acceleration) for m",
+        "rates = [(m, case.rates(m).period) for m",
+        CAPTIONS,
+    ),
+    Mutant(
+        "the table of the page has its errors swapped",
+        REPORT + "page.py",
+        "(percent(case.period_error(name, N)), _visible_error(case, name, N))",
+        "(_visible_error(case, name, N), percent(case.period_error(name, N)))",
+        ("tests/test_report.py",),
+    ),
+)
+
+MUTANTS: tuple[Mutant, ...] = _FIGURES + _CAPTIONS

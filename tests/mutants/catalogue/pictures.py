@@ -1,0 +1,124 @@
+"""Mistakes in the map of the claims, the heat maps, and the pictures of the command line."""
+
+from ..mutant import Mutant
+
+REPORT, CLI = "src/nonsmooth/report/", "src/nonsmooth/cli/"
+
+PICTURES = ("tests/test_pictures.py",)
+MAP = ("tests/test_claim_map.py",)
+HEAT = ("tests/test_heat_maps.py",)
+
+MUTANTS: tuple[Mutant, ...] = (
+    Mutant(
+        "the shades of the claims map swapped",
+        REPORT + "claim_map.py",
+        '("#0072B2", "#A9CCE3", "none")',
+        '("#A9CCE3", "#0072B2", "none")',
+        MAP,
+    ),
+    Mutant(
+        "the key of the claims map swapped",
+        REPORT + "page.html.jinja",
+        '<span class="key" style="background:#fff"></span> does not hold.',
+        '<span class="key" style="background:#fff"></span> holds.',
+        MAP,
+    ),
+    Mutant(
+        "the claims map in alpha under the label of a force",
+        REPORT + "claim_map.py",
+        "left, right = force(belt, low), force(belt, high)",
+        "left, right = low, high",
+        MAP,
+    ),
+    Mutant(
+        "the claims in the opposite order",
+        REPORT + "claim_map.py",
+        "for n, claim in enumerate(claims, 1)]",
+        "for n, claim in enumerate(reversed(claims), 1)]",
+        MAP,
+    ),
+    Mutant(
+        "the stable form drawn twice",
+        CLI + "heat_maps.py",
+        "image = _draw(place, cells, form)",
+        'image = _draw(place, cells, "stable")',
+        HEAT,
+    ),
+    Mutant(
+        "a heat map with rows and columns swapped",
+        CLI + "heat_maps.py",
+        "k + 0.5, i + 0.5, word,",
+        "i + 0.5, k + 0.5, word,",
+        HEAT,
+    ),
+    Mutant(
+        "a heat map of all methods in each row",
+        CLI + "heat_maps.py",
+        "cells = [cell for cell in found if cell.method == method]",
+        "cells = found",
+        HEAT,
+    ),
+    Mutant(
+        "no convergence in the colour of what was not measured",
+        CLI + "heat_maps.py",
+        'digits[place], words[place] = 0, "×"',
+        'words[place] = "×"',
+        HEAT,
+    ),
+    Mutant(
+        "the picture of a sweep draws the error of t1",
+        CLI + "pictures.py",
+        "[max(abs(e.period), 1e-16) for e in errors]",
+        "[max(abs(e.t1), 1e-16) for e in errors]",
+        PICTURES,
+    ),
+    Mutant(
+        "the picture of a sweep draws the aligned error",
+        CLI + "pictures.py",
+        "above_floor(e.acceleration) for e in errors]",
+        "above_floor(e.acceleration_aligned) for e in errors]",
+        PICTURES,
+    ),
+    Mutant(
+        "several C1 functions called one",
+        CLI + "pictures.py",
+        '"label": label(method, result.c1_terms),',
+        '"label": label(method),',
+        PICTURES,
+    ),
+    Mutant(
+        "the orbit's histories in another order",
+        CLI + "pictures.py",
+        "zip(histories, (x, v, a), strict=True)",
+        "zip(histories, (v, x, a), strict=True)",
+        PICTURES,
+    ),
+    Mutant(
+        "the front of the points that are not on it",
+        CLI + "pictures.py",
+        "for p in points if p.front)",
+        "for p in points if not p.front)",
+        PICTURES,
+    ),
+    Mutant(
+        "estimates for errors in time against error",
+        CLI + "pictures.py",
+        "[p.seconds for p in chosen], [p.error for p in chosen]",
+        "[p.seconds for p in chosen], [p.estimate or p.error for p in chosen]",
+        PICTURES,
+    ),
+    Mutant(
+        "amplitude and stick fraction of a family swapped",
+        CLI + "family_picture.py",
+        '"amplitude": "amplitude [m]",\n    "stick_fraction": "stick fraction $t_1/T$",',
+        '"stick_fraction": "amplitude [m]",\n    "amplitude": "stick fraction $t_1/T$",',
+        PICTURES,
+    ),
+    Mutant(
+        "a family over alpha under the label of its parameter",
+        CLI + "family_picture.py",
+        'axes.plot(points["value"],',
+        'axes.plot(points["alpha"],',
+        PICTURES,
+    ),
+)
