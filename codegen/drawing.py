@@ -40,6 +40,8 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         if name[0] in "CS" and name[1:].isdigit():
             name, raised = name[0], f"({name[1:]})"
         lowered = index.replace(" ", "").replace("*", "").translate(SUBSCRIPTS)
+        if "N" in lowered:  # Unicode has none that is set low
+            lowered = f"[{index}]"
         return self._name(name) + raised.translate(SUPERSCRIPTS) + lowered
 
     def _print_Pow(self, expr: sp.Pow) -> prettyForm:

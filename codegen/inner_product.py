@@ -78,11 +78,8 @@ def _harmonics(integrand: sp.Expr) -> Iterator[tuple[sp.Expr, type, sp.Expr]]:
 
 
 def _table(function: type, index: sp.Expr) -> sp.Expr:
-    """Return ``C`` or ``S`` at `index`, the test function's ``j`` counted positive."""
-    leading = index.coeff(j) if index.has(j) else index.coeff(n)
-    if not leading.is_negative:
-        return (S if function is sp.sin else C)[index]
-    return -S[-index] if function is sp.sin else C[-index]
+    """Return the tabulated integral over slip of the harmonic `index`."""
+    return (S if function is sp.sin else C)[index]
 
 
 def _full_period(function: type, index: sp.Expr) -> sp.Expr:

@@ -18,7 +18,8 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         names = {"t1": "t_{1}", "a0": "a_{0}", "c1": "c_{1}"}
         if expr.name.startswith("R_"):
             return rf"\mathcal{{R}}_{{({expr.name[2:]})}}"
-        return names.get(expr.name) or str(super()._print_Symbol(expr))
+        name = names.get(expr.name) or str(super()._print_Symbol(expr))
+        return _WORD.sub(r"\\mathrm{\g<0>}", name)
 
     def _print_Indexed(self, expr: sp.Indexed) -> str:
         base, indices = str(expr.base.label), ", ".join(map(self._print, expr.indices))
@@ -72,6 +73,9 @@ _DOTS = {sp.Function("x"): "x", sp.Function("g1"): "g_{1}"}
 _FLAT = re.compile(
     r"(?<![\^_])({)?\\left\(((?:(?!\\left|\\right|\\frac|\\sum|\\int).)*?) ?\\right\)(?(1)})"
 )
+
+#: A name of several letters, which would be their product.
+_WORD = re.compile(r"^[a-z]{2,}")
 
 _SETTINGS = {"mul_symbol": None, "fold_short_frac": False}
 

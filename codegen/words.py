@@ -24,12 +24,15 @@ _MATHEMATICS = re.compile(
     | g1/\(T\ s\*\*3\)
     | P_\{-\d\}\ =\ -P_\d
     | q\(k,\ l\)
-    | \b[A-Za-z]_\w\b
-    | \bd\[m\]
+    | \b[A-Za-z]_\w\b(?:\ =\ \d)?
+    | \b[abd]\[[mn]\]
     | (?<![-(\w])[a-zCR]\d\b
     | (?<=by\ )[abT]\b
     | (?<=harmonic\ )k\b
-    | (?<=and\ )T\b
+    | (?<=and\ )[KT]\b
+    | (?<=where\ )j\b
+    | (?<=odd\ )n\b
+    | \b[eo](?=[,:])
     )""",
     re.VERBOSE,
 )
@@ -42,7 +45,7 @@ _TO_LATEX = (
     (r"(omega|mu|tau|sin|cos)", r"\\\1"),
     (r"C1", "C^1"),
     (r"\b([a-zR])(\d)\b", r"\1_\2"),
-    (r"\[m\]", "_m"),
+    (r"\[([mn])\]", r"_\1"),
 )
 
 

@@ -76,26 +76,6 @@ def test_text_fits_a_terminal(order: int | None, unicode: bool) -> None:
     assert not re.search(r"[ \t]$", text, flags=re.MULTILINE)
 
 
-def test_text_draws_sums_fractions_and_integrals() -> None:
-    text = text_document(["c1"], unicode=False)
-    expected = """\
- (19)  periodic displacement
-                                N    s**(n + 2)*d[n]
-       -x(t) + x(T + t) = T*V + Sum ---------------
-                               n=0  (n + 1)*(n + 2)
-"""
-    assert [*map(str.split, expected.splitlines())] == [
-        *map(str.split, text[text.index(" (19)") :].splitlines()[:4])
-    ]
-
-
-def test_every_symbol_of_an_equation_is_drawn() -> None:
-    for side in SIDES:
-        text = "".join(drawn(side, unicode=False).picture)
-        for symbol in side.free_symbols:
-            assert symbol.name in text, (side, symbol)
-
-
 @pytest.mark.parametrize("order", ORDERS)
 def test_html_is_well_formed_and_fetches_nothing(order: int | None) -> None:
     text = page(order)

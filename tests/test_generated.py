@@ -5,12 +5,15 @@ import importlib.util
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
 import sympy as sp
 from numpy.testing import assert_array_equal
 
+from nonsmooth import codegen as derived
 from nonsmooth.codegen import derive, emit, generate
 from nonsmooth.codegen.system import ClosedForm, GalerkinSystem
 from nonsmooth.solver import kernels
@@ -97,6 +100,44 @@ def changed(system: GalerkinSystem) -> GalerkinSystem:
         for form in system.forms
     )
     return dataclasses.replace(system, forms=forms)
+
+
+def with_one_more(system: GalerkinSystem) -> Iterator[tuple[str, GalerkinSystem]]:
+    """Yield the system with one value of a closed form changed, a value at a time."""
+    for place, form in enumerate(system.forms):
+        for i in range(len(form.values)):
+            values = [value + int(k == i) for k, value in enumerate(form.values)]
+            other = dataclasses.replace(form, values=tuple(values))
+            forms = (*system.forms[:place], other, *system.forms[place + 1 :])
+            yield f"{form.name}, value {i}", dataclasses.replace(system, forms=forms)
+
+
+@pytest.mark.parametrize("method", [*derived.METHODS, *derived.SOLVED])
+def test_every_value_of_every_closed_form_counts_in_the_hash(
+    method: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Each form is spelt out once, and its source is that of the tests beside this one.
+    spelt = cache(sp.srepr)
+    monkeypatch.setattr(emit.sp, "srepr", spelt)
+    monkeypatch.setattr(emit, "function_source", lambda form: form.name)
+    hashes = {emit.mathematics(derive(method)): "nothing"}
+    for what, other in with_one_more(derive(method)):
+        found = emit.mathematics(other)
+        assert found not in hashes, f"{what} counts as little as {hashes[found]}"
+        hashes[found] = what
+        assert f'\nMATHEMATICS = "{found}"' in emit.module_source(other)
+
+
+@pytest.mark.parametrize("change", ["name", "arguments"])
+def test_name_and_arguments_of_a_closed_form_count_in_the_hash(change: str) -> None:
+    system = derive("hb")
+    form = system.forms[0]
+    other = {"name": f"{form.name}_2", "arguments": (*form.arguments[::-1], sp.Symbol("q"))}
+    changed = dataclasses.replace(form, **{change: other[change]})
+    forms = (changed, *system.forms[1:])
+    assert emit.mathematics(dataclasses.replace(system, forms=forms)) != emit.mathematics(
+        system
+    )
 
 
 RUN = """

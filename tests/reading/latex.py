@@ -1,0 +1,164 @@
+"""Read LaTeX: a document or a fragment, its equations and their mathematics."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from .tokens import Cases, Fraction, ReadingError, Root, Sub, Sup, Token
+
+_TOKEN = re.compile(r"\\[A-Za-z]+|\\[^A-Za-z]|[A-Za-z]+|\d+|\S")
+
+#: What only sets space or size.
+SPACING = {
+    r"\,",
+    r"\ ",
+    r"\:",
+    r"\left",
+    r"\right",
+    r"\biggl",
+    r"\biggr",
+    r"\limits",
+    r"\quad",
+    "&",
+}
+
+SIGNS = {r"\sum": "∑", r"\int": "∫", r"\partial": "∂", r"\langle": "⟨", r"\rangle": "⟩"}
+NAMES = {rf"\{name}": name for name in ("sin", "cos", "max", "pi", "alpha", "gamma", "lambda")}
+NAMES |= {rf"\{name}": name for name in ("mu", "omega", "phi", "psi", "rho", "tau")}
+
+#: Words of several letters; all others would be products of letters.
+WORDS = {"dt", "du"}
+
+
+def _unknown(piece: str) -> bool:
+    """Whether a piece is a command without a meaning here, or a product of letters."""
+    return piece.startswith("\\") or (len(piece) > 1 and piece.isalpha() and piece not in WORDS)
+
+
+class _Source:
+    """The pieces of a line of LaTeX, taken one after the other."""
+
+    def __init__(self, source: str) -> None:
+        self.pieces, self.at = _TOKEN.findall(source), 0
+
+    def next(self) -> str:
+        return self.pieces[self.at] if self.at < len(self.pieces) else ""
+
+    def take(self, wanted: str = "") -> str:
+        piece = self.next()
+        if not piece or (wanted and piece != wanted):
+            raise ReadingError(f"{piece!r} where {wanted or 'more'} is due")
+        self.at += 1
+        return piece
+
+    def group(self) -> tuple[Token, ...]:
+        """Return the tokens of the next group in braces, or of a single piece."""
+        if self.next() != "{":
+            return tuple(self.token())
+        self.take("{")
+        found = self.until("}")
+        self.take("}")
+        return found
+
+    def word(self) -> str:
+        """Return the next group as one word."""
+        return "".join(map(str, self.letters()))
+
+    def letters(self) -> Iterator[str]:
+        self.take("{")
+        while self.next() != "}":
+            yield self.take()
+        self.take("}")
+
+    def until(self, *ends: str) -> tuple[Token, ...]:
+        found: list[Token] = []
+        while self.next() not in ends:
+            found += self.token()
+        return tuple(found)
+
+    def token(self) -> list[Token]:
+        piece = self.take()
+        found: list[Token] = [SIGNS.get(piece) or NAMES.get(piece, piece)]
+        match piece:
+            case "{":
+                found = list(self.until("}"))
+                self.take("}")
+            case "_":
+                found = [Sub(self.group())]
+            case "^":
+                found = [Sup(self.group())]
+            case r"\frac":
+                found = [Fraction(self.group(), self.group())]
+            case r"\sqrt":
+                found = [Root(self.group())]
+            case r"\dot" | r"\ddot":
+                found = [*self.group(), *"'" * (len(piece) - len(r"\ot"))]
+            case r"\operatorname" | r"\mathrm" | r"\mathcal":
+                found = [self.word()]
+            case r"\begin":
+                found = self.cases()
+            case _ if piece in SPACING:
+                found = []
+            case _ if found == [piece] and _unknown(piece):
+                raise ReadingError(f"unknown: {piece}")
+        return found
+
+    def cases(self) -> list[Token]:
+        if self.word() != "cases":
+            raise ReadingError("an environment that is not expected")
+        rows = []
+        while self.next() != r"\end":
+            value = self.until("&")
+            self.take("&")
+            self.take(r"\text")
+            condition: tuple[Token, ...] = (self.word(),)
+            if condition == ("for",):
+                condition = self.until(r"\\", r"\end")
+            rows.append((value, condition))
+            if self.next() == r"\\":
+                self.take()
+        self.take(r"\end")
+        self.word()
+        return [Cases(tuple(rows))]
+
+
+def tokens(source: str) -> list[Token]:
+    """Return the tokens of a line of mathematics."""
+    return list(_Source(source).until(""))
+
+
+@dataclass
+class Printed:
+    """An equation as it was found: heading, words, number and the lines of mathematics."""
+
+    heading: str
+    words: str
+    number: str
+    body: str
+
+    def tokens(self) -> list[Token]:
+        """Return the tokens of all lines, each of which is aligned at one place."""
+        found: list[Token] = []
+        for line in re.split(r"\\\\\n", self.body):
+            outside = re.sub(r"\\begin\{cases\}.*?\\end\{cases\}", "", line)
+            if outside.count("&") != 1:
+                raise ReadingError(f"{outside.count('&')} places to align in {line!r}")
+            found += tokens(line)
+        return found
+
+
+_EQUATION = re.compile(
+    r"(?:\\paragraph\{\})?(?P<words>[^\n]+)\n"
+    r"\\begin\{equation\}\n\\begin\{aligned\}\n(?P<body>.*?)\n\\end\{aligned\}\n"
+    r"(?:\\tag\{(?P<number>\w+)\}|\\notag)\n\\end\{equation\}\n",
+    re.DOTALL,
+)
+_HEADING = re.compile(r"\\section\*\{(.*)\}\n")
+
+
+def equations(source: str) -> Iterator[Printed]:
+    """Yield the equations of a document, a fragment or what a notebook shows."""
+    parts = _HEADING.split(source)
+    for heading, part in zip(["", *parts[1::2]], parts[::2], strict=True):
+        for found in _EQUATION.finditer(part):
+            yield Printed(heading, found["words"], found["number"] or "", found["body"])
