@@ -30,11 +30,15 @@ def _parts(n: int) -> dict[int, Fraction]:
     return parts
 
 
-def _project(k: int, rho: dict[int, Fraction]) -> Fraction:
+@cache
+def _weights(k: int) -> dict[int, Fraction]:
+    """Return the integrals of ``Q_k`` times ``P_l*``, by ``l``; the others are zero."""
     norm = module("c1").norm
-    return sum(
-        (q * rho[l] * norm(Fraction(l)) for l, q in _parts(k).items() if l in rho), Fraction(0)
-    )
+    return {l: q * norm(Fraction(l)) for l, q in _parts(k).items()}
+
+
+def _project(k: int, rho: dict[int, Fraction]) -> Fraction:
+    return sum((weight * rho[l] for l, weight in _weights(k).items() if l in rho), Fraction(0))
 
 
 def _system(order: int, square: Fraction) -> list[list[Fraction]]:
@@ -53,8 +57,12 @@ def _system(order: int, square: Fraction) -> list[list[Fraction]]:
 
 
 def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | None:
-    """Solve the augmented system in place by Gauss-Jordan, skipping what is zero."""
+    """Return determinant and solution of the augmented system, which is overwritten.
+
+    By Gauss, from the ends of the band on: what is zero is skipped.
+    """
     determinant, size = Fraction(1), len(rows)
+    filled: list[list[int]] = []
     for i in range(size):
         pivot = next((r for r in range(i, size) if rows[r][i]), None)
         if pivot is None:
@@ -64,13 +72,17 @@ def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | 
             determinant = -determinant
         head = rows[i][i]
         determinant *= head
-        filled = [c for c in range(i, size + 1) if rows[i][c]]
-        for r in range(size):
-            if r != i and rows[r][i]:
+        filled.append([c for c in range(i + 1, size + 1) if rows[i][c]])
+        for r in range(i + 1, size):
+            if rows[r][i]:
                 factor = rows[r][i] / head
-                for c in filled:
+                for c in filled[i]:
                     rows[r][c] -= factor * rows[i][c]
-    return determinant, [rows[i][size] / rows[i][i] for i in range(size)]
+    solution = [Fraction(0)] * size
+    for i in reversed(range(size)):
+        known = sum((rows[i][c] * solution[c] for c in filled[i] if c < size), Fraction(0))
+        solution[i] = (rows[i][size] - known) / rows[i][i]
+    return determinant, solution
 
 
 def _stick_duration(square: Fraction, p1: Fraction) -> Fraction:

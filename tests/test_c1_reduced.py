@@ -1,5 +1,8 @@
 """Section 3.3 reduced to one scalar equation: derived, generated, solved in batches."""
 
+import math
+import types
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -14,6 +17,9 @@ from nonsmooth.generated import c1_reduced as kernel
 from nonsmooth.solver import batch, exact, kernels, start
 
 ALPHAS = np.logspace(-3, 3, 400)
+
+#: How many of the six alphas below have no orbit, by order; all have one at the others.
+NONE = {1: 2, 2: 3, 3: 3, 5: 2, 8: 2}
 
 
 def belt(alpha: float) -> ns.StickSlip:
@@ -66,18 +72,21 @@ def test_the_rough_slip_duration_is_that_of_the_driver(alpha: float) -> None:
 @pytest.mark.parametrize("N", [1, 2, 3, 5, 8, 13, 20, 40, 60, 200])
 def test_times_are_those_of_the_full_system(N: int) -> None:
     table = kernel.series_coefficients(N)
+    none = []
     for alpha in (1e-3, 0.05, 0.245, 1.0, 7.0, 1e3):
         t1, s, status = kernel.orbit_times(alpha, N, table)
         try:
             orbit = ns.solve(belt(alpha), "c1", N)
         except ns.NoOrbit:
             assert status != 0
+            none.append(alpha)
             continue
         assert status == 0
         # Pure slip is a root 2 alpha away: rounding of the equation counts 1/alpha times.
         allowed = 4e-15 * (1 + 1 / alpha) * orbit.unknowns[-1]
         assert t1 == pytest.approx(orbit.unknowns[-2], abs=allowed)
         assert t1 + s == pytest.approx(orbit.unknowns[-1], rel=2e-14)
+    assert len(none) == NONE.get(N, 0)
 
 
 @pytest.mark.parametrize("N", [5, 13, 30])
@@ -103,6 +112,30 @@ def test_a_batch_does_not_return_what_is_no_orbit() -> None:
     assert np.isnan(result.T[none]).all()
     good = result.status == batch.OK
     assert (np.abs(result.t1[good] / (2 * result.alpha[good]) - 1) <= 1 / 8).all()
+
+
+# Newton's method is led to a second turn here: t1 is right, and slip too long.
+@pytest.mark.parametrize("alpha", [0.5970352865838379, 0.7204436204152853])
+def test_a_batch_accepts_no_slip_longer_than_a_natural_period(alpha: float) -> None:
+    t1, s, status = kernel.orbit_times(alpha, 4, kernel.series_coefficients(4))
+    assert abs(t1 / (2 * alpha) - 1) <= 1 / 8
+    assert s > 2 * math.pi * (1 + 1 / 8)
+    assert status == batch.NOT_ADMISSIBLE
+    assert np.isnan(batch.c1_times([alpha], 4).T).all()
+
+
+@pytest.mark.parametrize("alpha", [0.3, 1.0, 3.0])
+def test_a_second_turn_is_no_orbit(alpha: float) -> None:
+    """The exact alpha = -tan(s/2) has a period of 2 pi, and t1 = 2 alpha at each root."""
+    namespace = vars(kernel) | {
+        "rough_slip": lambda alpha: kernel.rough_slip(alpha) + 2 * math.pi
+    }
+    later = types.FunctionType(kernel.orbit_times.__code__, namespace)
+    table = kernel.series_coefficients(30)
+    t1, s, status = later(alpha, 30, table)
+    assert t1 == pytest.approx(2 * alpha, rel=1e-9)
+    assert s == pytest.approx(kernel.orbit_times(alpha, 30, table)[1] + 2 * math.pi, rel=1e-9)
+    assert status == batch.NOT_ADMISSIBLE
 
 
 def test_a_batch_of_high_order_is_exact_to_rounding() -> None:

@@ -1,5 +1,6 @@
 """Solutions of 3.2 along the duration of stick, round their folds; several C1 functions."""
 
+import os
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +14,7 @@ from nonsmooth.solver.belt import DEFAULT
 from nonsmooth.solver.newton import newton
 from nonsmooth.solver.start import cubic_slip, rough_times
 
+EXAMPLES = int(os.environ.get("EXAMPLES", "1200")) // 12
 KERNEL = kernels.compiled("hb-symmetric")
 
 
@@ -65,6 +67,23 @@ def test_it_leads_to_the_solution_that_newton_finds(terms: int, alpha: float) ->
     assert 0 < iterations <= continuation.MOST_ITERATIONS + continuation.MOST_CORRECTIONS
 
 
+def test_a_stride_that_changes_slip_too_much_is_refused(monkeypatch) -> None:
+    """It would end on the same curve or on another: who knows."""
+    z = solution(1.0, 1, 7)
+    assert continuation.with_stick(KERNEL, 1, z, 1.5 * z[-2]) == (None, 1)
+    monkeypatch.setattr(continuation, "SAME_CURVE", 1e9)
+    ahead, _ = continuation.with_stick(KERNEL, 1, z, 1.5 * z[-2])
+    assert ahead is not None
+
+
+def test_corrections_that_do_not_contract_are_given_up(monkeypatch) -> None:
+    monkeypatch.setattr(continuation, "SAME_CURVE", 1e9)
+    z = solution(1.0, 1, 7)
+    ahead, iterations = continuation.with_stick(KERNEL, 1, z, 3 * z[-2])
+    assert ahead is None
+    assert iterations == 3
+
+
 def test_where_the_way_ends_it_says_so_by_where_it_is() -> None:
     near, _ = continuation.follow(KERNEL, 0, solution(1.0, 0, 5), 1000.0)
     assert not 0.9 < continuation.alpha_of(KERNEL, 0, near) / 1000.0 < 1.1
@@ -73,19 +92,19 @@ def test_where_the_way_ends_it_says_so_by_where_it_is() -> None:
 # Beyond the fold, where nothing but the way round it leads.
 @pytest.mark.parametrize(("order", "force"), [(7, 3445.0), (7, 3465.0), (13, 7113.0)])
 def test_beyond_the_fold_is_a_solution_and_its_error_is_said(order: int, force: float) -> None:
-    orbit = ns.solve(replace(DEFAULT, normal_force=force), "hb-c1", order)
+    orbit = ns.solve(replace(DEFAULT, normal_force=force), "hb-c1", order, many=True)
     assert 0.1 < orbit.errors.period < 0.6
     assert orbit.estimate.period == pytest.approx(orbit.errors.period, rel=0.01)
 
 
 def test_beyond_the_fold_what_is_no_orbit_is_called_so() -> None:
     with pytest.raises(ns.NoOrbit) as caught:
-        ns.solve(oscillator(70.0), "hb-c1", 40)
+        ns.solve(oscillator(70.0), "hb-c1", 40, many=True)
     assert caught.value.tried[-1].startswith("by continuation of t1 from alpha = 1: a solution")
     assert "mean velocity in stick" in caught.value.tried[-1]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=EXAMPLES)
 @given(
     st.integers(2, 6),
     st.integers(1, 40),

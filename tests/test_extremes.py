@@ -24,7 +24,7 @@ from nonsmooth.twin import refine
 
 EXAMPLES = int(os.environ.get("EXAMPLES", "1200"))
 #: Parts of the examples: the Fourier series cost the twin a hundred times as much.
-SHARES = {"c1": 0.7, "hb": 0.15, "hb-c1": 0.15}
+SHARES = {"c1": 0.8, "hb": 0.15, "hb-c1": 0.05}
 
 
 def log_uniform(low: float, high: float) -> st.SearchStrategy[float]:
@@ -61,13 +61,16 @@ def found_or_proven_absent(belt: ns.StickSlip, method: str, order: int) -> ns.Or
         return None
 
 
-def check(belt: ns.StickSlip, method: str, order: int) -> None:
-    """Solve without a warning, and compare with the twin; or accept a proven absence."""
+def check(belt: ns.StickSlip, method: str, order: int) -> bool:
+    """Solve without a warning, and compare with the twin; or accept a proven absence.
+
+    Returns whether there was an orbit.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         orbit = found_or_proven_absent(belt, method, order)
     if orbit is None:
-        return
+        return False
     assert orbit.admissible
     assert orbit.iterations <= MOST_ITERATIONS
     twin = refine(method, belt.alpha, orbit.unknowns, 22)
@@ -78,32 +81,47 @@ def check(belt: ns.StickSlip, method: str, order: int) -> None:
     # Not another root: pure slip has t1 = 0, a second turn has T larger by 2 pi.
     assert 0.05 * exact_t1 < t1 < 2 * exact_t1
     assert T - t1 < 2 * math.pi * 1.3
+    return True
 
 
-@settings(max_examples=round(EXAMPLES * SHARES["c1"]))
-@given(belts(1e-6, 1e6), st.integers(1, 60))
-def test_c1_keeps_thirteen_digits(belt: ns.StickSlip, order: int) -> None:
-    check(belt, "c1", order)
+def test_c1_keeps_thirteen_digits() -> None:
+    examples, seen = round(EXAMPLES * SHARES["c1"]), []
+
+    @settings(max_examples=examples)
+    @given(belts(1e-6, 1e6), st.integers(1, 60))
+    def run(belt: ns.StickSlip, order: int) -> None:
+        seen.append(check(belt, "c1", order))
+
+    run()
+    assert sum(seen) >= 0.7 * examples
 
 
 @pytest.mark.parametrize("method", ["hb", "hb-c1"])
 def test_fourier_series_keep_twelve_digits(method: str) -> None:
+    """From this order on there is always an orbit."""
+
     @settings(max_examples=round(EXAMPLES * SHARES[method]))
     @given(belts(1e-2, 30), log_uniform(1, 10))
     def run(belt: ns.StickSlip, factor: float) -> None:
         lowest = lowest_order(method, belt.alpha)
-        check(belt, method, min(round(lowest * factor), max(60, lowest)))
+        assert check(belt, method, min(round(lowest * factor), max(60, lowest)))
 
     run()
 
 
-@pytest.mark.parametrize("method", ["hb", "hb-c1"])
-@pytest.mark.parametrize("alpha", [0.01, 1.0, 30.0])
+@pytest.mark.parametrize(
+    ("method", "alpha"),
+    [
+        *(("hb", alpha) for alpha in (0.01, 1.0, 30.0)),
+        *(pytest.param("hb-c1", alpha, marks=pytest.mark.long) for alpha in (0.01, 1.0)),
+        ("hb-c1", 30.0),
+    ],
+)
 def test_order_200_keeps_twelve_digits(method: str, alpha: float) -> None:
     belt = ns.StickSlip(
         mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
     )
-    check(belt, method, 200)
+    assert check(belt, method, 200)
 
 
 @pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
@@ -135,21 +153,20 @@ def test_results_beyond_float64_are_infinite_and_null_not_errors(
         assert [d is None for d in written["d"]] == beyond
 
 
-@settings(max_examples=150)
-@given(
-    st.tuples(*(log_uniform(1e-200, 1e200) for _ in range(4))),
-    log_uniform(1e-9, 1e9),
-    st.sampled_from([0.0, 0.5, 1 - 1e-9]),
-    st.sampled_from([("c1", 9), ("c1", 25), ("hb", 5), ("hb-c1", 5)]),
-)
-def test_any_parameters_are_refused_or_survived(
-    sizes: tuple[float, ...], alpha: float, part: float, job: tuple[str, int]
-) -> None:
+def test_any_parameters_are_refused_or_survived() -> None:
     """All of float64: an error that names the parameters, or results without a warning."""
-    mass, stiffness, speed, mu_s = sizes
-    force = alpha * math.sqrt(mass) * math.sqrt(stiffness) * speed / (mu_s * (1 - part))
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    ends = {"refused": 0, "no orbit": 0, "orbit": 0}
+
+    @settings(max_examples=150)
+    @given(
+        st.tuples(*(log_uniform(1e-200, 1e200) for _ in range(4))),
+        log_uniform(1e-9, 1e9),
+        st.sampled_from([0.0, 0.5, 1 - 1e-9]),
+        st.sampled_from([("c1", 9), ("c1", 25), ("hb", 5), ("hb-c1", 5)]),
+    )
+    def run(sizes: tuple[float, ...], alpha: float, part: float, job: tuple[str, int]) -> None:
+        mass, stiffness, speed, mu_s = sizes
+        force = alpha * math.sqrt(mass) * math.sqrt(stiffness) * speed / (mu_s * (1 - part))
         try:
             belt = ns.StickSlip(
                 mass=mass,
@@ -159,12 +176,23 @@ def test_any_parameters_are_refused_or_survived(
                 mu_k=part * mu_s,
                 normal_force=force,
             )
-            orbit = ns.solve(belt, *job)
-        except (ns.ParameterError, NoOrbit):
+            orbit = ns.solve(belt, *job, many=True)
+        except ns.ParameterError:
+            ends["refused"] += 1
             return
+        except NoOrbit:
+            ends["no orbit"] += 1
+            return
+        ends["orbit"] += 1
         assert np.isfinite(orbit.acceleration([0.0, orbit.t1, 0.9 * orbit.period])).all()
         assert np.isfinite([orbit.transition_mismatch, orbit.errors.period]).all()
         assert orbit.coefficients
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        run()
+    assert ends["orbit"] >= 75
+    assert min(ends.values()) >= 3
 
 
 @pytest.mark.parametrize("power", range(-12, 13, 4))

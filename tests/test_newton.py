@@ -78,6 +78,41 @@ def test_times_never_leave_their_range() -> None:
     assert all(0 < t1 < T for t1, T in seen)
 
 
+def test_a_root_just_beyond_the_range_is_not_stepped_to() -> None:
+    """The last step, undamped because it is small, would have led from 5e-10 to -1e-9."""
+    outcome = solve(
+        lambda z: [z[0] - 1, z[1] + 1e-9, z[2] - 1], lambda z: np.eye(3), [1, 1e-9, 1]
+    )
+    assert not outcome.converged
+    assert outcome.reason == "t1 ran out of (0, T)"
+    assert 0 < outcome.unknowns[-2] < outcome.unknowns[-1]
+
+
+def test_rounding_of_the_residual_ends_the_iteration_where_it_is() -> None:
+    """Corrections no longer fall: what is left of them says how large the rounding is."""
+    calls = []
+
+    def residual(z):
+        calls.append(z)
+        return [z[0] - 1, z[1] - 1 + 1e-12 * (-1) ** len(calls), z[2] - 3]
+
+    outcome = solve(residual, lambda z: np.eye(3), [0.5, 0.5, 2])
+    assert outcome.converged
+    assert 1e-13 < outcome.correction < 1e-11
+    np.testing.assert_allclose(outcome.unknowns, [1, 1, 3], rtol=3e-12)
+
+
+def test_a_step_that_makes_things_worse_is_halved() -> None:
+    """Undamped, Newton's method for arctan diverges from 3."""
+    outcome = solve(
+        lambda z: [np.arctan(z[0] - 9), z[1] - 1, z[2] - 3],
+        lambda z: np.diag([1 / (1 + (z[0] - 9) ** 2), 1, 1]),
+        [12, 0.5, 2],
+    )
+    assert outcome.converged
+    np.testing.assert_allclose(outcome.unknowns, [9, 1, 3], rtol=1e-15)
+
+
 @pytest.mark.parametrize("scale", [1e-8, 1e8])
 def test_scaling_the_equations_changes_no_step(scale: float) -> None:
     rows = np.array([1.0, scale, 1 / scale])

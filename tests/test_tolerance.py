@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 
 import mpmath as mp
 import pytest
@@ -14,6 +15,8 @@ from nonsmooth.solver.belt import DEFAULT
 from nonsmooth.solver.budget import fitting
 from nonsmooth.solver.methods import METHODS
 from nonsmooth.solver.tolerance import cost, within
+
+EXAMPLES = int(os.environ.get("EXAMPLES", "1200"))
 
 
 def belt_at(alpha: float) -> ns.StickSlip:
@@ -30,21 +33,21 @@ def true_error(orbit: ns.Orbit) -> float:
         return abs(float(mp.mpf(float(orbit.unknowns[-1])) / exact - 1))
 
 
-@settings(max_examples=150)
+@settings(max_examples=EXAMPLES // 20)
 @given(st.floats(-3, 3), st.floats(-13, -2))
 def test_the_period_is_within_the_tolerance(exponent: float, digits: float) -> None:
     orbit = ns.solve(belt_at(10**exponent), tol=10**digits, many=True)
     assert true_error(orbit) <= 10**digits
 
 
-@settings(max_examples=60)
+@settings(max_examples=EXAMPLES // 40)
 @given(st.floats(-2, 1), st.floats(-7, -1))
 def test_the_acceleration_is_within_the_tolerance(exponent: float, digits: float) -> None:
     orbit = ns.solve(belt_at(10**exponent), tol_acceleration=10**digits, many=True)
     assert orbit.errors.acceleration <= 10**digits
 
 
-@settings(max_examples=40)
+@settings(max_examples=EXAMPLES // 60)
 @given(st.sampled_from(["hb", "hb-c1"]), st.floats(-2, 0.7), st.floats(-6, -2))
 def test_a_method_is_kept_to(method: str, exponent: float, digits: float) -> None:
     orbit = ns.solve(belt_at(10**exponent), method, tol=10**digits, many=True)

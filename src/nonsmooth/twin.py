@@ -33,7 +33,7 @@ SHOWN_OF_ERROR = 20
 GUARD = 25
 
 #: Digits beyond which an error counts as zero; steps, beside one for each digit.
-MOST_WORKING, ITERATION_LIMIT = 10_000, 200
+MOST_DIGITS, ITERATION_LIMIT = 10_000, 200
 
 
 class PrecisionError(ArithmeticError):
@@ -117,13 +117,13 @@ def refine(method: str, alpha: Any, start: Vector, digits: int) -> Twin:
         If the steps do not get shorter.
     """
     working = digits + GUARD
-    while working <= MOST_WORKING:
+    while working <= 4 * MOST_DIGITS:
         with precision(working):
             twin = _refine(method, arb(alpha), start, digits)
         if twin is not None:
             return twin
         working *= 2
-    raise PrecisionError(f"{method}: {digits} digits are not had with {MOST_WORKING}")
+    raise PrecisionError(f"{method}: {digits} digits are not had with {4 * MOST_DIGITS}")
 
 
 def _refine(method: str, alpha: Any, start: Vector, digits: int) -> Twin | None:
@@ -222,26 +222,33 @@ def precise(orbit: Orbit, digits: int) -> PreciseOrbit:
         raise ValueError(
             f"digits: got {digits!r}, expected a whole number from {FEWEST} to {MOST}"
         )
+    few = min(digits, SHOWN_OF_ERROR)
+    shown = {"period": digits, "t1": digits, "error_period": few, "error_t1": few}
     refined = digits + GUARD
-    while refined <= MOST_WORKING:
+    while refined <= MOST_DIGITS:
         values, twin = _times_and_errors(orbit, refined)
-        few = min(digits, SHOWN_OF_ERROR)
-        shown = (digits, digits, few, few)
-        if all(_is_sure(value, n) for value, n in zip(values, shown, strict=True)):
-            texts = [str(v.str(n, radius=False)) for v, n in zip(values, shown, strict=True)]
+        if all(_is_sure(values[name], shown[name]) for name in shown):
+            texts = {name: str(values[name].str(shown[name], radius=False)) for name in shown}
             norm = str(twin.residual_norm.str(3, radius=False))
-            return PreciseOrbit(digits, *texts, norm, twin.iterations)
+            return PreciseOrbit(
+                digits=digits, **texts, residual_norm=norm, iterations=twin.iterations
+            )
         refined *= 2
-    raise PrecisionError(f"{orbit.method}: its error is zero in {MOST_WORKING} digits")
+    raise PrecisionError(f"{orbit.method}: its error is zero in {MOST_DIGITS} digits")
 
 
-def _times_and_errors(orbit: Orbit, digits: int) -> tuple[tuple[Any, ...], Twin]:
-    """Return ``T``, ``t1`` in s and their errors as balls, the twin of so many digits."""
+def _times_and_errors(orbit: Orbit, digits: int) -> tuple[dict[str, Any], Twin]:
+    """Return times in s and their errors as balls, by the names of `PreciseOrbit`."""
     with precision(2 * digits + 100):  # so that nothing hangs on the parameters
         alpha, unit = _alpha_and_time(orbit.belt)
         twin = refine(orbit.method, alpha, orbit.unknowns, digits)
         t1, T = exact_times(alpha)
-        return (twin.T * unit, twin.t1 * unit, (twin.T - T) / T, (twin.t1 - t1) / t1), twin
+        return {
+            "period": twin.T * unit,
+            "t1": twin.t1 * unit,
+            "error_period": (twin.T - T) / T,
+            "error_t1": (twin.t1 - t1) / t1,
+        }, twin
 
 
 def _is_sure(value: Any, digits: int) -> bool:

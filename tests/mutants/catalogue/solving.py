@@ -1,0 +1,150 @@
+"""Mistakes in the search for an orbit and in what is accepted as one."""
+
+from ..mutant import Mutant
+
+NEWTON, LINEAR = "solver/newton.py", "solver/linear.py"
+NEWTONS, LINEARS = ("tests/test_newton.py",), ("tests/test_linear.py",)
+ADMISSIBLE, DEMANDS = "solver/admissible.py", ("tests/test_admissible.py",)
+ROOTS, ALL_ROOTS = "solver/c1_roots.py", ("tests/test_roots.py",)
+FOLLOW, FOLDS = "solver/continuation.py", ("tests/test_continuation.py",)
+FREE, MANY = "solver/matrix_free.py", ("tests/test_matrix_free.py",)
+
+MUTANTS = (
+    Mutant(
+        "the static limit is not checked inside stick",
+        ADMISSIBLE, "elif highest > allowed:", "elif False:", DEMANDS,
+    ),
+    Mutant(
+        "the belt's velocity is not checked inside slip",
+        ADMISSIBLE, "if overspeed > ROUNDING:", "if False:", DEMANDS,
+    ),
+    Mutant(
+        "the belt's velocity is checked at the start of slip only",
+        ADMISSIBLE, "part[1:-1]", "part[:1]", DEMANDS,
+    ),
+    Mutant(
+        "the last step of Newton's method may leave the range",
+        NEWTON, "if not 0 < z[-2] + step[-2] < z[-1] + step[-1]:", "if False:", NEWTONS,
+    ),
+    Mutant(
+        "an edit of Newton's method finds old machine code",
+        "solver/kernels.py", "source.BODY.encode() + _driver_text()", "source.BODY.encode()",
+        ("tests/test_compiled_cache.py",),
+    ),
+    Mutant(
+        "the machine code does not know the linear algebra",
+        "solver/kernels.py", "for part in (newton, linear))", "for part in (newton,))",
+        ("tests/test_compiled_cache.py",),
+    ),
+    Mutant(
+        "the end of stick is not checked",
+        ADMISSIBLE, "if abs(at_end) > allowed:", "if False:", DEMANDS,
+    ),
+    Mutant(
+        "slip may last a second turn",
+        ADMISSIBLE, "if T - t1 > NATURAL_PERIOD * (1 + allowed):", "if False:", DEMANDS,
+    ),
+    Mutant(
+        "stick may have any velocity",
+        ADMISSIBLE, "STICK_VELOCITY = (0.5, 3.0)", "STICK_VELOCITY = (0.0, 1e9)", DEMANDS,
+    ),
+    Mutant(
+        "times in any order",
+        ADMISSIBLE, "if not 0 < t1 < T:", "if not t1 < T:", DEMANDS,
+    ),
+    Mutant(
+        "a step is accepted that makes things worse",
+        NEWTON, "step_norm(simplified, z) <= (1 - damping / 4) * length", "damping > 0",
+        NEWTONS,
+    ),
+    Mutant(
+        "the times are not kept in their range",
+        NEWTON, "min(1.0, 2.0 * damping, longest_step(step, z))", "min(1.0, 2.0 * damping)",
+        NEWTONS,
+    ),
+    Mutant(
+        "Newton's method waits for corrections without rounding",
+        NEWTON, "correction <= ROUNDOFF or correction > 0.5 * previous", "correction == 0.0",
+        NEWTONS,
+    ),
+    Mutant(
+        "the limit of iterations is forgotten",
+        NEWTON, "range(1, limit + 1)", "range(1, 1000)", NEWTONS,
+    ),
+    Mutant(
+        "a singular Jacobian is solved",
+        LINEAR, "if A[pivot, k] == 0:", "if False:", NEWTONS,
+    ),
+    Mutant(
+        "no pivoting",
+        LINEAR, "if abs(A[i, k]) > abs(A[pivot, k]):", "if False:", LINEARS,
+    ),
+    Mutant(
+        "the exchanges of rows are forgotten",
+        LINEAR, "b[k], b[pivot] = b[pivot], b[k]", "pass", LINEARS,
+    ),
+    Mutant(
+        "the roots are not isolated where the start fails",
+        "solver/search.py", "return (_ROUGH, _ROOTS)", "return (_ROUGH,)",
+        ("tests/test_orbits.py",),
+    ),
+    Mutant(
+        "no way round the folds",
+        "solver/search.py", "return (*first, _STICK) if reached else first", "return first",
+        FOLDS,
+    ),
+    Mutant(
+        "any root of the C1 series is started from",
+        "solver/search.py", "if not violations(search.method, order, belt, root)]", "if True]",
+        ("tests/test_orbits.py",),
+    ),
+    Mutant(
+        "the rough slip does not tend to 2 pi",
+        "solver/start.py", "2.0 / (alpha + 2.0 / math.pi)", "2.0 / (alpha + 1.0)",
+        ("tests/test_c1_reduced.py",),
+    ),
+    Mutant(
+        "a batch keeps times of what is no orbit",
+        "solver/batch.py", "t1[status != OK] = s[status != OK] = np.nan", "pass",
+        ("tests/test_c1_reduced.py",),
+    ),
+    Mutant(
+        "t1 from (19) with another sign",
+        ROOTS, "-weight * square * p1 - 1", "-weight * square * p1 + 1", ALL_ROOTS,
+    ),
+    Mutant(
+        "back substitution forgets a column",
+        ROOTS, "for c in filled[i] if c < size)", "for c in filled[i] if c < size - 1)",
+        ALL_ROOTS,
+    ),
+    Mutant(
+        "an exchange of rows keeps the sign of the determinant",
+        ROOTS, "determinant = -determinant", "pass", ALL_ROOTS,
+    ),
+    Mutant(
+        "roots are isolated by fewer signs",
+        "solver/real_roots.py", "if roots <= 1:", "if roots <= 2:", ALL_ROOTS,
+    ),
+    Mutant(
+        "continuation jumps to another curve",
+        FOLLOW, "> SAME_CURVE:", "> 1e9:", FOLDS,
+    ),
+    Mutant(
+        "continuation takes corrections that grow",
+        FOLLOW, "if not length <= CONTRACTION * previous:", "if False:", FOLDS,
+    ),
+    Mutant(
+        "continuation goes the other way",
+        FOLLOW, "alpha - alpha_of(kernel, terms, z)", "alpha_of(kernel, terms, z) - alpha",
+        FOLDS,
+    ),
+    Mutant(
+        "the responses of (9) and (10) are added",
+        FREE, "last[K:] -= self.ends @ through", "last[K:] += self.ends @ through", MANY,
+    ),
+    Mutant(
+        "(14) by half of what is left out",
+        "solver/left_out.py", "return LeftOut(acceleration + tail_squared(functions, N, t1, T)",
+        "return LeftOut(acceleration", MANY,
+    ),
+)  # fmt: skip
