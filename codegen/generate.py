@@ -1,14 +1,20 @@
 """Write ``generated/``: one module a method, a file only when its text changes.
 
-Input: the records of the methods.  Output: the folder, complete and with nothing else.
+Input: the records of the methods, the scenes and the expansions.  Output: the folder, complete
+and with nothing else: the modules of the paper's methods, and a folder for each scene.
 """
 
 import os
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
-from . import METHODS, SOLVED, derive
+
+from . import METHODS, SOLVED, derive, scenes
+from .emission import kernel, scene_numbers
 from .emit import module_source
+from .expansions import kernels
+from .scene import Scene
 
 #: The folder of the generated modules, beside the folder of this file.
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
@@ -17,16 +23,32 @@ INIT = '''"""Kernels of the three methods, a module each, written by ``nonsmooth
 '''
 
 
+#: Of the folder of a scene.
+SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."""\n'
+
+
 def sources() -> dict[str, str]:
-    """Derive every method and return the text of each generated file, by name."""
+    """Derive everything and return the text of each generated file, by its place."""
     files = {"__init__.py": INIT}
     for system in map(derive, (*METHODS, *SOLVED)):
         files[f"{system.method.replace('-', '_')}.py"] = module_source(system)
+    for scene in map(scenes.load, scenes.names()):
+        folder = scene.name.replace("-", "_")
+        files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}
     return files
 
 
+def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:
+    """Derive the kernels of a scene and yield name and text of each file of its folder."""
+    yield "__init__.py", SCENE_INIT.format(name=scene.name, title=scene.title)
+    yield "scene.py", scene_numbers.scene_source(scene)
+    for name, derivation in kernels().items():
+        yield f"{name}.py", kernel.module_source(derivation(scene))
+
+
 def _present(folder: Path) -> dict[str, str]:
-    return {path.name: path.read_text("utf-8") for path in sorted(folder.glob("*.py"))}
+    paths = sorted(folder.rglob("*.py"))
+    return {path.relative_to(folder).as_posix(): path.read_text("utf-8") for path in paths}
 
 
 def differences(folder: Path = FOLDER) -> list[str]:
@@ -61,6 +83,7 @@ def write(folder: Path = FOLDER) -> list[str]:
 
 def _replace(path: Path, text: str) -> None:
     """Write `path` whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
     handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:

@@ -1,0 +1,151 @@
+"""Functions with one break on the phases of a cell: their integrals with harmonics, their ends.
+
+`break_series` is written by the generator: the Legendre coefficients of ``beta_0, beta_1, ...``
+on a phase that begins at a part of the cell and lasts a part of it.
+"""
+
+from math import cos, pi, sin
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from .moments import spherical_bessel
+
+
+def break_series(begin, length):
+    """Stand for the closed forms: coefficients [n, l], their derivatives by begin and length."""
+    raise NotImplementedError
+
+
+def breaks_on_phases(p, ends, sign):
+    """Return the series of the functions of switch p on each phase, with their derivatives.
+
+    Parameters
+    ----------
+    p : int
+        The switch that has the break.
+    ends : tuple of float, length P + 1
+        Where the phases begin, and where the last one ends.
+    sign : int
+        What the motion is multiplied by from one cell to the next.
+
+    Returns
+    -------
+    ndarray, shape (P, 1 + P, n, n)
+        For each phase the coefficients [n, l], and their derivatives by each duration.
+    """
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    size = break_series(0.0, 1.0).shape[1]
+    found = np.zeros((phases, 1 + phases, size, size))
+    for q in range(phases):
+        after = q >= p
+        begin = (ends[q] - ends[p]) / cell + (0.0 if after else 1.0)
+        length = (ends[q + 1] - ends[q]) / cell
+        series = break_series(begin, length) * (1.0 if after else sign)
+        found[q, 0] = series[0]
+        for r in range(phases):
+            moved = (1.0 if r < q else 0.0) - (1.0 if r < p else 0.0)
+            by_begin = (moved - (ends[q] - ends[p]) / cell) / cell
+            by_length = ((1.0 if r == q else 0.0) - length) / cell
+            found[q, 1 + r] = by_begin * series[1] + by_length * series[2]
+    return found
+
+
+def break_ends(series):
+    """Return each function where the phases begin and end, from `breaks_on_phases`.
+
+    Returns
+    -------
+    ndarray, shape (1 + P, n, P, 2)
+        The values, and their derivatives by each duration, at the begin and at the end.
+    """
+    phases, rates, size, _ = series.shape
+    found = np.zeros((rates, size, phases, 2))
+    for q in range(phases):
+        for r in range(rates):
+            for n in range(size):
+                for l in range(size):
+                    found[r, n, q, 0] += series[q, r, n, l] * (1 - 2 * (l % 2))
+                    found[r, n, q, 1] += series[q, r, n, l]
+    return found
+
+
+def break_integrals(n, series, weights, ends, period, numbers):
+    """Return the integrals over a cell of the residual of ``beta_n`` times harmonics.
+
+    Parameters
+    ----------
+    n : int
+        The function.
+    series : ndarray
+        From `breaks_on_phases`.
+    weights : tuple of (m, c, k) on each phase
+    ends : tuple of float, length P + 1
+    period : float
+        ``omega_0 = 2 pi/period``; a multiple of the cell.
+    numbers : ndarray
+        The harmonics; the first is that of the constant.
+
+    Returns
+    -------
+    ndarray, shape (2, 1 + P, len(numbers))
+        With the cosine and with the sine: the integrals, their derivatives by each duration.
+    """
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    omega = 2 * pi / period
+    found = np.zeros((2, 1 + phases, len(numbers)))
+    rho = np.zeros((1 + phases, n + 1))
+    even, odd = np.zeros(n + 2), np.zeros(n + 2)
+    for q in range(phases):
+        m, c, k = weights[q]
+        s, t = ends[q + 1] - ends[q], ends[q]
+        rho[:, :] = 0.0
+        for l in range(n + 1):
+            rate, twice = series[q, 0, n - 1, l] * c / cell, series[q, 0, n - 2, l] * m / cell**2
+            rho[0, l] = k * series[q, 0, n, l] + rate + twice
+            for r in range(1, 1 + phases):
+                rho[r, l] = k * series[q, r, n, l] + series[q, r, n - 1, l] * c / cell
+                rho[r, l] += series[q, r, n - 2, l] * m / cell**2 - (rate + 2 * twice) / cell
+        for column in range(len(numbers)):
+            w = numbers[column] * omega
+            bessel = spherical_bessel(n + 2, w * s / 2)
+            for turned in range(2):  # the sine is the cosine, a quarter turn back
+                middle = w * (t + s / 2) - turned * pi / 2
+                co, si = cos(middle), sin(middle)
+                for l in range(n + 2):
+                    turn = l % 4
+                    value = co if turn == 0 else -si if turn == 1 else -co if turn == 2 else si
+                    ahead = -si if turn == 0 else -co if turn == 1 else si if turn == 2 else co
+                    even[l], odd[l] = value * bessel[l], ahead * bessel[l]
+                for l in range(n + 1):
+                    found[turned, 0, column] += s * rho[0, l] * even[l]
+                    near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
+                    stretch = (odd[l] + near / (2 * l + 1)) / 2
+                    for r in range(phases):
+                        by_kappa = w * ((1.0 if r == q else 0.0) - s / cell)
+                        by_theta = w * ((1.0 if r < q else 0.0) - t / cell)
+                        slope = by_kappa * stretch + by_theta * odd[l]
+                        change = rho[1 + r, l] * even[l] + rho[0, l] * slope
+                        own = rho[0, l] * even[l] if r == q else 0.0
+                        found[turned, 1 + r, column] += s * change + own
+    return found
+
+
+def breaks_on_phase(parts, ends, sign, q, u, derivative):
+    """Return a sum of functions with a break on phase q, or a derivative by time.
+
+    Parameters
+    ----------
+    parts : tuple of (int, int, float)
+        The switch, the n of the function, and what it is multiplied by.
+    ends : ndarray, shape (P + 1,)
+    u : ndarray
+        Local time, from 0 to 1.
+    """
+    w = 2 * np.asarray(u, dtype=float) - 1
+    total = np.zeros_like(w)
+    for p, n, c in parts:
+        series = breaks_on_phases(p, ends, sign)[q, 0, n]
+        slope = legendre.legder(series, derivative, scl=2)
+        total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
+    return total

@@ -1,0 +1,24 @@
+"""Functions of class C^k, tested with themselves: Section 3.3 of the paper for any class (`ck`).
+
+On a phase that begins at a switch of class C^k, the functions that begin there are ``P_l*``
+integrated k + 1 times from the switch: (18) has them for k = 1.
+"""
+
+import sympy as sp
+
+from ..galerkin import GalerkinConditions, polynomials
+from ..galerkin.legendre import repeated_integral
+from ..scene import Scene
+
+METHOD = "ck"
+TITLE = "functions of class C^k, tested with themselves"
+
+
+def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:
+    """Return ``P_l*`` integrated k + 1 times from the switch, in Legendre polynomials."""
+    return repeated_integral(l, k + 1)
+
+
+def derive(scene: Scene) -> GalerkinConditions:
+    """Return the conditions of a scene in this expansion."""
+    return polynomials.derive(scene, METHOD, TITLE, test)

@@ -1,0 +1,164 @@
+"""Harmonics: Section 3.1 of the paper for any scene (`hb`).
+
+Where the velocity jumps, the impulse is an unknown besides.  The delta in the acceleration moves
+to the right side of the orthogonality conditions exactly, the series has the mean velocity of
+both sides at the jump, and the law of the impact is one row more.
+"""
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from ..emission.expressions import python
+from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
+from ..galerkin.condition import N
+from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
+from ..scene import Phase, Scene, Switch, switches, v
+
+METHOD = "hb"
+TITLE = "Fourier series"
+
+
+def impulse(switch: Switch) -> sp.Symbol:
+    """Return the unknown impulse over mass where a phase begins: the jump of the velocity."""
+    return sp.Symbol(f"J_{switch.before}", real=True)
+
+
+def jump(found: tuple[Switch, ...], p: int) -> sp.Expr:
+    """Return the jump of the velocity where phase `p` begins."""
+    return impulse(found[p]) if found[p].k == 0 else sp.Integer(0)
+
+
+def series(harmonics: Harmonics, time: sp.Expr, order: int) -> sp.Expr:
+    """Return (3), or a derivative of it, at a time."""
+    number, w = harmonics.number(n), harmonics.omega_0
+    turned = number * w * time + order * sp.pi / 2
+    size = (number * w) ** order
+    sum_ = sp.Sum(size * (a[n] * sp.sin(turned) + b[n] * sp.cos(turned)), (n, 1, N))
+    return sum_ + (a0 / 2 if order == 0 and harmonics.times.sign == 1 else 0)
+
+
+def orthogonality(harmonics: Harmonics, found: tuple[Switch, ...]) -> Iterator[Condition]:
+    """Yield (5), (6), (7): the residual is orthogonal to the constant and to each harmonic."""
+    wave = harmonics.number(j) * angle
+    if harmonics.times.sign == 1:
+        yield _row(harmonics, found, "by_one", sp.Integer(1), None)
+    yield _row(harmonics, found, "by_sine", sp.sin(wave), j)
+    yield _row(harmonics, found, "by_cosine", sp.cos(wave), j)
+
+
+def _row(
+    harmonics: Harmonics,
+    found: tuple[Switch, ...],
+    name: str,
+    test: sp.Expr,
+    index: sp.Symbol | None,
+) -> Condition:
+    trial = harmonics.number(n) * angle
+    summed = a[n] * harmonics.residual_by(sp.sin(trial), test)
+    summed += b[n] * harmonics.residual_by(sp.cos(trial), test)
+    expression = sp.Sum(sp.expand(summed), (n, 1, N)) - harmonics.force_by(test)
+    if harmonics.times.sign == 1:
+        expression += a0 / 2 * harmonics.over_cell("k", test)
+    for p in range(len(found)):
+        mass = equations(harmonics.scene)[p].m
+        at = test.subs(angle, harmonics.omega_0 * harmonics.times.start(p))
+        expression -= mass * jump(found, p) * at
+    words = {"by_one": "1", "by_sine": "sin(j omega_0 t)", "by_cosine": "cos(j omega_0 t)"}
+    return Condition(
+        name,
+        f"residual, orthogonal to {words[name]}",
+        expression,
+        index=index,
+        first=sp.Integer(1),
+        count=sp.Integer(1) if index is None else N,
+        number={"by_one": "5", "by_sine": "6", "by_cosine": "7"}[name],
+        where="" if index is None else "j = 1, ..., N",
+    )
+
+
+def impacts(harmonics: Harmonics, found: tuple[Switch, ...]) -> Iterator[Condition]:
+    """Yield the law of each impact, with the mean velocity that the series has there."""
+    scene = harmonics.scene
+    for p, switch in enumerate(found):
+        if switch.k:
+            continue
+        sign = scene.sign if p == 0 else 1
+        law = scene.phases[p - 1].ends.jump[v]
+        mean = series(harmonics, harmonics.times.start(p), 1)
+        before = sign * (mean - jump(found, p) / 2)
+        yield Condition(
+            f"impact_{switch.before}",
+            f"the velocity jumps as the event says where {switch.before} begins",
+            closure.one_sum(mean + jump(found, p) / 2 - sign * sp.sympify(law).subs(v, before)),
+        )
+
+
+def derive(scene: Scene) -> GalerkinConditions:
+    """Return the conditions of a scene in this expansion."""
+    times, found = Times.of(scene), switches(scene)
+    harmonics = Harmonics(scene, times)
+
+    def end(p: int, order: int) -> sp.Expr:
+        after = (p + 1) % len(found)
+        sign = scene.sign if after == 0 else 1
+        mean = series(harmonics, times.start(p + 1), order)
+        return mean - sign * jump(found, after) / 2 if order == 1 else mean
+
+    conditions = (
+        *orthogonality(harmonics, found),
+        *impacts(harmonics, found),
+        *closure.events(scene, times, end),
+        *closure.period(times),
+    )
+    system = GalerkinConditions(
+        scene,
+        METHOD,
+        TITLE,
+        tuple(_blocks(scene, found)),
+        times,
+        conditions,
+        tuple(harmonics.tables(python)),
+        lowest=1,
+        motion=lambda phase, duration: _motion(harmonics, found, phase),
+    )
+    system.check_count()
+    return system
+
+
+def series_blocks(scene: Scene) -> Iterator[Block]:
+    """Yield the coefficients of (3)."""
+    if scene.sign == 1:
+        yield Block(a0, sp.Integer(1), 0, "twice the mean")
+    yield Block(a, N, 0, "of the sines", first=1)
+    yield Block(b, N, 0, "of the cosines", first=1)
+
+
+def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
+    yield from series_blocks(scene)
+    for p, switch in enumerate(found):
+        if switch.k == 0:
+            what = f"jump of the velocity where {switch.before} begins"
+            yield Block(jump(found, p), sp.Integer(1), 1, what)
+
+
+def series_arguments(harmonics: Harmonics, p: int) -> str:
+    """Return the first arguments of the function that evaluates (3) on a phase."""
+    mean = "z[at_a0]/2" if harmonics.times.sign == 1 else "0.0"
+    families = "z[at_a:at_a + N], z[at_b:at_b + N]"
+    numbers = "np.arange(1, N + 1)" if harmonics.times.sign == 1 else "np.arange(1, 2*N, 2)"
+    durations = [f"z[at_{time}]" for time in harmonics.times.durations]
+    period = f"{1 if harmonics.times.sign == 1 else 2}*({' + '.join(durations)})"
+    start = " + ".join(durations[:p]) or "0.0"
+    return f"{mean}, {families}, {numbers}, 2*pi/({period}), {start}, {durations[p]}"
+
+
+def _motion(harmonics: Harmonics, found: tuple[Switch, ...], phase: Phase) -> str:
+    """Return the statement by which a kernel evaluates the motion on a phase."""
+    p = harmonics.scene.phases.index(phase)
+    after = (p + 1) % len(found)
+    sign = harmonics.scene.sign if after == 0 else 1
+    begins = f"z[at_{impulse(found[p])}]" if found[p].k == 0 else "0.0"
+    ends = f"{sign}*z[at_{impulse(found[after])}]" if found[after].k == 0 else "0.0"
+    series_ = series_arguments(harmonics, p)
+    return f"return series_on_phase({series_}, {begins}, {ends}, u, derivative)"

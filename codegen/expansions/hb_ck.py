@@ -1,0 +1,225 @@
+"""Harmonics and functions of class C^k: Section 3.2 of the paper for any scene (`hb-ck`).
+
+Beside the Fourier series, K functions for each switch: their breaks take from the series the
+jumps of the first K derivatives that jump there.  One row for each: the equation of motion,
+differentiated, says how large the jump is.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..emission.expressions import python
+from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, breaks, closure
+from ..galerkin.condition import N
+from ..galerkin.harmonics import Harmonics, equations, j
+from ..scene import Phase, Scene, Switch, switches, v
+from . import hb
+
+METHOD = "hb-ck"
+TITLE = "Fourier series and functions of class C^k"
+
+#: How many functions a switch may have.
+FUNCTIONS = (1, 2, 3)
+
+
+@dataclass(frozen=True)
+class Expansion:
+    """The pieces of the expansion for one scene."""
+
+    scene: Scene
+    times: Times
+    switches: tuple[Switch, ...]
+    harmonics: Harmonics
+    functions: int
+
+    @classmethod
+    def of(cls, scene: Scene, functions: int) -> "Expansion":
+        """Return the expansion with this number of functions a switch."""
+        times, found = Times.of(scene), switches(scene)
+        return cls(scene, times, found, Harmonics(scene, times), functions)
+
+    def orders(self, p: int) -> range:
+        """Return the n of the functions ``beta_n`` with a break at switch `p`."""
+        first = self.switches[p].k + 2
+        return range(first, first + self.functions)
+
+    def unknown(self, p: int, n: int) -> sp.Symbol:
+        """Return the coefficient of ``beta_n`` of switch `p`."""
+        return sp.Symbol(f"c{n}_{self.switches[p].before}", real=True)
+
+    def all(self) -> Iterator[tuple[int, int, sp.Symbol]]:
+        """Yield the switch, the order n and the coefficient of each function."""
+        for p in range(len(self.switches)):
+            for n in self.orders(p):
+                yield p, n, self.unknown(p, n)
+
+    def smooth(self, q: int, order: int, left: bool) -> sp.Expr:
+        """Return a derivative of the displacement where phase `q` begins, or ends (`left`)."""
+        cell = self.times.cell
+        time = self.times.start(q + 1 if left else q)
+        total = hb.series(self.harmonics, time, order)
+        for p, n, c in self.all():
+            if n >= order:
+                total += c * self.ends(p)[n - order, q, int(left)] / cell**order
+        return total
+
+    def ends(self, p: int) -> sp.IndexedBase:
+        """Return the table of the functions of a switch at the ends of the phases."""
+        return sp.IndexedBase(f"beta_{self.switches[p].before}")
+
+    def integrals(self, p: int, n: int, wave: str) -> sp.IndexedBase:
+        """Return the table of the integrals of a function with harmonics."""
+        return sp.IndexedBase(f"G{n}_{self.switches[p].before}_{wave}")
+
+
+def orthogonality(e: Expansion) -> Iterator[Condition]:
+    """Yield (5), (6), (7) with the functions beside the series."""
+    for condition in hb.orthogonality(e.harmonics, ()):
+        extra = sp.Integer(0)
+        for p, n, c in e.all():
+            wave = "sin" if condition.name == "by_sine" else "cos"
+            index = sp.Integer(0) if condition.index is None else j
+            extra += c * e.integrals(p, n, wave)[index]
+        yield Condition(
+            condition.name,
+            condition.title,
+            condition.expression + extra,
+            condition.index,
+            condition.first,
+            condition.count,
+            condition.number,
+            condition.where,
+        )
+
+
+def tables(e: Expansion) -> Iterator[Table]:
+    """Yield the functions at the ends of the phases, and their integrals with harmonics."""
+    starts = [python(e.times.start(p)) for p in range(1, len(e.switches) + 1)]
+    ends = f"({', '.join(('0.0', *starts))})"
+    numbers = "np.arange(0, N + 1)" if e.times.sign == 1 else "np.abs(np.arange(-1, 2*N, 2))"
+    weights = ", ".join(
+        f"(1.0*({python(q.m)}), 1.0*({python(q.c)}), 1.0*({python(q.k)}))"
+        for q in equations(e.scene)
+    )
+    for p, switch in enumerate(e.switches):
+        series = f"series_{switch.before}"
+        prepare = f"{series} = breaks_on_phases({p}, {ends}, {e.times.sign})"
+        at_ends = f"ends_{switch.before} = break_ends({series})"
+        yield from _with_rates(e, e.ends(p), f"ends_{switch.before}", f"{prepare}\n{at_ends}")
+        for n in e.orders(p):
+            name = f"over_beta{n}_{switch.before}"
+            made = (
+                f"{name} = break_integrals({n}, {series}, ({weights},), {ends}, "
+                f"{python(e.times.period)}, {numbers})"
+            )
+            for row, wave in enumerate(("cos", "sin")):
+                yield from _with_rates(e, e.integrals(p, n, wave), f"{name}[{row}]", made)
+
+
+def _with_rates(
+    e: Expansion, base: sp.IndexedBase, source: str, prepare: str
+) -> Iterator[Table]:
+    """Yield a table whose first row is its values, the others their derivatives by time."""
+    durations = e.times.durations
+    by = {s: sp.IndexedBase(f"{base.label}_by_{s}") for s in durations}
+
+    def rate(indices: tuple[sp.Expr, ...], time: sp.Symbol) -> sp.Expr:
+        return by[time][indices] if time in by else sp.Integer(0)
+
+    yield Table(base, rate, f"{source}[0]", prepare)
+    for q, s in enumerate(durations):
+        yield Table(by[s], lambda indices, time: sp.Integer(0), f"{source}[{1 + q}]", prepare)
+
+
+def jumps(e: Expansion) -> Iterator[Condition]:
+    """Yield, for each function, the jump of a derivative that the equation of motion demands."""
+    for p, switch in enumerate(e.switches):
+        for n in e.orders(p):
+            order = n - 1
+            expression = _law(e, p) if order == 1 else _differentiated(e, p, order)
+            yield Condition(
+                f"jump_{order}_{switch.before}",
+                f"jump of derivative {order} where {switch.before} begins",
+                closure.one_sum(expression),
+            )
+
+
+def _law(e: Expansion, p: int) -> sp.Expr:
+    """Return the law of an impact."""
+    left = p - 1 if p else len(e.switches) - 1
+    sign = e.scene.sign if p == 0 else 1
+    law = sp.sympify(e.scene.phases[left].ends.jump[v])
+    after, before = e.smooth(p, 1, left=False), e.smooth(left, 1, left=True)
+    return after - sign * law.subs(v, before)
+
+
+def _differentiated(e: Expansion, p: int, order: int) -> sp.Expr:
+    """Return the equation of motion, differentiated, to the right less to the left."""
+    left = p - 1 if p else len(e.switches) - 1
+    sign = e.scene.sign if p == 0 else 1
+    phases = equations(e.scene)
+
+    def side(q: int, at_end: bool) -> sp.Expr:
+        phase = phases[q]
+        total = sp.Add(
+            *(
+                factor * e.smooth(q, order - step, at_end)
+                for step, factor in enumerate((phase.m, phase.c, phase.k))
+            )
+        )
+        force = phase.f if order == 2 else sp.Integer(0)
+        if e.times.frequency is not None and phase.g != 0:
+            turned = e.times.angle(e.times.start(q + 1 if at_end else q))
+            turned += (order - 2) * sp.pi / 2
+            force += phase.g * e.times.frequency ** (order - 2) * sp.cos(turned)
+        return total - force
+
+    return side(p, False) - sign * side(left, True)
+
+
+def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
+    """Return the conditions of a scene with this number of functions a switch."""
+    e = Expansion.of(scene, functions)
+    rows = (
+        *orthogonality(e),
+        *jumps(e),
+        *closure.events(scene, e.times, lambda p, order: e.smooth(p, order, left=True)),
+        *closure.period(e.times),
+    )
+    looked_up = (*e.harmonics.tables(python), *tables(e))
+    forms = breaks.series(max(n for _, n, _ in e.all()), e.times.sign)
+    system = GalerkinConditions(
+        scene,
+        f"{METHOD}, K = {functions}",
+        TITLE,
+        tuple(_blocks(e)),
+        e.times,
+        rows,
+        looked_up,
+        lowest=1,
+        motion=lambda phase, duration: _motion(e, phase),
+        break_series=forms,
+    )
+    system.check_count()
+    return system
+
+
+def _blocks(e: Expansion) -> Iterator[Block]:
+    yield from hb.series_blocks(e.scene)
+    for p, n, c in e.all():
+        what = f"of beta_{n} of the switch to {e.switches[p].before}"
+        yield Block(c, sp.Integer(1), 0, what)
+
+
+def _motion(e: Expansion, phase: Phase) -> str:
+    """Return the statement by which a kernel evaluates the motion on a phase."""
+    q = e.scene.phases.index(phase)
+    durations = [f"z[at_{time}]" for time in e.times.durations]
+    ends = f"np.cumsum(np.array([0.0, {', '.join(durations)}]))"
+    parts = ", ".join(f"({p}, {n}, z[at_{c}])" for p, n, c in e.all())
+    return (
+        f"return series_on_phase({hb.series_arguments(e.harmonics, q)}, 0.0, 0.0, u, derivative)"
+        f" + breaks_on_phase(({parts},), {ends}, {e.times.sign}, {q}, u, derivative)"
+    )

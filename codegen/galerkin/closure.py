@@ -1,0 +1,76 @@
+"""What joins the phases: continuity and jumps at the switches, events, the period.
+
+For any expansion that says what displacement and derivatives are at both ends of each phase.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import sympy as sp
+
+from ..scene import Scene, Switch, forcing, v, x
+from .condition import Condition
+from .times import Times
+
+#: ``(phase, order)``: a derivative of the displacement at an end of a phase.
+End = Callable[[int, int], sp.Expr]
+
+
+def one_sum(expression: sp.Expr) -> sp.Expr:
+    """Return an expression with its sums over the same index made one."""
+    expression = sp.expand_mul(expression)
+    inside: dict[tuple[sp.Expr, ...], sp.Expr] = {}
+    for part in sorted(expression.atoms(sp.Sum), key=sp.default_sort_key):
+        weight = expression.coeff(part)
+        expression -= weight * part
+        limits = part.limits
+        inside[limits] = inside.get(limits, sp.Integer(0)) + weight * part.function
+    sums = (sp.Sum(f, *limits) for limits, f in inside.items() if sp.expand_mul(f) != 0)
+    return sp.Add(sp.expand_mul(expression), *sums)
+
+
+def joints(
+    scene: Scene, switches: Sequence[Switch], start: End, end: End
+) -> Iterator[Condition]:
+    """Yield continuity of displacement, the law of the velocity, and smoothness up to C^k."""
+    for p, switch in enumerate(switches):
+        sign = scene.sign if p == 0 else 1
+        left = p - 1 if p else len(scene.phases) - 1
+        name, held = switch.before, scene.phases[p].held is not None
+        yield Condition(
+            f"displacement_{name}",
+            f"displacement is continuous where {name} begins",
+            start(p, 0) - sign * end(left, 0),
+        )
+        law = sp.sympify(scene.phases[left].ends.jump.get(v, v)).subs(v, end(left, 1))
+        jumps = "jumps as the event says" if switch.k == 0 else "is continuous"
+        yield Condition(
+            f"velocity_{name}",
+            f"velocity {jumps} where {name} begins",
+            one_sum(start(p, 1) - sign * law),
+        )
+        for order in range(2, switch.k + 1 if not held else 2):
+            yield Condition(
+                f"derivative_{order}_{name}",
+                f"derivative {order} is continuous where {name} begins",
+                one_sum(start(p, order) - sign * end(left, order)),
+            )
+
+
+def events(scene: Scene, times: Times, end: End) -> Iterator[Condition]:
+    """Yield the event that ends each phase."""
+    for p, phase in enumerate(scene.phases):
+        at = {x: end(p, 0), v: end(p, 1), forcing: times.forcing(times.start(p + 1))}
+        yield Condition(
+            f"event_{phase.name}",
+            f"the event that ends {phase.name}",
+            one_sum(phase.ends.zero.subs(at, simultaneous=True)),
+        )
+
+
+def period(times: Times) -> Iterator[Condition]:
+    """Yield that the cell is as long as the forcing makes it, if anything forces."""
+    if times.frequency is not None:
+        turns = sp.pi if times.sign == -1 else 2 * sp.pi
+        yield Condition(
+            "cell", "the cell is as long as the forcing makes it", times.cell - turns / times.frequency
+        )

@@ -1,0 +1,114 @@
+"""A phase in shifted Legendre polynomials: acceleration, velocity and displacement.
+
+On a phase of duration s, with ``u = (t - t_p)/s`` from 0 to 1, the acceleration is
+``sum d_n P_n*(u)``; velocity and displacement are integrated from the state in which the phase
+begins.  What integrating does to the coefficients follows from one fact,
+
+    int_0^u P_n* = (P_(n+1)* - P_(n-1)*)/(2 (2 n + 1)),     P_(-1)* = -P_0*,
+
+so the coefficient of ``P_l*`` in each is a combination of at most three of the ``d_n``.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..scene import LinearPhase
+
+n = sp.Symbol("n", integer=True, nonnegative=True)
+
+Coefficient = Callable[[sp.Expr], sp.Expr]
+
+
+def integrated(series: Coefficient, l: sp.Expr) -> sp.Expr:
+    """Return the coefficient of ``P_l*`` in the integral from 0 of a series."""
+    below = -series(sp.Integer(0)) if l == 0 else series(l - 1)
+    return below / (2 * (2 * l - 1)) - series(l + 1) / (2 * (2 * l + 3))
+
+
+def repeated_integral(l: sp.Expr, times: int) -> dict[sp.Expr, sp.Expr]:
+    """Return ``P_l*``, integrated from 0 several times, in Legendre polynomials by degree."""
+    series: dict[sp.Expr, sp.Expr] = {l: sp.Integer(1)}
+    for _ in range(times):
+        result: dict[sp.Expr, sp.Expr] = {}
+        for degree, weight in series.items():
+            half = weight / (2 * (2 * degree + 1))
+            sign, below = (-1, degree - 1) if degree != 0 else (1, sp.Integer(0))
+            for index, part in ((degree + 1, half), (below, sign * half)):
+                result[index] = sp.factor(result.get(index, sp.Integer(0)) + part)
+        series = result
+    return series
+
+
+@dataclass(frozen=True)
+class PhaseSeries:
+    """The trial function on one phase.
+
+    Parameters
+    ----------
+    duration, displacement, velocity : Symbol
+        Duration, and the state in which the phase begins.
+    acceleration : IndexedBase or None
+        The ``d_n``; None where a constraint holds the velocity.
+    count : Expr
+        How many ``d_n`` there are, in the order.
+    """
+
+    duration: sp.Symbol
+    displacement: sp.Symbol
+    velocity: sp.Symbol
+    acceleration: sp.IndexedBase | None
+    count: sp.Expr
+
+    def a(self, l: sp.Expr) -> sp.Expr:
+        """Return the coefficient of ``P_l*`` in the acceleration."""
+        return sp.Integer(0) if self.acceleration is None else self.acceleration[l]
+
+    def v(self, l: sp.Expr) -> sp.Expr:
+        """Return the coefficient of ``P_l*`` in the velocity."""
+        start = self.velocity if l == 0 else 0
+        return start + self.duration * integrated(self.a, l)
+
+    def x(self, l: sp.Expr) -> sp.Expr:
+        """Return the coefficient of ``P_l*`` in the displacement."""
+        start = self.displacement if l == 0 else 0
+        return start + self.duration * integrated(self.v, l)
+
+    def residual(self, phase: LinearPhase, l: sp.Expr, forcing: sp.Expr) -> sp.Expr:
+        """Return the coefficient of ``P_l*`` in the residual of the equation of motion.
+
+        `forcing` is the moment of the forcing with ``P_l*``.
+        """
+        constant = phase.f if l == 0 else sp.Integer(0)
+        force = constant + phase.g * (2 * l + 1) * forcing
+        return phase.m * self.a(l) + phase.c * self.v(l) + phase.k * self.x(l) - force
+
+    def at_start(self, order: int) -> sp.Expr:
+        """Return a derivative of the displacement where the phase begins."""
+        if order < 2:
+            return (self.displacement, self.velocity)[order]
+        return self._derivative(order - 2, at_end=False)
+
+    def at_end(self, order: int) -> sp.Expr:
+        """Return a derivative of the displacement where the phase ends."""
+        s = self.duration
+        if order == 0:  # int_0^1 Q_n'' twice: 1/2, -1/6 and nothing beyond
+            twice = self.a(sp.Integer(0)) / 2 - self.a(sp.Integer(1)) / 6
+            return self.displacement + s * self.velocity + s**2 * twice
+        if order == 1:
+            return self.velocity + s * self.a(sp.Integer(0))
+        return self._derivative(order - 2, at_end=True)
+
+    def _derivative(self, q: int, at_end: bool) -> sp.Expr:
+        """Return the q-th derivative of the acceleration at an end of the phase.
+
+        That of ``P_n*`` by u at 1 is ``(n + q)!/(q! (n - q)!)``, at 0 as much with the sign
+        of ``n + q``.
+        """
+        if self.acceleration is None:
+            return sp.Integer(0)
+        rising = sp.Mul(*(n + i for i in range(1 - q, q + 1))) / sp.factorial(q)
+        sign = sp.Integer(1) if at_end else (-1) ** (n + q)
+        term = sign * rising * self.acceleration[n] / self.duration**q
+        return sp.Sum(term, (n, 0, self.count - 1))

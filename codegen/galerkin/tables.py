@@ -1,0 +1,113 @@
+"""Integrals that a kernel tabulates: a value for each index, and the derivative by each time.
+
+The one integral of all expansions is the moment of a shifted Legendre polynomial,
+
+    mu_l(kappa, theta) = int_0^1 P_l*(u) cos(kappa u + theta) du
+                       = Re[i^l exp(i (theta + kappa/2))] j_l(kappa/2),
+
+with the spherical Bessel function j_l.  Its derivatives stay in the family:
+
+    d mu_l/d theta = mu_l(kappa, theta + pi/2),
+    d mu_l/d kappa = [mu_l + ((l + 1) mu_(l+1) + l mu_(l-1))/(2 l + 1)](kappa, theta + pi/2)/2.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+l = sp.Symbol("l", integer=True, nonnegative=True)
+
+
+#: The derivative of an entry by a time.
+Rate = Callable[[tuple[sp.Expr, ...], sp.Symbol], sp.Expr]
+
+
+@dataclass(frozen=True)
+class Table:
+    """One table of a kernel.
+
+    Parameters
+    ----------
+    base : IndexedBase
+        Its name.
+    rate : callable
+        ``rate(indices, time)``: the derivative of the entry, in entries of tables.
+    fill : str
+        What makes it, in Python, with `N` for the order.
+    prepare : str
+        A statement before that, which several tables may share.
+    definition : Expr, optional
+        What an entry is, in the index `l`, for the reader.
+    """
+
+    base: sp.IndexedBase
+    rate: Rate
+    fill: str
+    prepare: str = ""
+    definition: sp.Expr | None = None
+
+
+class Moment(sp.Function):  # type: ignore[misc]
+    """``mu_l(kappa, theta)``, unevaluated, for printing."""
+
+    nargs = 3
+
+
+def moment_rate(
+    even: sp.IndexedBase, odd: sp.IndexedBase, kappa: sp.Expr, theta: sp.Expr
+) -> tuple[Rate, Rate]:
+    """Return the derivatives of ``mu_l(kappa, theta)`` and of it a quarter turn on.
+
+    The first index of the tables is the degree; `kappa` and `theta` may have the others.
+    """
+
+    def rate_of(other: sp.IndexedBase, sign: int) -> Rate:
+        def rate(indices: tuple[sp.Expr, ...], time: sp.Symbol) -> sp.Expr:
+            degree, *rest = indices
+            near = (degree + 1) * other[(degree + 1, *rest)]
+            if degree != 0:
+                near += degree * other[(degree - 1, *rest)]
+            stretch = sign * (other[indices] + near / (2 * degree + 1)) / 2
+            turn = sign * other[indices]
+            return sp.diff(kappa, time) * stretch + sp.diff(theta, time) * turn
+
+        return rate
+
+    return rate_of(odd, 1), rate_of(even, -1)
+
+
+def moment_tables(
+    name: str, kappa: sp.Expr, theta: sp.Expr, length: str, printed: Callable[[sp.Expr], str]
+) -> tuple[Table, Table]:
+    """Return the tables of ``mu_l(kappa, theta)`` and ``mu_l(kappa, theta + pi/2)``.
+
+    Parameters
+    ----------
+    name : str
+        What the names end in.
+    kappa, theta : Expr
+        In the parameters and the unknown times.
+    length : str
+        Number of entries, in Python.
+    printed : callable
+        Writes an expression as Python.
+    """
+    even, odd = sp.IndexedBase(f"mu_{name}"), sp.IndexedBase(f"nu_{name}")
+    rates = moment_rate(even, odd, kappa, theta)
+    tables = []
+    for base, rate, turned in zip((even, odd), rates, (theta, theta + sp.pi / 2), strict=True):
+        fill = f"legendre_moments({length}, {printed(kappa)}, {printed(turned)})"
+        tables.append(Table(base, rate, fill, definition=Moment(l, kappa, turned)))
+    return tables[0], tables[1]
+
+
+def by_time(expression: sp.Expr, time: sp.Symbol, tables: Iterable[Table]) -> sp.Expr:
+    """Return the derivative by an unknown time, through what the tables hold as well."""
+    total = sp.diff(expression, time)
+    looked_up = {table.base: table for table in tables}
+    for entry in sorted(expression.atoms(sp.Indexed), key=str):
+        table = looked_up.get(entry.base)
+        if table is not None:
+            total += sp.diff(expression, entry) * table.rate(entry.indices, time)
+    return total

@@ -1,0 +1,33 @@
+"""What an oscillator is, as data, and what SymPy checks and deduces of it.
+
+Input: a scene file's parameters, phases and events.  Output: a `Scene` that has been checked:
+units balance, events and demands are linear in the state, every symbol is a parameter, and the
+class of continuity at each switch is deduced from the equations of motion.
+
+Nothing here knows an expansion, and nothing names an oscillator.
+"""
+
+from .data import Event, Parameter, Phase, Scene
+from .error import SceneError
+from .linear import LinearPhase, State, linear_phase, state_row
+from .smoothness import Switch, switches
+from .symbols import a, forcing, t, v, x
+
+__all__ = [
+    "Event",
+    "LinearPhase",
+    "Parameter",
+    "Phase",
+    "Scene",
+    "SceneError",
+    "State",
+    "Switch",
+    "a",
+    "forcing",
+    "linear_phase",
+    "state_row",
+    "switches",
+    "t",
+    "v",
+    "x",
+]

@@ -1,0 +1,136 @@
+"""The types of a scene: parameters, phases with what ends them, and the whole."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of an oscillator.
+
+    Parameters
+    ----------
+    name : str
+        As users type it: ``"mass"``; a flag is the same with dashes.
+    symbol : Symbol
+        In the equations.  Its assumptions are the bounds: positive, nonnegative or real.
+    unit : str
+        SI, such as ``"N s/m"``; empty for a pure number.
+    default : float
+        In that unit.
+    what : str
+        What it is, in a few words.
+    most : float, optional
+        Largest value allowed.
+    """
+
+    name: str
+    symbol: sp.Symbol
+    unit: str
+    default: float
+    what: str
+    most: float | None = None
+
+
+@dataclass(frozen=True)
+class Event:
+    """What ends a phase.
+
+    Parameters
+    ----------
+    zero : Expr
+        Linear in `x`, `v` (before the switch) and `forcing`; zero where the phase ends.
+    jump : mapping
+        What the switch makes of the velocity: ``{v: -r * v}``; empty where it is continuous.
+    """
+
+    zero: sp.Expr
+    jump: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Phase:
+    """One phase of the motion.
+
+    Parameters
+    ----------
+    name : str
+        ``"slip"``.
+    equation : Expr
+        The equation of motion, zero: linear in `x`, `v`, `a` and `forcing`.
+    ends : Event
+        What ends it.
+    demands : mapping of str to Expr
+        What must not be negative while it lasts, by the words that say so; linear in `x`,
+        `v`, `forcing`, or with one ``Abs`` of such an expression.
+    held : Expr, optional
+        The velocity at which a constraint holds the mass: then `equation` is `a`, and the
+        phase before it must end where `v` has this value.
+    """
+
+    name: str
+    equation: sp.Expr
+    ends: Event
+    demands: Mapping[str, sp.Expr] = field(default_factory=dict)
+    held: sp.Expr | None = None
+
+
+@dataclass(frozen=True)
+class Scene:
+    """An oscillator: its parameters, the phases of its motion in their order, its forcing.
+
+    Parameters
+    ----------
+    name, title : str
+        ``"impact"``, and what it is in a few words.
+    parameters : tuple of Parameter
+        All symbols of the equations.
+    phases : tuple of Phase
+        One cell of the motion, from the first switch.  After the last comes the first again.
+    source : str
+        Where the model is from.
+    frequency : Symbol, optional
+        Angular frequency of the forcing; without it the oscillator is autonomous.
+    half_period : bool
+        The cell is half a period, and ``x(t + T/2) = -x(t)``.
+    requires : mapping of str to Expr
+        What must not be negative of the parameters, by the words that say so.
+    scales : mapping of str to Expr
+        ``"mass"``, ``"time"`` and ``"length"`` that make the equations dimensionless; what
+        is left out is worked out.
+    guess : tuple of Expr
+        Rough durations of the phases, in the parameters; without it they are worked out.
+
+    Raises
+    ------
+    SceneError
+        Naming the field that is wrong, what was found and what was expected.
+    """
+
+    name: str
+    title: str
+    parameters: tuple[Parameter, ...]
+    phases: tuple[Phase, ...]
+    source: str = ""
+    frequency: sp.Symbol | None = None
+    half_period: bool = False
+    requires: Mapping[str, sp.Expr] = field(default_factory=dict)
+    scales: Mapping[str, sp.Expr] = field(default_factory=dict)
+    guess: tuple[sp.Expr, ...] = ()
+
+    def __post_init__(self) -> None:
+        from .check import check  # noqa: PLC0415  (the checks read this type)
+
+        check(self)
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The symbols of the parameters, in their order."""
+        return tuple(parameter.symbol for parameter in self.parameters)
+
+    @property
+    def sign(self) -> int:
+        """What the motion is multiplied by from one cell to the next: 1 or -1."""
+        return -1 if self.half_period else 1

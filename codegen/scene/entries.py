@@ -1,0 +1,114 @@
+"""The types of the fields of a scene: what a typing error puts there, before all mathematics."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from .data import Event, Parameter, Phase, Scene
+from .error import SceneError, named
+
+#: What a number must not be, anywhere in an expression.
+_NO_NUMBERS = (sp.I, sp.nan, sp.oo, -sp.oo, sp.zoo)
+
+
+def check_entries(scene: Scene) -> None:
+    """Check that every field holds what its type says.
+
+    Raises
+    ------
+    SceneError
+        Naming the first that does not.
+    """
+    for name in ("name", "title", "source"):
+        _expect(name, getattr(scene, name), str, "text")
+    _expect("half_period", scene.half_period, bool, "True or False")
+    for name, kind in (("parameters", Parameter), ("phases", Phase)):
+        for entry in _several(name, getattr(scene, name)):
+            _expect(name, entry, kind, f"a {kind.__name__}")
+    for parameter in scene.parameters:
+        _check_parameter(parameter)
+    for phase in scene.phases:
+        _check_phase(phase)
+    for name in ("requires", "scales"):
+        _check_mapping(name, getattr(scene, name))
+    if scene.frequency is not None and not isinstance(scene.frequency, sp.Symbol):
+        raise SceneError(f"frequency: got {scene.frequency!r}, expected a symbol")
+    for duration in _several("guess", scene.guess):
+        _check_expression("guess", duration)
+
+
+def _expect(field: str, value: object, kind: type, words: str) -> None:
+    if not isinstance(value, kind):
+        raise SceneError(f"{field}: got {_shown(value)}, expected {words}")
+
+
+def _shown(value: object) -> str:
+    """Return a value for a message: short, or only of what type it is."""
+    text = repr(value)
+    return text if len(text) < 40 and "\n" not in text else f"a {type(value).__name__}"
+
+
+def _several(field: str, value: Any) -> Iterator[Any]:
+    """Yield the entries of a tuple."""
+    if not isinstance(value, tuple | list):
+        raise SceneError(
+            f"{field}: got {_shown(value)}, expected a tuple; one entry is written (entry,)"
+        )
+    yield from value
+
+
+def _check_parameter(q: Parameter) -> None:
+    _expect("parameter: name", q.name, str, "text")
+    field = f"parameter {q.name}"
+    _expect(f"{field}: symbol", q.symbol, sp.Symbol, "a SymPy symbol")
+    _expect(f"{field}: unit", q.unit, str, "text")
+    _expect(f"{field}: what", q.what, str, "text")
+    for name in ("default", "most"):
+        value = getattr(q, name)
+        number = isinstance(value, int | float | sp.Number) and not isinstance(value, bool)
+        if not number and not (name == "most" and value is None):
+            raise SceneError(f"{field}: {name}: got {_shown(value)}, expected a number")
+
+
+def _check_phase(phase: Phase) -> None:
+    _expect("phase: name", phase.name, str, "text")
+    field = f"phase {phase.name}"
+    _check_expression(f"{field}: equation", phase.equation)
+    _expect(f"{field}: ends", phase.ends, Event, "an Event")
+    _check_expression(f"{field}: ends", phase.ends.zero)
+    _check_mapping(f"{field}: jump", phase.ends.jump, texts=False)
+    _check_mapping(f"{field}: demand", phase.demands)
+    if phase.held is not None:
+        _check_expression(f"{field}: held", phase.held)
+
+
+def _check_mapping(field: str, value: object, texts: bool = True) -> None:
+    """Check a mapping to expressions, from texts or from symbols."""
+    _expect(field, value, Mapping, "a mapping {...: expression}")
+    assert isinstance(value, Mapping)
+    for key, expression in value.items():
+        if texts:
+            _expect(field, key, str, "text before the colon")
+            _check_expression(f"{field} {key!r}", expression)
+        else:
+            _expect(field, key, sp.Symbol, "a symbol before the colon")
+            _check_expression(field, expression)
+
+
+def _check_expression(field: str, value: object) -> None:
+    """Check what stands in an equation: finite, real, of symbols and no functions of time."""
+    if isinstance(value, sp.Equality):
+        raise SceneError(f"{field}: got an equation, expected one side of it, the other zero")
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not number and not isinstance(value, sp.Expr):
+        raise SceneError(f"{field}: got {_shown(value)}, expected an expression of SymPy")
+    with named(field):
+        expression = sp.sympify(value)
+        if expression.has(*_NO_NUMBERS):
+            raise SceneError(f"got {expression}, expected real and finite numbers")
+        unknown = expression.atoms(AppliedUndef, sp.Derivative)
+        if unknown:
+            first = min(unknown, key=sp.default_sort_key)
+            raise SceneError(f"got {first}, expected the symbols x, v, a and forcing")

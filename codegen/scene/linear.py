@@ -1,0 +1,94 @@
+"""Linear forms: the equation of motion of a phase, events and demands as coefficients."""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .data import Phase
+from .error import SceneError
+from .symbols import a, forcing, v, x
+
+
+@dataclass(frozen=True)
+class LinearPhase:
+    """``m x'' + c x' + k x = f + g cos(Omega t + phi)``: the coefficients of one phase."""
+
+    m: sp.Expr
+    c: sp.Expr
+    k: sp.Expr
+    f: sp.Expr
+    g: sp.Expr
+
+    @property
+    def coefficients(self) -> tuple[sp.Expr, ...]:
+        """All five, in the order of the equation."""
+        return self.m, self.c, self.k, self.f, self.g
+
+
+@dataclass(frozen=True)
+class State:
+    """``x``, ``v``, ``cos`` and a constant: a linear form in the state and the forcing."""
+
+    x: sp.Expr
+    v: sp.Expr
+    cos: sp.Expr
+    constant: sp.Expr
+
+    @property
+    def coefficients(self) -> tuple[sp.Expr, ...]:
+        """All four, in that order."""
+        return self.x, self.v, self.cos, self.constant
+
+
+def _parts(expression: sp.Expr, symbols: tuple[sp.Symbol, ...], what: str) -> list[sp.Expr]:
+    """Return the coefficient of each symbol, and the rest."""
+    expanded = sp.expand(expression)
+    found = [sp.diff(expanded, symbol) for symbol in symbols]
+    for symbol, coefficient in zip(symbols, found, strict=True):
+        if coefficient.has(*symbols):
+            raise SceneError(f"{what}: {expression} is not linear in {symbol}")
+    rest = sp.expand(expanded - sum(c * q for c, q in zip(found, symbols, strict=True)))
+    return [*map(sp.factor_terms, found), sp.factor_terms(rest)]
+
+
+def linear_phase(phase: Phase) -> LinearPhase:
+    """Return the coefficients of the equation of motion of a phase.
+
+    Raises
+    ------
+    SceneError
+        If it is not linear in acceleration, velocity, displacement and forcing, or has no
+        acceleration.
+    """
+    what = f"phase {phase.name}: equation"
+    m, c, k, g, f = _parts(phase.equation, (a, v, x, forcing), what)
+    if m == 0:
+        raise SceneError(f"{what}: {phase.equation} has no acceleration a")
+    return LinearPhase(m, c, k, -f, -g)
+
+
+def state_row(expression: sp.Expr, what: str) -> State:
+    """Return a linear form in displacement, velocity and forcing.
+
+    Raises
+    ------
+    SceneError
+        If `expression` is not one; the message begins with `what`.
+    """
+    if sp.sympify(expression).has(a):
+        raise SceneError(f"{what}: {expression} has the acceleration a, expected x, v, forcing")
+    return State(*_parts(sp.sympify(expression), (x, v, forcing), what))
+
+
+def without_modulus(expression: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Return what must not be negative for ``expression`` with one ``Abs``: both signs."""
+    found = list(sp.sympify(expression).atoms(sp.Abs))
+    if not found:
+        return (expression,)
+    (modulus,) = found[:1]
+    inner = modulus.args[0]
+    return tuple(
+        part
+        for sign in (1, -1)
+        for part in without_modulus(expression.subs(modulus, sign * inner))
+    )

@@ -1,0 +1,49 @@
+"""The names in a scene, and those that have a meaning of their own in a kernel."""
+
+import keyword
+import re
+from collections.abc import Iterable
+
+from .error import SceneError
+
+#: Names that flags of the command line have.
+TAKEN = frozenset(
+    (
+        *("budget", "c1_terms", "case", "cycles", "digits", "expand", "format", "fragment"),
+        *("functions", "help", "json", "log", "method", "methods", "motion", "order", "orders"),
+        *("output", "quick", "shortcuts", "tol", "tol_acceleration", "vary"),
+    )
+)
+
+#: Names that kernels and equations use themselves: unknowns, indices, functions.
+_RESERVED = re.compile(
+    r"(N|R|J|T|z|p|u|l|n|j|t|x|v|a|b|a0|q\d+|c\d+|phi|row|case|order|angle|forcing|omega_0"
+    r"|np|pi|e|cos|sin|sqrt|exp|abs|range|len|legendre|derivative|begin|length|found"
+    r"|(at|by|number|over|ends|series|event|displacement|velocity|derivative|impact|jump)_\w+"
+    r"|[CS]_[mckfg](_by_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
+    r"|entry|put|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"
+    r"|break_(series|ends|integrals)|breaks_on_phases?)"
+)
+
+#: What stands before or behind the name of a phase in the names of its unknowns.
+_OF_A_PHASE = r"(s|x|v|d|J|c\d+|mu|nu|beta|G\d+)_{0}(_\w+)?|{0}_by_\w+"
+
+
+def check_name(field: str, name: str) -> None:
+    """Check that a name can be one in Python.
+
+    Raises
+    ------
+    SceneError
+        If it cannot.
+    """
+    if keyword.iskeyword(name):
+        raise SceneError(f"{field}: got {name!r}, a word of Python")
+    if not name.isidentifier():
+        raise SceneError(f"{field}: got {name!r}, expected letters, digits and underscores")
+
+
+def reserved(name: str, phases: Iterable[str]) -> bool:
+    """Whether kernels use a name themselves, in a scene with phases of these names."""
+    patterns = (_OF_A_PHASE.format(re.escape(phase)) for phase in phases)
+    return bool(_RESERVED.fullmatch(name)) or any(re.fullmatch(q, name) for q in patterns)

@@ -1,0 +1,122 @@
+"""What is checked of a phase: its equation, what ends it, its demands, what holds it."""
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from .data import Phase
+from .error import SceneError, named
+from .linear import linear_phase, state_row, without_modulus
+from .symbols import a, forcing, t, v
+from .units import Dimension, balance, spelled
+
+Units = Mapping[sp.Symbol, Dimension]
+
+
+def check_phase(phase: Phase, units: Units, forced: bool) -> None:
+    """Check one phase by itself.
+
+    Raises
+    ------
+    SceneError
+        Naming the field that is wrong.
+    """
+    field = f"phase {phase.name}"
+    for name, expression in _fields(phase):
+        with named(f"{field}: {name}"):
+            value = sp.sympify(expression)
+            if value.has(t):
+                raise SceneError("it has the time t, expected x, v, a and forcing")
+            if value.has(forcing) and not forced:
+                raise SceneError("it has forcing, but the scene has no frequency")
+            balance(sp.expand(value), units)
+    with named(f"{field}: equation"):
+        m = linear_phase(phase).m
+        if m.is_nonpositive:
+            raise SceneError(f"got {m} times a, expected a positive mass")
+    with named(f"{field}: ends"):
+        row = state_row(phase.ends.zero, f"{field}: ends")
+        if row.x == row.v == row.cos == 0:
+            raise SceneError(f"{phase.ends.zero} depends on neither x, v nor forcing")
+    _check_jump(phase, units)
+    for words, demand in phase.demands.items():
+        with named(f"{field}: demand {words!r}"):
+            for part in without_modulus(sp.sympify(demand)):
+                state_row(part, f"{field}: demand {words!r}")
+    if phase.held is not None:
+        with named(f"{field}: held"):
+            if sp.simplify(phase.equation / a).has(a) or linear_phase(phase).c != 0:
+                raise SceneError(f"got the equation {phase.equation}, expected a")
+            _check_velocity(phase.held, units)
+
+
+def _fields(phase: Phase) -> list[tuple[str, sp.Expr]]:
+    """Return what a phase has in the state of the motion, with the names of the fields."""
+    return [
+        ("equation", phase.equation),
+        ("ends", phase.ends.zero),
+        *(("jump", value) for value in phase.ends.jump.values()),
+        *((f"demand {words!r}", value) for words, value in phase.demands.items()),
+    ]
+
+
+def _check_velocity(value: sp.Expr, units: Units) -> None:
+    value = sp.sympify(value)
+    if value != 0 and balance(value, units) != units[v]:
+        raise SceneError(f"{value} is not a velocity")
+
+
+def _check_jump(phase: Phase, units: Units) -> None:
+    for symbol, value in phase.ends.jump.items():
+        with named(f"phase {phase.name}: jump"):
+            if symbol != v:
+                raise SceneError(f"got a jump of {symbol}, expected one of v")
+            _check_velocity(value, units)
+            row = state_row(value, f"phase {phase.name}: jump")
+            if row.x != 0 or row.cos != 0:
+                raise SceneError(f"got {value}, expected the velocity v alone in it")
+
+
+def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:
+    """Check that a phase leads into a phase that is held.
+
+    Parameters
+    ----------
+    phase, after : Phase
+    sign : int
+        What the motion is multiplied by between them.
+
+    Raises
+    ------
+    SceneError
+        If it ends with another velocity.
+    """
+    if after.held is None:
+        return
+    field, speed = f"phase {phase.name}", sign * sp.sympify(after.held)
+    if phase.ends.jump:
+        raise SceneError(f"{field}: jump: {after.name} is held, expected no jump before it")
+    row = state_row(phase.ends.zero, f"{field}: ends")
+    if row.x != 0 or row.cos != 0 or sp.simplify(row.constant + row.v * speed) != 0:
+        raise SceneError(
+            f"{field}: ends: got {phase.ends.zero}, expected {v - speed}: "
+            f"the velocity at which {after.name} is held"
+        )
+
+
+def check_same_units(phases: tuple[Phase, ...], units: Units) -> None:
+    """Check that the equations of all free phases are in the same unit.
+
+    Raises
+    ------
+    SceneError
+        If two are not: their residuals cannot be added.
+    """
+    free = [phase for phase in phases if phase.held is None]
+    found = [balance(sp.expand(phase.equation), units) for phase in free]
+    for phase, unit in zip(free, found, strict=True):
+        if unit != found[0]:
+            raise SceneError(
+                f"phase {phase.name}: equation: it is in {spelled(unit)}, "
+                f"that of {free[0].name} in {spelled(found[0])}"
+            )

@@ -1,0 +1,112 @@
+"""Units as powers of kilogram, metre and second, and the balance of an expression."""
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+
+import sympy as sp
+
+from .error import SceneError
+
+Dimension = tuple[Fraction, Fraction, Fraction]
+
+NONE: Dimension = (Fraction(0), Fraction(0), Fraction(0))
+
+
+def _powers(kg: int, m: int, s: int) -> Dimension:
+    return Fraction(kg), Fraction(m), Fraction(s)
+
+
+#: What a unit may be made of.
+BASE: Mapping[str, Dimension] = {
+    "kg": _powers(1, 0, 0),
+    "m": _powers(0, 1, 0),
+    "s": _powers(0, 0, 1),
+    "N": _powers(1, 1, -2),
+    "rad": NONE,
+    "1": NONE,
+}
+
+_FACTOR = re.compile(r"([A-Za-z]+|1)(?:\^(\d+|\(\d+/\d+\)))?$")
+
+
+def dimension_of(unit: str) -> Dimension:
+    """Return the powers of kg, m, s of a unit such as ``"N s/m"`` or ``"m/s^2"``.
+
+    Raises
+    ------
+    SceneError
+        If it is not made of kg, m, s, N, rad.
+
+    Examples
+    --------
+    >>> [int(power) for power in dimension_of("N s/m")]
+    [1, 0, -1]
+    """
+    total = NONE
+    for sign, part in zip((1, -1), unit.split("/", 1), strict=False):
+        for factor in part.replace("/", " ").split():
+            match = _FACTOR.match(factor)
+            if match is None or match[1] not in BASE:
+                raise SceneError(f"unit: got {unit!r}, expected products of kg, m, s, N, rad")
+            power = sign * Fraction((match[2] or "1").strip("()"))
+            total = _sum(total, BASE[match[1]], power)
+    return total
+
+
+def _sum(left: Dimension, right: Dimension, times: Fraction) -> Dimension:
+    a, b, c = (p + times * q for p, q in zip(left, right, strict=True))
+    return a, b, c
+
+
+def spelled(dimension: Dimension) -> str:
+    """Return a dimension for a message: ``kg m/s^2``."""
+    parts = [(n, p) for n, p in zip(("kg", "m", "s"), dimension, strict=True) if p]
+    above = [n if p == 1 else f"{n}^{p}" for n, p in parts if p > 0]
+    below = [n if p == -1 else f"{n}^{-p}" for n, p in parts if p < 0]
+    text = " ".join(above) or "1"
+    return f"{text}/{' '.join(below)}" if below else text
+
+
+def balance(expression: sp.Expr, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
+    """Return the dimension of an expression, all of whose terms must have the same.
+
+    Raises
+    ------
+    SceneError
+        Naming two terms whose units clash, or a symbol that has none.
+    """
+    if expression.is_Add:
+        first, *others = expression.args
+        expected = balance(first, units)
+        for other in others:
+            found = balance(other, units)
+            if found != expected:
+                raise SceneError(
+                    f"units clash: {first} is in {spelled(expected)}, "
+                    f"{other} in {spelled(found)}"
+                )
+        return expected
+    if expression.is_Mul:
+        total = NONE
+        for factor in expression.args:
+            total = _sum(total, balance(factor, units), Fraction(1))
+        return total
+    if expression.is_Pow:
+        base, exponent = expression.args
+        inner = balance(base, units)
+        if inner == NONE:
+            return NONE
+        if not exponent.is_Rational:
+            raise SceneError(f"{expression}: expected a rational power of what has a unit")
+        return _sum(NONE, inner, Fraction(int(exponent.p), int(exponent.q)))
+    if expression.is_Symbol:
+        if expression not in units:
+            raise SceneError(f"{expression} is not a parameter of the scene")
+        return units[expression]
+    if isinstance(expression, sp.Abs):
+        return balance(expression.args[0], units)
+    for argument in expression.args:
+        if balance(argument, units) != NONE:
+            raise SceneError(f"{expression}: expected a pure number as the argument")
+    return NONE

@@ -1,0 +1,38 @@
+"""A mass on a moving belt, stick and slip: the oscillator of the paper, (1) and (2) (C1)."""
+
+import sympy as sp
+
+from ..scene import Event, Parameter, Phase, Scene, a, v, x
+
+M, K, V, mu_s, F_N = sp.symbols("M K V mu_s F_N", positive=True)
+mu_k = sp.Symbol("mu_k", nonnegative=True)
+
+STICK = Phase(
+    "stick",
+    a,
+    held=V,
+    ends=Event(mu_s * F_N - K * x),
+    demands={"the spring force stays within the static limit": mu_s * F_N - sp.Abs(K * x)},
+)
+SLIP = Phase(
+    "slip",
+    M * a + K * x - mu_k * F_N,
+    ends=Event(v - V),
+    demands={"the mass stays slower than the belt": V - v},
+)
+
+SCENE = Scene(
+    "stick-slip",
+    "a mass on a moving belt, stick and slip",
+    source="W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003) 213-224",
+    parameters=(
+        Parameter("mass", M, "kg", 10.0, "mass"),
+        Parameter("stiffness", K, "N/m", 1000.0, "stiffness of the spring"),
+        Parameter("belt_speed", V, "m/s", 1.0, "speed of the belt"),
+        Parameter("mu_s", mu_s, "", 0.5, "coefficient of static friction"),
+        Parameter("mu_k", mu_k, "", 0.25, "coefficient of kinetic friction"),
+        Parameter("normal_force", F_N, "N", 400.0, "normal force"),
+    ),
+    phases=(STICK, SLIP),
+    requires={"mu_k is at most mu_s": mu_s - mu_k},
+)

@@ -1,0 +1,138 @@
+"""Functions on [0, 1] as Chebyshev interpolants, of pieces short enough to resolve them.
+
+What is computed from them, critical points above all, is then exact to rounding, whatever the
+function: no sampling misses a narrow dip between its points.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from ..arrays import Matrix, Vector
+
+Function = Callable[[Vector], Vector]
+
+#: Degree of a piece; its last coefficients, as a part of the largest value, once resolved.
+DEGREE, LAST, RESOLVED = 32, 4, 1e-13
+
+#: What may be the rounding error of a function, as a part of its size: where a piece of half
+#: the length does not lower such last coefficients, nothing is left to resolve.
+NOISE = 1e-8
+
+#: Shortest piece: of a function with more waves than that no sample of float64 says enough.
+SHORTEST = 2.0**-12
+
+#: How far off the real axis, or beyond the ends, a root may be found and still be tried.
+NEAR = 1e-3
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Chebyshev coefficients on an interval."""
+
+    start: float
+    end: float
+    coefficients: Vector
+
+    def derivative(self, times: int) -> Vector:
+        """Return the coefficients of a derivative by the variable in [0, 1]."""
+        scale = 2 / (self.end - self.start)
+        return np.asarray(chebyshev.chebder(self.coefficients, times, scl=scale))
+
+    def critical_points(self) -> Vector:
+        """Return where the derivative vanishes, and points too near to that to tell."""
+        slope = chebyshev.chebder(self.coefficients)
+        size = np.abs(slope).max(initial=0.0)
+        if size == 0:
+            return np.empty(0)
+        kept = np.nonzero(np.abs(slope) > 1e-15 * size)[0][-1] + 1
+        roots = chebyshev.chebroots(slope[:kept])
+        near = (np.abs(roots.imag) <= NEAR) & (np.abs(roots.real) <= 1 + NEAR)
+        w = np.clip(roots[near].real, -1.0, 1.0)
+        return np.asarray(self.start + (self.end - self.start) * (1 + w) / 2)
+
+
+@cache
+def _nodes() -> tuple[Vector, Matrix]:
+    """Return the nodes on [-1, 1], and the matrix from values there to coefficients."""
+    nodes = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+    matrix = chebyshev.chebvander(nodes, DEGREE).T * (2 / (DEGREE + 1))
+    matrix[0] /= 2
+    return np.asarray(nodes), np.asarray(matrix)
+
+
+def pieces(function: Function, size: float = 0.0) -> list[Piece]:
+    """Return the interpolants of a function on [0, 1], in order.
+
+    Parameters
+    ----------
+    function : callable
+        Of an array of points, smooth on [0, 1].
+    size : float
+        Of what it is the sum or difference of, where that is larger than its own values: it
+        need not be resolved below the rounding errors of that.
+    """
+    nodes, matrix = _nodes()
+    found, waiting = [], [(0.0, 1.0, math.inf)]
+    while waiting:
+        start, end, before = waiting.pop()
+        values = function(start + (end - start) * (1 + nodes) / 2)
+        coefficients = matrix @ values
+        size = max(size, float(np.abs(values).max()))
+        last = float(np.abs(coefficients[-LAST:]).max())
+        only_noise = last <= NOISE * size and last > before / 100
+        if last > RESOLVED * size and end - start > SHORTEST and not only_noise:
+            middle = (start + end) / 2
+            waiting += [(middle, end, last), (start, middle, last)]
+        else:
+            found.append(Piece(start, end, coefficients))
+    return found
+
+
+def candidates(parts: list[Piece]) -> Vector:
+    """Return the points at which a function may be largest or smallest: critical, and ends."""
+    ends = [0.0, *(part.end for part in parts)]
+    return np.concatenate([ends, *(part.critical_points() for part in parts)])
+
+
+def extremes(function: Function, size: float = 0.0) -> tuple[float, float]:
+    """Return the least and the largest value of a function on [0, 1]; see `pieces`."""
+    values = function(candidates(pieces(function, size)))
+    return float(values.min()), float(values.max())
+
+
+def accumulated(parts: list[Piece]) -> tuple[float, float]:
+    """Return the sizes of the first and of the second integral, but for what is free in them.
+
+    Free are a constant in the first, so that the second has equal ends, and one in the second.
+    """
+    w = np.linspace(-1.0, 1.0, 2 * DEGREE + 1)
+    rate = travel = 0.0
+    points, rates, travels = [], [], []
+    for part in parts:
+        half = (part.end - part.start) / 2
+        once = chebyshev.chebint(part.coefficients, 1, lbnd=-1, scl=half)
+        twice = chebyshev.chebint(once, 1, lbnd=-1, scl=half)
+        points.append(part.start + half * (1 + w))
+        rates.append(rate + chebyshev.chebval(w, once))
+        travels.append(travel + rate * half * (1 + w) + chebyshev.chebval(w, twice))
+        rate, travel = float(rates[-1][-1]), float(travels[-1][-1])
+    level = np.concatenate(travels) - travel * np.concatenate(points)
+    largest = np.abs(np.concatenate(rates) - travel).max()
+    return float(largest), float(level.max() - level.min()) / 2
+
+
+def derivative_at(parts: list[Piece], u: Vector, times: int) -> Vector:
+    """Return a derivative of an interpolated function at points in [0, 1]."""
+    starts = np.array([part.start for part in parts])
+    which = np.searchsorted(starts, u, side="right") - 1
+    values = np.empty(len(u))
+    for index, part in enumerate(parts):
+        here = which == index
+        w = 2 * (u[here] - part.start) / (part.end - part.start) - 1
+        values[here] = chebyshev.chebval(w, part.derivative(times))
+    return values

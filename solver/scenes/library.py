@@ -1,0 +1,139 @@
+"""Find a scene's folder of generated modules, by the scene's name or by its path."""
+
+import importlib
+import types
+from difflib import get_close_matches
+from pathlib import Path
+
+from .kernel import SceneKernel, compiled, plain
+from .modules import module_of
+from .numbers import SceneNumbers
+
+#: The module of a folder that holds the scene itself; any other module is a method's.
+SCENE = "scene"
+
+_GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
+
+
+class UnknownScene(ValueError):  # noqa: N818  (named like the other errors of the package)
+    """There is no scene, or no method of a scene, of the name that was given."""
+
+
+def names() -> tuple[str, ...]:
+    """Return the names of the shipped scenes: the folders of ``generated/`` that hold one."""
+    folders = importlib.import_module(_GENERATED).__path__
+    found = (path for folder in folders for path in Path(folder).glob(f"*/{SCENE}.py"))
+    return tuple(sorted({path.parent.name.replace("_", "-") for path in found}))
+
+
+def load(name: str) -> SceneNumbers:
+    """Return a shipped scene.
+
+    Parameters
+    ----------
+    name : str
+        As `names` has it; with underscores for dashes as well.
+
+    Raises
+    ------
+    UnknownScene
+        If there is no such scene.
+    """
+    known = names()
+    wanted = name.replace("_", "-") if isinstance(name, str) else ""
+    if wanted not in known:
+        raise UnknownScene(_unknown("scene", name, known))
+    module = importlib.import_module(f"{_GENERATED}.{wanted.replace('-', '_')}.{SCENE}")
+    return SceneNumbers(module, _folder(module))
+
+
+def load_folder(folder: str | Path) -> SceneNumbers:
+    """Return the scene whose generated modules lie in `folder`, anywhere.
+
+    Raises
+    ------
+    UnknownScene
+        If there is no ``scene.py`` in it.
+    """
+    path = Path(folder).resolve() / f"{SCENE}.py"
+    if not path.is_file():
+        raise UnknownScene(f"scene: no {SCENE}.py in {str(folder)!r}")
+    return SceneNumbers(module_of(path), path.parent)
+
+
+def methods(scene: SceneNumbers) -> tuple[str, ...]:
+    """Return the methods that have a kernel for a scene."""
+    return tuple(sorted({method for method, _ in _files(scene)}))
+
+
+def functions(scene: SceneNumbers, method: str) -> tuple[int, ...]:
+    """Return how many functions beside the harmonics a method may have; empty if it has none.
+
+    One kernel a number: ``<method>_<number>.py``.
+    """
+    found = (number for name, number in _files(scene) if name == method)
+    return tuple(sorted(number for number in found if number is not None))
+
+
+def _files(scene: SceneNumbers) -> dict[tuple[str, int | None], Path]:
+    """Return the modules of the methods of a scene, by method and number of functions."""
+    found = {}
+    for path in scene.folder.glob("*.py"):
+        parts = path.stem.split("_")
+        number = int(parts.pop()) if parts[-1].isdecimal() else None
+        if path.stem not in (SCENE, "__init__"):
+            found["-".join(parts), number] = path
+    return found
+
+
+def generic_method(scene: SceneNumbers, method: object) -> str:
+    """Return the generic name of a method: ``ck-tau`` where the class is in it (``c0-tau``).
+
+    Raises
+    ------
+    UnknownScene
+        If the scene has no kernel of it.
+    """
+    known = methods(scene)
+    parts = method.replace("_", "-").split("-") if isinstance(method, str) else []
+    wanted = "-".join("ck" if part == f"c{scene.k}" else part for part in parts)
+    if wanted not in known:
+        raise UnknownScene(_unknown("method", method, known))
+    return wanted
+
+
+def kernel(
+    scene: SceneNumbers, method: str, number: int | None = None, *, compile_it: bool = False
+) -> SceneKernel:
+    """Return the kernel of a method for a scene, as plain Python or compiled by numba.
+
+    Parameters
+    ----------
+    scene, method : SceneNumbers, str
+        See `generic_method`.
+    number : int, optional
+        Functions beside the harmonics, of a method that has them; see `functions`.
+    compile_it : bool
+        Whether numba is to compile it.
+
+    Raises
+    ------
+    UnknownScene
+        If the scene has no kernel of it.
+    """
+    name = generic_method(scene, method)
+    path = _files(scene).get((name, number))
+    if path is None:
+        known = ", ".join(map(str, functions(scene, name))) or "none"
+        raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
+    return compiled(module_of(path)) if compile_it else plain(module_of(path))
+
+
+def _unknown(what: str, found: object, known: tuple[str, ...]) -> str:
+    close = get_close_matches(found, known, 1) if isinstance(found, str) else []
+    hint = f"; did you mean {close[0]}?" if close else ""
+    return f"{what}: got {found!r}, expected one of {', '.join(known) or '(none)'}{hint}"
+
+
+def _folder(module: types.ModuleType) -> Path:
+    return Path(str(module.__file__)).parent

@@ -1,0 +1,42 @@
+"""Newton's method for a kernel of a scene, and where it ended."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Vector
+from .iteration import CONVERGED, Iteration
+
+ITERATION_LIMIT = 40
+
+#: By the status that the iteration returns.
+REASONS = (
+    "converged",
+    "the equations overflow",
+    "the Jacobian is singular",
+    "no step reduces the correction",
+    "no convergence within the limit of iterations",
+)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Where an iteration ended: as `solver.newton.Outcome`, of coefficients and times."""
+
+    unknowns: Vector
+    converged: bool
+    iterations: int
+    correction: float
+    residual_norm: float
+    reason: str
+
+
+def newton(
+    iteration: Iteration, case: Any, start: Vector, limit: int = ITERATION_LIMIT
+) -> Outcome:
+    """Solve a kernel's system from `start`, which is not overwritten."""
+    z = start.copy()
+    with np.errstate(all="ignore"):  # an overflow is reported as such
+        status, iterations, correction, norm = iteration(case, z, limit)
+    return Outcome(z, status == CONVERGED, iterations, correction, norm, REASONS[status])

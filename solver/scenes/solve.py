@@ -1,0 +1,126 @@
+"""One orbit of a case by one method, or the reason why there is none."""
+
+import operator
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ..arrays import Vector
+from ..kernels import PLAIN_ORDER
+from ..no_orbit import NoOrbit
+from . import library
+from .attempt import attempt
+from .case import Case
+from .estimate import BEST
+from .kernel import SceneKernel
+from .orbit import SceneOrbit
+from .start import rough_times
+
+#: Orders of the method from whose times every other starts: it converges from rough times at
+#: the first, and where a motion has too many waves for that, at the second.
+COARSE = (5, 12)
+
+#: Most unknowns are dense: beyond, a system takes seconds and nothing is gained.
+HIGHEST_ORDER = 400
+
+
+def solve_case(
+    case: Case, method: str = BEST, order: int = 10, functions: int | None = None
+) -> SceneOrbit:
+    """Return the periodic orbit of a case, converged and admissible.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    method : str
+        One of `library.methods`, by its generic name or with its class.
+    order : int
+        ``N``.
+    functions : int, optional
+        Functions beside the harmonics at each switch, where the method counts them; 1, or 2
+        where the velocity jumps, if not given.
+
+    Raises
+    ------
+    TypeError
+        If `case` is not a `Case`.
+    ValueError
+        If the scene has no kernel of the method, or a number is out of its range.
+    NoOrbit
+        If no start led to a converged and admissible orbit; with what each led to.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.scenes import library
+    >>> case = library.load(library.names()[0])()
+    >>> solve_case(case, order=12).admissible
+    True
+    """
+    if not isinstance(case, Case):
+        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    method = library.generic_method(case.scene, method)
+    if functions is None and library.functions(case.scene, method):
+        functions = 2 if case.scene.k == 0 else 1
+    kernel = library.kernel(case.scene, method, functions)
+    order = _whole("order", order, kernel.lowest, HIGHEST_ORDER)
+    if order > PLAIN_ORDER:
+        kernel = library.kernel(case.scene, method, functions, compile_it=True)
+    search = _Search(case, kernel)
+    for times in search.starts():
+        found = search.note(attempt(kernel, case, order, times, functions))
+        if found.converged and found.admissible:
+            return replace(found, iterations=search.iterations)
+    reason = f"{case.scene.name}, {kernel.method}, N = {order}: no admissible orbit was found"
+    error = NoOrbit(reason, False, tuple(dict.fromkeys(search.tried)))
+    error.iterations = search.iterations
+    raise error
+
+
+@dataclass
+class _Search:
+    """The ways to an orbit, and what each came to."""
+
+    case: Case
+    kernel: SceneKernel
+    words: str = ""
+    iterations: int = 0
+    tried: list[str] = field(default_factory=list)
+
+    def note(self, found: SceneOrbit) -> SceneOrbit:
+        """Return a result, after its iterations and its failure, if it is one, were noted."""
+        self.iterations += found.outcome.iterations
+        why = "" if found.converged else found.outcome.reason
+        why = why or "; ".join(found.violations)
+        if why:
+            self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
+        return found
+
+    def starts(self) -> Iterator[Vector]:
+        """Yield times to start from: those of a coarse orbit, or rough ones if none can be."""
+        scene = self.case.scene
+        coarse = library.kernel(scene, BEST) if BEST in library.methods(scene) else None
+        for order in COARSE if coarse else COARSE[:1]:
+            for rough in rough_times(self.case.cell):
+                self.words = rough.words
+                angle = (rough.angle,) if self.kernel.forced else ()
+                times = np.array([*rough.durations, *angle])
+                if coarse is None:
+                    yield times
+                    continue
+                found = self.note(attempt(coarse, self.case, order, times))
+                if found.converged and found.admissible:
+                    yield coarse.times(found.unknowns)
+
+
+def _whole(name: str, value: object, least: int, most: int) -> int:
+    """Return a whole number within its range."""
+    try:
+        number = -1 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        number = -1
+    if not least <= number <= most:
+        expected = f"a whole number from {least} to {most}"
+        raise ValueError(f"{name}: got {value!r}, expected {expected}")
+    return number

@@ -1,0 +1,121 @@
+"""The flow of a linear phase against matrix exponentials of 60 digits."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from nonsmooth.solver.scenes import flow
+from nonsmooth.solver.scenes.cell import Phase
+from nonsmooth.solver.scenes.divided import of_three, of_two
+
+START, ANGLE = (0.7, -0.4), 0.9
+
+#: m, c, k, f, g, Omega, duration.
+PHASES = {
+    "underdamped": (1.0, 0.1, 1.0, 0.3, 1.0, 1.8, 3.5),
+    "overdamped": (1.0, 5.0, 1.0, 0.3, 1.0, 1.8, 3.5),
+    "very overdamped": (1.0, 1e6, 1.0, 0.3, 1.0, 1.8, 3.5),
+    "critically damped": (1.0, 2.0, 1.0, 0.3, 1.0, 1.8, 3.5),
+    "nearly critical": (1.0, 2.0 + 1e-9, 1.0, 0.3, 1.0, 1.8, 3.5),
+    "no stiffness": (2.0, 0.1, 0.0, 0.3, 1.0, 1.8, 3.5),
+    "free": (1.0, 0.0, 0.0, 0.3, 1.0, 1.8, 3.5),
+    "nearly free": (1.0, 1e-9, 1e-12, 0.3, 1.0, 1.8, 3.5),
+    "weakening": (1.0, -0.4, 1.0, 1.6, 0.0, 0.0, 5.0),
+    "unstable": (1.0, 0.1, -0.5, 0.3, 1.0, 1.8, 3.5),
+    "resonance": (1.0, 0.0, 1.0, 0.3, 1.0, 1.0, 6.5),
+    "near resonance": (1.0, 1e-9, 1.0, 0.3, 1.0, 1.0 + 1e-7, 6.5),
+    "stiff": (1.0, 0.2, 1e6, 2.0, 1.0, 1.3, math.pi / 1e3),
+    "slow forcing": (1.0, 0.2, 1.0, 0.0, 1.0, 1e-6, 3.0),
+    "short": (1.0, 0.2, 1.0, 0.4, 1.0, 1.3, 1e-9),
+}
+
+
+def phase_of(m, c, k, f, g):
+    event = (1.0, 0.0, 0.0, 0.0)
+    return Phase("p", m, c, k, f, g, False, 0.0, event, 1.0, 0.0, ())
+
+
+def reference(numbers, start, angle, duration):
+    """Return displacement and velocity with 60 digits, from exp of the 5 x 5 matrix."""
+    m, c, k, f, g, omega, _ = map(mp.mpf, numbers)
+    A = mp.matrix(5)
+    A[0, 1] = 1
+    A[1, 0], A[1, 1], A[1, 2], A[1, 3] = -k / m, -c / m, f / m, g / m
+    A[3, 4], A[4, 3] = -omega, omega
+    y = mp.matrix([*start, 1, mp.cos(angle), mp.sin(angle)])
+    return mp.expm(A * duration) * y
+
+
+@pytest.mark.parametrize("name", PHASES)
+def test_motion_and_derivatives(name) -> None:
+    numbers = PHASES[name]
+    phase, omega, s = phase_of(*numbers[:5]), numbers[5], numbers[6]
+    with mp.workdps(60):
+        x, v, *_ = reference(numbers, START, ANGLE, mp.mpf(s))
+        small = mp.mpf(10) ** -25
+        after = reference(numbers, START, ANGLE, s + small)
+        turned = reference(numbers, START, ANGLE + small, mp.mpf(s))
+        columns = [
+            reference(numbers, (START[0] + small * i, START[1] + small * j), ANGLE, mp.mpf(s))
+            for i, j in ((1, 0), (0, 1))
+        ]
+        state = np.array([float(x), float(v)])
+        by_duration = np.array([float((after[i] - (x, v)[i]) / small) for i in (0, 1)])
+        by_angle = np.array([float((turned[i] - (x, v)[i]) / small) for i in (0, 1)])
+        by_start = np.array(
+            [[float((y[i] - (x, v)[i]) / small) for y in columns] for i in (0, 1)]
+        )
+    found = flow.end(phase, np.array(START), ANGLE, omega, s)
+    # velocities are of the size of the fastest rate, which multiplies their rounding errors
+    rate = max(1.0, math.sqrt(abs(numbers[2] / numbers[0])))
+    size = np.abs(state).max()
+    np.testing.assert_allclose(found.state[0], state[0], rtol=0, atol=1e-14 * size)
+    np.testing.assert_allclose(found.state[1], state[1], rtol=0, atol=1e-14 * rate * size)
+    for ours, theirs in (
+        (found.by_duration, by_duration),
+        (found.by_angle, by_angle),
+        (found.by_start, by_start),
+    ):
+        size = max(np.abs(theirs).max(), 1.0)
+        np.testing.assert_allclose(ours, theirs, rtol=0, atol=2e-14 * rate * size)
+
+
+@pytest.mark.parametrize("name", PHASES)
+def test_motion_satisfies_its_equation_in_between(name) -> None:
+    m, c, k, f, g, omega, s = PHASES[name]
+    phase = phase_of(m, c, k, f, g)
+    t = np.linspace(0.0, s, 7)
+    x, v, a = (flow.motion(phase, np.array(START), ANGLE, omega, t, j) for j in (0, 1, 2))
+    assert (x[0], v[0]) == START
+    residual = m * a + c * v + k * x - f - g * np.cos(omega * t + ANGLE)
+    size = max(m * np.abs(a).max(), abs(c) * np.abs(v).max(), abs(k) * np.abs(x).max(), 1)
+    np.testing.assert_allclose(residual, 0, atol=1e-14 * size)
+    end = flow.end(phase, np.array(START), ANGLE, omega, s)
+    np.testing.assert_allclose([x[-1], v[-1]], end.state, rtol=1e-14)
+
+
+def test_a_held_phase_keeps_its_speed() -> None:
+    phase = Phase("p", 1, 0, 0, 0, 0, True, 1.5, (1, 0, 0, 0), 1, 0, ())
+    found = flow.end(phase, np.array([0.5, 99.0]), 0.0, 0.0, 2.0)
+    assert found.state.tolist() == [3.5, 1.5]
+    assert found.by_duration.tolist() == [1.5, 0]
+    assert found.by_start.tolist() == [[1, 0], [0, 0]]
+    t = np.array([0.0, 2.0])
+    assert flow.motion(phase, np.array([0.5, 9.0]), 0, 0, t, 0).tolist() == [0.5, 3.5]
+    assert flow.motion(phase, np.array([0.5, 9.0]), 0, 0, t, 2).tolist() == [0, 0]
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-12, 1e-6, 1e-3, 0.3, 0.99, 1.01, 3.0, 30.0])
+def test_divided_differences_of_near_and_far_nodes(gap) -> None:
+    t = np.array([1.0])
+    a, b, c = -0.3 + 1j, -0.3 + 1j + gap * 1j, -0.3 + 1j - 0.7 * gap
+    with mp.workdps(80):
+        nodes = [mp.mpc(z) + j * mp.mpf(10) ** -25 for j, z in enumerate((a, b, c))]
+        values = [mp.exp(z) for z in nodes]
+        ab, bc = ((values[i] - values[i + 1]) / (nodes[i] - nodes[i + 1]) for i in (0, 1))
+        two, three = complex(ab), complex((ab - bc) / (nodes[0] - nodes[2]))
+    assert of_two(a, b, t)[0] == pytest.approx(two, rel=4e-15)
+    assert of_three(a, b, c, t)[0] == pytest.approx(three, rel=2e-14)
+    assert of_three(c, a, b, t)[0] == pytest.approx(three, rel=2e-14)

@@ -1,0 +1,176 @@
+"""Newton's method on coefficients and times, and the first iterates that it gets."""
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from made_scenes import made
+
+from nonsmooth.solver.scenes import library
+from nonsmooth.solver.scenes.attempt import attempt
+from nonsmooth.solver.scenes.iteration import ROUNDOFF
+from nonsmooth.solver.scenes.kernel import fingerprint, linked
+from nonsmooth.solver.scenes.newton import newton
+from nonsmooth.solver.scenes.start import rough_times, with_coefficients
+
+IMPACT = library.load("impact")
+DAMPED = library.load("stick-slip-damped")
+
+
+def solve(residual, jacobian, start, durations=1, forced=False, seen=None, **options):
+    """Solve small systems of a coefficient, durations and maybe the phase of a forcing."""
+
+    def fill_residual(case, z, R):
+        if seen is not None:
+            seen.append(z.copy())
+        R[:] = residual(z)
+
+    def fill_jacobian(case, z, J):
+        J[:] = jacobian(z)
+
+    iteration = linked(fill_residual, fill_jacobian, durations, forced)
+    return newton(iteration, None, np.array(start, dtype=float), **options)
+
+
+def quadratic(z):
+    return [z[0] - 1, z[1] ** 2 - 4]
+
+
+def quadratic_jacobian(z):
+    return [[1, 0], [0, 2 * z[1]]]
+
+
+def test_converges_quadratically_to_the_last_digit() -> None:
+    outcome = solve(quadratic, quadratic_jacobian, [0.5, 3])
+    assert outcome.converged
+    assert outcome.unknowns.tolist() == [1, 2]
+    assert outcome.iterations <= 6
+    assert outcome.correction <= ROUNDOFF
+    assert outcome.residual_norm == 0
+
+
+def test_the_start_is_not_overwritten() -> None:
+    start = np.array([0.5, 3.0])
+    solve(quadratic, quadratic_jacobian, start)
+    assert start.tolist() == [0.5, 3]
+
+
+@pytest.mark.parametrize(
+    ("residual", "jacobian", "reason"),
+    [
+        (lambda z: [z[0] ** 2 + 1, z[1] - 2], lambda z: np.diag([2 * z[0], 1]), "no step"),
+        (quadratic, lambda z: np.zeros((2, 2)), "the Jacobian is singular"),
+        (lambda z: [math.inf, 0], quadratic_jacobian, "the equations overflow"),
+        (lambda z: [z[0] - 1, z[1] ** 2], quadratic_jacobian, "within the limit"),
+    ],
+)
+def test_failure_is_reported_not_returned(residual, jacobian, reason) -> None:
+    outcome = solve(residual, jacobian, [0.5, 3], limit=20)
+    assert not outcome.converged
+    assert reason in outcome.reason
+
+
+def test_steps_of_the_times_are_limited() -> None:
+    goal = np.array([1.0, 0.01, 8.0, 5.0])
+    seen = []
+    outcome = solve(
+        lambda z: z - goal, lambda z: np.eye(4), [1, 1, 1, 0], 2, forced=True, seen=seen
+    )
+    assert outcome.converged
+    np.testing.assert_allclose(outcome.unknowns, goal, rtol=1e-14)
+    for before, after in pairwise(seen):
+        assert np.all(np.abs(after[1:3] - before[1:3]) <= 0.4 * before[1:3] * (1 + 1e-12))
+        assert abs(after[3] - before[3]) <= 0.8 * (1 + 1e-12)
+
+
+def test_the_scale_of_an_equation_changes_nothing_but_rounding() -> None:
+    rows = np.array([1e-12, 1e12])
+    plain = solve(quadratic, quadratic_jacobian, [0.5, 3])
+    scaled = solve(
+        lambda z: rows * quadratic(z),
+        lambda z: rows[:, None] * np.array(quadratic_jacobian(z)),
+        [0.5, 3],
+    )
+    assert scaled.iterations == plain.iterations
+    np.testing.assert_allclose(scaled.unknowns, plain.unknowns, rtol=1e-15)
+
+
+def test_what_no_longer_falls_has_converged_and_says_how_far() -> None:
+    generator = np.random.default_rng(0)
+
+    def noisy(z):
+        return [z[0] - 1, z[1] - 2 + 1e-12 * generator.normal()]
+
+    outcome = solve(noisy, lambda z: np.eye(2), [0.5, 3])
+    assert outcome.converged
+    assert 1e-15 < outcome.correction < 1e-11
+
+
+def test_compiled_and_plain_kernels_give_the_same_bits() -> None:
+    case = IMPACT()
+    times = np.array([6.2, 1.0])
+    plain, compiled = (
+        attempt(library.kernel(IMPACT, "ck-tau", compile_it=flag), case, 8, times)
+        for flag in (False, True)
+    )
+    assert plain.outcome.converged
+    assert plain.unknowns.tolist() == compiled.unknowns.tolist()
+    assert plain.outcome.iterations == compiled.outcome.iterations
+
+
+def test_the_key_of_compiled_code_covers_all_of_it() -> None:
+    module = SimpleNamespace(BODY="a", DURATIONS=1, FORCED=False)
+    changes = ({"BODY": "b"}, {"DURATIONS": 2}, {"FORCED": True})
+    keys = {fingerprint(SimpleNamespace(**{**vars(module), **change})) for change in changes}
+    assert len(keys | {fingerprint(module)}) == 4
+
+
+def test_coefficients_at_exact_times_solve_all_conditions() -> None:
+    kernel, case = library.kernel(IMPACT, "ck-tau"), IMPACT()
+    solved = attempt(kernel, case, 8, np.array([6.28, 1.0])).unknowns
+    z = with_coefficients(kernel, case.numbers, len(solved), kernel.times(solved))
+    np.testing.assert_allclose(z, solved, rtol=0, atol=1e-12)
+
+
+def test_rough_times_of_a_forced_cell_go_all_around_and_fill_it() -> None:
+    starts = list(rough_times(IMPACT().cell))
+    assert len(starts) == 12
+    assert all(sum(start.durations) == pytest.approx(2 * math.pi) for start in starts)
+    angles = [start.angle for start in starts]
+    np.testing.assert_allclose(np.diff(angles), math.pi / 6)
+
+
+def test_rough_times_without_forcing_begin_with_half_periods() -> None:
+    starts = list(rough_times(DAMPED().cell))
+    assert starts[0].durations == (math.pi, math.pi)
+    assert len({start.durations for start in starts}) == len(starts) == 5
+
+
+def test_the_guess_of_a_scene_comes_first() -> None:
+    equation = (1, 0.1, 1, 0, 1)
+    scene = made([equation] * 2, [(1, 0, 0, 0)] * 2, omega=2.0, guess=(3.0, 1.0))
+    first = next(rough_times(scene().cell))
+    assert first.durations == pytest.approx((0.75 * math.pi, 0.25 * math.pi))
+    assert "guess" in first.words
+
+
+def test_the_first_coefficients_do_not_depend_on_the_scale_of_an_equation() -> None:
+    kernel, case = library.kernel(IMPACT, "ck-tau"), IMPACT()
+    size = kernel.size(5)
+    rows = 10.0 ** np.random.default_rng(0).uniform(-6, 6, size)
+
+    def residual(case, z, R):
+        kernel.residual(case, z, R)
+        R *= rows
+
+    def jacobian(case, z, J):
+        kernel.jacobian(case, z, J)
+        J *= rows[:, None]
+
+    times = np.array([6.0, 1.5])  # that no coefficients satisfy
+    scaled = replace(kernel, residual=residual, jacobian=jacobian)
+    one, two = (with_coefficients(k, case.numbers, size, times) for k in (kernel, scaled))
+    np.testing.assert_allclose(one, two, rtol=0, atol=1e-12)
