@@ -11,16 +11,23 @@ Stages, one file each, in the order in which a derivation runs through them:
    (`expansion`); `emit` writes it as a module of kernels, `generate` puts the modules into
    ``generated/``, and `alongside` shows an equation and its functions together.
 
+Any scene: `scene` and `scenes` hold oscillators as data, `expansions` and `galerkin` derive the
+conditions of any of them, `show` makes them records for a reader, `emission` kernels.
+
 Nothing else in the package imports SymPy.
 """
 
 from collections.abc import Callable, Mapping
 from functools import cache
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from . import alongside, c1, c1_reduced, hb, hb_c1, hb_symmetric
 from .alongside import SideBySide
 from .system import DerivationError, Equation, GalerkinSystem
+
+if TYPE_CHECKING:
+    from .scene import Scene
 
 #: The methods of the paper, in its order, and what derives each.
 METHODS: Mapping[str, Callable[[], GalerkinSystem]] = MappingProxyType(
@@ -33,15 +40,21 @@ SOLVED: Mapping[str, Callable[[], GalerkinSystem]] = MappingProxyType(
 )
 
 
-@cache
-def derive(method: str) -> GalerkinSystem:
+def derive(
+    method: str, scene: "str | Scene | None" = None, functions: int | None = None
+) -> GalerkinSystem:
     """Return the derived equations of a method.
 
     Parameters
     ----------
     method : {"hb", "hb-c1", "c1", "hb-symmetric", "c1-reduced"}
         Section 3.1, 3.2 or 3.3 of the paper; or what is solved in place of the first two,
-        by the symmetry of the orbit, and of the third, as one scalar equation.
+        by the symmetry of the orbit, and of the third, as one scalar equation.  With a
+        scene: ``"hb"``, ``"hb-ck"``, ``"ck"``, ``"ck-tau"``, or spelled with its class.
+    scene : str or Scene, optional
+        Another oscillator than the paper's: its name, the path of its file, or itself.
+    functions : int, optional
+        With a scene and ``"hb-ck"``: functions with a break at each switch.
 
     Returns
     -------
@@ -51,17 +64,35 @@ def derive(method: str) -> GalerkinSystem:
     Raises
     ------
     ValueError
-        If `method` is none of these.
+        If `method` or `scene` is none of these.
 
     Examples
     --------
     >>> derive("c1").equation("16").sides[1]  # doctest: +ELLIPSIS
     e_0*t + e_1 + ...
+    >>> derive("ck-tau", scene="impact").title
+    'functions of class `C^0`, tested with Legendre polynomials'
     """
+    if scene is None:
+        return _of_the_paper(method)
+    from .show import derive_scene  # noqa: PLC0415  (its sections are those of this package)
+
+    return derive_scene(scene, method, functions)
+
+
+@cache
+def _of_the_paper(method: str) -> GalerkinSystem:
     known = {**METHODS, **SOLVED}
     if method not in known:
         raise ValueError(f"method: got {method!r}, expected one of {', '.join(known)}")
     return known[method]()
+
+
+def derive_scene(
+    name_or_scene: "str | Scene", method: str, functions: int | None = None
+) -> GalerkinSystem:
+    """Return the equations of a scene in an expansion; see `show.derive_scene`."""
+    return derive(method, name_or_scene, functions)
 
 
 def side_by_side(method: str) -> tuple[SideBySide, ...]:
@@ -99,5 +130,6 @@ __all__ = [
     "GalerkinSystem",
     "SideBySide",
     "derive",
+    "derive_scene",
     "side_by_side",
 ]

@@ -17,6 +17,22 @@ from .system import Inner
 SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")
 SUPERSCRIPTS = str.maketrans("0123456789+-()cijklmns", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᶜⁱʲᵏˡᵐⁿˢ")
 
+#: Words that are set high; Unicode has no q.
+RAISED = str.maketrans("abcdefghijklmnoprstuvwxyz", "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ")
+
+
+def with_word(label: str) -> tuple[str, str]:
+    """Return a name and the word of several letters below it, if it has one.
+
+    Examples
+    --------
+    >>> with_word("d_flight"), with_word("F_N")
+    (('d', 'flight'), ('F_N', ''))
+    """
+    name, _, word = label.partition("_")
+    several = name and len(word) > 1 and word[0].isalpha()
+    return (name, word) if several else (label, "")
+
 
 class _Drawing(PrettyPrinter):  # type: ignore[misc]
     """SymPy's drawing with the paper's symbols, and sums and integrals three lines high."""
@@ -24,6 +40,11 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
     def _name(self, label: str) -> str:
         if self._use_unicode and label.startswith("R_"):
             return f"R{f'({label[2:]})'.translate(SUBSCRIPTS)}"
+        if self._use_unicode and label.endswith(("^+", "^-")):
+            return self._name(label[:-2]) + label[-1].translate(SUPERSCRIPTS)
+        name, word = with_word(label)
+        if word:
+            return f"{self._name(name)}_{word}"
         return str(super()._print_Symbol(sp.Symbol(label)).s)
 
     def _print_Symbol(self, expr: sp.Symbol, bold_name: bool = False) -> prettyForm:
@@ -39,6 +60,9 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         name, _, raised = label.partition("^")
         if name[0] in "CS" and name[1:].isdigit():
             name, raised = name[0], f"({name[1:]})"
+        short, word = with_word(name)
+        if word and all(ord(letter) in RAISED for letter in word):
+            name, raised = short, word.translate(RAISED)
         lowered = index.replace(" ", "").replace("*", "").translate(SUBSCRIPTS)
         if "N" in lowered:  # Unicode has none that is set low
             lowered = f"[{index}]"
@@ -136,7 +160,21 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         head = self._indexed(name, (index,))
         return prettyForm(*stringPict.next(head, prettyForm(*self._print(argument).parens())))
 
+    def _print_bernoulli(self, expr: sp.bernoulli) -> prettyForm:
+        return self._with_index("B", expr)
+
+    def _print_euler(self, expr: sp.euler) -> prettyForm:
+        return self._with_index("E", expr)
+
+    def _print_legendre(self, expr: sp.legendre) -> prettyForm:
+        return self._with_index("P", expr)
+
+    def _print_KroneckerDelta(self, expr: sp.KroneckerDelta) -> prettyForm:
+        return prettyForm(self._indexed("delta", expr.args))
+
     def _print_jn(self, expr: sp.jn) -> prettyForm:
+        if not expr.args[0].is_Integer:
+            return self._with_index("j", expr)
         argument = prettyForm(*self._print(expr.args[1]).parens())
         return prettyForm(*stringPict.next(self._name(f"j{expr.args[0]}"), argument))
 

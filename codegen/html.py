@@ -83,7 +83,7 @@ def _sides(equation: Equation) -> str:
     first, *others = map(_in_pieces, equation.sides)
     for side in others:
         side[0] = f"{{}} = {side[0]}"
-    lines = [first + others[0], *others[1:]]
+    lines = [first + others[0], *others[1:]] if others else [first]
     blocks = ("<wbr>\n".join(map(mathml, line)) for line in lines)
     return "\n".join(f'<div class="side">{block}</div>' for block in blocks)
 
@@ -129,11 +129,20 @@ def equations_html(methods: Iterable[str], order: int | None = None) -> str:
     Its page has `STYLE` in a ``style`` element.  Equation (14) has the anchor ``eq-14``; the
     second of the same number, in another phase or method, ``eq-14-2``.
     """
+    return fragment_of(sections(methods, order))
+
+
+def fragment_of(shown: Iterable[Section]) -> str:
+    """Return sections as a fragment of a page."""
     seen: Counter[str] = Counter()
-    return "\n".join(_section(section, seen) for section in sections(methods, order))
+    return "\n".join(_section(section, seen) for section in shown)
 
 
 def html_document(methods: Iterable[str], order: int | None = None) -> str:
     """Return a page, complete, with the equations of `methods`; see `sections`."""
-    body = equations_html(methods, order)
-    return PAGE.format(title=TITLE, style=STYLE, body=body)
+    return page_of(sections(methods, order), TITLE)
+
+
+def page_of(shown: Iterable[Section], title: str) -> str:
+    """Return a page, complete, with these sections under a title."""
+    return PAGE.format(title=escape(title), style=STYLE, body=fragment_of(shown))

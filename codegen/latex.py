@@ -3,13 +3,15 @@
 Input: the records.  Output: one string.
 """
 
+import re
 from collections.abc import Iterable
 
 import sympy as sp
+from sympy.printing.pretty.stringpict import prettyForm
 
-from .drawing import drawn
+from .drawing import drawn, with_word
 from .pieces import Piece, filled, pieces, signed
-from .sections import sections
+from .sections import Section, sections
 from .system import Equation
 from .typeset import latex
 from .words import words_and_mathematics
@@ -25,7 +27,7 @@ PREAMBLE = r"""\documentclass[a4paper]{article}
 \usepackage{amssymb}
 \usepackage[margin=2cm]{geometry}
 \allowdisplaybreaks
-\title{Harmonic balance and Galerkin equations of the stick--slip oscillator}
+\title{<title>}
 \author{derived by \texttt{nonsmooth} after Kim and Perkins (2003)}
 \date{}
 \begin{document}
@@ -35,6 +37,8 @@ balance/Galerkin method for non-smooth dynamic systems, \emph{Journal of Sound a
 Vibration} 261 (2003) 213--224.  What has no number there has none here.
 """
 
+#: Of the equations of the paper.
+TITLE = "Harmonic balance and Galerkin equations of the stick--slip oscillator"
 
 FRAGMENT = r"""% Needs \usepackage{amsmath,amssymb} in the preamble; long equations may break
 % across pages with \allowdisplaybreaks.  Numbers are those of Kim and Perkins (2003),
@@ -67,21 +71,35 @@ def _opening(before: sp.Expr) -> str:
 
 def _lines(side: sp.Expr, limit: int) -> list[str]:
     """Return one side as lines of LaTeX, as many pieces on each as fit."""
-    parts = pieces(side, lambda term: drawn(term).width() + SIGN > limit)
+    parts = pieces(side, lambda term: _measured(term).width() + SIGN > limit)
     lines = filled(list(map(width, parts)), limit)
     return [" ".join(" ".join(latex_piece(part)) for part in parts[line]) for line in lines]
 
 
 def width(piece: Piece) -> int:
     """Return roughly how wide a piece is, in characters of the drawing."""
-    before = (drawn(part, sign=isinstance(part, sp.Sum)) for part in piece.opens)
-    return sum(SIGN + form.width() for form in (*before, drawn(piece.term)))
+    before = (_measured(part, sign=isinstance(part, sp.Sum)) for part in piece.opens)
+    return sum(SIGN + form.width() for form in (*before, _measured(piece.term)))
+
+
+def _measured(expression: sp.Expr, sign: bool = False) -> prettyForm:
+    """Return a drawing in which words in names are as short as small type makes them."""
+    names = {str(name): name for name in expression.atoms(sp.Symbol)}
+    short = {
+        name: sp.Symbol(f"{head}_{word[: len(word) // 2 + 1]}", **name.assumptions0)
+        for label, name in names.items()
+        for head, word in [with_word(label)]
+        if word
+    }
+    return drawn(expression.xreplace(short), sign=sign)
 
 
 def aligned(equation: Equation) -> str:
     """Return the mathematics of one equation, a line a side or more."""
     first, *others = equation.sides
-    head = drawn(first).width()
+    if not others:  # a relation by itself
+        return f"\\begin{{aligned}}\n& {latex(first)}\n\\end{{aligned}}"
+    head = _measured(first).width()
     narrow = head <= LINE // 4
     # A wide first side has lines to itself; the others stand beside a narrow one.
     rows = [] if narrow else _rows("&", first, LINE)
@@ -114,19 +132,24 @@ def in_notebook(equations: Iterable[Equation]) -> str:
     return "\n\n".join(f"{_prose(e.words)}\n{displayed(e)}" for e in equations)
 
 
+#: What stands for the characters that mean something to TeX.
+_ESCAPED = {mark: rf"\{mark}" for mark in "_&%#$"} | {"^": r"\textasciicircum{}"}
+_SPECIAL = re.compile(r"[_&%#$^]")
+
+
 def _prose(title: str) -> str:
     """Return a title as text, with the mathematics in it set as such."""
     parts = []
     for words, mathematics in words_and_mathematics(title):
-        parts.append(words.replace("_", r"\_"))
+        parts.append(_SPECIAL.sub(lambda found: _ESCAPED[found[0]], words))
         if mathematics:
             parts.append(f"${mathematics}$")
     return "".join(parts)
 
 
-def _body(methods: Iterable[str], order: int | None) -> str:
+def _body(shown: Iterable[Section]) -> str:
     parts = []
-    for section in sections(methods, order):
+    for section in shown:
         parts.append(f"\\section*{{{_prose(section.heading)}}}\n")
         if section.note:
             parts.append(f"{_prose(section.note)}\n")
@@ -136,9 +159,20 @@ def _body(methods: Iterable[str], order: int | None) -> str:
 
 def latex_document(methods: Iterable[str], order: int | None = None) -> str:
     """Return a LaTeX document, complete, with the equations of `methods`; see `sections`."""
-    return f"{PREAMBLE}\n{_body(methods, order)}\n\\end{{document}}\n"
+    return document_of(sections(methods, order), TITLE)
 
 
 def latex_fragment(methods: Iterable[str], order: int | None = None) -> str:
     r"""Return the same without a preamble, for another document to ``\input``."""
-    return f"{FRAGMENT}\n{_body(methods, order)}"
+    return fragment_of(sections(methods, order))
+
+
+def document_of(shown: Iterable[Section], title: str) -> str:
+    """Return a LaTeX document, complete, with these sections under a title."""
+    preamble = PREAMBLE.replace("<title>", _prose(title))
+    return f"{preamble}\n{_body(shown)}\n\\end{{document}}\n"
+
+
+def fragment_of(shown: Iterable[Section]) -> str:
+    """Return the same without a preamble."""
+    return f"{FRAGMENT}\n{_body(shown)}"

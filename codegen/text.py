@@ -12,8 +12,9 @@ from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
 from .drawing import drawn
 from .pieces import Piece, filled, pieces, signed
-from .sections import sections
+from .sections import Section, sections
 from .system import Equation
+from .words import KEPT, spoken
 
 #: Columns for the mathematics, and of the margin left of it.
 COLUMNS, MARGIN = 73, 7
@@ -23,6 +24,9 @@ EQUALS, CONTINUED = "= ", "    "
 
 #: Columns that a sign between two terms takes.
 SIGN = 3
+
+#: Columns by which a term is made narrower as long as the brackets about it do not fit.
+STEP = 8
 
 
 def _drawn_piece(piece: Piece, unicode: bool) -> prettyForm:
@@ -55,12 +59,20 @@ def _with_sign(sign: str, first: bool, *parts: str | prettyForm) -> Sequence[str
 
 def _rows(side: sp.Expr, columns: int, unicode: bool) -> list[prettyForm]:
     """Return one side as lines of drawings, as many pieces on each as fit."""
-    forms = [
-        _drawn_piece(piece, unicode)
-        for piece in pieces(side, lambda term: drawn(term, unicode).width() + SIGN > columns)
-    ]
+    forms = _forms(side, columns, unicode)
+    narrower = range(columns - STEP, columns // 3, -STEP) if side.has(sp.Sum) else ()
+    for limit in narrower:
+        if max(form.width() for form in forms) <= columns:
+            break  # with the sign of the sum and the brackets about it, each term fits
+        forms = _forms(side, limit, unicode)
     lines = filled([form.width() for form in forms], columns)
     return [prettyForm(*stringPict.next(*forms[line])) for line in lines]
+
+
+def _forms(side: sp.Expr, limit: int, unicode: bool) -> list[prettyForm]:
+    """Return the drawings of the pieces of a side, no term wider than a limit."""
+    cut = pieces(side, lambda term: drawn(term, unicode).width() + SIGN > limit)
+    return [_drawn_piece(piece, unicode) for piece in cut]
 
 
 def _stacked(rows: Sequence[prettyForm]) -> list[str]:
@@ -81,6 +93,8 @@ def _prefixed(rows: Sequence[prettyForm], first: str) -> list[prettyForm]:
 
 def _mathematics(sides: Sequence[sp.Expr], unicode: bool) -> list[str]:
     """Return the lines of a chain of sides: beside each other if they fit, else stacked."""
+    if len(sides) == 1:  # a relation by itself
+        return _stacked(_rows(sides[0], COLUMNS, unicode))
     head = drawn(sides[0], unicode)
     room = COLUMNS - head.width() - 1 - len(EQUALS)
     beside = [_rows(side, room, unicode) for side in sides[1:]]
@@ -102,17 +116,29 @@ def equation_text(equation: Equation, unicode: bool = True) -> str:
     number = f"({equation.number})" if equation.number else "-"
     lines = _mathematics(equation.sides, unicode)
     indented = (" " * MARGIN + line if line else "" for line in lines)
-    return "\n".join([f"{number:>5}  {equation.words}", *indented])
+    words = f"{number:>5}  {spoken(equation.words, unicode)}"
+    return "\n".join([_filled(words, " " * MARGIN), *indented])
+
+
+def _filled(words: str, indent: str = "") -> str:
+    """Return words as lines that do not break within mathematics."""
+    return fill(words, COLUMNS + MARGIN, subsequent_indent=indent).replace(KEPT, " ")
 
 
 def text_document(
     methods: Iterable[str], order: int | None = None, *, unicode: bool = True
 ) -> str:
     """Return the equations of `methods` as text for a terminal; see `sections`."""
+    return text_of(sections(methods, order), unicode)
+
+
+def text_of(shown: Iterable[Section], unicode: bool = True) -> str:
+    """Return sections as text for a terminal."""
     parts = []
-    for section in sections(methods, order):
-        parts.append(f"{section.heading}\n{'=' * len(section.heading)}\n")
+    for section in shown:
+        heading = spoken(section.heading, unicode).replace(KEPT, " ")
+        parts.append(f"{heading}\n{'=' * len(heading)}\n")
         if section.note:
-            parts.append(fill(section.note, COLUMNS + MARGIN) + "\n")
+            parts.append(_filled(spoken(section.note, unicode)) + "\n")
         parts.extend(f"{equation_text(e, unicode)}\n" for e in section.equations)
     return "\n".join(parts)

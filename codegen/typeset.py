@@ -9,6 +9,7 @@ import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
 from .c1_legendre import ShiftedLegendre, TwiceIntegrated
+from .drawing import with_word
 
 
 class _Latex(LatexPrinter):  # type: ignore[misc]
@@ -18,11 +19,17 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         names = {"t1": "t_{1}", "a0": "a_{0}", "c1": "c_{1}"}
         if expr.name.startswith("R_"):
             return rf"\mathcal{{R}}_{{({expr.name[2:]})}}"
+        short, word = with_word(expr.name)
+        if word:
+            return f"{self._print(sp.Symbol(short))}_{{{_upright(word)}}}"
         name = names.get(expr.name) or str(super()._print_Symbol(expr))
         return _WORD.sub(r"\\mathrm{\g<0>}", name)
 
     def _print_Indexed(self, expr: sp.Indexed) -> str:
         base, indices = str(expr.base.label), ", ".join(map(self._print, expr.indices))
+        name, word = with_word(base)
+        if word:
+            return rf"{self._print(sp.Symbol(name))}^{{{_upright(word)}}}_{{{indices}}}"
         name = self._print(expr.base.label)
         if base[0] in "CS" and base[1:].isdigit():
             return rf"{base[0]}^{{({base[1:]})}}_{{{indices}}}"
@@ -58,6 +65,10 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
     def _print_Heaviside(self, expr: sp.Heaviside, exp: str | None = None) -> str:
         return rf"H\left({self._print(expr.args[0])}\right)"
 
+    def _print_KroneckerDelta(self, expr: sp.KroneckerDelta, exp: str | None = None) -> str:
+        first, second = map(self._print, expr.args)
+        return rf"\delta_{{{first}, {second}}}"
+
     def _print_ShiftedLegendre(self, expr: ShiftedLegendre, exp: str | None = None) -> str:
         index, argument = map(self._print, expr.args)
         return rf"P^{{*}}_{{{index}}}\left({argument}\right)"
@@ -65,6 +76,10 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
     def _print_TwiceIntegrated(self, expr: TwiceIntegrated, exp: str | None = None) -> str:
         index, argument = map(self._print, expr.args)
         return rf"Q_{{{index}}}\left({argument}\right)"
+
+
+def _upright(word: str) -> str:
+    return rf"\mathrm{{{word.replace('_', chr(92) + '_')}}}"
 
 
 _DOTS = {sp.Function("x"): "x", sp.Function("g1"): "g_{1}"}

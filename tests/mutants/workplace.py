@@ -11,6 +11,9 @@ from .mutant import Mutant
 
 ROOT = Path(__file__).resolve().parents[2]
 
+#: Pytest's status where a test module cannot be imported, as with a derivation that is refused.
+COLLECTION = 2
+
 #: Seconds after which a run counts as one that hangs.
 PATIENCE = 400.0
 
@@ -101,6 +104,8 @@ class Workplace:
             for name, (old, stat) in before.items():
                 name.write_text(old, "utf-8")
                 os.utime(name, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+        if status == COLLECTION and "during collection" in output:
+            return False, "cannot be imported"
         if status not in {0, 1}:
             raise CatalogueError(f"pytest ended with {status}: {output[-600:]}")
         failed = [line for line in output.splitlines() if line.startswith(("FAILED", "ERROR"))]

@@ -1,10 +1,11 @@
-"""``nonsmooth equations``: the derived equations, numbered as in the paper."""
+"""``nonsmooth equations``: the derived equations of any scene, numbered as in the paper."""
 
 import os
 import sys
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -18,6 +19,9 @@ METHODS = ("hb", "hb-c1", "c1")
 #: What is solved in place of the first two and of the third.
 SOLVED = ("hb-symmetric", "c1-reduced")
 
+#: The scene of the paper, whose methods these are.
+SCENE = "stick-slip"
+
 #: What the suffix of a file says about its format.
 SUFFIXES = {".txt": "text", ".tex": "latex", ".html": "html", ".pdf": "pdf"}
 
@@ -30,15 +34,36 @@ Examples:
   nonsmooth equations --format latex --fragment -o equations.tex
   nonsmooth equations --method c1 --expand 2
   nonsmooth equations --method hb-symmetric    what is solved for hb, hb-c1
+  nonsmooth equations impact --method ck-tau -o impact.pdf
 """
 
 
+class _Method(click.Choice[str]):
+    """The methods of the paper; with another scene, those that it can be derived in."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Any:
+        scene = ctx.params.get("scene") if ctx else None
+        ours = isinstance(scene, str) and not (scene == SCENE and value in self.choices)
+        return value if ours else super().convert(value, param, ctx)
+
+
 @click.command(epilog=EPILOG)
+@click.argument("scene", required=False, is_eager=True)
 @click.option(
     "--method",
-    type=click.Choice((*METHODS, *SOLVED)),
+    type=_Method((*METHODS, *SOLVED)),
     help="Section 3.1, 3.2 or 3.3, without it all; or what is solved in place of the first "
-    "two, about mid-stick, and of the third in batches, as one equation.",
+    "two, about mid-stick, and of the third in batches, as one equation.  With a SCENE: hb, "
+    "hb-ck, ck or ck-tau, also spelled with its class, as c0-tau.",
+)
+@click.option(
+    "--functions",
+    type=int,
+    metavar="K",
+    help="With a SCENE and hb-ck: functions with a break at each switch; without it one, at "
+    "an impact two.",
 )
 @click.option(
     "--format", "format_", type=click.Choice(FORMATS),
@@ -52,24 +77,37 @@ Examples:
 )  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file.")
 def equations(
-    method: str | None, format_: str | None, fragment: bool, order: int | None,
-    output: Path | None,
+    scene: str | None, method: str | None, functions: int | None, format_: str | None,
+    fragment: bool, order: int | None, output: Path | None,
 ) -> None:  # fmt: skip
     """Print the equations that SymPy derives, with the numbers of the paper.
 
+    SCENE is the name of an oscillator, or the path of its file, a program that is run;
+    without it the equations are those of the paper, of stick-slip.
     Text is plain ASCII where the terminal has no other characters, or with LC_ALL=C.
     """
     check_target(output, ())
     chosen = _format(format_, output)
     if fragment and chosen != "latex":
         raise Problem(f"--fragment: got format {chosen}, expected latex")
-    document = _document(chosen, fragment, output is not None)
+    ours = scene is not None and not (scene == SCENE and method in (None, *METHODS, *SOLVED))
+    if functions is not None and not ours:
+        raise Problem(f"--functions: got {functions}, expected a SCENE and hb-ck with it")
+    if order is not None and ours:
+        raise Problem(
+            f"--expand: got {order}, expected no SCENE: only the paper's are written out"
+        )
     try:
         with busy("deriving the equations"):
-            text = document([method] if method else METHODS, order)
+            if ours and scene is not None:
+                text = _of_scene(scene, method, functions, chosen, fragment, output is not None)
+            else:
+                document = _document(chosen, fragment, output is not None)
+                text = document([method] if method else METHODS, order)
     except ValueError as error:
         name, _, expected = str(error).partition(": ")
-        raise Problem(f"--{'expand' if name == 'order' else name}: {expected}") from error
+        option = {"order": "--expand", "scene": "SCENE"}.get(name, f"--{name}")
+        raise Problem(f"{option}: {expected}") from error
     if output is None:
         click.echo(text, nl=False)
     elif chosen == "pdf":
@@ -118,6 +156,22 @@ def _document(
     from nonsmooth.codegen import latex  # noqa: PLC0415
 
     return latex.latex_fragment if fragment else latex.latex_document
+
+
+def _of_scene(
+    scene: str, method: str | None, functions: int | None, format_: str, fragment: bool,
+    to_file: bool,
+) -> str:  # fmt: skip
+    """Return the document of a scene."""
+    from nonsmooth.codegen import html, latex, show, text  # noqa: PLC0415
+
+    shown = show.sections(scene, [method] if method else (), functions)
+    title = f"Galerkin equations of {show.scene_named(scene).title}"
+    if format_ == "html":
+        return html.page_of(shown, title)
+    if format_ == "text":
+        return text.text_of(shown, to_file or _terminal_has_unicode())
+    return latex.fragment_of(shown) if fragment else latex.document_of(shown, title)
 
 
 def _terminal_has_unicode() -> bool:

@@ -1,0 +1,156 @@
+"""Functions with a break beside a Fourier series, for the reader.
+
+In the record their coefficients are ``c2_flight``, their values at the ends of the phases and
+their integrals with harmonics are tables.  Shown are ``beta_n(u)``, polynomials of Bernoulli or
+Euler, and the residual ``r_n(t)`` of each.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..expansions import hb_ck
+from ..galerkin import GalerkinConditions
+from ..galerkin.breaks import beta
+from ..galerkin.tables import l
+from ..scene import LinearPhase
+from ..system import Equation, Inner
+from .functions import member, omega_0, t, u
+from .notation import Notation
+
+_n = sp.Symbol("n", integer=True, nonnegative=True)
+
+
+@dataclass(frozen=True)
+class Breaks:
+    """The functions with a break of some conditions; none, if there are none.
+
+    Parameters
+    ----------
+    notation : Notation
+    orders : tuple of (int, int)
+        The switch and the n of each function.
+    """
+
+    notation: Notation
+    orders: tuple[tuple[int, int], ...]
+
+    @classmethod
+    def of(cls, conditions: GalerkinConditions, notation: Notation) -> "Breaks":
+        """Return the functions with a break that some conditions have."""
+        if not conditions.break_series:
+            return cls(notation, ())
+        symbols = {block.symbol for block in conditions.blocks}
+        possible = hb_ck.Expansion.of(conditions.scene, len(conditions.break_series))
+        return cls(notation, tuple((p, n) for p, n, c in possible.all() if c in symbols))
+
+    def _word(self, p: int) -> str:
+        return self.notation.found[p].before
+
+    def unknown(self, p: int, n: int) -> sp.Expr:
+        """Return the coefficient of a function."""
+        return sp.IndexedBase(f"c_{self._word(p)}", real=True)[n]
+
+    def expansion(self) -> sp.Expr:
+        """Return what the functions add to the Fourier series."""
+        return sp.Add(*(self.unknown(p, n) * self._function(p, n) for p, n in self.orders))
+
+    def _function(self, p: int, n: int) -> sp.Expr:
+        return member(f"beta_{self._word(p)}", n, t)
+
+    def argument(self, p: int, q: int, time: sp.Expr) -> tuple[int, sp.Expr]:
+        """Return the sign of a function of switch `p` on phase `q`, and its `u` at a time."""
+        part = sp.expand((time - self.notation.at(p)) / self.notation.cell)
+        return (1, part) if q >= p else (self.notation.times.sign, part + 1)
+
+    def definitions(self) -> Iterator[Equation]:
+        """Yield the functions: on each phase, and as polynomials."""
+        for p in dict.fromkeys(p for p, _ in self.orders):
+            for q in range(len(self.notation.found)):
+                sign, part = self.argument(p, q, t)
+                name = self._word(p)
+                sides = (member(f"beta_{name}", _n, t), sign * member("beta", _n, part))
+                title = f"function with its break where {name} begins"
+                yield Equation("", title, sides, self.notation.during(q))
+        if not self.orders:
+            return
+        where = ""
+        if self.notation.times.sign == 1:
+            general, kind = -sp.bernoulli(_n, u) / sp.factorial(_n), "Bernoulli"
+        else:
+            general, kind = sp.euler(_n - 1, u) / (2 * sp.factorial(_n - 1)), "Euler"
+            where = "`n = 1, 2, ...`"
+        title = f"by the polynomials of {kind}"
+        yield Equation("", title, (member("beta", _n, u), general), where)
+        for n in sorted({n - r for _, n in self.orders for r in range(3)}):
+            sides = (member("beta", n, u), beta(n, u, self.notation.times.sign))
+            yield Equation("", f"function of order {n}", sides)
+
+    def residual(self, q: int) -> sp.Expr:
+        """Return what the functions add to the residual in phase `q`."""
+        return sp.Add(*(self.unknown(p, n) * self._part(p, n) for p, n in self.orders))
+
+    def _part(self, p: int, n: int) -> sp.Expr:
+        return member(f"r_{self._word(p)}", n, t)
+
+    def residuals(self, q: int, phase: LinearPhase) -> Iterator[Equation]:
+        """Yield the residual of each function in phase `q`."""
+        cell = self.notation.cell
+        for p, n in self.orders:
+            sign, part = self.argument(p, q, t)
+            terms = zip((phase.k, phase.c, phase.m), range(3), strict=True)
+            total = sum(w * self._value(n - r, part) / cell**r for w, r in terms)
+            title = f"residual of the function of order {n}"
+            sides = (self._part(p, n), sp.expand_mul(sign * total))
+            yield Equation("", title, sides, self.notation.during(q))
+
+    def _value(self, n: int, part: sp.Expr) -> sp.Expr:
+        """Return ``beta_n``, a number where it is constant or at the ends of the cell."""
+        constant = part.is_number or n == 0
+        value = beta(n, part, self.notation.times.sign) if constant else 0
+        return value if constant else member("beta", n, part)
+
+    def entries(self, expression: sp.Expr) -> sp.Expr:
+        """Return an expression with the tables written as shown."""
+        values = {}
+        for p, _ in self.orders:
+            word = self._word(p)
+            for entry in expression.atoms(sp.Indexed):
+                label, indices = str(entry.base.label), entry.indices
+                if label == f"beta_{word}":
+                    n, q, left = map(int, indices)
+                    sign, part = self.argument(p, q, self.notation.at(q + left))
+                    values[entry] = sign * self._value(n, part)
+        for p, n in self.orders:
+            for wave, name in (("cos", "G"), ("sin", "H")):
+                table = f"G{n}_{self._word(p)}_{wave}"
+                for entry in expression.atoms(sp.Indexed):
+                    if str(entry.base.label) == table:
+                        values[entry] = self._integral(
+                            name, p, n, self._number(entry.indices[0])
+                        )
+        return expression.xreplace(values)
+
+    def _number(self, index: sp.Expr) -> sp.Expr:
+        """Return the harmonic of the index of a table."""
+        return index if self.notation.times.sign == 1 else 2 * index - 1
+
+    def _integral(self, name: str, p: int, n: int, index: sp.Expr) -> sp.Expr:
+        return sp.IndexedBase(f"{name}_{self._word(p)}")[n, index]
+
+    def integrals(self) -> Iterator[Equation]:
+        """Yield what the integrals with harmonics are."""
+        for p, n in self.orders:
+            for name, f in (("G", sp.cos), ("H", sp.sin)):
+                inner = Inner(self._part(p, n), f(l * omega_0 * t))
+                sides = (self._integral(name, p, n, l), inner)
+                yield Equation("", "integral of a residual with a harmonic", sides)
+
+    def spelled(self, expression: sp.Expr) -> sp.Expr:
+        """Return an expression with the coefficients written as shown."""
+        names = {
+            sp.Symbol(f"c{n}_{self._word(p)}", real=True): self.unknown(p, n)
+            for p, n in self.orders
+        }
+        return expression.xreplace(names)

@@ -1,0 +1,55 @@
+"""What a document on a scene consists of: the oscillator, then each expansion."""
+
+from collections.abc import Iterable
+
+from ..scene import Scene
+from ..sections import Section
+from .library import conditions, methods, scene_named
+from .method import method_equations, unknowns
+from .notation import Notation
+from .scene import scene_equations
+
+
+def sections(
+    scene: str | Scene, names: Iterable[str] = (), functions: int | None = None
+) -> list[Section]:
+    """Return the sections on a scene: what it is, and for each method equations and Jacobian.
+
+    Parameters
+    ----------
+    scene : str or Scene
+    names : iterable of str
+        Of methods; without any, all.
+    functions : int, optional
+        For methods that have functions with breaks; see `derive_scene`.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown.
+    """
+    found = scene_named(scene)
+    shown = [Section(heading(found), scene_equations(found), _parameters(found))]
+    for name in names or tuple(methods()):
+        record = conditions(found, name, functions)
+        system = method_equations(record)
+        title = f"Section {system.section}: {system.title} ({system.method})"
+        listed = "; ".join(f"`{q}`: {what}" for q, what in unknowns(record))
+        shown.append(Section(title, system.equations, f"Unknowns: {listed}."))
+        if system.jacobian:
+            note = "The conditions are linear in the coefficients: their factors are the rest."
+            shown.append(Section(f"Jacobian of {system.method}", system.jacobian, note))
+    return shown
+
+
+def heading(scene: Scene) -> str:
+    """Return what a scene is, with its class."""
+    return f"{scene.name} (`C^{Notation.of(scene).k}`): {scene.title}"
+
+
+def _parameters(scene: Scene) -> str:
+    listed = "; ".join(
+        f"`{q.symbol}`: {q.what}{f' in {q.unit}' if q.unit else ''}" for q in scene.parameters
+    )
+    source = f"  After {scene.source}." if scene.source else ""
+    return f"Parameters: {listed}.{source}"

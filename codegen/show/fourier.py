@@ -1,0 +1,164 @@
+"""Conditions on a Fourier series for the reader: expansion, residual, orthogonality."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import sympy as sp
+
+from ..galerkin import Condition, GalerkinConditions
+from ..galerkin.condition import N
+from ..galerkin.harmonics import Harmonics, a, a0, b, equations, j, n
+from ..system import Equation, Inner
+from .breaks import Breaks
+from .functions import R, Rate, T, omega_0, t, x
+from .joining import statements
+from .notation import Notation
+from .overlaps import Overlaps
+from .tidy import by_unknown
+
+#: Sections of the paper, without and with functions that have breaks.
+SECTIONS = ("3.1", "3.2")
+
+
+class Fourier:
+    """The equations of a scene as a Fourier series, with functions that have breaks or without.
+
+    Parameters
+    ----------
+    conditions : GalerkinConditions
+    """
+
+    def __init__(self, conditions: GalerkinConditions) -> None:
+        self.conditions = conditions
+        self.notation = Notation.of(conditions.scene)
+        self.harmonics = Harmonics(conditions.scene, self.notation.times)
+        self.overlaps = Overlaps.of(self.notation, self.harmonics)
+        self.breaks = Breaks.of(conditions, self.notation)
+        self.section = SECTIONS[bool(conditions.break_series)]
+        self.rows = tuple(self._conditions())
+
+    @staticmethod
+    def fits(conditions: GalerkinConditions) -> bool:
+        """Whether the unknowns are those of a Fourier series."""
+        return any(block.symbol == a for block in conditions.blocks)
+
+    def equations(self) -> Iterator[Equation]:
+        """Yield the expansion, the residual, the conditions, and what they look up."""
+        number = "" if self.breaks.orders else "3"
+        yield Equation(number, "expansion", (x(t), self._series() + self.breaks.expansion()))
+        yield Equation("", "frequency", (omega_0, 2 * sp.pi / T))
+        yield from self.breaks.definitions()
+        yield from self._residual()
+        yield Equation("8", "inner product", self._inner_product())
+        yield from self.rows
+        yield from self._impulses()
+        yield from self._looked_up()
+        yield from self.breaks.integrals()
+
+    def jacobian(self) -> Iterator[Equation]:
+        """Yield the derivatives by the times of what the conditions look up."""
+        for row in self._looked_up():
+            yield from self._rates(row)
+
+    def _looked_up(self) -> Iterator[Equation]:
+        return self.overlaps.definitions(side for row in self.rows for side in row.sides)
+
+    def _rates(self, row: Equation) -> Iterator[Equation]:
+        notation = self.notation
+        turns = 2 if notation.times.sign == 1 else 1
+        name, value = row.sides[0], row.sides[-1]
+        for p in range(1, len(notation.found) + 1):
+            time = notation.at(p)
+            moving = value.subs(omega_0, turns * sp.pi / notation.cell)
+            rate = sp.expand(notation.in_times(sp.diff(moving, time)))
+            if rate == 0:
+                continue
+            sides = (sp.Derivative(name, time, evaluate=False), rate)
+            yield Equation("", "time derivative", sides, row.where)
+
+    def _wave(self, f: type[sp.Function], index: sp.Expr) -> sp.Expr:
+        return f(self.harmonics.number(index) * omega_0 * t)
+
+    def _series(self) -> sp.Expr:
+        waves = a[n] * self._wave(sp.sin, n) + b[n] * self._wave(sp.cos, n)
+        return sp.Sum(waves, (n, 1, N)) + self._mean()
+
+    def _mean(self) -> sp.Expr:
+        return a0 / 2 if self.notation.times.sign == 1 else sp.Integer(0)
+
+    def _residual(self) -> Iterator[Equation]:
+        """Yield (4) phase by phase."""
+        sine, cosine = (self._wave(f, n) for f in (sp.sin, sp.cos))
+        rate = self.harmonics.number(n) * omega_0
+        number = "" if self.breaks.orders else "4"
+        for p, q in enumerate(equations(self.conditions.scene)):
+            spring, damping = q.k - q.m * rate**2, q.c * rate
+            waves = a[n] * (spring * sine + damping * cosine)
+            waves += b[n] * (spring * cosine - damping * sine)
+            force = q.f + q.g * self.notation.times.forcing(t)
+            total = sp.Sum(waves, (n, 1, N)) + q.k * self._mean() - force
+            name = self.conditions.scene.phases[p].name
+            sides = (R, total + self.breaks.residual(p))
+            yield Equation(number, f"residual in {name}", sides, self.notation.during(p))
+            yield from self.breaks.residuals(p, q)
+
+    def _inner_product(self) -> tuple[sp.Expr, sp.Expr]:
+        first, second = sp.Function("a")(t), sp.Function("b")(t)
+        ends = [self.notation.at(p) for p in range(len(self.notation.found) + 1)]
+        parts = (sp.Integral(first * second, (t, *limits)) for limits in pairwise(ends))
+        return Inner(first, second), sp.Add(*parts, evaluate=False)
+
+    def _conditions(self) -> Iterator[Equation]:
+        known = statements(self.notation)
+        for condition in self.conditions.conditions:
+            if condition.name == "cell":
+                continue
+            closed = by_unknown(
+                condition, self.conditions.blocks, self.conditions.scene.symbols, self._spelled
+            )
+            left = self._tested(condition) or (known[condition.name],)
+            sides = (*left, self.breaks.spelled(closed), sp.Integer(0))
+            where = f"`{condition.where}`" if condition.where else ""
+            yield Equation(condition.number, self._title(condition), sides, where)
+
+    def _spelled(self, factor: sp.Expr) -> sp.Expr:
+        moved = self.notation.in_times(factor)
+        return self.breaks.entries(self.overlaps.spelled(moved))
+
+    def _title(self, condition: Condition) -> str:
+        if condition.number == "5":
+            return "residual, orthogonal to the constant"
+        if condition.index is None:
+            return condition.title
+        name = "sin" if condition.name == "by_sine" else "cos"
+        number = self.harmonics.number(condition.index)
+        angle = number if number.is_Symbol else f"({number})"
+        return f"residual, orthogonal to `{name}({angle} omega_0 t)`".replace("*", " ")
+
+    def _tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
+        """Return the left side of an orthogonality condition, impulses included."""
+        tests = {
+            "by_one": sp.Integer(1),
+            "by_sine": self._wave(sp.sin, j),
+            "by_cosine": self._wave(sp.cos, j),
+        }
+        if condition.name not in tests:
+            return ()
+        test = tests[condition.name]
+        left = Inner(R, test)
+        for p, impulse in self._jumps().items():
+            mass = equations(self.conditions.scene)[p].m
+            left -= mass * impulse * test.subs(t, self.notation.at(p))
+        return (left,)
+
+    def _jumps(self) -> dict[int, sp.Symbol]:
+        """Return the unknown jump of the velocity at each switch that has one."""
+        unknown = {str(block.symbol): block.symbol for block in self.conditions.blocks}
+        named = {p: f"J_{switch.before}" for p, switch in enumerate(self.notation.found)}
+        return {p: unknown[name] for p, name in named.items() if name in unknown}
+
+    def _impulses(self) -> Iterator[Equation]:
+        for p, impulse in self._jumps().items():
+            before, after = (Rate(1, self.notation.side(p, sign)) for sign in "-+")
+            title = "the velocity jumps; the series has the mean of both sides"
+            yield Equation("", title, (impulse, after - before))

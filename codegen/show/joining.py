@@ -1,0 +1,61 @@
+"""What joins the phases, as statements on the motion: the left sides of conditions, by name."""
+
+import sympy as sp
+
+from ..galerkin.harmonics import equations
+from .functions import state
+from .notation import Notation
+from .switching import event, law
+
+#: The name of a condition, and the statement: zero.
+Statements = dict[str, sp.Expr]
+
+
+def statements(notation: Notation) -> Statements:
+    """Return continuity, laws of the velocity and events."""
+    found: Statements = {}
+    for p, switch in enumerate(notation.found):
+        sign = notation.scene.sign if p == 0 else 1
+        name, velocity = switch.before, notation.start(p, 1) - law(notation, p)
+        found[f"impact_{name}"] = velocity
+        found[f"velocity_{name}"] = (
+            velocity if switch.k == 0 else _difference(notation, p, 1, sign)
+        )
+        for order in (0, *range(2, switch.k + 1)):
+            key = f"derivative_{order}_{name}" if order else f"displacement_{name}"
+            found[key] = _difference(notation, p, order, sign)
+        for order in range(switch.jumps, switch.jumps + 9):
+            found[f"jump_{order}_{name}"] = _differentiated(notation, p, order)
+    for p, phase in enumerate(notation.scene.phases):
+        found[f"event_{phase.name}"] = event(notation, p)
+    return found
+
+
+def _difference(notation: Notation, p: int, order: int, sign: int) -> sp.Expr:
+    """Return a derivative where phase `p` begins, less that where the one before it ends."""
+    if p == 0:
+        return notation.start(p, order) - sign * notation.end(len(notation.found) - 1, order)
+    return state(order, notation.side(p, "+")) - state(order, notation.side(p, "-"))
+
+
+def _differentiated(notation: Notation, p: int, order: int) -> sp.Expr:
+    """Return the equation of motion, differentiated, right of a switch less left of it."""
+    if order == 1:
+        return notation.start(p, 1) - law(notation, p)
+    left = p - 1 if p else len(notation.found) - 1
+    sign = notation.scene.sign if p == 0 else 1
+    phases, times = equations(notation.scene), notation.times
+
+    def side(q: int, at_end: bool) -> sp.Expr:
+        phase, derivative = phases[q], notation.end if at_end else notation.start
+        total = sum(
+            factor * derivative(q, order - step)
+            for step, factor in enumerate((phase.m, phase.c, phase.k))
+        )
+        force = phase.f if order == 2 else sp.Integer(0)
+        if times.frequency is not None:
+            turned = times.angle(notation.at(q + 1 if at_end else q)) + (order - 2) * sp.pi / 2
+            force += phase.g * times.frequency ** (order - 2) * sp.cos(turned)
+        return total - force
+
+    return side(p, False) - sign * side(left, True)

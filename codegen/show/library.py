@@ -1,0 +1,155 @@
+"""Scenes and expansions by their names: those of the folders, whatever is in them."""
+
+import importlib.util
+from collections.abc import Mapping
+from difflib import get_close_matches
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from pkgutil import iter_modules
+from types import MappingProxyType, ModuleType
+
+from .. import expansions, scenes
+from ..galerkin import GalerkinConditions
+from ..scene import Scene, SceneError, switches
+from ..system import GalerkinSystem
+from .method import method_equations, with_class
+
+
+def derive_scene(
+    scene: str | Scene, method: str, functions: int | None = None
+) -> GalerkinSystem:
+    """Return the equations of a scene in an expansion, for showing.
+
+    Parameters
+    ----------
+    scene : str or Scene
+        A name of ``codegen/scenes``, the path of a scene file, or a scene.
+    method : str
+        A name of ``codegen/expansions``, generic or with the class of the scene.
+    functions : int, optional
+        How many functions with a break there are at each switch, for a method that has them;
+        without it one, and two where the velocity jumps.
+
+    Returns
+    -------
+    GalerkinSystem
+        Derived once in a process for a scene of the folder.
+
+    Raises
+    ------
+    ValueError
+        Naming what is unknown, and the nearest name that is not.
+
+    Examples
+    --------
+    >>> derive_scene("impact", "c0-tau").equations[2].text(unicode=False).splitlines()[0]
+    '    -  expansion in flight; 0 <= t < T'
+    """
+    if isinstance(scene, Scene) or is_path(scene):
+        return _derived(scene_named(scene), method, functions)
+    return _of_the_folder(scene, method, functions)
+
+
+@cache
+def _of_the_folder(scene: str, method: str, functions: int | None) -> GalerkinSystem:
+    return _derived(scene_named(scene), method, functions)
+
+
+def _derived(scene: Scene, method: str, functions: int | None) -> GalerkinSystem:
+    return method_equations(conditions(scene, method, functions))
+
+
+def conditions(scene: Scene, method: str, functions: int | None = None) -> GalerkinConditions:
+    """Return the conditions of a scene in an expansion; see `derive_scene`."""
+    expansion = _expansion(scene, method)
+    if not hasattr(expansion, "FUNCTIONS"):
+        if functions is not None:
+            raise ValueError(f"functions: got {functions}, {method} has none with a break")
+        found: GalerkinConditions = expansion.derive(scene)
+        return found
+    if functions is None:
+        functions = 2 if _class(scene) == 0 else 1
+    if not isinstance(functions, int) or functions < 1:
+        raise ValueError(f"functions: got {functions!r}, expected a whole number from 1")
+    with_breaks: GalerkinConditions = expansion.derive(scene, functions)
+    return with_breaks
+
+
+def _class(scene: Scene) -> int:
+    return min(switch.k for switch in switches(scene))
+
+
+@cache
+def scene_files() -> Mapping[str, Scene]:
+    """Return the scenes of the folder by their names."""
+    found = (
+        import_module(f"{scenes.__name__}.{q.name}") for q in iter_modules(scenes.__path__)
+    )
+    return MappingProxyType({module.SCENE.name: module.SCENE for module in found})
+
+
+@cache
+def methods() -> Mapping[str, ModuleType]:
+    """Return the expansions of the folder by their generic names, the shortest name first."""
+    names = (q.name for q in iter_modules(expansions.__path__))
+    found = [import_module(f"{expansions.__name__}.{name}") for name in names]
+    found.sort(key=lambda module: ("ck" in module.METHOD, len(module.METHOD)))
+    return MappingProxyType({module.METHOD: module for module in found})
+
+
+def is_path(name: str) -> bool:
+    """Whether a scene is given by the path of its file."""
+    return name.endswith(".py") or "/" in name
+
+
+def scene_named(scene: str | Scene) -> Scene:
+    """Return a scene by its name or the path of its file.
+
+    Raises
+    ------
+    ValueError
+        Naming the nearest scene that there is.
+    """
+    if isinstance(scene, Scene):
+        return scene
+    if is_path(scene):
+        return _from_file(Path(scene))
+    known = scene_files()
+    if scene not in known:
+        raise ValueError(f"scene: got {scene!r}, expected {_nearest(scene, list(known))}")
+    return known[scene]
+
+
+def _from_file(path: Path) -> Scene:
+    specification = importlib.util.spec_from_file_location(path.stem, path)
+    if specification is None or specification.loader is None or not path.is_file():
+        raise ValueError(f"scene: cannot read {path}")
+    module = importlib.util.module_from_spec(specification)
+    try:
+        specification.loader.exec_module(module)
+    except SceneError as error:
+        raise ValueError(f"scene: {path}: {error}") from error
+    except Exception as error:  # a scene file is Python and is run
+        raise ValueError(f"scene: {path}: {type(error).__name__}: {error}") from error
+    scene = getattr(module, "SCENE", None)
+    if not isinstance(scene, Scene):
+        raise ValueError(f"scene: {path}: expected SCENE, a Scene")
+    return scene
+
+
+def _expansion(scene: Scene, method: str) -> ModuleType:
+    known, k = methods(), _class(scene)
+    for name, module in known.items():
+        if method in (name, with_class(name, k)):
+            return module
+    spelled = [*dict.fromkeys(q for name in known for q in (name, with_class(name, k)))]
+    expected = f"{_nearest(method, spelled)}: {scene.name} is C{k}"
+    raise ValueError(f"method: got {method!r}, expected {expected}")
+
+
+def _nearest(name: str, known: list[str]) -> str:
+    """Return all names in words, and which of them may be meant."""
+    close = get_close_matches(name, known, n=1)
+    hint = f" (did you mean {close[0]}?)" if close else ""
+    return f"one of {', '.join(known)}{hint}"

@@ -1,0 +1,128 @@
+"""A scene in one expansion as the record that printing reads."""
+
+import re
+from collections.abc import Iterator
+from typing import Protocol
+
+import sympy as sp
+
+from ..galerkin import Block, GalerkinConditions
+from ..system import Equation, GalerkinSystem
+from .fourier import Fourier
+from .functions import T
+from .notation import Notation
+from .polynomial import Polynomial
+
+
+class Shown(Protocol):
+    """What a family of expansions says of itself."""
+
+    section: str
+
+    def equations(self) -> Iterator[Equation]:
+        """Yield the expansion, the residual, the conditions, and what they look up."""
+
+    def jacobian(self) -> Iterator[Equation]:
+        """Yield the derivatives by the times of what the conditions look up."""
+
+
+def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
+    """Return the equations of a scene in one expansion.
+
+    Parameters
+    ----------
+    conditions : GalerkinConditions
+        From `derive` of a module of ``codegen/expansions``.
+
+    Returns
+    -------
+    GalerkinSystem
+        `equations` has the expansion, the residual, each condition from its statement to its
+        closed form and zero, what each closed form looks up, and the times; `method` is
+        spelled with the class of the scene; there are no `forms`.
+
+    Raises
+    ------
+    ValueError
+        If the unknowns are those of no family of expansions that is known here.
+
+    Examples
+    --------
+    >>> from ..expansions import ck_tau
+    >>> from ..scenes.impact import SCENE
+    >>> system = method_equations(ck_tau.derive(SCENE))
+    >>> system.method, system.unknowns.split("; ")[0]
+    ('c0-tau', 'x_flight: displacement where flight begins')
+    """
+    family = next((q for q in (Fourier, Polynomial) if q.fits(conditions)), None)
+    if family is None:
+        raise ValueError(f"{conditions.method}: its unknowns are of no family that is known")
+    shown: Shown = family(conditions)
+    notation = Notation.of(conditions.scene)
+    return GalerkinSystem(
+        method=with_class(conditions.method.partition(",")[0], notation.k),
+        section=shown.section,
+        title=_title(conditions, notation.k),
+        unknowns="; ".join(f"{q}: {what}" for q, what in unknowns(conditions)).replace("`", ""),
+        equations=(*shown.equations(), *_times(notation)),
+        jacobian=tuple(shown.jacobian()),
+        forms=(),
+    )
+
+
+def with_class(method: str, k: int) -> str:
+    """Return the name of a method with the class of a scene.
+
+    Examples
+    --------
+    >>> with_class("ck-tau", 0), with_class("hb", 0)
+    ('c0-tau', 'hb')
+    """
+    return method.replace("ck", f"c{k}")
+
+
+def _title(conditions: GalerkinConditions, k: int) -> str:
+    _, _, functions = conditions.method.partition(", ")
+    title = conditions.title.replace("C^k", f"`C^{k}`")
+    return f"{title}, `{functions}`" if functions else title
+
+
+def unknowns(conditions: GalerkinConditions) -> Iterator[tuple[str, str]]:
+    """Yield the name of each unknown, as it is shown, and what it is."""
+    for block in conditions.blocks:
+        yield _name(block), _what(block)
+    for time, phase in zip(conditions.times.durations, conditions.scene.phases, strict=True):
+        yield str(time), f"duration of {phase.name}"
+    if conditions.times.frequency is not None:
+        yield "phi", "phase of the forcing where the first phase begins"
+
+
+def _name(block: Block) -> str:
+    name, _, word = block.name.partition("_")
+    letters = name.rstrip("0123456789")
+    if word and letters != name:
+        return f"{letters}_{word}[{name.removeprefix(letters)}]"
+    several = isinstance(block.symbol, sp.IndexedBase)
+    return f"{block.name}[n]" if several else block.name
+
+
+def _what(block: Block) -> str:
+    """Return what an unknown is, with the functions that are named marked."""
+    several = "s" if block.count != 1 else ""
+    begins = f"coefficient{several} " if block.what.startswith("of ") else ""
+    return begins + re.sub(r"\b[a-z]+_\d+\b", r"`\g<0>`", block.what)
+
+
+def _times(notation: Notation) -> Iterator[Equation]:
+    """Yield the durations in the times of the switches, and the period."""
+    for p, (time, phase) in enumerate(
+        zip(notation.times.durations, notation.scene.phases, strict=True)
+    ):
+        sides = (time, notation.at(p + 1) - notation.at(p))
+        yield Equation("", f"duration of {phase.name}", sides)
+    if notation.times.sign == -1:
+        yield Equation("", "the period", (T, 2 * notation.cell))
+    if notation.times.frequency is not None:
+        turns = sp.pi if notation.times.sign == -1 else 2 * sp.pi
+        sides = (sp.Add(*notation.times.durations), turns / notation.times.frequency)
+        yield Equation("", "the cell is as long as the forcing makes it", sides)

@@ -1,0 +1,85 @@
+"""When a scene's phases begin and end, in the paper's symbols: ``0, t1, ..., T``."""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..galerkin import Times
+from ..scene import Scene, Switch, switches
+from .functions import T, omega_0, state
+
+
+@dataclass(frozen=True)
+class Notation:
+    """Names of the times of a scene.
+
+    Parameters
+    ----------
+    scene : Scene
+    times : Times
+    found : tuple of Switch
+        Its switches; that which begins the first phase comes first.
+    """
+
+    scene: Scene
+    times: Times
+    found: tuple[Switch, ...]
+
+    @classmethod
+    def of(cls, scene: Scene) -> "Notation":
+        """Return the notation of a scene."""
+        return cls(scene, Times.of(scene), switches(scene))
+
+    @property
+    def k(self) -> int:
+        """The class of the motion: the lowest of its switches."""
+        return min(switch.k for switch in self.found)
+
+    @property
+    def cell(self) -> sp.Expr:
+        """Where the last phase ends: the period, or half of it."""
+        return self.at(len(self.found))
+
+    def at(self, p: int) -> sp.Expr:
+        """Return the time at which phase `p` begins; of the last, for the end of the cell."""
+        if p == 0:
+            return sp.Integer(0)
+        if p == len(self.found) and self.times.sign == 1:
+            return T
+        return sp.Symbol(f"t{p}", positive=True)
+
+    def side(self, p: int, sign: str) -> sp.Symbol:
+        """Return the time of a switch from the left, ``-``, or from the right, ``+``."""
+        return sp.Symbol(f"{self.at(p)}^{sign}", positive=True)
+
+    def start(self, p: int, order: int) -> sp.Expr:
+        """Return a derivative of the displacement where phase `p` begins."""
+        continuous = order <= self.found[p].k
+        return state(order, self.at(p) if continuous else self.side(p, "+"))
+
+    def end(self, p: int, order: int) -> sp.Expr:
+        """Return a derivative of the displacement where phase `p` ends."""
+        continuous = order <= self.found[(p + 1) % len(self.found)].k
+        return state(order, self.at(p + 1) if continuous else self.side(p + 1, "-"))
+
+    def during(self, p: int) -> str:
+        """Return when phase `p` lasts."""
+        return f"`{self.at(p)} <= t < {self.at(p + 1)}`"
+
+    def in_times(self, expression: sp.Expr) -> sp.Expr:
+        """Return an expression in the times of the switches and ``omega_0``."""
+        durations = {s: self.at(p + 1) - self.at(p) for p, s in enumerate(self.times.durations)}
+        moved = expression.subs(durations, simultaneous=True)
+        turns = self.times.sign + 1 or 1
+        return moved.replace(
+            lambda part: part.is_Mul and part.has(sp.pi) and part.has(1 / self.cell),
+            lambda part: self._in_frequency(part, turns),
+        )
+
+    def _in_frequency(self, product: sp.Expr, turns: int) -> sp.Expr:
+        """Return a product with ``turns*pi/cell`` written as ``omega_0``."""
+        powers = product.as_powers_dict()
+        count = min(powers[sp.pi], -powers[self.cell])
+        if count <= 0:
+            return product
+        return sp.expand_mul(product * (omega_0 * self.cell / (turns * sp.pi)) ** count)

@@ -1,0 +1,110 @@
+"""Integrals of harmonics over single phases, in which those over a cell are shown.
+
+A cell integral of ``cos(l omega_0 t)`` with a weight that is constant on each phase is that of
+one phase's weight, over the whole cell, where harmonics are orthogonal, and the differences of
+the others to it, each over its phase: ``C_l`` and ``S_l`` of that phase, as in the paper.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..galerkin.harmonics import POWERS, Harmonics, j, n
+from ..galerkin.tables import l
+from ..system import Equation
+from .functions import omega_0, t
+from .notation import Notation
+from .tidy import SAME
+
+
+@dataclass(frozen=True)
+class Overlaps:
+    """The integrals of the harmonics of a scene.
+
+    Parameters
+    ----------
+    notation : Notation
+    weights : mapping of str to tuple
+        Each coefficient of the equation of motion, on each phase.
+    base : int
+        The phase whose weights are taken over the whole cell: the plainest.
+    """
+
+    notation: Notation
+    weights: Mapping[str, tuple[sp.Expr, ...]]
+    base: int
+
+    @classmethod
+    def of(cls, notation: Notation, harmonics: Harmonics) -> "Overlaps":
+        """Return the integrals of the harmonics of a scene."""
+        weights = {name: harmonics.weights(name) for name in POWERS}
+        sizes = [
+            sum(sp.count_ops(w) + (w != 0) for w in of_phase)
+            for of_phase in zip(*weights.values(), strict=True)
+        ]
+        return cls(notation, weights, sizes.index(min(sizes)))
+
+    def spelled(self, expression: sp.Expr) -> sp.Expr:
+        """Return an expression with the tables of the cell written in those of phases."""
+        tables = {f"{wave}_{name}": (wave, name) for wave in "CS" for name in POWERS}
+        values = {
+            entry: self._entry(*tables[str(entry.base.label)], entry.indices[0])
+            for entry in expression.atoms(sp.Indexed)
+            if str(entry.base.label) in tables
+        }
+        return expression.xreplace(values)
+
+    def _entry(self, wave: str, name: str, index: sp.Expr) -> sp.Expr:
+        weights = self.weights[name]
+        total = weights[self.base] * self._over_cell(wave, index)
+        for p, weight in enumerate(weights):
+            table = sp.IndexedBase(f"{wave}_{self.notation.scene.phases[p].name}")
+            total += (weight - weights[self.base]) * table[index]
+        return omega_0 ** POWERS[name] * total
+
+    def _over_cell(self, wave: str, index: sp.Expr) -> sp.Expr:
+        """Return the integral of a harmonic over the cell."""
+        cell = self.notation.cell
+        if self.notation.times.sign == -1 and sp.Poly(index, j, n).eval((1, 1)) % 2:
+            return sp.Integer(0) if wave == "C" else 2 / (index * omega_0)
+        return cell * _is_zero(index) if wave == "C" else sp.Integer(0)
+
+    def definitions(self, shown: Iterable[sp.Expr]) -> Iterator[Equation]:
+        """Yield what the integrals are that stand in some expressions."""
+        there = {str(q.base.label) for e in shown for q in e.atoms(sp.Indexed)}
+        for p, phase in enumerate(self.notation.scene.phases):
+            for wave, function in (("C", sp.cos), ("S", sp.sin)):
+                name = f"{wave}_{phase.name}"
+                if name in there:
+                    yield from self._definition(sp.IndexedBase(name), function, p)
+
+    def _definition(
+        self, table: sp.IndexedBase, f: type[sp.Function], p: int
+    ) -> Iterator[Equation]:
+        start, end = self.notation.at(p), self.notation.at(p + 1)
+        integral = sp.Integral(f(l * omega_0 * t), (t, start, end))
+        rising = [self._primitive(f, time) for time in (end, start)]
+        title = f"integral of a harmonic over {self.notation.scene.phases[p].name}"
+        yield Equation("", title, (table[l], integral, rising[0] - rising[1]), "`l != 0`")
+        zero = end - start if f is sp.cos else sp.Integer(0)
+        yield Equation("", title, (table[0], zero))
+
+    def _primitive(self, f: type[sp.Function], time: sp.Expr) -> sp.Expr:
+        """Return the integral of a harmonic up to a time; at the end of the cell a number."""
+        whole = sp.pi * l * (2 if self.notation.times.sign == 1 else 1)
+        angle = whole if time == self.notation.cell else l * omega_0 * time
+        wave = sp.sin(angle) if f is sp.cos else -sp.cos(angle)
+        return wave / (l * omega_0)
+
+
+def _is_zero(index: sp.Expr) -> sp.Expr:
+    """Return 1 where an index is zero, 0 elsewhere; `j` and `n` are 1 or more."""
+    if not index.free_symbols:
+        return sp.Integer(int(index == 0))
+    slopes = [index.coeff(symbol) for symbol in (j, n)]
+    if all(slope >= 0 for slope in slopes) and index.subs({j: 1, n: 1}) > 0:
+        return sp.Integer(0)
+    if slopes[1] != 0:
+        return SAME
+    return sp.KroneckerDelta(j, sp.solve(index, j)[0])

@@ -1,0 +1,191 @@
+"""Conditions on a motion that is a polynomial on each phase, for the reader."""
+
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+
+import sympy as sp
+
+from ..c1_legendre import ShiftedLegendre, TwiceIntegrated
+from ..galerkin import Condition, GalerkinConditions
+from ..galerkin.legendre import n, repeated_integral
+from ..galerkin.polynomials import Test, series
+from ..galerkin.tables import Table, by_time, l
+from ..scene import linear_phase
+from ..system import Equation, Inner
+from .functions import R, Rate, member, t, u, x
+from .joining import statements
+from .notation import Notation
+from .tidy import by_entries, by_unknown
+
+SECTION = "3.3"
+
+TIMES = {1: "once", 2: "twice"}
+
+
+class Polynomial:
+    """The equations of a scene whose motion is a polynomial on each phase.
+
+    Parameters
+    ----------
+    conditions : GalerkinConditions
+    """
+
+    section = SECTION
+
+    def __init__(self, conditions: GalerkinConditions) -> None:
+        self.conditions = conditions
+        self.notation = Notation.of(conditions.scene)
+        self.trial = series(conditions.scene, self.notation.times, self.notation.found)
+        name = conditions.method.replace("-", "_")
+        expansion = import_module(f"..expansions.{name}", __package__)
+        self.test: Test = expansion.test
+
+    @staticmethod
+    def fits(conditions: GalerkinConditions) -> bool:
+        """Whether each phase begins in a state that is unknown."""
+        names = {block.name for block in conditions.blocks}
+        return all(f"x_{phase.name}" in names for phase in conditions.scene.phases)
+
+    def equations(self) -> Iterator[Equation]:
+        """Yield the expansion, the residual, the conditions, and what they look up."""
+        yield from self._expansion()
+        yield from self._basis()
+        yield from self._residual()
+        yield from self._tests()
+        yield from self._conditions()
+        yield from map(_moment, self._looked_up())
+
+    def jacobian(self) -> Iterator[Equation]:
+        """Yield the derivatives by the times of what the conditions look up."""
+        used = self._looked_up()
+        for table in self.conditions.tables:
+            if table not in used:
+                yield _moment(table)
+        for table in used:
+            for time in self.notation.times.unknown:
+                entry = table.base[l]
+                rate = by_time(entry, time, self.conditions.tables)
+                if rate != 0:
+                    sides = (sp.Derivative(entry, time, evaluate=False), by_entries(rate))
+                    yield Equation("", "time derivative", sides)
+
+    def _looked_up(self) -> list[Table]:
+        """Return the tables that the conditions themselves look up."""
+        there = set().union(
+            *(q.expression.atoms(sp.Indexed) for q in self.conditions.conditions)
+        )
+        bases = {entry.base for entry in there}
+        return [table for table in self.conditions.tables if table.base in bases]
+
+    def _expansion(self) -> Iterator[Equation]:
+        for p, q in enumerate(self.trial):
+            name, when, s = (
+                self.conditions.scene.phases[p].name,
+                self.notation.during(p),
+                q.duration,
+            )
+            if q.acceleration is not None:
+                sums = [self._sum(p, function) for function in self._functions()]
+                velocity = q.velocity + s * sums[1]
+                place = q.displacement + s * u * q.velocity + s**2 * sums[0]
+                yield Equation("", f"acceleration in {name}", (Rate(2, t), sums[2]), when)
+            else:
+                velocity, place = q.velocity, q.displacement + s * u * q.velocity
+            yield Equation("", f"velocity in {name}", (Rate(1, t), velocity), when)
+            yield Equation("", f"expansion in {name}", (x(t), place), when)
+            local = (u, (t - self.notation.at(p)) / s)
+            yield Equation("", f"local time in {name}, from 0 to 1", local)
+
+    def _sum(self, p: int, function: sp.Expr) -> sp.Expr:
+        q = self.trial[p]
+        return sp.Sum(q.a(n) * function, (n, 0, q.count - 1))
+
+    def _functions(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+        """Return ``Q_n``, its slope and its curvature, ``P_n*``."""
+        return TwiceIntegrated(n, u), member("Q'", n, u), ShiftedLegendre(n, u)
+
+    def _basis(self) -> Iterator[Equation]:
+        twice, once, legendre = self._functions()
+        sides = (legendre, sp.legendre(n, 2 * u - 1))
+        yield Equation("", "shifted Legendre polynomial", sides)
+        for times, function in ((1, once), (2, twice)):
+            words = f"integrated {TIMES[times]} from 0"
+            sides = (function, _combined(repeated_integral(n, times)))
+            yield Equation("", words, sides)
+        below = ShiftedLegendre(-n - 1, u), -legendre
+        yield Equation("", "what stands for a degree below zero", below)
+
+    def _residual(self) -> Iterator[Equation]:
+        scene = self.conditions.scene
+        for p, q in enumerate(self.trial):
+            if q.acceleration is None:
+                continue
+            phase, s = linear_phase(scene.phases[p]), q.duration
+            twice, once, legendre = self._functions()
+            factor = phase.m * legendre + phase.c * s * once + phase.k * s**2 * twice
+            total = self._sum(p, factor) + (phase.c + phase.k * s * u) * q.velocity
+            total += phase.k * q.displacement - phase.f
+            total -= phase.g * self.notation.times.forcing(t)
+            name, when = scene.phases[p].name, self.notation.during(p)
+            yield Equation("", f"residual in {name}", (R, total), when)
+        first, second = sp.Function("a")(t), sp.Function("b")(t)
+        integral = sp.Integral(first * second, (u, 0, 1))
+        yield Equation("", "inner product on a phase", (Inner(first, second), integral))
+
+    def _tests(self) -> Iterator[Equation]:
+        for p, switch in enumerate(self.notation.found):
+            weights = self.test(n, switch.k)
+            if self.trial[p].acceleration is not None and len(weights) > 1:
+                name = self.conditions.scene.phases[p].name
+                times = TIMES.get(switch.k + 1, f"{switch.k + 1} times")
+                words = f"test function in {name}, `P_n` integrated {times} from the switch"
+                sides = (member(f"W_{name}", n, u), _combined(weights))
+                yield Equation("", words, sides)
+
+    def _conditions(self) -> Iterator[Equation]:
+        known, scene = statements(self.notation), self.conditions.scene
+        for condition in self.conditions.conditions:
+            if condition.name == "cell":
+                continue
+            blocks, symbols = self.conditions.blocks, scene.symbols
+            closed = by_unknown(condition, blocks, symbols, lambda factor: factor)
+            left = known.get(condition.name)
+            tested = left is None
+            sides = (
+                left if left is not None else self._tested(condition),
+                closed,
+                sp.Integer(0),
+            )
+            where = f"`{condition.where}`" if condition.where else ""
+            number = "18" if tested and self.conditions.method == "ck" else condition.number
+            yield Equation(number, self._title(condition), sides, where)
+
+    def _title(self, condition: Condition) -> str:
+        head, _, index = condition.title.rpartition(" ")
+        return f"{head} `{index}`" if condition.index is not None else condition.title
+
+    def _tested(self, condition: Condition) -> sp.Expr:
+        """Return the left side of an orthogonality condition."""
+        name, _, index = condition.name.rpartition("_by_")
+        degree = sp.Integer(index) if condition.index is None else condition.index
+        p = [phase.name for phase in self.conditions.scene.phases].index(name)
+        weights = self.test(degree, self.notation.found[p].k)
+        one = len(self.test(n, self.notation.found[p].k)) == 1
+        return Inner(R, _combined(weights) if one else member(f"W_{name}", degree, u))
+
+
+def _moment(table: Table) -> Equation:
+    """Return what a table of moments holds."""
+    assert table.definition is not None
+    degree, kappa, theta = table.definition.args
+    wave = sp.cos(kappa * u + theta)
+    sign = -1 if wave.could_extract_minus_sign() else 1
+    integral = sign * sp.Integral(ShiftedLegendre(degree, u) * sign * wave, (u, 0, 1))
+    closed = sp.cos(theta + kappa / 2 + degree * sp.pi / 2) * sp.jn(degree, kappa / 2)
+    title = "moment of the forcing; `j_l` is the spherical Bessel function"
+    return Equation("", title, (table.base[degree], integral, closed))
+
+
+def _combined(weights: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
+    """Return a combination of shifted Legendre polynomials."""
+    return sp.Add(*(weight * ShiftedLegendre(degree, u) for degree, weight in weights.items()))

@@ -1,0 +1,105 @@
+"""A scene for the reader: motion, events, jumps, demands, class at each switch, scales."""
+
+import re
+from collections.abc import Iterator
+
+import sympy as sp
+
+from ..scene import Scene
+from ..scene.scales import scales
+from ..system import Equation
+from .functions import T, state, t, x
+from .motion import balanced, during, equation_of_motion, not_negative
+from .notation import Notation
+from .switching import event, jump, law
+
+ORDINAL = {1: "first", 2: "second", 3: "third"}
+
+
+def scene_equations(scene: Scene) -> tuple[Equation, ...]:
+    """Return the equations of an oscillator.
+
+    Returns
+    -------
+    tuple of Equation
+        The equation of motion of each phase, what holds and what is demanded in it, what ends
+        it and what jumps there, the class at each switch, and the scales; without numbers, as
+        the paper has one oscillator.
+
+    Examples
+    --------
+    >>> from ..scenes.impact import SCENE
+    >>> print(scene_equations(SCENE)[0].text(unicode=False))
+        -  equation of motion in flight; 0 <= t < T
+           c*x'(t) + k*x(t) + m*x''(t) = F*cos(Omega*t + phi)
+    """
+    notation = Notation.of(scene)
+    return (
+        *_phases(notation),
+        *_switches(notation),
+        *_whole(notation),
+    )
+
+
+def _phases(notation: Notation) -> Iterator[Equation]:
+    for p, phase in enumerate(notation.scene.phases):
+        name, when = phase.name, notation.during(p)
+        sides = equation_of_motion(notation, p)
+        yield Equation("", f"equation of motion in {name}", sides, when)
+        if phase.held is not None:
+            held = (state(1, t), sp.sympify(phase.held))
+            yield Equation("", f"the velocity is held in {name}", held, when)
+        for words, demand in phase.demands.items():
+            relation = not_negative(during(notation, demand))
+            title = f"demanded in {name}: {_marked(notation.scene, words)}"
+            yield Equation("", title, (relation,))
+
+
+def _switches(notation: Notation) -> Iterator[Equation]:
+    for p, phase in enumerate(notation.scene.phases):
+        left, right, _ = balanced(event(notation, p))
+        yield Equation("", f"{phase.name} ends", (left, right))
+        if phase.ends.jump:
+            q = (p + 1) % len(notation.found)
+            sign = notation.scene.sign if q == 0 else 1
+            after = state(1, notation.side(p + 1, "+"))
+            words = f"the velocity jumps where {phase.name} ends"
+            yield Equation("", words, (after, sign * law(notation, q)))
+    for p, switch in enumerate(notation.found):
+        order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
+        words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "
+        yield Equation("", f"{words}derivative jumps", jump(notation, p))
+
+
+def _whole(notation: Notation) -> Iterator[Equation]:
+    scene = notation.scene
+    if scene.half_period:
+        yield Equation("", "the motion repeats with the opposite sign", (x(t + T / 2), -x(t)))
+        yield Equation("", "the period", (T, 2 * notation.cell))
+    else:
+        yield Equation("", "the motion repeats", (x(t + T), x(t)))
+    if scene.frequency is not None:
+        yield Equation(
+            "", "the period is that of the forcing", (T, 2 * sp.pi / scene.frequency)
+        )
+    for words, expression in scene.requires.items():
+        yield Equation(
+            "", f"required: {_marked(scene, words)}", (_required(sp.sympify(expression)),)
+        )
+    for name, size in zip(("mass", "time", "length"), scales(scene), strict=True):
+        symbol = sp.Symbol(f"{ {'mass': 'm', 'time': 't', 'length': 'x'}[name] }_unit")
+        words = f"unit of {name} in which the equations are dimensionless"
+        yield Equation("", words, (symbol, size))
+
+
+def _marked(scene: Scene, words: str) -> str:
+    """Return words with the parameters in them marked that can be nothing else."""
+    names = [str(symbol) for symbol in scene.symbols if "_" in str(symbol)]
+    return re.sub(rf"\b({'|'.join(names)})\b", r"`\1`", words) if names else words
+
+
+def _required(expression: sp.Expr) -> sp.Expr:
+    """Return ``expression >= 0`` with its negative terms on the other side."""
+    terms = sp.Add.make_args(sp.expand(expression))
+    less = sp.Add(*(-q for q in terms if q.could_extract_minus_sign()))
+    return sp.Le(less, expression + less, evaluate=False)

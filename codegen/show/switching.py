@@ -1,0 +1,66 @@
+"""What happens at the switches: events, laws of the velocity, the derivative that jumps."""
+
+import sympy as sp
+
+from ..scene import forcing, v, x
+from ..scene.linear import state_row
+from ..scene.smoothness import generator
+from .functions import state
+from .motion import at_state
+from .notation import Notation
+
+
+def event(notation: Notation, p: int) -> sp.Expr:
+    """Return what is zero where phase `p` ends."""
+    force = notation.times.forcing(notation.at(p + 1))
+    zero = notation.scene.phases[p].ends.zero
+    return at_state(zero, lambda order: notation.end(p, order), force)
+
+
+def law(notation: Notation, p: int) -> sp.Expr:
+    """Return the velocity where phase `p` begins, from that at the end of the phase before."""
+    phases = notation.scene.phases
+    left = p - 1 if p else len(phases) - 1
+    sign = notation.scene.sign if p == 0 else 1
+    after = sp.sympify(phases[left].ends.jump.get(v, v))
+    return sign * after.subs(v, notation.end(left, 1))
+
+
+def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
+    """Return the first derivative that jumps where phase `p` begins: right less left, its size.
+
+    The size is in the state there, less what the event and a held velocity say of it.
+    """
+    scene, order = notation.scene, notation.found[p].jumps
+    sides = [state(order, notation.side(p, sign)) for sign in "+-"]
+    if order == 1:
+        before = sides[1]
+        sign = scene.sign if p == 0 else 1
+        after = sp.sympify(scene.phases[p - 1].ends.jump[v]).subs(v, sign * before)
+        return sides[0] - sides[1], sp.factor(sign * after - before)
+    return sides[0] - sides[1], _size(notation, p, order)
+
+
+def _size(notation: Notation, p: int, order: int) -> sp.Expr:
+    scene, sign = notation.scene, notation.scene.sign if p == 0 else 1
+    left, right = scene.phases[p - 1], scene.phases[p]
+    frequency = scene.frequency if scene.frequency is not None else sp.Integer(0)
+    turning = sp.Symbol("turning", real=True)
+    y = sp.Matrix([x, v, 1, forcing, turning])
+    rows = generator(right, frequency) ** order - generator(left, frequency, sign) ** order
+    size = (rows.row(0) * y)[0]
+    row = state_row(left.ends.zero, left.name)
+    known = [sign * (row.x * x + row.v * v + row.cos * forcing) + row.constant]
+    if left.held is not None:
+        known.append(sign * v - left.held)
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for zero in known:
+        zero = sp.expand(zero.subs(values))  # noqa: PLW2901
+        pivot = next((q for q in (x, v, forcing) if zero.diff(q) != 0), None)
+        if pivot is not None:
+            solved = {pivot: -zero.subs(pivot, 0) / zero.diff(pivot)}
+            values = {q: e.subs(solved) for q, e in values.items()} | solved
+    time = notation.at(p)
+    waves = {turning: sp.sin(notation.times.angle(time))}
+    found = sp.factor(sp.expand(size.subs(values, simultaneous=True)))
+    return at_state(found, lambda q: state(q, time), notation.times.forcing(time)).subs(waves)

@@ -1,0 +1,192 @@
+"""A condition by its unknowns: each with its factor, and like terms put together."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from ..emission.terms import Term, terms
+from ..galerkin import Block, Condition
+
+#: What is done to the factor of an unknown before it is shown.
+Spelling = Callable[[sp.Expr], sp.Expr]
+
+#: One where the index of a sum is that of the condition, else zero: such a part leaves the sum.
+SAME = sp.Symbol("same")
+
+
+def by_unknown(
+    condition: Condition,
+    blocks: Sequence[Block],
+    parameters: Iterable[sp.Symbol],
+    spelling: Spelling,
+) -> sp.Expr:
+    """Return a condition as a sum of unknowns, each times its factor, and what is left.
+
+    Parameters
+    ----------
+    condition : Condition
+    blocks : sequence of Block
+        The unknowns.
+    parameters : iterable of Symbol
+        What is put together in the factors: the parameters of the scene.
+    spelling : callable
+        Put on each factor before that.
+    """
+    known = frozenset(parameters)
+    whole: list[sp.Expr] = []
+    sums: dict[tuple[sp.Expr, ...], list[sp.Expr]] = {}
+    for term in terms(condition, blocks):
+        factor = spelling(term.coefficient)
+        if term.over is None:
+            whole.append(_product(term, term.index, factor, known))
+            continue
+        factor = sp.expand(factor)
+        alone = {} if condition.index is None else {term.over[0]: condition.index}
+        single = factor.coeff(SAME).subs(alone)
+        if single != 0:
+            whole.append(_product(term, term.index.subs(alone), single, known))
+        rest = _product(term, term.index, factor.coeff(SAME, 0), known)
+        sums.setdefault(term.over, []).append(rest)
+    inside = {over: sp.Add(*parts) for over, parts in sums.items()}
+    parts = (sp.Sum(total, over) for over, total in inside.items() if total != 0)
+    return sp.Add(*whole, *parts)
+
+
+def _product(
+    term: Term, index: sp.Expr, factor: sp.Expr, known: frozenset[sp.Symbol]
+) -> sp.Expr:
+    if term.block is None:
+        return neat(factor, known)
+    symbol = term.block.symbol
+    unknown = symbol[index] if isinstance(symbol, sp.IndexedBase) else symbol
+    return neat(factor, known, unknown)
+
+
+def neat(
+    expression: sp.Expr, parameters: frozenset[sp.Symbol], unknown: sp.Expr = sp.S.One
+) -> sp.Expr:
+    """Return a sum with like terms put together, times an unknown.
+
+    Terms are alike that differ in their numbers and indices, then those that differ in their
+    parameters.
+    """
+    ours: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
+    for term in sp.Add.make_args(sp.expand(expression)):
+        split: tuple[list[sp.Expr], ...] = ([], [], [])
+        for factor in sp.Mul.make_args(term):
+            split[_kind(factor, parameters)].append(factor)
+        number, quantity, other = (sp.Mul(*factors) for factors in split)
+        key = quantity, other
+        ours[key] = ours.get(key, sp.Integer(0)) + number
+    like: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
+    for (quantity, other), number in ours.items():
+        sign, rest = _signed(sp.factor(number))
+        like[rest, other] = like.get((rest, other), sp.Integer(0)) + sign * quantity
+    return _multiplied(unknown, _entries_together(like))
+
+
+#: A number with indices, what is neither that nor a parameter, parameters, entries of tables.
+Product = tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]
+
+
+def _entries_together(like: Mapping[tuple[sp.Expr, sp.Expr], sp.Expr]) -> list[Product]:
+    """Return products in which entries of tables with the same factor are one sum."""
+    found: dict[tuple[sp.Expr, sp.Expr, sp.Expr], sp.Expr] = {}
+    for (rest, other), quantity in like.items():
+        parts = sp.Mul.make_args(other)
+        entry = sp.Mul(*(part for part in parts if isinstance(part, sp.Indexed)))
+        alone = sp.Mul(*(part for part in parts if not isinstance(part, sp.Indexed)))
+        sign, plain = _signed(sp.factor_terms(quantity)) if entry != 1 else (1, quantity)
+        key = rest, alone, plain
+        found[key] = found.get(key, sp.Integer(0)) + sign * entry
+    return [(*key, entries) for key, entries in found.items()]
+
+
+def _multiplied(unknown: sp.Expr, products: Sequence[Product]) -> sp.Expr:
+    """Return an unknown times a sum of products, with a common factor where that is shorter."""
+    if len(products) == 1:
+        rest, other, quantity, entries = products[0]
+        return positive(sp.Mul(unknown, rest, other, _factored(quantity), entries))
+    parts = (
+        positive(sp.Mul(rest, other, _factored(quantity), entries))
+        for rest, other, quantity, entries in products
+    )
+    total = sp.Add(*parts)
+    whole = sp.factor_terms(total)
+    if _divided(whole) and any(map(_divided, _brackets(whole))):
+        whole = sp.together(total)  # no fraction within a fraction
+    shorter = len(str(whole)) <= len(str(total)) or _divided(whole)
+    return positive(sp.Mul(unknown, *sp.Mul.make_args(whole if shorter else total)))
+
+
+def _brackets(product: sp.Expr) -> Iterator[sp.Expr]:
+    """Yield the terms in the brackets of a product."""
+    for factor in sp.Mul.make_args(product):
+        if factor.is_Add:
+            yield from factor.args
+
+
+def _divided(product: sp.Expr) -> bool:
+    """Whether a product is over a line with indices below it."""
+    below = (q for q in sp.Mul.make_args(product) if q.is_Pow and q.exp.is_negative)
+    return any(q.free_symbols for q in below)
+
+
+def _kind(factor: sp.Expr, parameters: frozenset[sp.Symbol]) -> int:
+    """Return 0 for numbers and indices, 1 for parameters, 2 for times, tables and functions."""
+    if factor.atoms(sp.Indexed, sp.Function):
+        return 2
+    free = factor.free_symbols
+    if free <= parameters and free:
+        return 1
+    return 0 if all(symbol.is_integer for symbol in free) and not factor.has(sp.pi) else 2
+
+
+def _signed(number: sp.Expr) -> tuple[int, sp.Expr]:
+    return (-1, -number) if number.could_extract_minus_sign() else (1, number)
+
+
+def _factored(quantity: sp.Expr) -> sp.Expr:
+    return positive(sp.factor_terms(quantity))
+
+
+def positive(product: sp.Expr) -> sp.Expr:
+    """Return a product whose brackets begin with as few minus signs as can be.
+
+    Examples
+    --------
+    >>> a, b, c = sp.symbols("a b c")
+    >>> positive(-a * (b - c)), positive(2 * a * (-b - c))
+    (a*(-b + c), -2*a*(b + c))
+    """
+    sign, factors = 1, list(sp.Mul.make_args(product))
+    for place, factor in enumerate(factors):
+        if factor.is_Add and _negative(factor) == 1:
+            sign, factors[place] = -sign, _turned(factor)
+    if sign * sp.Mul(*factors).as_coeff_Mul()[0] < 0:
+        for place, factor in enumerate(factors):
+            if factor.is_Add and 2 * _negative(factor) >= 1 and not _of_indices(factor):
+                sign, factors[place] = -sign, _turned(factor)
+                break
+    return sp.Mul(sign, *factors) if len(factors) > 1 else product
+
+
+def _negative(total: sp.Add) -> sp.Rational:
+    """Return which part of the terms of a sum have a minus sign."""
+    less = sum(term.could_extract_minus_sign() for term in total.args)
+    return sp.Rational(less, len(total.args))
+
+
+def _turned(total: sp.Add) -> sp.Add:
+    return sp.Add(*(-term for term in total.args))
+
+
+def _of_indices(total: sp.Add) -> bool:
+    return all(symbol.is_integer for symbol in total.free_symbols)
+
+
+def by_entries(expression: sp.Expr) -> sp.Expr:
+    """Return a combination of entries of tables, each with its factor."""
+    expanded = sp.expand(expression)
+    entries = sorted(expanded.atoms(sp.Indexed), key=sp.default_sort_key)
+    return sp.Add(*(entry * sp.factor(expanded.coeff(entry)) for entry in entries))

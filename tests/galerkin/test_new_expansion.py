@@ -1,0 +1,65 @@
+"""An expansion of one's own is one file: the guide of CONTRIBUTING.md, followed."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nonsmooth.codegen import expansions, generate
+from nonsmooth.codegen.scenes import load
+from nonsmooth.solver.scenes.library import load_folder, methods
+from nonsmooth.solver.scenes.solve import solve_case
+
+#: Step 1: the file.  The tests are sums of neighbouring Legendre polynomials, which span the
+#: same space as the polynomials themselves but for the last.
+FILE = '''"""Functions of class C^k, tested with sums of neighbouring polynomials (`ck-pairs`)."""
+
+import sympy as sp
+
+from nonsmooth.codegen.galerkin import GalerkinConditions, polynomials
+from nonsmooth.codegen.scene import Scene
+
+METHOD = "ck-pairs"
+TITLE = "functions of class C^k, tested with sums of two Legendre polynomials"
+
+
+def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:
+    """Return ``P_l* + P_(l+1)*``, whatever the class."""
+    return {l: 2 * l + 1, l + 1: 2 * l + 3}
+
+
+def derive(scene: Scene) -> GalerkinConditions:
+    """Return the conditions of a scene in this expansion."""
+    return polynomials.derive(scene, METHOD, TITLE, test)
+'''
+
+
+@pytest.fixture
+def own_expansion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Put the file beside the expansions that there are, and nothing else."""
+    folder = tmp_path / "expansions"
+    folder.mkdir()
+    (folder / "ck_pairs.py").write_text(FILE, encoding="utf-8")
+    monkeypatch.setattr(expansions, "__path__", [*expansions.__path__, str(folder)])
+    expansions.kernels.cache_clear()
+    yield
+    expansions.kernels.cache_clear()
+
+
+@pytest.mark.usefixtures("own_expansion")
+def test_a_file_is_all_that_an_expansion_takes(tmp_path: Path) -> None:
+    folder = tmp_path / "impact"
+    folder.mkdir()
+    for name, text in generate.scene_sources(load("impact")):  # step 2: make generate
+        if name.partition(".")[0] in {"__init__", "scene", "ck_tau", "ck_pairs"}:
+            (folder / name).write_text(text, encoding="utf-8")
+    scene = load_folder(folder)
+    assert "ck-pairs" in methods(scene)
+    orbit = solve_case(scene(), "ck-pairs", 12)
+    best = solve_case(scene(), "ck-tau", 20)
+    assert orbit.admissible
+    assert orbit.period == pytest.approx(best.period, rel=1e-13)
+    error = abs(orbit.forcing_phase - best.forcing_phase) / (2 * np.pi)
+    assert 1e-9 < error < 1e-5  # an expansion of its own: neither wrong nor ck-tau
+    assert orbit.estimate.times == pytest.approx(error, rel=0.01)

@@ -1,0 +1,86 @@
+"""Scenes that the tests show: those of the program, and others as users write them."""
+
+from functools import cache
+
+import sympy as sp
+from shown_numbers import Numbers
+
+from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.codegen.show import scene_named
+from nonsmooth.codegen.show.library import conditions, methods
+
+m, k, F, Omega, r, h, g = sp.symbols("m k F Omega r h g", positive=True)
+c, f_d, f_s = sp.symbols("c f_d f_s", nonnegative=True)
+_OSCILLATOR = (
+    Parameter("mass", m, "kg", 1.0, "mass"),
+    Parameter("damping", c, "N s/m", 0.1, "viscous damping"),
+    Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
+    Parameter("force", F, "N", 1.0, "amplitude of the force"),
+    Parameter("frequency", Omega, "rad/s", 0.7, "angular frequency"),
+)
+_GAP = Parameter("gap", g, "m", 0.5, "gap")
+_FREE = m * a + c * v + k * x - F * forcing
+
+#: A spring behind a gap, C2: two phases of different stiffness.
+CONTACT = Scene(
+    "contact",
+    "a spring behind a gap",
+    (*_OSCILLATOR, _GAP, Parameter("contact", h, "N/m", 4.0, "stiffness of the contact")),
+    (Phase("closed", _FREE + h * (x - g), Event(x - g)), Phase("open", _FREE, Event(x - g))),
+    frequency=Omega,
+)
+
+#: Dry friction with a stop in each half of the period, C1.
+STOPS = Scene(
+    "stops",
+    "a driven mass with dry friction that stops twice a period",
+    (
+        *_OSCILLATOR,
+        Parameter("friction", f_d, "N", 0.5, "force of sliding friction"),
+        Parameter("static_friction", f_s, "N", 0.6, "largest force at rest"),
+    ),
+    (
+        Phase("down", _FREE - f_d, Event(v), {"it slides down": -v}),
+        Phase("rest", a, Event(k * x - F * forcing + f_s), held=sp.Integer(0)),
+    ),
+    frequency=Omega,
+    half_period=True,
+)
+
+#: Impacts on both sides, C0, half a period.
+TWO_SIDED = Scene(
+    "two-sided",
+    "a driven mass between two stops",
+    (*_OSCILLATOR, _GAP, Parameter("restitution", r, "", 0.6, "restitution", most=1)),
+    (Phase("crossing", _FREE, Event(x + g, jump={v: -r * v})),),
+    frequency=Omega,
+    half_period=True,
+)
+
+SCENES: dict[str, str | Scene] = {
+    "impact": "impact",
+    "stick-slip-damped": "stick-slip-damped",
+    "contact": CONTACT,
+    "stops": STOPS,
+    "two-sided": TWO_SIDED,
+}
+
+#: Every method on a scene, and each kind of phase in the others.
+CASES = [
+    *(("impact", method) for method in methods()),
+    ("stick-slip-damped", "ck-tau"),
+    ("stick-slip-damped", "hb"),
+    ("contact", "ck-tau"),
+    ("contact", "hb"),
+    ("stops", "hb-ck"),
+    ("stops", "ck"),
+    ("two-sided", "hb"),
+    ("two-sided", "ck-tau"),
+]
+
+
+@cache
+def numbers(scene: str, method: str) -> Numbers:
+    """Return what is shown of a scene in an expansion, with numbers."""
+    found = conditions(scene_named(SCENES[scene]), method)
+    return Numbers(found, max(3, found.lowest))

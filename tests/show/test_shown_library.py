@@ -1,0 +1,174 @@
+"""Scenes and expansions by name, in Python and in the command; the jumps of a scene."""
+
+import random
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from shown_scenes import SCENES
+
+import nonsmooth as ns
+from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
+from nonsmooth.codegen.scenes import impact
+from nonsmooth.codegen.show import derive_scene, scene_equations, scene_named
+from nonsmooth.codegen.show.functions import Rate
+from nonsmooth.codegen.show.library import conditions, methods, scene_files
+
+
+def test_every_scene_and_expansion_of_the_folders_is_found() -> None:
+    folder = Path(impact.__file__).parent
+    assert len(scene_files()) == len([q for q in folder.glob("*.py") if q.stem != "__init__"])
+    assert set(methods()) == {"hb", "hb-ck", "ck", "ck-tau"}
+
+
+def test_without_a_scene_the_equations_are_those_of_the_paper() -> None:
+    found = ns.equations("c1")
+    assert found is ns.equations("c1")
+    assert found.equation("18").functions  # of the paper's own kernel
+
+
+@pytest.mark.parametrize("method", ["ck-tau", "c0-tau"])
+def test_a_method_has_two_names(method: str) -> None:
+    found = ns.equations(method, scene="impact")
+    assert (found.method, found.section) == ("c0-tau", "3.3")
+    assert found.equations == derive_scene(impact.SCENE, method).equations
+    assert found is ns.equations(method, scene="impact")
+
+
+@pytest.mark.parametrize(("functions", "count"), [(None, 2), (1, 1), (3, 3)])
+def test_the_number_of_functions_is_two_at_an_impact_or_what_is_asked(
+    functions: int | None, count: int
+) -> None:
+    found = conditions(impact.SCENE, "hb-ck", functions)
+    assert [block.name for block in found.blocks if block.name.startswith("c")] == [
+        f"c{n}_flight" for n in range(2, 2 + count)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        (("imapct",), "SCENE: got 'imapct', expected one of impact"),
+        (("imapct",), "(did you mean impact?)"),
+        (("impact", "--method", "c1"), "impact is C0"),
+        (("impact", "--method", "hbc0"), "(did you mean hb-c0?)"),
+        (("impact", "--method", "hb", "--functions", "2"), "--functions: got 2"),
+        (("impact", "--method", "hb-ck", "--functions", "0"), "--functions: got 0"),
+        (("--functions", "2"), "expected a SCENE"),
+        (("impact", "--expand", "2"), "--expand: got 2, expected no SCENE"),
+        (("none.py",), "SCENE: cannot read none.py"),
+        (("--method", "ck-tau"), "'ck-tau' is not one of"),
+    ],
+)
+def test_what_is_not_there_is_one_line(run, arguments: tuple[str, ...], named: str) -> None:
+    status, out, err = run("equations", *arguments)
+    assert (status, out) == (2, "")
+    assert named in err
+    assert err.count("\n") == 1
+
+
+SCENE_FILE = """
+import sympy as sp
+from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, v, x
+
+m, k, g = sp.symbols("m k g", positive=True)
+SCENE = Scene(
+    "ball", "a ball on a spring & a floor",
+    (
+        Parameter("mass", m, "kg", 1.0, "mass"),
+        Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
+        Parameter("gravity", g, "m/s^2", 9.81, "gravity"),
+    ),
+    (Phase("air", m*a + k*x + m*g, Event(x{more}, jump={{v: -v}})),),
+    scales={{"length": m*g/k}},
+)
+"""
+
+
+def test_a_scene_from_a_file(run, tmp_path: Path) -> None:
+    path = tmp_path / "ball.py"
+    path.write_text(SCENE_FILE.format(more=""))
+    status, out, err = run("equations", path, "--method", "c0", "--format", "latex")
+    assert (status, err) == (0, "")
+    assert r"Galerkin equations of a ball on a spring \& a floor" in out
+    assert r"gravity in m/s\textasciicircum{}2" in out
+    path.write_text(SCENE_FILE.format(more="**2"))
+    status, out, err = run("equations", path)
+    assert (status, out) == (2, "")
+    assert "phase air: ends" in err
+    assert err.count("\n") == 1
+
+
+def test_the_command_shows_a_scene_and_all_its_methods(run) -> None:
+    status, out, _ = run("equations", "impact")
+    assert status == 0
+    assert all(f"({name})" in out for name in ("hb", "hb-c0", "c0", "c0-tau"))
+    assert (
+        run("equations", "stick-slip", "--method", "c1")[1]
+        == run("equations", "--method", "c1")[1]
+    )
+
+
+def slopes(scene: Scene, p: int, state: dict[sp.Symbol, sp.Expr], order: int) -> list[sp.Expr]:
+    """Return displacement and derivatives in phase `p`, from its equation of motion."""
+    phase, t = scene.phases[p], sp.Symbol("time")
+    a = sp.Symbol("a", real=True)
+    force = sp.cos(sp.Symbol("w") * t + sp.Symbol("f"))
+    functions = [state[x], state[v]]
+    acceleration = sp.solve(phase.equation, a)[0]
+    rates = acceleration.subs(forcing, force)
+    for _ in range(order - 1):
+        now = {x: state[x], v: state[v]}
+        functions.append(rates.subs(now))
+        rates = (
+            rates.diff(t)
+            + rates.diff(x) * v
+            + rates.diff(v) * acceleration.subs(forcing, force)
+        )
+    return [q.subs({t: 0}) for q in functions[: order + 1]]
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_the_jump_at_each_switch_is_that_of_the_equations_of_motion(scene: str) -> None:
+    found = scene_named(SCENES[scene])
+    drawn = random.Random(3)
+    values = {symbol: sp.Float(drawn.uniform(0.5, 1.5), 30) for symbol in found.symbols}
+    shown = [q for q in scene_equations(found) if "derivative jumps" in q.title]
+    angle = sp.Float(0.7, 30)
+    for p, (switch, row) in enumerate(zip(switches(found), shown, strict=True)):
+        if switch.k == 0:
+            continue
+        left, sign = found.phases[p - 1], found.sign if p == 0 else 1
+        state = {x: sp.Float(0.4, 30), v: sp.Float(0.3, 30), forcing: sp.cos(angle)}
+        if left.held is not None:
+            state[v] = sign * sp.sympify(left.held).subs(values)
+        before = {x: sign * x, v: sign * v, forcing: sign * forcing}
+        zero = left.ends.zero.subs(before, simultaneous=True).subs(values)
+        pivot = x if zero.has(x) else v
+        state[pivot] = sp.solve(
+            zero.subs({q: e for q, e in state.items() if q != pivot}), pivot
+        )[0]
+        mirrored = {q: sign * e for q, e in state.items()}
+        now = {
+            sp.Symbol("f"): angle,
+            sp.Symbol("w"): values.get(found.frequency, sp.Integer(0)),
+        }
+        turned = now | {sp.Symbol("f"): angle if sign == 1 else angle + sp.pi}
+        right = [q.subs(values).subs(now) for q in slopes(found, p, state, switch.jumps)]
+        other = [
+            sign * q.subs(values).subs(turned)
+            for q in slopes(found, p - 1, mirrored, switch.jumps)
+        ]
+        jumps = [float(a - b) for a, b in zip(right, other, strict=True)]
+        assert jumps[:-1] == pytest.approx([0.0] * switch.jumps, abs=1e-12)
+        size = row.sides[1]
+        at = {q: state[x] if q.func.__name__ == "x" else state[v]
+              for q in size.atoms(Rate, sp.core.function.AppliedUndef)}  # fmt: skip
+        waves = {
+            q: sp.cos(angle) if q.func == sp.cos else sp.sin(angle)
+            for q in size.atoms(sp.cos, sp.sin)
+        }
+        assert float(size.subs(at).subs(waves).subs(values)) == pytest.approx(
+            jumps[-1], rel=1e-9
+        )
+        assert abs(jumps[-1]) > 1e-6
