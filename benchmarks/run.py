@@ -2,8 +2,9 @@
 
     python -m benchmarks.run [-o output/bench]
 
-Writes a table, ``bench.json`` and ``bench.png``.  Every contender is timed in turn, round
-after round, so that a slow spell of the machine hits all; figures are medians.
+Writes tables, ``bench.json``, ``bench.png`` and, of the other scenes, ``scenes.png``.  Every
+contender is timed in turn, round after round, so that a slow spell of the machine hits all;
+figures are medians.
 """
 
 import argparse
@@ -20,7 +21,7 @@ from numba.core.dispatcher import Dispatcher
 
 from nonsmooth.solver import exact
 
-from . import dense, large, latency, ours, rivals, unrolled
+from . import dense, large, latency, ours, rivals, scenes, unrolled
 
 ALPHAS = (0.245, 1.0)
 ROUNDS = 7
@@ -246,16 +247,22 @@ def main() -> None:
                 for name, value in solve.items()
             )
         )
+    others = scenes.measure()
+    other_rows = scenes.targets(others)
+    scenes.show(others, other_rows)
     document = {
         "schema": 1,
         "points": [asdict(p) for p in points],
         "batch_orbits_per_second": rate,
         "many_harmonics": solves,
         "targets": rows,
+        "scenes": [asdict(p) for p in others],
+        "targets_of_scenes": other_rows,
     }
     (folder / "bench.json").write_text(json.dumps(document, indent=2) + "\n")
     draw(points, folder / "bench.png")
-    print(f"wrote {folder / 'bench.json'} and {folder / 'bench.png'}")
+    scenes.draw(others, folder / "scenes.png")
+    print(f"wrote bench.json, bench.png and scenes.png to {folder}")
 
 
 if __name__ == "__main__":

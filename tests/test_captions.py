@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import asdict
 
 import numpy as np
 import pytest
@@ -25,7 +26,11 @@ from written import value
 
 import nonsmooth as ns
 from nonsmooth.report.captions import PLATES
+from nonsmooth.report.ours import remark
 from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.scenes import solve as scenes_solve
+from nonsmooth.solver.scenes.library import load
 
 BELTS = pytest.mark.parametrize("belt", [DEFAULT, ODD, LIGHT], ids=["default", "odd", "light"])
 
@@ -189,3 +194,30 @@ def test_the_command_of_a_plate_computes_this_oscillator(belt: ns.StickSlip, run
     _, out, _ = run("solve", "--order", 3, *flags)
     assert f"{Exact(belt).period:.9g}" in out
     assert len(rows(belt, "hb")) == 40
+
+
+@BELTS
+def test_the_series_that_is_ours_is_told_from_the_papers(belt: ns.StickSlip) -> None:
+    text = remark(case(belt))
+    found = re.search(
+        r" At N = 8 the period is (\S+) % off with its tests and (\S+) % with these\. ", text
+    )
+    assert found, text
+    period = scenes_solve.solve_case(load("stick-slip")(**asdict(belt)), "ck-tau", 8).period
+    assert [value(shown) for shown in found.groups()] == close(
+        percent(abs(period_errors(belt, "c1")[8])),
+        percent(abs(period / Exact(belt).period - 1)),
+    )
+    assert "is ours, and not in the paper" in text
+
+
+@pytest.mark.parametrize("missing", ["c1", "c1-tau"])
+def test_a_series_without_an_orbit_is_told_instead(missing: str, monkeypatch) -> None:
+    def nothing(*arguments: object) -> None:
+        raise NoOrbit("none", False, ())
+
+    monkeypatch.setattr(scenes_solve, "solve_case", nothing)
+    kept = [("c1", 8)] if missing == "c1" else []
+    text = remark(Fake(missing=kept, period={"c1": lambda N: 0.1}))
+    words = "has no orbit" if missing == "c1" else "leads to no orbit"
+    assert f" In this case {missing} {words} at N = 8. " in text

@@ -48,6 +48,7 @@ def test_the_table_of_time_against_error(run, tmp_path: Path, monkeypatch) -> No
     points = [
         tradeoff.Point("float64", "hb", 1, 4, None, 1.1e-4, 3.2e-2, 2.5e-2, True),
         tradeoff.Point("float64", "hb-c1", 3, 16, None, 5.2e-4, 2.3e-2, 1.4e-2),
+        tradeoff.Point("float64", "c1-tau", 1, 9, None, 9.3e-3, 2.0e-14, 2.2e-14),
         tradeoff.Point("precise", "c1", 1, 24, 30, 2.6e-2, 8.7e-30, None, True),
     ]
     monkeypatch.setattr(tradeoff, "measure", lambda belt, progress: points)

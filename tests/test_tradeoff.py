@@ -6,6 +6,8 @@ import pytest
 
 from nonsmooth import tradeoff
 from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.scenes import solve as scenes_solve
 from nonsmooth.tradeoff import Point, with_front
 
 
@@ -22,7 +24,8 @@ def test_the_front_is_what_nothing_faster_matches() -> None:
 @pytest.fixture
 def few(monkeypatch) -> None:
     orders = {
-        ("hb", 1): (2, 8), ("hb-c1", 1): (2,), ("hb-c1", 3): (8,), ("c1", 1): (4, 5, 7, 10)
+        ("hb", 1): (2, 8), ("hb-c1", 1): (2,), ("hb-c1", 3): (8,), ("c1", 1): (4, 5, 7, 10),
+        ("c1-tau", 1): (4, 7),
     }  # fmt: skip
     monkeypatch.setattr(tradeoff, "ORDERS", orders)
     monkeypatch.setattr(tradeoff, "DIGITS", (20, 30))
@@ -41,6 +44,9 @@ def test_points_of_both_regimes() -> None:
             assert p.error <= 10.0**-p.digits * 1.0001
     assert [p.order for p in points if p.c1_terms == 3] == [8]
     assert points[-1].front  # nothing else has 30 digits
+    errors = {(p.method, p.order): p.error for p in points}
+    assert errors["c1-tau", 7] < 1e-3 * errors["c1", 7]
+    assert errors["c1-tau", 4] < errors["c1", 4]
     fastest = min(points, key=lambda p: p.seconds)
     assert fastest.front
 
@@ -54,6 +60,20 @@ def test_the_command_prints_a_document_and_writes_a_picture(run, tmp_path) -> No
     assert document["parameters"]["normal_force"] == 400
     assert {p["regime"] for p in document["points"]} == {"float64", "precise"}
     assert target.read_text().count("<svg") == 1
+
+
+@pytest.mark.parametrize("method", tradeoff.ORDERS, ids=str)
+def test_a_method_without_an_orbit_has_no_points(
+    method: tuple[str, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def nothing(*arguments: object, **options: object) -> None:
+        raise NoOrbit("none", False, ())
+
+    monkeypatch.setattr(tradeoff, "solve", nothing)
+    monkeypatch.setattr(scenes_solve, "solve_case", nothing)
+    monkeypatch.setattr(tradeoff, "ORDERS", {method: (4, 5)})
+    monkeypatch.setattr(tradeoff, "find_spec", lambda name: None)
+    assert tradeoff.measure(DEFAULT) == []
 
 
 def test_a_case_that_float64_cannot_hold(run) -> None:

@@ -1,13 +1,13 @@
 """Time against error for one oscillator, measured here: in float64 and in many digits.
 
-In float64 a row is a whole `solve` by compiled kernels, checks included.  Beyond, the same
-equations are refined in high precision (`twin`), derivation not counted: ten times slower,
-and without a floor.
+In float64 a row is a whole `solve`, checks included: by compiled kernels, but for `c1-tau`,
+which the solver of all scenes finds by plain ones.  Beyond, the same equations are refined in
+high precision (`twin`), derivation not counted: ten times slower, and without a floor.
 """
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from importlib.util import find_spec
 
 from .solver.belt import StickSlip
@@ -26,7 +26,11 @@ ORDERS: dict[tuple[str, int], tuple[int, ...]] = {
     ("hb-c1", 3): (2, 4, 8, 16, 32, 64, 128),
     ("hb-c1", 5): (2, 4, 8, 16, 32),
     ("c1", 1): (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 20),
+    ("c1-tau", 1): (3, 4, 5, 6, 7, 8, 9, 10, 11, 13),
 }
+
+#: The C1 series with all polynomials of low degree as tests, which is not the paper's.
+TAU = "c1-tau"
 
 #: Digits of the period beyond float64, by the C1 series.
 DIGITS = (20, 30, 50)
@@ -98,6 +102,8 @@ def count() -> int:
 
 def _float64(belt: StickSlip, method: str, terms: int, order: int) -> list[Point]:
     """Return the point of one method and order; none where there is no orbit."""
+    if method == TAU:
+        return _tau(belt, order)
 
     def orbit() -> Orbit:
         return solve(belt, method, order, c1_terms=terms, many=True)
@@ -110,6 +116,24 @@ def _float64(belt: StickSlip, method: str, terms: int, order: int) -> list[Point
     error = max(abs(found.errors.period), ROUNDING)
     judged = found.estimate.period
     return [Point("float64", method, terms, order, None, seconds, error, judged)]
+
+
+def _tau(belt: StickSlip, order: int) -> list[Point]:
+    """Return the point of the C1 series with Legendre's tests; none where it has no orbit."""
+    from .solver.scenes.library import load  # noqa: PLC0415
+    from .solver.scenes.solve import solve_case  # noqa: PLC0415
+
+    case = load("stick-slip")(**asdict(belt))
+    try:
+        found = solve_case(case, TAU, order)
+    except NoOrbit:
+        return []
+    if found.errors is None:  # no exact orbit near it
+        return []
+    seconds = median_seconds(lambda: solve_case(case, TAU, order))
+    error = max(abs(found.errors.period), ROUNDING)
+    judged = found.estimate.period
+    return [Point("float64", TAU, 1, order, None, seconds, error, judged)]
 
 
 def _geometric(belt: StickSlip) -> tuple[float, float]:

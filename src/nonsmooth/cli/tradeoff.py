@@ -32,7 +32,7 @@ Examples:
     help="Write the points: .json, or a picture .png, .svg, .pdf.",
 )  # fmt: skip
 def tradeoff(case: Path | None, json_: bool, output: Path | None, **flags: float | None) -> int:
-    """Measure time against error of the period: three methods, and many digits.
+    """Measure time against error of the period: the methods, and many digits.
 
     A point on the front (marked *) is the best in its time.
     """

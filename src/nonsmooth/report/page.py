@@ -20,6 +20,7 @@ from .case import MOST, Case
 from .claims import CLAIMS, GROUPS
 from .finding import VERDICTS, Claim, verdict
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
+from .ours import remark
 from .words import number, percent, signed
 
 #: Modules of the mathematics that the page rests on, and the orders in its table.
@@ -212,6 +213,7 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         most=MOST,
         table=_table(case),
         plates=_plates(case, pictures),
+        ours=remark(case),
         groups=groups,
         tally=[(name, [c for c in checked if c.verdict == name]) for name in VERDICTS],
         count=len(checked),

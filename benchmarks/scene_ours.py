@@ -1,0 +1,113 @@
+"""Our ways to the two scenes that are timed, in the form of the rivals.
+
+Kernels are compiled, and so is all around them: the start of the coefficients, and the coarse
+orbit from whose times every method but ck-tau starts, as `solve_case` does it.
+"""
+
+import math
+from functools import cache
+
+import numpy as np
+
+from nonsmooth.solver.scenes import library
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.exact import exact_orbit
+from nonsmooth.solver.scenes.kernel import SceneKernel
+from nonsmooth.solver.scenes.motion import SceneMotion
+from nonsmooth.solver.scenes.solve import COARSE, solve_case
+
+from .scene_rivals import Solve, njit
+
+LIMIT = 40
+
+
+@cache
+def kernel(scene: str, method: str, functions: int | None = None) -> SceneKernel:
+    """Return a compiled kernel."""
+    return library.kernel(library.load(scene), method, functions, compile_it=True)
+
+
+def newton(
+    scene: str, method: str, functions: int | None = None, *, least_squares: bool = False
+) -> Solve:
+    """Return Newton's method from the coefficients that fit rough times best.
+
+    Parameters
+    ----------
+    scene, method, functions : str, str, int or None
+        See `library.kernel`.
+    least_squares : bool
+        By LAPACK, as the solver does it; else by normal equations, which lose half the digits
+        of a start, and are quicker.
+    """
+    own = kernel(scene, method, functions)
+    residual, jacobian, iterate, size = own.residual, own.jacobian, own.iterate, own.size
+    names = iterate.py_func.__globals__  # type: ignore[attr-defined]
+    factorise, solve_factorised = names["factorise"], names["solve_factorised"]
+    times, coarse = own.durations + own.forced, method != "ck-tau"
+    before = newton(scene, "ck-tau") if coarse else _as_given
+
+    @njit
+    def solve(case, order, a, b):
+        if coarse:
+            a, b = before(case, COARSE[0], a, b)
+        n = size(order)
+        count = n - times
+        z, R, J = np.zeros(n), np.empty(n), np.empty((n, n))
+        z[-2], z[-1] = a, b
+        residual(case, z, R)
+        jacobian(case, z, J)
+        A = np.ascontiguousarray(J[:, :count])
+        for i in range(n):
+            scale = np.max(np.abs(A[i]))
+            if scale > 0:
+                A[i] /= scale
+                R[i] /= scale
+        if least_squares:
+            z[:count] = np.linalg.lstsq(A, -R)[0]
+        else:
+            best, rows = A.T @ A, np.empty(count, dtype=np.int64)
+            z[:count] = -(A.T @ R)
+            factorise(best, rows)
+            solve_factorised(best, rows, z[:count])
+        status, _, _, _ = iterate(case, z, LIMIT)
+        return (z[-2], z[-1]) if status == 0 else (math.nan, math.nan)
+
+    return solve
+
+
+@njit
+def _as_given(case, order, a, b):
+    return a, b
+
+
+def _oscillator(scene: str, case: tuple[float, ...]) -> Case:
+    load = library.load(scene)
+    names = (parameter.name for parameter in load.parameters)
+    return load(**dict(zip(names, case, strict=True)))
+
+
+def whole(scene: str, method: str) -> Solve:
+    """Return `solve_case` from Python: blind, with its checks; SI units."""
+
+    def solve(case, order, a, b):
+        return _pair(solve_case(_oscillator(scene, case), method, order))
+
+    return solve
+
+
+def exact_flow(scene: str) -> Solve:
+    """Return the solver's exact orbit from the rough times: in Python, checked; SI units."""
+
+    def solve(case, _, a, b):
+        oscillator = _oscillator(scene, case)
+        if oscillator.cell.forced:
+            return _pair(exact_orbit(oscillator, (a,), b))
+        return _pair(exact_orbit(oscillator, (a, b)))
+
+    return solve
+
+
+def _pair(orbit: SceneMotion) -> tuple[float, float]:
+    first, *rest = orbit.durations
+    return first, rest[0] if rest else float(orbit.forcing_phase or 0.0)
