@@ -9,7 +9,6 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-
 from . import METHODS, SOLVED, derive, scenes
 from .emission import kernel, scene_numbers
 from .emit import module_source

@@ -1,8 +1,7 @@
 """SymPy expressions as the text of Python expressions that keep their digits."""
 
-import inspect
+import math
 import re
-from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
@@ -16,39 +15,34 @@ class KernelPrinter(NumericPrinter):
         indices = ", ".join(str(sp.expand(index)) for index in expr.indices)
         return f"{expr.base.label}[{indices}]"
 
-
-def python_all(
-    expressions: Sequence[sp.Expr], arguments: Sequence[sp.Expr] = ()
-) -> tuple[str, ...]:
-    """Return what `sympy.lambdify` writes behind ``return`` for each of some expressions."""
-    settings = {"fully_qualified_modules": False, "allow_unknown_functions": True}
-    printer = KernelPrinter(settings)
-    values = tuple(map(sp.sympify, expressions))
-    function = sp.lambdify(tuple(arguments), values, modules="math", printer=printer)
-    text = inspect.getsource(function).partition("return ")[2].strip()
-    return tuple(_items(text.removeprefix("(").removesuffix(")")))
+    def _print_Exp1(self, expr: sp.Expr) -> str:
+        return "exp(1)"  # e may be a parameter
 
 
-def python(expression: sp.Expr, arguments: Sequence[sp.Expr] = ()) -> str:
-    """Return what `sympy.lambdify` writes behind ``return`` for one expression."""
-    return python_all((expression,), arguments)[0]
+_PRINTER = KernelPrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
 
 
-def _items(text: str) -> Iterator[str]:
-    """Yield what stands between the commas of a tuple, but for those within brackets."""
-    depth, item = 0, ""
-    for letter in text:
-        depth += (letter in "([") - (letter in ")]")
-        if letter == "," and depth == 0:
-            yield item.strip()
-            item = ""
-        else:
-            item += letter
-    if item.strip():
-        yield item.strip()
+def python(expression: sp.Expr) -> str:
+    """Return an expression in Python, functions by their names in the module ``math``."""
+    return str(_PRINTER.doprint(sp.sympify(expression)))
+
+
+def floating(expression: sp.Expr) -> str:
+    """Return an expression in Python that is a float, also where it is an integer."""
+    value = sp.sympify(expression)
+    return f"{value}.0" if value.is_Integer else python(value)
+
+
+#: The functions of the module ``math``, and its number.
+_MATH = (
+    "pi",
+    *(name for name in dir(math) if callable(getattr(math, name)) and name[0] != "_"),
+)
 
 
 def math_names(text: str) -> list[str]:
-    """Return what a text uses of the module ``math``."""
-    names = ("cos", "exp", "pi", "sin", "sqrt")
-    return [name for name in names if re.search(rf"(?<![\w.]){name}\b", text)]
+    """Return what the code in a text uses of the module ``math``."""
+    code = re.sub(r'""".*?"""', "", text, flags=re.DOTALL)
+    used = set(re.findall(r"(?<![\w.])(pi)\b|(?<![\w.])(?<!def )(\w+)\(", code))
+    names = {name for pair in used for name in pair}
+    return sorted(name for name in _MATH if name in names)

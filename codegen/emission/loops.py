@@ -33,20 +33,22 @@ class Writer:
 
     def _write(self, condition: Condition) -> None:
         found = terms(condition, self.system.blocks)
-        single = [term for term in found if term.over is None]
-        summed = [term for term in found if term.over is not None]
+        groups = sorted({term.over for term in found if term.over is not None}, key=str)
         indices = [] if condition.index is None else [condition.index]
-        body_R: Lines = ["R[row] = 0.0"]
+        single = [term for term in found if term.over is None]
+        body_R: Lines = []
         body_J: Lines = []
-        self._add(condition, "", single, indices, body_R, body_J, None)
-        groups = {term.over for term in summed}
-        for number, over in enumerate(sorted(groups, key=str)):
-            assert over is not None
-            group = [term for term in summed if term.over == over]
+        self._add(condition, "", single, indices, body_R, body_J)
+        if body_R:
+            body_R[-1] = body_R[-1].replace("+=", "=", 1)
+        else:
+            body_R = ["R[row] = 0.0"]
+        for number, over in enumerate(groups):
+            group = [term for term in found if term.over == over]
             tail = f"_sum{number}" if len(groups) > 1 else "_sum"
             inner_R: Lines = []
             inner_J: Lines = []
-            self._add(condition, tail, group, [*indices, over[0]], inner_R, inner_J, over)
+            self._add(condition, tail, group, [*indices, over[0]], inner_R, inner_J)
             head = f"for {over[0]} in range({over[1]}, {sp.expand(over[2] + 1)}):"
             body_R += [head, *("    " + line for line in inner_R)]
             body_J += [head, *("    " + line for line in inner_J)]
@@ -70,7 +72,6 @@ class Writer:
         indices: Sequence[sp.Expr],
         body_R: Lines,
         body_J: Lines,
-        over: object,
     ) -> None:
         if not found:
             return
@@ -82,9 +83,14 @@ class Writer:
         values = [f"q{i}" for i in range(len(found))]
         assign = f"{', '.join(values)} = {form.call}"
         body_R += [assign, f"R[row] += {_combined(values, found)}"]
-        unknown = [(value, term) for value, term in zip(values, found, strict=True) if term.block]
+        unknown = [
+            (value, term) for value, term in zip(values, found, strict=True) if term.block
+        ]
         if unknown:
-            body_J.append(assign)
+            names = [
+                value if term.block else "_" for value, term in zip(values, found, strict=True)
+            ]
+            body_J.append(f"{', '.join(names)} = {form.call}")
             body_J += [_put(term, value) for value, term in unknown]
         for time in self.system.times.unknown:
             pairs = rates(found, time, self.system.tables)
@@ -99,9 +105,8 @@ class Writer:
             self.functions.append(rate)
             names = values[: len(pairs)]
             body_J.append(f"{', '.join(names)} = {rate.call}")
-            body_J.append(
-                f"J[row, at_{time}] += {_combined(names, [term for term, _ in pairs])}"
-            )
+            change = _combined(names, [term for term, _ in pairs])
+            body_J.append(f"J[row, at_{time}] += {change}")
 
 
 def _combined(values: Sequence[str], found: Sequence[Term]) -> str:

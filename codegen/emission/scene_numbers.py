@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import sympy as sp
 
 from ..emit import digest
-from ..scene import Phase, Scene, linear_phase, state_row, switches, v
+from ..scene import Parameter, Phase, Scene, linear_phase, state_row, switches, v
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
 from ..scene.units import dimension_of
@@ -21,8 +21,6 @@ the cosine of the forcing.
 """
 
 '''
-
-_BOUNDS = {True: "positive", False: "nonnegative"}
 
 
 def scene_source(scene: Scene) -> str:
@@ -71,10 +69,10 @@ def _data(scene: Scene) -> str:
     return "\n".join(lines) + "\n\n\n"
 
 
-def _parameter(q: object) -> tuple[object, ...]:
-    symbol = q.symbol  # type: ignore[attr-defined]
+def _parameter(q: Parameter) -> tuple[object, ...]:
+    symbol, most = q.symbol, None if q.most is None else float(q.most)
     bound = "positive" if symbol.is_positive else "nonnegative" if symbol.is_nonnegative else ""
-    return q.name, symbol.name, q.unit, float(q.default), q.what, bound, q.most  # type: ignore[attr-defined]
+    return q.name, symbol.name, q.unit, float(q.default), q.what, bound, most
 
 
 def _powers(unit: str) -> str:
@@ -87,7 +85,7 @@ def _demands(phase: Phase) -> list[tuple[str, sp.Expr]]:
     return [
         (words, part)
         for words, demand in phase.demands.items()
-        for part in without_modulus(demand)
+        for part in without_modulus(sp.sympify(demand))
     ]
 
 
@@ -95,10 +93,10 @@ def _functions(scene: Scene) -> list[str]:
     """Return the source of each function of the module."""
 
     def python_of(row: tuple[sp.Expr, ...]) -> str:
-        return f"({', '.join(python(e, scene.symbols) for e in row)})"
+        return f"({', '.join(python(e) for e in row)})"
 
     def scalars(name: str, summary: str, values: Iterable[sp.Expr]) -> str:
-        return _function(scene, name, summary, [python(e, scene.symbols) for e in values])
+        return _function(scene, name, summary, [python(e) for e in values])
 
     def rows(name: str, summary: str, values: Iterable[tuple[sp.Expr, ...]]) -> str:
         return _function(scene, name, summary, [python_of(row) for row in values])

@@ -1,13 +1,15 @@
 """A condition as linear terms: what is multiplied by which unknown, for each time as well."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
 from ..galerkin import Block, Condition, GalerkinConditions, Table
 from ..galerkin.tables import by_time
-from .expressions import python_all
+from ..galerkin.weights import weights
+from .expressions import python
 
 
 @dataclass(frozen=True)
@@ -39,34 +41,53 @@ def terms(condition: Condition, blocks: Sequence[Block]) -> list[Term]:
     ValueError
         If the condition is not linear in the unknowns.
     """
-    expression = sp.expand_mul(condition.expression)
+    expression = condition.expression
+    if expression.has(sp.Sum):
+        expression = sp.expand_mul(expression)
     found: list[Term] = []
     for part in sorted(expression.atoms(sp.Sum), key=sp.default_sort_key):
         weight = expression.coeff(part)
-        found += _of_sum(part, weight, blocks)
+        (limits,) = part.limits
+        pieces = _by_unknown(condition, weight * sp.expand_mul(part.function), blocks)
+        found += [Term(q.coefficient, q.block, q.index, tuple(limits)) for q in pieces]
         expression = expression - weight * part
-    expression = sp.expand_mul(expression)
-    rest = expression
-    for block in blocks:
-        for unknown in _unknowns(expression, block):
-            coefficient = sp.diff(expression, unknown)
-            rest = rest.xreplace({unknown: sp.Integer(0)})
-            index = unknown.indices[0] if isinstance(unknown, sp.Indexed) else block.first
-            found.append(Term(sp.factor_terms(coefficient), block, sp.sympify(index)))
-    rest = sp.expand_mul(rest)
-    if rest != 0:
-        found.append(Term(rest, None, sp.Integer(0)))
-    _check_linear(condition, found, blocks)
-    return found
+    if expression.has(sp.Sum):
+        raise ValueError(f"{condition.name}: not linear in its sums")
+    return found + _by_unknown(condition, expression, blocks)
 
 
-def _of_sum(part: sp.Sum, weight: sp.Expr, blocks: Sequence[Block]) -> Iterator[Term]:
-    ((index, low, high),) = part.limits
-    inside = sp.expand_mul(part.function)
-    for block in blocks:
-        for unknown in _unknowns(inside, block):
-            coefficient = sp.factor_terms(weight * sp.diff(inside, unknown))
-            yield Term(coefficient, block, unknown.indices[0], (index, low, high))
+def _by_unknown(
+    condition: Condition, expression: sp.Expr, blocks: Sequence[Block]
+) -> list[Term]:
+    """Return the terms of an expression that has no sums."""
+    pairs = [(block, q) for block in blocks for q in _unknowns(expression, block)]
+    try:
+        found = weights(expression, {unknown for _, unknown in pairs})
+    except ValueError as error:
+        raise ValueError(f"{condition.name}: {error} in the unknowns") from None
+    rows = []
+    for block, unknown in pairs:
+        index = unknown.indices[0] if isinstance(unknown, sp.Indexed) else block.first
+        rows.append(Term(factored(found[unknown]), block, sp.sympify(index)))
+    rows.append(Term(factored(found.get(sp.S.One, sp.S.Zero)), None, sp.S.Zero))
+    return [term for term in rows if term.coefficient != 0]
+
+
+def factored(expression: sp.Expr) -> sp.Expr:
+    """Return an expression by the entries of tables in it, what multiplies each in factors."""
+    entries = expression.atoms(sp.Indexed)
+    if entries:
+        parts = weights(expression, entries)
+        return sp.Add(*(factored(weight) * entry for entry, weight in parts.items()))
+    return _factored(expression)
+
+
+@cache
+def _factored(expression: sp.Expr) -> sp.Expr:
+    if not expression.has(sp.Add):
+        return expression
+    rational = not expression.has(sp.Function)
+    return sp.factor(expression) if rational else sp.factor_terms(expression)
 
 
 def _unknowns(expression: sp.Expr, block: Block) -> list[sp.Expr]:
@@ -75,14 +96,6 @@ def _unknowns(expression: sp.Expr, block: Block) -> list[sp.Expr]:
         return [block.symbol] if expression.has(block.symbol) else []
     there = [q for q in expression.atoms(sp.Indexed) if q.base == block.symbol]
     return sorted(there, key=lambda q: sp.default_sort_key(q.indices[0]))
-
-
-def _check_linear(condition: Condition, found: list[Term], blocks: Sequence[Block]) -> None:
-    symbols = {block.symbol for block in blocks}
-    for term in found:
-        bases = {q.base for q in term.coefficient.atoms(sp.Indexed)}
-        if (term.coefficient.free_symbols | bases) & symbols:
-            raise ValueError(f"{condition.name}: not linear in the unknowns")
 
 
 @dataclass(frozen=True)
@@ -113,7 +126,7 @@ def closed_function(
         labels = {q.base.label for q in indexed}
         there |= value.free_symbols - labels - indexed
     arguments = tuple(q for q in order if q in there)
-    texts = python_all(values, arguments)
+    texts = [python(value) for value in values]
     result = texts[0] if len(texts) == 1 else _tuple(texts)
     signature = ", ".join(map(str, arguments))
     source = f'def {name}({signature}):\n    """{summary}"""\n    return {result}\n'
@@ -129,7 +142,7 @@ def rates(
 ) -> list[tuple[Term, sp.Expr]]:
     """Return the terms whose coefficients depend on a time, with their derivatives."""
     derivatives = [(term, by_time(term.coefficient, time, tables)) for term in found]
-    return [(term, sp.factor_terms(rate)) for term, rate in derivatives if rate != 0]
+    return [(term, factored(rate)) for term, rate in derivatives if rate != 0]
 
 
 def known(system: GalerkinConditions) -> list[sp.Expr]:

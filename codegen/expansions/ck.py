@@ -1,4 +1,4 @@
-"""Functions of class C^k, tested with themselves: Section 3.3 of the paper for any class (`ck`).
+"""Functions of class C^k, tested with themselves: Section 3.3 for any class (`ck`).
 
 On a phase that begins at a switch of class C^k, the functions that begin there are ``P_l*``
 integrated k + 1 times from the switch: (18) has them for k = 1.

@@ -1,15 +1,15 @@
 """Harmonics: Section 3.1 of the paper for any scene (`hb`).
 
-Where the velocity jumps, the impulse is an unknown besides.  The delta in the acceleration moves
-to the right side of the orthogonality conditions exactly, the series has the mean velocity of
-both sides at the jump, and the law of the impact is one row more.
+Where the velocity jumps, the impulse is an unknown besides.  The delta in the acceleration
+moves to the right side of the orthogonality conditions exactly, the series has the mean
+velocity of both sides at the jump, and the law of the impact is one row more.
 """
 
 from collections.abc import Iterator
 
 import sympy as sp
 
-from ..emission.expressions import python
+from ..emission.expressions import floating, python
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
@@ -35,13 +35,13 @@ def series(harmonics: Harmonics, time: sp.Expr, order: int) -> sp.Expr:
     turned = number * w * time + order * sp.pi / 2
     size = (number * w) ** order
     sum_ = sp.Sum(size * (a[n] * sp.sin(turned) + b[n] * sp.cos(turned)), (n, 1, N))
-    return sum_ + (a0 / 2 if order == 0 and harmonics.times.sign == 1 else 0)
+    return sum_ + (a0 / 2 if order == 0 and not harmonics.odd else 0)
 
 
 def orthogonality(harmonics: Harmonics, found: tuple[Switch, ...]) -> Iterator[Condition]:
     """Yield (5), (6), (7): the residual is orthogonal to the constant and to each harmonic."""
     wave = harmonics.number(j) * angle
-    if harmonics.times.sign == 1:
+    if not harmonics.odd:
         yield _row(harmonics, found, "by_one", sp.Integer(1), None)
     yield _row(harmonics, found, "by_sine", sp.sin(wave), j)
     yield _row(harmonics, found, "by_cosine", sp.cos(wave), j)
@@ -58,7 +58,7 @@ def _row(
     summed = a[n] * harmonics.residual_by(sp.sin(trial), test)
     summed += b[n] * harmonics.residual_by(sp.cos(trial), test)
     expression = sp.Sum(sp.expand(summed), (n, 1, N)) - harmonics.force_by(test)
-    if harmonics.times.sign == 1:
+    if not harmonics.odd:
         expression += a0 / 2 * harmonics.over_cell("k", test)
     for p in range(len(found)):
         mass = equations(harmonics.scene)[p].m
@@ -118,9 +118,10 @@ def derive(scene: Scene) -> GalerkinConditions:
         tuple(_blocks(scene, found)),
         times,
         conditions,
-        tuple(harmonics.tables(python)),
+        tuple(harmonics.tables()),
         lowest=1,
         motion=lambda phase, duration: _motion(harmonics, found, phase),
+        odd_harmonics=harmonics.odd,
     )
     system.check_count()
     return system
@@ -144,13 +145,15 @@ def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
 
 def series_arguments(harmonics: Harmonics, p: int) -> str:
     """Return the first arguments of the function that evaluates (3) on a phase."""
-    mean = "z[at_a0]/2" if harmonics.times.sign == 1 else "0.0"
+    times = harmonics.times
+    mean = "0.0" if harmonics.odd else "z[at_a0]/2"
     families = "z[at_a:at_a + N], z[at_b:at_b + N]"
-    numbers = "np.arange(1, N + 1)" if harmonics.times.sign == 1 else "np.arange(1, 2*N, 2)"
-    durations = [f"z[at_{time}]" for time in harmonics.times.durations]
-    period = f"{1 if harmonics.times.sign == 1 else 2}*({' + '.join(durations)})"
-    start = " + ".join(durations[:p]) or "0.0"
-    return f"{mean}, {families}, {numbers}, 2*pi/({period}), {start}, {durations[p]}"
+    numbers = "np.arange(1, 2*N, 2)" if harmonics.odd else "np.arange(1, N + 1)"
+    start = floating(times.start(p))
+    return (
+        f"{mean}, {families}, {numbers}, {python(harmonics.omega_0)}, "
+        f"{start}, {times.durations[p]}"
+    )
 
 
 def _motion(harmonics: Harmonics, found: tuple[Switch, ...], phase: Phase) -> str:
@@ -159,6 +162,10 @@ def _motion(harmonics: Harmonics, found: tuple[Switch, ...], phase: Phase) -> st
     after = (p + 1) % len(found)
     sign = harmonics.scene.sign if after == 0 else 1
     begins = f"z[at_{impulse(found[p])}]" if found[p].k == 0 else "0.0"
-    ends = f"{sign}*z[at_{impulse(found[after])}]" if found[after].k == 0 else "0.0"
+    ends = (
+        f"{'-' if sign == -1 else ''}z[at_{impulse(found[after])}]"
+        if found[after].k == 0
+        else "0.0"
+    )
     series_ = series_arguments(harmonics, p)
     return f"return series_on_phase({series_}, {begins}, {ends}, u, derivative)"

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..emission.expressions import python
+from ..emission.expressions import floating, python
 from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, breaks, closure
-from ..galerkin.condition import N
-from ..galerkin.harmonics import Harmonics, equations, j
+from ..galerkin.harmonics import Harmonics, ends_of_phases, equations, j
+from ..galerkin.tables import tables_with_rates
 from ..scene import Phase, Scene, Switch, switches, v
 from . import hb
 
@@ -96,45 +96,29 @@ def orthogonality(e: Expansion) -> Iterator[Condition]:
 
 def tables(e: Expansion) -> Iterator[Table]:
     """Yield the functions at the ends of the phases, and their integrals with harmonics."""
-    starts = [python(e.times.start(p)) for p in range(1, len(e.switches) + 1)]
-    ends = f"({', '.join(('0.0', *starts))})"
-    numbers = "np.arange(0, N + 1)" if e.times.sign == 1 else "np.abs(np.arange(-1, 2*N, 2))"
+    durations, ends = e.times.durations, ends_of_phases(e.times)
+    numbers = "np.abs(np.arange(-1, 2*N, 2))" if e.harmonics.odd else "np.arange(0, N + 1)"
     weights = ", ".join(
-        f"(1.0*({python(q.m)}), 1.0*({python(q.c)}), 1.0*({python(q.k)}))"
-        for q in equations(e.scene)
+        f"({', '.join(map(floating, (q.m, q.c, q.k)))})" for q in equations(e.scene)
     )
     for p, switch in enumerate(e.switches):
-        series = f"series_{switch.before}"
+        series, at_ends = f"series_{switch.before}", f"ends_{switch.before}"
         prepare = f"{series} = breaks_on_phases({p}, {ends}, {e.times.sign})"
-        at_ends = f"ends_{switch.before} = break_ends({series})"
-        yield from _with_rates(e, e.ends(p), f"ends_{switch.before}", f"{prepare}\n{at_ends}")
+        made = f"{prepare}\n{at_ends} = break_ends({series})"
+        yield from tables_with_rates(str(e.ends(p)), durations, at_ends, made)
         for n in e.orders(p):
             name = f"over_beta{n}_{switch.before}"
             made = (
-                f"{name} = break_integrals({n}, {series}, ({weights},), {ends}, "
+                f"{prepare}\n{name} = break_integrals({n}, {series}, ({weights},), {ends}, "
                 f"{python(e.times.period)}, {numbers})"
             )
             for row, wave in enumerate(("cos", "sin")):
-                yield from _with_rates(e, e.integrals(p, n, wave), f"{name}[{row}]", made)
-
-
-def _with_rates(
-    e: Expansion, base: sp.IndexedBase, source: str, prepare: str
-) -> Iterator[Table]:
-    """Yield a table whose first row is its values, the others their derivatives by time."""
-    durations = e.times.durations
-    by = {s: sp.IndexedBase(f"{base.label}_by_{s}") for s in durations}
-
-    def rate(indices: tuple[sp.Expr, ...], time: sp.Symbol) -> sp.Expr:
-        return by[time][indices] if time in by else sp.Integer(0)
-
-    yield Table(base, rate, f"{source}[0]", prepare)
-    for q, s in enumerate(durations):
-        yield Table(by[s], lambda indices, time: sp.Integer(0), f"{source}[{1 + q}]", prepare)
+                base = str(e.integrals(p, n, wave))
+                yield from tables_with_rates(base, durations, f"{name}[{row}]", made)
 
 
 def jumps(e: Expansion) -> Iterator[Condition]:
-    """Yield, for each function, the jump of a derivative that the equation of motion demands."""
+    """Yield, for each function, the jump of a derivative that the equation demands."""
     for p, switch in enumerate(e.switches):
         for n in e.orders(p):
             order = n - 1
@@ -188,7 +172,7 @@ def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
         *closure.events(scene, e.times, lambda p, order: e.smooth(p, order, left=True)),
         *closure.period(e.times),
     )
-    looked_up = (*e.harmonics.tables(python), *tables(e))
+    looked_up = (*e.harmonics.tables(), *tables(e))
     forms = breaks.series(max(n for _, n, _ in e.all()), e.times.sign)
     system = GalerkinConditions(
         scene,
@@ -201,6 +185,7 @@ def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
         lowest=1,
         motion=lambda phase, duration: _motion(e, phase),
         break_series=forms,
+        odd_harmonics=e.harmonics.odd,
     )
     system.check_count()
     return system
@@ -216,10 +201,7 @@ def _blocks(e: Expansion) -> Iterator[Block]:
 def _motion(e: Expansion, phase: Phase) -> str:
     """Return the statement by which a kernel evaluates the motion on a phase."""
     q = e.scene.phases.index(phase)
-    durations = [f"z[at_{time}]" for time in e.times.durations]
-    ends = f"np.cumsum(np.array([0.0, {', '.join(durations)}]))"
     parts = ", ".join(f"({p}, {n}, z[at_{c}])" for p, n, c in e.all())
-    return (
-        f"return series_on_phase({hb.series_arguments(e.harmonics, q)}, 0.0, 0.0, u, derivative)"
-        f" + breaks_on_phase(({parts},), {ends}, {e.times.sign}, {q}, u, derivative)"
-    )
+    series = f"series_on_phase({hb.series_arguments(e.harmonics, q)}, 0.0, 0.0, u, derivative)"
+    where = f"{ends_of_phases(e.times)}, {e.times.sign}, {q}"
+    return f"return {series} + breaks_on_phase(({parts},), {where}, u, derivative)"

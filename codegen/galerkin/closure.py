@@ -72,5 +72,7 @@ def period(times: Times) -> Iterator[Condition]:
     if times.frequency is not None:
         turns = sp.pi if times.sign == -1 else 2 * sp.pi
         yield Condition(
-            "cell", "the cell is as long as the forcing makes it", times.cell - turns / times.frequency
+            "cell",
+            "the cell is as long as the forcing makes it",
+            times.cell - turns / times.frequency,
         )

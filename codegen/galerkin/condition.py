@@ -9,7 +9,7 @@ from ..scene import Phase, Scene
 from .tables import Table
 from .times import Times
 
-#: The order of the expansion.
+#: The order of the expansion; where only odd harmonics are there, their number.
 N = sp.Symbol("N", integer=True, positive=True)
 
 
@@ -69,8 +69,8 @@ class Condition:
     title: str
     expression: sp.Expr
     index: sp.Symbol | None = None
-    first: sp.Expr = sp.Integer(0)
-    count: sp.Expr = sp.Integer(1)
+    first: sp.Expr = sp.S.Zero
+    count: sp.Expr = sp.S.One
     number: str = ""
     where: str = ""
 
@@ -99,6 +99,9 @@ class GalerkinConditions:
         ``motion(phase, duration)``: the statement of the kernel that evaluates a phase.
     break_series : tuple of tuple of Expr
         The Legendre coefficients of functions with a break, if the expansion has them.
+    odd_harmonics : bool
+        Whether only odd harmonics are there.  The order, which users give, is the highest
+        harmonic; then `N` is ``(order + 1)//2``, and the order itself otherwise.
     """
 
     scene: Scene
@@ -111,6 +114,7 @@ class GalerkinConditions:
     lowest: int
     motion: Callable[[Phase, sp.Symbol], str]
     break_series: tuple[tuple[sp.Expr, ...], ...] = ()
+    odd_harmonics: bool = False
 
     def check_count(self) -> None:
         """Check that there are as many conditions as unknowns.

@@ -2,18 +2,19 @@
 
 Over a cell whose phases have different coefficients, ``int w(t) cos(k omega_0 t) dt`` with the
 weight w constant on each phase is one table for each coefficient of the equation of motion.
-Products of harmonics are sums of harmonics, so every entry is a combination of two of its values.
+Products of harmonics are sums of harmonics, so every entry is a combination of two values.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy.simplify.fu import TR8
 
+from ..emission.expressions import floating, python
 from ..scene import LinearPhase, Scene, linear_phase
 from .condition import N
-from .tables import Table
+from .tables import Table, tables_with_rates
 from .times import Times, phi
 
 n, j = sp.symbols("n j", integer=True, positive=True)
@@ -39,6 +40,12 @@ def equations(scene: Scene) -> tuple[LinearPhase, ...]:
     )
 
 
+def ends_of_phases(times: Times) -> str:
+    """Return where the phases begin, and where the last one ends, in Python."""
+    starts = (times.start(p) for p in range(1, len(times.durations) + 1))
+    return f"({', '.join(('0.0', *map(python, starts)))})"
+
+
 @dataclass(frozen=True)
 class Harmonics:
     """The harmonics of a scene and what integrals of them are tabulated.
@@ -57,41 +64,37 @@ class Harmonics:
         """The fundamental frequency, from the unknown durations."""
         return 2 * sp.pi / self.times.period
 
+    @property
+    def odd(self) -> bool:
+        """Whether only odd harmonics are there."""
+        return self.times.sign == -1
+
     def number(self, index: sp.Expr) -> sp.Expr:
-        """Return the harmonic of an index: all, or the odd ones where ``x(t + T/2) = -x(t)``."""
-        return index if self.times.sign == 1 else 2 * index - 1
+        """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
+        return 2 * index - 1 if self.odd else index
 
     def weights(self, name: str) -> tuple[sp.Expr, ...]:
         """Return a coefficient of the equation of motion on each phase."""
         return tuple(getattr(q, name) for q in equations(self.scene))
 
-    def tables(self, printed: Callable[[sp.Expr], str]) -> Iterator[Table]:
+    def tables(self) -> Iterator[Table]:
         """Yield the tables that the conditions look up, with their derivatives."""
-        highest = printed(sp.expand(2 * self.number(N) + 1))
-        starts = (self.times.start(p) for p in range(1, len(self.scene.phases) + 1))
-        ends = ", ".join(("0.0", *map(printed, starts)))
-        for name in POWERS:
+        highest = python(sp.expand(2 * self.number(N) + 1))
+        ends = ends_of_phases(self.times)
+        for name, power in POWERS.items():
             values = self.weights(name)
             if not any(values):
                 continue
-            phases = ", ".join(f"1.0*({printed(value)})" for value in values)
+            phases = ", ".join(map(floating, values)) + "," * (len(values) == 1)
             prepare = (
-                f"over_{name} = harmonic_integrals(({phases},), {POWERS[name]}, ({ends}), "
-                f"{printed(self.times.period)}, {highest})"
+                f"over_{name} = harmonic_integrals(({phases}), {power}, {ends}, "
+                f"{python(self.times.period)}, {highest})"
             )
             for row, letter in enumerate("CS"):
-                yield from self._with_rates(f"{letter}_{name}", f"over_{name}[{row}]", prepare)
-
-    def _with_rates(self, name: str, source: str, prepare: str) -> Iterator[Table]:
-        durations = self.times.durations
-        bases = [sp.IndexedBase(f"{name}_by_{time}") for time in durations]
-
-        def rate(indices: tuple[sp.Expr, ...], time: sp.Symbol) -> sp.Expr:
-            return bases[durations.index(time)][indices] if time in durations else sp.Integer(0)
-
-        yield Table(sp.IndexedBase(name), rate, f"{source}[0]", prepare)
-        for q, base in enumerate(bases):
-            yield Table(base, lambda indices, time: sp.Integer(0), f"{source}[{1 + q}]", prepare)
+                source = f"over_{name}[{row}]"
+                yield from tables_with_rates(
+                    f"{letter}_{name}", self.times.durations, source, prepare
+                )
 
     def over_cell(self, name: str, product: sp.Expr) -> sp.Expr:
         """Return the integral of a weight times a product of harmonics, from its tables.

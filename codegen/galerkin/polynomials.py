@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator, Mapping
 
 import sympy as sp
 
-from ..emission.expressions import python
 from ..scene import Phase, Scene, Switch, linear_phase, switches
 from . import closure
 from .condition import Block, Condition, GalerkinConditions, N
@@ -62,7 +61,7 @@ def tables(scene: Scene, times: Times, extra: int) -> tuple[Table, ...]:
         if phase.held is None and linear_phase(phase).g != 0:
             kappa = times.frequency * times.durations[p]
             theta = times.angle(times.start(p))
-            found += moment_tables(phase.name, kappa, theta, f"N + {extra}", python)
+            found += moment_tables(phase.name, kappa, theta, f"N + {extra}")
     return tuple(found)
 
 
@@ -83,10 +82,12 @@ def orthogonality(
 
     def row(index: sp.Expr) -> sp.Expr:
         parts = (
-            weight * q.residual(equation, degree, moment(found, phase, degree)) / (2 * degree + 1)
+            weight
+            * q.residual(equation, degree, moment(found, phase, degree))
+            / (2 * degree + 1)
             for degree, weight in test(index, switch.k).items()
         )
-        return sp.expand(sp.Add(*parts))
+        return sp.Add(*parts)
 
     for index in range(first):
         yield Condition(
@@ -117,7 +118,7 @@ def motion(phase: Phase, duration: sp.Symbol) -> str:
     state = f"z[at_x_{name}], z[at_v_{name}]"
     family = f"z[at_d_{name}:at_d_{name} + number_d_{name}]"
     series = family if phase.held is None else "z[:0]"
-    return f"return phase_motion({state}, {series}, z[at_{duration}], u, derivative)"
+    return f"return phase_motion({state}, {series}, {duration}, u, derivative)"
 
 
 def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditions:

@@ -11,10 +11,13 @@ with the spherical Bessel function j_l.  Its derivatives stay in the family:
     d mu_l/d kappa = [mu_l + ((l + 1) mu_(l+1) + l mu_(l-1))/(2 l + 1)](kappa, theta + pi/2)/2.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
+
+from ..emission.expressions import python
+from .weights import weights
 
 l = sp.Symbol("l", integer=True, nonnegative=True)
 
@@ -78,7 +81,7 @@ def moment_rate(
 
 
 def moment_tables(
-    name: str, kappa: sp.Expr, theta: sp.Expr, length: str, printed: Callable[[sp.Expr], str]
+    name: str, kappa: sp.Expr, theta: sp.Expr, length: str
 ) -> tuple[Table, Table]:
     """Return the tables of ``mu_l(kappa, theta)`` and ``mu_l(kappa, theta + pi/2)``.
 
@@ -90,24 +93,48 @@ def moment_tables(
         In the parameters and the unknown times.
     length : str
         Number of entries, in Python.
-    printed : callable
-        Writes an expression as Python.
     """
     even, odd = sp.IndexedBase(f"mu_{name}"), sp.IndexedBase(f"nu_{name}")
     rates = moment_rate(even, odd, kappa, theta)
     tables = []
     for base, rate, turned in zip((even, odd), rates, (theta, theta + sp.pi / 2), strict=True):
-        fill = f"legendre_moments({length}, {printed(kappa)}, {printed(turned)})"
+        fill = f"legendre_moments({length}, {python(kappa)}, {python(turned)})"
         tables.append(Table(base, rate, fill, definition=Moment(l, kappa, turned)))
     return tables[0], tables[1]
 
 
+def tables_with_rates(
+    name: str, durations: Sequence[sp.Symbol], source: str, prepare: str
+) -> Iterator[Table]:
+    """Yield a table that is computed with its derivatives by the durations, and those.
+
+    Parameters
+    ----------
+    name : str
+        Of the table; its derivatives have ``_by_<duration>`` behind it.
+    durations : sequence of Symbol
+    source : str
+        What holds them in a kernel: the values first, then their derivatives.
+    prepare : str
+        The statement that makes `source`.
+    """
+    rates = {s: sp.IndexedBase(f"{name}_by_{s}") for s in durations}
+
+    def rate(indices: tuple[sp.Expr, ...], time: sp.Symbol) -> sp.Expr:
+        return rates[time][indices] if time in rates else sp.Integer(0)
+
+    yield Table(sp.IndexedBase(name), rate, f"{source}[0]", prepare)
+    for q, base in enumerate(rates.values()):
+        yield Table(base, lambda indices, time: sp.Integer(0), f"{source}[{1 + q}]", prepare)
+
+
 def by_time(expression: sp.Expr, time: sp.Symbol, tables: Iterable[Table]) -> sp.Expr:
     """Return the derivative by an unknown time, through what the tables hold as well."""
-    total = sp.diff(expression, time)
     looked_up = {table.base: table for table in tables}
-    for entry in sorted(expression.atoms(sp.Indexed), key=str):
-        table = looked_up.get(entry.base)
-        if table is not None:
-            total += sp.diff(expression, entry) * table.rate(entry.indices, time)
+    entries = {q for q in expression.atoms(sp.Indexed) if q.base in looked_up}
+    total = sp.S.Zero
+    for entry, weight in weights(expression, entries).items():
+        total += sp.diff(weight, time) * entry
+        if entry in entries:
+            total += weight * looked_up[entry.base].rate(entry.indices, time)
     return total

@@ -11,7 +11,7 @@ from .phases import Units, check_neighbours, check_phase, check_same_units
 from .scales import scales
 from .smoothness import switches
 from .symbols import STATE_UNITS, forcing
-from .units import NONE, balance, dimension_of, spelled
+from .units import balance, dimension_of, spelled
 
 #: The units that a scene may say, and what they are in SI.
 SCALES = {"mass": "kg", "time": "s", "length": "m"}
@@ -27,7 +27,7 @@ def check(scene: Scene) -> None:
     """
     check_entries(scene)
     check_name("name", scene.name.replace("-", "_"))
-    _check_names_of_phases(scene)
+    _check_phases(scene)
     check_parameters(scene.parameters, [phase.name for phase in scene.phases])
     _check_frequency(scene)
     units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
@@ -39,12 +39,12 @@ def check(scene: Scene) -> None:
     check_neighbours(scene.phases[-1], scene.phases[0], scene.sign)
     check_same_units(scene.phases, units)
     _check_whole(scene, units)
-    _check_used(scene)
     scales(scene)
+    _check_used(scene)
     switches(scene)
 
 
-def _check_names_of_phases(scene: Scene) -> None:
+def _check_phases(scene: Scene) -> None:
     if not scene.phases:
         raise SceneError("phases: got none, expected at least one")
     names = [phase.name for phase in scene.phases]
@@ -52,6 +52,8 @@ def _check_names_of_phases(scene: Scene) -> None:
         check_name(f"phase {name}: name", name)
     if len(set(names)) < len(names):
         raise SceneError(f"phases: got {', '.join(names)}, expected different names")
+    if all(phase.held is not None for phase in scene.phases):
+        raise SceneError("phases: got only held ones, expected one that moves freely")
 
 
 def _check_frequency(scene: Scene) -> None:
@@ -64,9 +66,6 @@ def _check_frequency(scene: Scene) -> None:
         raise SceneError(f"frequency: got the unit {found[0].unit!r}, expected rad/s")
     if not scene.frequency.is_positive:
         raise SceneError(f"frequency: got {scene.frequency}, expected a positive symbol")
-    fields = [e for phase in scene.phases for e in (phase.equation, phase.ends.zero)]
-    if not any(sp.sympify(each).has(forcing) for each in fields):
-        raise SceneError("frequency: no equation and no event has forcing")
 
 
 def _check_whole(scene: Scene, units: Units) -> None:
@@ -79,9 +78,9 @@ def _check_whole(scene: Scene, units: Units) -> None:
         with named(f"scales {name!r}"):
             if name not in SCALES:
                 raise SceneError(f"expected one of {', '.join(SCALES)}")
-            _check_free(scale, known)
             if not sp.sympify(scale).is_number:  # a number is in SI
                 _check_dimension(scale, units, SCALES[name])
+            _check_free(scale, known)
             if sp.sympify(scale).is_nonpositive:
                 raise SceneError(f"got {scale}, expected what is positive")
     if scene.guess and len(scene.guess) != len(scene.phases):
@@ -90,11 +89,14 @@ def _check_whole(scene: Scene, units: Units) -> None:
         )
     for duration in scene.guess:
         with named("guess"):
-            _check_free(duration, known)
             _check_dimension(duration, units, "s")
+            _check_free(duration, known)
 
 
 def _check_used(scene: Scene) -> None:
+    driven = [e for phase in scene.phases for e in (phase.equation, phase.ends.zero)]
+    if scene.frequency is not None and not any(sp.sympify(e).has(forcing) for e in driven):
+        raise SceneError("frequency: no equation and no event has forcing")
     used = set().union(
         *(sp.sympify(e).free_symbols for p in scene.phases for e in _expressions(p)),
         *(sp.sympify(e).free_symbols for e in scene.requires.values()),

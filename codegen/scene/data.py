@@ -15,7 +15,8 @@ class Parameter:
     name : str
         As users type it: ``"mass"``; a flag is the same with dashes.
     symbol : Symbol
-        In the equations.  Its assumptions are the bounds: positive, nonnegative or real.
+        In the equations.  Its assumptions are the bounds: positive, nonnegative or real.  Some
+        names are taken, such as `N`, the order, and what begins with ``at_``.
     unit : str
         SI, such as ``"N s/m"``; empty for a pure number.
     default : float
@@ -64,7 +65,7 @@ class Phase:
         What ends it.
     demands : mapping of str to Expr
         What must not be negative while it lasts, by the words that say so; linear in `x`,
-        `v`, `forcing`, or with one ``Abs`` of such an expression.
+        `v`, `forcing`, or a bound less the ``Abs`` of such an expression.
     held : Expr, optional
         The velocity at which a constraint holds the mass: then `equation` is `a`, and the
         phase before it must end where `v` has this value.
@@ -98,8 +99,8 @@ class Scene:
     requires : mapping of str to Expr
         What must not be negative of the parameters, by the words that say so.
     scales : mapping of str to Expr
-        ``"mass"``, ``"time"`` and ``"length"`` that make the equations dimensionless; what
-        is left out is worked out.
+        ``"mass"``, ``"time"`` and ``"length"`` that make the equations dimensionless, in the
+        parameters or as numbers in SI units; what is left out is worked out.
     guess : tuple of Expr
         Rough durations of the phases, in the parameters; without it they are worked out.
 

@@ -1,4 +1,4 @@
-"""The types of the fields of a scene: what a typing error puts there, before all mathematics."""
+"""The types of the fields of a scene: the first check, before all mathematics."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -23,6 +23,8 @@ def check_entries(scene: Scene) -> None:
     """
     for name in ("name", "title", "source"):
         _expect(name, getattr(scene, name), str, "text")
+    if any(mark in scene.title for mark in ('"""', "\\", "\n")):
+        raise SceneError(f'title: got {scene.title!r}, expected one line without \\ and """')
     _expect("half_period", scene.half_period, bool, "True or False")
     for name, kind in (("parameters", Parameter), ("phases", Phase)):
         for entry in _several(name, getattr(scene, name)):

@@ -81,14 +81,25 @@ def state_row(expression: sp.Expr, what: str) -> State:
 
 
 def without_modulus(expression: sp.Expr) -> tuple[sp.Expr, ...]:
-    """Return what must not be negative for ``expression`` with one ``Abs``: both signs."""
-    found = list(sp.sympify(expression).atoms(sp.Abs))
+    """Return what must not be negative for ``bound - Abs(...)``: both signs.
+
+    Raises
+    ------
+    SceneError
+        If a modulus of the state stands there in another way: then both signs are not what
+        is demanded.
+    """
+    found = [q for q in expression.atoms(sp.Abs) if q.has(x, v, forcing)]
     if not found:
         return (expression,)
-    (modulus,) = found[:1]
-    inner = modulus.args[0]
+    modulus = min(found, key=sp.default_sort_key)
+    stand_in = sp.Dummy()
+    expanded = sp.expand(expression.xreplace({modulus: stand_in}))
+    weight = sp.diff(expanded, stand_in)
+    if weight.has(stand_in, x, v, forcing) or not weight.is_nonpositive:
+        raise SceneError(f"got {expression}, expected a bound - Abs(...)")
     return tuple(
         part
         for sign in (1, -1)
-        for part in without_modulus(expression.subs(modulus, sign * inner))
+        for part in without_modulus(expanded.xreplace({stand_in: sign * modulus.args[0]}))
     )

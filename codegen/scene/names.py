@@ -17,8 +17,8 @@ TAKEN = frozenset(
 
 #: Names that kernels and equations use themselves: unknowns, indices, functions.
 _RESERVED = re.compile(
-    r"(N|R|J|T|z|p|u|l|n|j|t|x|v|a|b|a0|q\d+|c\d+|phi|row|case|order|angle|forcing|omega_0"
-    r"|np|pi|e|cos|sin|sqrt|exp|abs|range|len|legendre|derivative|begin|length|found"
+    r"(N|R|J|T|z|p|u|l|n|j|t|x|v|a|b|a0|q\d+|phi|row|case|angle|forcing|omega_0"
+    r"|np|pi|cos|sin|sqrt|exp|abs|range|len|legendre"
     r"|(at|by|number|over|ends|series|event|displacement|velocity|derivative|impact|jump)_\w+"
     r"|[CS]_[mckfg](_by_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
     r"|entry|put|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"

@@ -48,6 +48,10 @@ def check_phase(phase: Phase, units: Units, forced: bool) -> None:
             if sp.simplify(phase.equation / a).has(a) or linear_phase(phase).c != 0:
                 raise SceneError(f"got the equation {phase.equation}, expected a")
             _check_velocity(phase.held, units)
+        if row.cos == 0 and (row.x == 0 or sp.sympify(phase.held) == 0):
+            raise SceneError(
+                f"{field}: ends: {phase.ends.zero} does not change while it is held"
+            )
 
 
 def _fields(phase: Phase) -> list[tuple[str, sp.Expr]]:

@@ -20,8 +20,6 @@ def scales(scene: Scene) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
         If one of them cannot be worked out.
     """
     free = [linear_phase(phase) for phase in scene.phases if phase.held is None]
-    if not free:
-        raise SceneError("phases: got only held ones, expected one that moves freely")
     given = {name: sp.sympify(value) for name, value in scene.scales.items()}
     mass = given.get("mass", free[0].m)
     time = given.get("time") or _time(scene, free)

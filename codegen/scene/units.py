@@ -27,7 +27,10 @@ BASE: Mapping[str, Dimension] = {
     "1": NONE,
 }
 
-_FACTOR = re.compile(r"([A-Za-z]+|1)(?:\^(\d+|\(\d+/\d+\)))?$")
+_FACTOR = re.compile(r"([A-Za-z]+|1)(?:\^(\d+|\(\d+/[1-9]\d*\)))?")
+
+#: A slash that is not within the brackets of a power.
+_SLASH = re.compile(r"/(?![^(]*\))")
 
 
 def dimension_of(unit: str) -> Dimension:
@@ -44,9 +47,10 @@ def dimension_of(unit: str) -> Dimension:
     [1, 0, -1]
     """
     total = NONE
-    for sign, part in zip((1, -1), unit.split("/", 1), strict=False):
-        for factor in part.replace("/", " ").split():
-            match = _FACTOR.match(factor)
+    above, *below = _SLASH.split(unit)
+    for sign, part in ((1, above), *((-1, each) for each in below)):
+        for factor in part.split() or ["?"] * bool(below):
+            match = _FACTOR.fullmatch(factor)
             if match is None or match[1] not in BASE:
                 raise SceneError(f"unit: got {unit!r}, expected products of kg, m, s, N, rad")
             power = sign * Fraction((match[2] or "1").strip("()"))
@@ -59,11 +63,17 @@ def _sum(left: Dimension, right: Dimension, times: Fraction) -> Dimension:
     return a, b, c
 
 
+def _power(name: str, power: Fraction) -> str:
+    if power == 1:
+        return name
+    return f"{name}^{power}" if power.denominator == 1 else f"{name}^({power})"
+
+
 def spelled(dimension: Dimension) -> str:
     """Return a dimension for a message: ``kg m/s^2``."""
     parts = [(n, p) for n, p in zip(("kg", "m", "s"), dimension, strict=True) if p]
-    above = [n if p == 1 else f"{n}^{p}" for n, p in parts if p > 0]
-    below = [n if p == -1 else f"{n}^{-p}" for n, p in parts if p < 0]
+    above = [_power(n, p) for n, p in parts if p > 0]
+    below = [_power(n, -p) for n, p in parts if p < 0]
     text = " ".join(above) or "1"
     return f"{text}/{' '.join(below)}" if below else text
 
@@ -77,36 +87,57 @@ def balance(expression: sp.Expr, units: Mapping[sp.Symbol, Dimension]) -> Dimens
         Naming two terms whose units clash, or a symbol that has none.
     """
     if expression.is_Add:
-        first, *others = expression.args
-        expected = balance(first, units)
-        for other in others:
-            found = balance(other, units)
-            if found != expected:
-                raise SceneError(
-                    f"units clash: {first} is in {spelled(expected)}, "
-                    f"{other} in {spelled(found)}"
-                )
-        return expected
+        return _balance_of_sum(expression, units)
     if expression.is_Mul:
         total = NONE
         for factor in expression.args:
             total = _sum(total, balance(factor, units), Fraction(1))
         return total
     if expression.is_Pow:
-        base, exponent = expression.args
-        inner = balance(base, units)
-        if inner == NONE:
-            return NONE
-        if not exponent.is_Rational:
-            raise SceneError(f"{expression}: expected a rational power of what has a unit")
-        return _sum(NONE, inner, Fraction(int(exponent.p), int(exponent.q)))
+        return _balance_of_power(expression, units)
     if expression.is_Symbol:
-        if expression not in units:
-            raise SceneError(f"{expression} is not a parameter of the scene")
-        return units[expression]
+        return _unit_of(expression, units)
     if isinstance(expression, sp.Abs):
         return balance(expression.args[0], units)
     for argument in expression.args:
         if balance(argument, units) != NONE:
             raise SceneError(f"{expression}: expected a pure number as the argument")
     return NONE
+
+
+def _balance_of_sum(expression: sp.Add, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
+    first, *others = expression.args
+    expected = balance(first, units)
+    for other in others:
+        found = balance(other, units)
+        if found != expected:
+            raise SceneError(
+                f"units clash: {first} is in {spelled(expected)}, {other} in {spelled(found)}"
+            )
+    return expected
+
+
+def _balance_of_power(expression: sp.Pow, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
+    base, exponent = expression.args
+    inner = balance(base, units)
+    if balance(exponent, units) != NONE:
+        raise SceneError(f"{expression}: expected a pure number as the power")
+    if inner == NONE:
+        return NONE
+    if not exponent.is_Rational:
+        raise SceneError(f"{expression}: expected a rational power of what has a unit")
+    return _sum(NONE, inner, Fraction(int(exponent.p), int(exponent.q)))
+
+
+def _unit_of(symbol: sp.Symbol, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
+    if symbol in units:
+        return units[symbol]
+    same = [other for other in units if other.name == symbol.name]
+    but = f", but another symbol of that name is: with {_assumed(same[0])}" if same else ""
+    raise SceneError(f"{symbol} is not a parameter of the scene{but}")
+
+
+def _assumed(symbol: sp.Symbol) -> str:
+    """Return by which assumption a symbol is told from another of its name."""
+    kinds = ("positive", "nonnegative", "real")
+    return f"{next((kind for kind in kinds if symbol.assumptions0.get(kind)), 'no')}=True"

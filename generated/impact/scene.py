@@ -7,9 +7,7 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing.
 """
 
-from math import cos
-
-BODY = "3fab4a8491fa7bc607527503ec430f63d1a04e280f09601801f4dc044b407eac"  # of the text below
+BODY = "cca0684614b6da20b20cf67a481f84b6c3409d4e13228a09351b5268b6f2fab7"  # of the text below
 
 NAME = 'impact'
 TITLE = 'a driven mass that bounces off a stop'
@@ -26,7 +24,7 @@ PARAMETERS = (
     ('force', 'F', 'N', 1.0, 'amplitude of the force', 'positive', None),
     ('frequency', 'Omega', 'rad/s', 1.8, 'angular frequency of the force', 'positive', None),
     ('gap', 'g', 'm', 0.1, 'displacement at which the mass hits the stop', '', None),
-    ('restitution', 'r', '', 0.6, 'speed after over speed before an impact', 'positive', 1),
+    ('restitution', 'r', '', 0.6, 'speed after over speed before an impact', 'positive', 1.0),
 )
 
 #: Powers of mass, length and time in the unit of each.

@@ -7,7 +7,7 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing.
 """
 
-from math import cos, sqrt
+from math import sqrt
 
 BODY = "4476c7fe460a820cb6ca6c7f89422d6021facd9611249d1bc9512c0b5a7bc9cb"  # of the text below
 

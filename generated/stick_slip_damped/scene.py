@@ -7,7 +7,7 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing.
 """
 
-from math import cos, sqrt
+from math import sqrt
 
 BODY = "1ac88ab4fe277ba1b1663ab73d6c62db84871c59f6cad06ece5ec905a200f809"  # of the text below
 

@@ -3,122 +3,151 @@
 import sympy as sp
 
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.codegen.scenes import impact, stick_slip, stick_slip_damped
 
 m, k, F, Omega, r, h = sp.symbols("m k F Omega r h", positive=True)
 c, f_d, f_s = sp.symbols("c f_d f_s", nonnegative=True)
 g = sp.Symbol("g", positive=True)
 
 MASS = Parameter("mass", m, "kg", 1.0, "mass")
-DAMPING = Parameter("damping", c, "N s/m", 0.1, "viscous damping")
 STIFFNESS = Parameter("stiffness", k, "N/m", 1.0, "stiffness")
-FORCE = Parameter("force", F, "N", 1.0, "amplitude of the force")
-GAP = Parameter("gap", g, "m", 1.0, "gap")
+
+
+def damping(value: float) -> Parameter:
+    return Parameter("damping", c, "N s/m", value, "viscous damping")
+
+
+def force(value: float) -> Parameter:
+    return Parameter("force", F, "N", value, "amplitude of the force")
 
 
 def frequency(value: float) -> Parameter:
     return Parameter("frequency", Omega, "rad/s", value, "angular frequency")
 
 
+def gap(value: float) -> Parameter:
+    return Parameter("gap", g, "m", value, "gap")
+
+
 #: S2b: contact first, as in the references.
-CONTACT = Phase("contact", m * a + c * v + k * x + h * (x - g) - F * forcing, Event(x - g))
-FREE = Phase("free", m * a + c * v + k * x - F * forcing, Event(x - g))
 CLEARANCE = Scene(
     "one-sided-contact",
     "a spring behind a gap",
     (
-        MASS,
-        Parameter("damping", c, "N s/m", 0.2, "viscous damping"),
-        STIFFNESS,
-        FORCE,
-        frequency(1.3),
-        Parameter("gap", g, "m", 0.5, "gap"),
+        *(MASS, damping(0.2), STIFFNESS, force(1.0), frequency(1.3), gap(0.5)),
         Parameter("contact_stiffness", h, "N/m", 4.0, "stiffness of the contact"),
     ),
-    (CONTACT, FREE),
+    (
+        Phase("contact", m * a + c * v + k * x + h * (x - g) - F * forcing, Event(x - g)),
+        Phase("free", m * a + c * v + k * x - F * forcing, Event(x - g)),
+    ),
     frequency=Omega,
 )
 
 #: S2a: a dead zone, half a period.
-ENGAGED = Phase("engaged", m * a + c * v + k * (x - g) - F * forcing, Event(x - g))
-LOOSE = Phase("loose", m * a + c * v - F * forcing, Event(x + g))
 DEAD_ZONE = Scene(
     "dead-zone",
     "a spring with play on both sides",
+    (MASS, damping(0.1), STIFFNESS, force(0.8), frequency(0.7), gap(1.0)),
     (
-        MASS,
-        DAMPING,
-        STIFFNESS,
-        Parameter("force", F, "N", 0.8, "amplitude of the force"),
-        frequency(0.7),
-        GAP,
+        Phase("engaged", m * a + c * v + k * (x - g) - F * forcing, Event(x - g)),
+        Phase("loose", m * a + c * v - F * forcing, Event(x + g)),
     ),
-    (ENGAGED, LOOSE),
     frequency=Omega,
     half_period=True,
 )
 
 #: S3a: sliding without a stop, down first.
-DOWN = Phase("down", m * a + c * v + k * x - f_d - F * forcing, Event(v))
+SLIDE_DOWN = m * a + c * v + k * x - f_d - F * forcing
+FRICTION = Parameter("friction", f_d, "N", 0.3, "force of sliding friction")
 SLIDING = Scene(
     "sliding",
     "a driven mass with dry friction that never stops",
-    (
-        MASS,
-        DAMPING,
-        STIFFNESS,
-        FORCE,
-        frequency(0.8),
-        Parameter("friction", f_d, "N", 0.3, "force of sliding friction"),
-    ),
-    (DOWN,),
+    (MASS, damping(0.1), STIFFNESS, force(1.0), frequency(0.8), FRICTION),
+    (Phase("down", SLIDE_DOWN, Event(v)),),
     frequency=Omega,
     half_period=True,
 )
 
-#: S3b: with a stop in each half period.
-DOWN_TO_REST = Phase("down", m * a + c * v + k * x - f_d - F * forcing, Event(v))
-REST = Phase("rest", a, Event(x * k - F * forcing + f_s), held=sp.Integer(0))
-TWO_STOPS = Scene(
-    "two-stops",
-    "a driven mass with dry friction that stops twice a period",
+
+def _stopping(name: str, limit: sp.Expr, *friction: Parameter) -> Scene:
+    """Return a scene that rests while the load is below a limit."""
+    return Scene(
+        name,
+        "a driven mass with dry friction that stops twice a period",
+        (MASS, damping(0.1), STIFFNESS, force(1.0), frequency(0.4), *friction),
+        (
+            Phase("down", SLIDE_DOWN, Event(v)),
+            Phase("rest", a, Event(x * k - F * forcing + limit), held=sp.Integer(0)),
+        ),
+        frequency=Omega,
+        half_period=True,
+    )
+
+
+#: S3b: with a stop in each half period; S3c: the friction is the same at rest.
+MOVING = Parameter("friction", f_d, "N", 0.5, "force of sliding friction")
+AT_REST = Parameter("static_friction", f_s, "N", 0.6, "largest force at rest")
+TWO_STOPS = _stopping("two-stops", f_s, MOVING, AT_REST)
+EQUAL_FRICTION = _stopping("equal-friction", f_d, MOVING)
+
+#: S5c: the friction falls with the speed, and is continuous where the mass is at rest.
+M, K, V, mu, F_N, w = sp.symbols("M K V mu F_N w", positive=True)
+CONTINUOUS = Scene(
+    "continuous-friction",
+    "a mass on a belt, with friction that falls from its static value",
     (
-        MASS,
-        DAMPING,
-        STIFFNESS,
-        FORCE,
-        frequency(0.4),
-        Parameter("friction", f_d, "N", 0.5, "force of sliding friction"),
-        Parameter("static_friction", f_s, "N", 0.6, "largest force at rest"),
+        Parameter("mass", M, "kg", 1.0, "mass"),
+        Parameter("stiffness", K, "N/m", 1.0, "stiffness"),
+        Parameter("belt_speed", V, "m/s", 1.0, "speed of the belt"),
+        Parameter("mu", mu, "", 2.0, "coefficient of friction at rest"),
+        Parameter("normal_force", F_N, "N", 1.0, "normal force"),
+        Parameter("damping", c, "N s/m", 0.0, "viscous damping"),
+        Parameter("weakening", w, "s/m", 0.4, "fall of the coefficient with speed"),
     ),
-    (DOWN_TO_REST, REST),
-    frequency=Omega,
-    half_period=True,
+    (
+        Phase("stick", a, Event(mu * F_N - K * x - c * V), held=V),
+        Phase("slip", M * a + c * v + K * x - (mu - w * (V - v)) * F_N, Event(v - V)),
+    ),
 )
 
 #: S6: impacts on both sides, half a period.
-CROSSING = Phase("crossing", m * a + c * v + k * x - F * forcing, Event(x + g, jump={v: -r * v}))
 TWO_SIDED = Scene(
     "two-sided",
     "a driven mass between two stops",
     (
-        MASS,
-        DAMPING,
-        STIFFNESS,
-        FORCE,
-        frequency(1.2),
-        Parameter("gap", g, "m", 0.8, "gap"),
+        *(MASS, damping(0.1), STIFFNESS, force(1.0), frequency(1.2), gap(0.8)),
         Parameter("restitution", r, "", 0.6, "restitution", most=1),
     ),
-    (CROSSING,),
+    (
+        Phase(
+            "crossing",
+            m * a + c * v + k * x - F * forcing,
+            Event(x + g, jump={v: -r * v}),
+        ),
+    ),
     frequency=Omega,
     half_period=True,
 )
 
-#: By the name of the scene in the references, with what the references call its switches.
+#: By the name of the scene in the references; parameters in the order of the scene, where
+#: they are not its defaults.
 SCENES = {
-    "S2a": DEAD_ZONE,
-    "S2b": CLEARANCE,
-    "S3a": SLIDING,
-    "S3b": TWO_STOPS,
-    "S6": TWO_SIDED,
+    "S0n": (stick_slip.SCENE, (1.0, 1.0, 1.0, 1.0, 0.0, 1.0)),
+    "S1": (impact.SCENE, None),
+    "S2a": (DEAD_ZONE, None),
+    "S2b": (CLEARANCE, None),
+    "S3a": (SLIDING, None),
+    "S3b": (TWO_STOPS, None),
+    "S3c": (EQUAL_FRICTION, None),
+    "S5a": (stick_slip_damped.SCENE, (1.0, 1.0, 1.0, 3.0, 1.0, 1.0, 0.1, 0.0)),
+    "S5b": (stick_slip_damped.SCENE, (1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 0.1, 0.2)),
+    "S5c": (CONTINUOUS, None),
+    "S6": (TWO_SIDED, None),
 }
+
+
+def case_of(name: str) -> tuple[float, ...]:
+    """Return the parameters of a scene of the references, which has units of 1."""
+    scene, values = SCENES[name]
+    return values or tuple(float(q.default) for q in scene.parameters)

@@ -1,1 +1,1 @@
-"""Functions that kernels call besides their closed forms: real code, copied into each module."""
+"""What kernels call besides their closed forms: real functions, copied into each module."""

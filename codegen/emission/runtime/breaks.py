@@ -13,7 +13,7 @@ from .moments import spherical_bessel
 
 
 def break_series(begin, length):
-    """Stand for the closed forms: coefficients [n, l], their derivatives by begin and length."""
+    """Stand for the closed forms: coefficients [n, l], their derivatives by both."""
     raise NotImplementedError
 
 
@@ -101,7 +101,10 @@ def break_integrals(n, series, weights, ends, period, numbers):
         s, t = ends[q + 1] - ends[q], ends[q]
         rho[:, :] = 0.0
         for l in range(n + 1):
-            rate, twice = series[q, 0, n - 1, l] * c / cell, series[q, 0, n - 2, l] * m / cell**2
+            rate, twice = (
+                series[q, 0, n - 1, l] * c / cell,
+                series[q, 0, n - 2, l] * m / cell**2,
+            )
             rho[0, l] = k * series[q, 0, n, l] + rate + twice
             for r in range(1, 1 + phases):
                 rho[r, l] = k * series[q, r, n, l] + series[q, r, n - 1, l] * c / cell

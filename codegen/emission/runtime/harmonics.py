@@ -6,9 +6,10 @@ import numpy as np
 
 
 def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times ``cos`` and ``sin`` of ``k omega_0 t`` over a cell.
+    """Return the integrals of a weight times harmonics, over a cell.
 
-    They are multiplied by a power of ``omega_0``, as derivatives of harmonics are.
+    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
+    power of ``omega_0``, as derivatives of harmonics are.
 
     Parameters
     ----------

@@ -1,0 +1,58 @@
+"""Every row of every kernel against quadrature of the equations of motion."""
+
+import numpy as np
+import pytest
+from galerkin import by_quadrature
+from galerkin.by_quadrature import OSCILLATORS
+from galerkin.derived import DERIVE, module
+from galerkin.oscillators import case_of
+from galerkin.solving import jacobian, residual, times_of
+
+PAIRS = [(name, kernel) for name in OSCILLATORS for kernel in DERIVE]
+
+
+def random_unknowns(name, kernel, order):
+    """Return random coefficients, and durations that fill the cell that the forcing makes.
+
+    The series have the forcing in their own frequency, which is that of the forcing there.
+    """
+    made, o = module(name, kernel), OSCILLATORS[name]
+    random = np.random.default_rng([order, *name.encode(), *kernel.encode()])
+    z = random.uniform(-1, 1, made.size(order))
+    durations = times_of(made, z)[: len(o.phases)]
+    durations[:] = random.uniform(0.5, 1.5, len(o.phases))
+    if o.Omega is not None:
+        cell = (1 if o.sign == -1 else 2) * np.pi / o.Omega
+        durations *= cell / durations.sum()
+    return z
+
+
+@pytest.mark.parametrize(("name", "kernel"), PAIRS)
+def test_the_residual_is_the_quadrature_of_the_equation_of_motion(name, kernel):
+    for order in (module(name, kernel).LOWEST, 5):
+        z = random_unknowns(name, kernel, order)
+        harmonics = OSCILLATORS[name].sign == -1 and kernel.startswith("hb")
+        terms = (order + 1) // 2 if harmonics else order
+        expected = by_quadrature.rows(name, kernel, z, terms)
+        got = residual(module(name, kernel), case_of(name), z)
+        assert len(got) == len(expected)
+        np.testing.assert_allclose(got, expected, rtol=0, atol=2e-13 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize(("name", "kernel"), PAIRS)
+def test_the_jacobian_is_the_derivative_of_the_residual(name, kernel):
+    """By differences of order 8, whose error is below 1e-10 of the largest entry."""
+    made, case = module(name, kernel), case_of(name)
+    z = random_unknowns(name, kernel, 5)
+    z[len(z) - made.DURATIONS - made.FORCED :] *= 1.03  # nothing is special about the cell
+    J = jacobian(made, case, z)
+    weights, step = (4 / 5, -1 / 5, 4 / 105, -1 / 280), 0.005
+    for i in range(len(z)):
+        change = np.zeros(len(z))
+        change[i] = step
+        difference = sum(
+            w * (residual(made, case, z + j * change) - residual(made, case, z - j * change))
+            for j, w in enumerate(weights, 1)
+        )
+        bound = 1e-10 * max(1.0, np.abs(J).max())
+        np.testing.assert_allclose(J[:, i], difference / step, rtol=0, atol=bound)

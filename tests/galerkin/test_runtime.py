@@ -1,0 +1,261 @@
+"""What is copied into kernels: tables and motions against quadrature, series, many digits."""
+
+import mpmath
+import numpy as np
+import pytest
+from galerkin.by_quadrature import NODES, OSCILLATORS, WEIGHTS, broken
+from galerkin.derived import DERIVE, module
+from galerkin.oscillators import case_of
+from numpy.polynomial import Polynomial
+from scipy.special import eval_sh_legendre
+
+from nonsmooth.codegen.emission.runtime.harmonics import harmonic_integrals, series_on_phase
+from nonsmooth.codegen.emission.runtime.moments import legendre_moments, spherical_bessel
+from nonsmooth.codegen.emission.runtime.phases import phase_motion
+from nonsmooth.codegen.emission.runtime.unknowns import entry, put
+
+ARGUMENTS = (0.0, 1e-9, 1e-3, 0.1, 0.5, 0.999999, 1.0, 1.5, 2.3, np.pi, 4.4934, 7.7)
+LARGE = (10.0, 29.97, 59.3, 60.0, 61.2, 119.9, 200.0, 299.999)
+
+
+def bessel(count, x):
+    """Return ``j_0, ..., j_(count - 1)`` by the recurrence upwards in 1500 digits."""
+    if x == 0:
+        return [1.0] + [0.0] * (count - 1)
+    with mpmath.workdps(1500):
+        x = mpmath.mpf(x)
+        found = [mpmath.sin(x) / x, mpmath.sin(x) / x**2 - mpmath.cos(x) / x]
+        for n in range(2, count):
+            found.append((2 * n - 1) / x * found[-1] - found[-2])
+        return [float(value) for value in found[:count]]
+
+
+@pytest.mark.parametrize("x", [*ARGUMENTS, *LARGE])
+def test_spherical_bessel_functions_keep_their_digits(x):
+    """Relative beyond the turn, n >= x; before it, where there are zeros, of the amplitude."""
+    expected, got = np.array(bessel(61, x)), spherical_bessel(61, x)
+    amplitude = np.array([0.0 if n >= x else 1 / max(x, 1) for n in range(61)])
+    bound = np.maximum(2e-15 * np.maximum(np.abs(expected), amplitude), 1e-290)
+    assert np.all(np.abs(got - expected) <= bound), np.max(np.abs(got - expected) / bound)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 10, 301])
+def test_few_and_many_spherical_bessel_functions(count):
+    for x in (0.0, 0.3, 1.0, 8.8, 300.0):
+        np.testing.assert_allclose(
+            spherical_bessel(count, x), bessel(count, x), rtol=1e-13, atol=1e-17
+        )
+
+
+@pytest.mark.parametrize("kappa", [0.0, 1e-6, 0.3, 2.0, 17.0, 55.0])
+def test_legendre_moments_are_integrals(kappa):
+    for theta in (0.0, 0.7, -4.0, 9.0):
+        wave = np.cos(kappa * NODES + theta)
+        expected = [np.sum(WEIGHTS * eval_sh_legendre(l, NODES) * wave) for l in range(12)]
+        got = legendre_moments(12, kappa, theta)
+        np.testing.assert_allclose(got, expected, rtol=0, atol=1e-14)  # of NumPy's weights
+
+
+def differences(function, times, step=1e-3):
+    """Return the derivatives of an array by each time, by differences of order 8."""
+    found = []
+    for i in range(len(times)):
+        change = np.zeros(len(times))
+        change[i] = step
+        pairs = zip((1, 2, 3, 4), (4 / 5, -1 / 5, 4 / 105, -1 / 280), strict=True)
+        parts = (
+            w * (function(times + j * change) - function(times - j * change)) for j, w in pairs
+        )
+        found.append(sum(parts) / step)
+    return found
+
+
+DURATIONS = np.array([0.8, 0.5, 1.1])
+
+
+def ends_of(durations):
+    return tuple(float(t) for t in np.concatenate([[0.0], np.cumsum(durations)]))
+
+
+def over_cell(durations, integrand):
+    """Return the integral over the cell of ``integrand(p, t, u)``."""
+    ends = ends_of(durations)
+    return sum(
+        s * np.sum(WEIGHTS * integrand(p, ends[p] + s * NODES, NODES))
+        for p, s in enumerate(durations)
+    )
+
+
+@pytest.mark.parametrize(("power", "turns"), [(0, 1), (1, 1), (2, 1), (2, 2), (0, 2)])
+def test_integrals_of_harmonics(power, turns):
+    weights, highest = (1.3, -0.4, 0.0), 7
+
+    def table(durations):
+        ends = ends_of(durations)
+        return np.array(harmonic_integrals(weights, power, ends, turns * ends[-1], highest))
+
+    found = table(DURATIONS)
+    omega = 2 * np.pi / (turns * DURATIONS.sum())
+    for row, wave in enumerate((np.cos, np.sin)):
+        for k in range(-highest, highest + 1):
+            expected = omega**power * over_cell(
+                DURATIONS, lambda p, t, u, k=k, wave=wave: weights[p] * wave(k * omega * t)
+            )
+            assert found[row, 0, k] == pytest.approx(expected, abs=1e-13)
+    rates = differences(lambda s: table(s)[:, 0], DURATIONS)
+    for q, rate in enumerate(rates):
+        np.testing.assert_allclose(found[:, 1 + q], rate, rtol=0, atol=1e-9)
+
+
+def breaks(sign):
+    """Return a kernel's functions for breaks, up to the n that they are there for."""
+    made = module("S3b" if sign == -1 else "S2b", "hb_ck_2")
+    return made, 4 if sign == -1 else 5
+
+
+def part(p, q, durations, sign):
+    """Return where phase q is on the cell that begins at switch p, and the sign there."""
+    ends, cell = ends_of(durations), np.sum(durations)
+    begin = (ends[q] - ends[p]) / cell + (0.0 if q >= p else 1.0)
+    return begin, durations[q] / cell, 1 if q >= p else sign
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("p", [0, 1, 2])
+def test_functions_with_a_break_on_each_phase(sign, p):
+    made, highest = breaks(sign)
+    ends, cell = ends_of(DURATIONS), DURATIONS.sum()
+    at_ends = made.break_ends(made.breaks_on_phases(p, ends, sign))
+    u = np.linspace(0, 1, 7)
+    for q in range(3):
+        begin, length, turned = part(p, q, DURATIONS, sign)
+        for n in range(2, highest + 1):
+            for order in range(3):
+                exact = broken(n, sign).deriv(order)(begin + length * u)
+                expected = turned * exact / cell**order
+                got = made.breaks_on_phase(((p, n, 1.0),), ends, sign, q, u, order)
+                np.testing.assert_allclose(got, expected, rtol=0, atol=1e-14)
+            values = turned * broken(n, sign)(begin + length * u[[0, -1]])
+            np.testing.assert_allclose(at_ends[0, n, q], values, rtol=0, atol=1e-15)
+    rates = differences(
+        lambda s: made.break_ends(made.breaks_on_phases(p, ends_of(s), sign))[0], DURATIONS
+    )
+    np.testing.assert_allclose(at_ends[1:], rates, rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_function_has_its_break_at_its_switch_alone(sign):
+    made, highest = breaks(sign)
+    ends, cell = ends_of(DURATIONS), DURATIONS.sum()
+    both = np.array([0.0, 1.0])
+    for p in range(3):
+        for n in range(2, highest + 1):
+            for order in range(n):
+                on = [
+                    made.breaks_on_phase(((p, n, 1.0),), ends, sign, q, both, order)
+                    for q in range(3)
+                ]
+                for q in range(3):
+                    before = on[q - 1][1] * (sign if q == 0 else 1)
+                    jump = cell ** -(n - 1) if q == p and order == n - 1 else 0.0
+                    assert on[q][0] - before == pytest.approx(jump, abs=1e-12)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("p", [0, 2])
+def test_integrals_of_breaks_with_harmonics(sign, p):
+    made, n = breaks(sign)
+    coefficients = ((1.0, 0.2, 5.0), (0.7, 0.0, 0.0), (2.0, -0.3, 1.0))
+    numbers = np.arange(6) if sign == 1 else np.array([1, 1, 3, 5])
+    turns = 1 if sign == 1 else 2
+
+    def table(durations):
+        ends = ends_of(durations)
+        series = made.breaks_on_phases(p, ends, sign)
+        return made.break_integrals(n, series, coefficients, ends, turns * ends[-1], numbers)
+
+    found, cell = table(DURATIONS), DURATIONS.sum()
+    for row, wave in enumerate((np.cos, np.sin)):
+        for column, number in enumerate(numbers):
+
+            def integrand(q, t, u, wave=wave, number=number):
+                begin, length, turned = part(p, q, DURATIONS, sign)
+                derivatives = (
+                    broken(n, sign).deriv(order)(begin + length * u) / cell**order
+                    for order in (2, 1, 0)
+                )
+                terms = zip(coefficients[q], derivatives, strict=True)
+                test = wave(number * 2 * np.pi * t / (turns * cell))
+                return turned * test * sum(factor * value for factor, value in terms)
+
+            expected = over_cell(DURATIONS, integrand)
+            assert found[row, 0, column] == pytest.approx(expected, abs=1e-14)
+    rates = differences(lambda s: table(s)[:, 0], DURATIONS)
+    for q, rate in enumerate(rates):
+        np.testing.assert_allclose(found[:, 1 + q], rate, rtol=0, atol=1e-9)
+
+
+def test_a_phase_is_its_acceleration_integrated_twice():
+    d, u = np.array([0.3, -1.2, 0.0, 0.7]), np.linspace(0, 1, 9)
+    acceleration = sum(
+        q * Polynomial(np.poly1d(np.polyfit(u, eval_sh_legendre(l, u), l)).coef[::-1])
+        for l, q in enumerate(d)
+    )
+    s, x, v = 1.7, 0.4, -0.9
+    expected = (
+        x + s * v * u + s**2 * acceleration.integ(2)(u),
+        v + s * acceleration.integ()(u),
+        acceleration(u),
+    )
+    for order, values in enumerate(expected):
+        np.testing.assert_allclose(phase_motion(x, v, d, s, u, order), values, atol=1e-13)
+    for order, values in enumerate((x + s * v * u, v + 0 * u, 0 * u)):
+        np.testing.assert_array_equal(phase_motion(x, v, d[:0], s, u, order), values)
+
+
+def test_a_series_has_the_velocity_of_its_side_at_the_ends_alone():
+    a, b, u = np.array([0.2, 0.1]), np.array([0.5, -0.3]), np.array([0.0, 0.3, 1.0])
+    arguments = (0.1, a, b, np.array([1, 2]), 1.4, 0.2, 3.0)
+    smooth = [series_on_phase(*arguments, 0.0, 0.0, u, order) for order in range(3)]
+    turned = [series_on_phase(*arguments, 0.6, -0.8, u, order) for order in range(3)]
+    np.testing.assert_array_equal(turned[0], smooth[0])
+    np.testing.assert_array_equal(turned[2], smooth[2])
+    np.testing.assert_allclose(turned[1] - smooth[1], [0.3, 0.0, 0.4], atol=1e-15)
+
+
+def test_a_family_of_unknowns_is_zero_beyond_its_ends():
+    z, J = np.arange(10.0), np.zeros((1, 10))
+    assert [entry(z, 4, 3, index) for index in (-2, -1, 0, 2, 3)] == [0, 0, 4, 6, 0]
+    for index in (-1, 0, 2, 3):
+        put(J, 0, 4, 3, index, 2.0)
+    np.testing.assert_array_equal(J[0], [0, 0, 0, 0, 2, 0, 2, 0, 0, 0])
+
+
+@pytest.mark.parametrize("name", OSCILLATORS)
+@pytest.mark.parametrize("kernel", DERIVE)
+def test_velocity_and_acceleration_are_derivatives_of_the_motion(name, kernel):
+    made, case = module(name, kernel), case_of(name)
+    z = np.random.default_rng(7).uniform(0.3, 1, made.size(5))
+    s = z[len(z) - made.DURATIONS - made.FORCED :]
+    for p in range(made.DURATIONS):
+        for order in (0, 1):
+            slope = differences(
+                lambda u, p=p, order=order: made.motion(case, z, p, 0.5 + 0.002 * u, order),
+                np.zeros(1),
+                step=1.0,
+            )[0]
+            got = made.motion(case, z, p, np.array([0.5]), order + 1)
+            np.testing.assert_allclose(got * s[p], slope / 0.002, rtol=1e-9, atol=1e-9)
+    with pytest.raises(IndexError, match="p"):
+        made.motion(case, z, made.DURATIONS, np.array([0.5]), 0)
+
+
+@pytest.mark.parametrize("name", OSCILLATORS)
+@pytest.mark.parametrize("kernel", ["hb", "hb_ck_1", "hb_ck_2"])
+def test_a_series_is_continuous_over_the_cell_whatever_its_coefficients(name, kernel):
+    made, case, sign = module(name, kernel), case_of(name), OSCILLATORS[name].sign
+    z = np.random.default_rng(8).uniform(0.3, 1, made.size(5))
+    both = np.array([0.0, 1.0])
+    on = [made.motion(case, z, p, both, 0) for p in range(made.DURATIONS)]
+    for p in range(made.DURATIONS):
+        assert on[p][0] == pytest.approx(on[p - 1][1] * (sign if p == 0 else 1), abs=1e-13)

@@ -1,0 +1,80 @@
+"""A scene that is right, and how to make one mistake in it."""
+
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+
+from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, SceneError, a, forcing, v, x
+
+m, k, F, Omega, r, V, mu = sp.symbols("m k F Omega r V mu", positive=True)
+c = sp.Symbol("c", nonnegative=True)
+g = sp.Symbol("g", real=True)
+
+PARAMETERS = (
+    Parameter("mass", m, "kg", 1.0, "mass"),
+    Parameter("damping", c, "N s/m", 0.1, "damping"),
+    Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
+    Parameter("force", F, "N", 1.0, "force"),
+    Parameter("frequency", Omega, "rad/s", 1.8, "frequency"),
+    Parameter("gap", g, "m", 0.1, "gap"),
+    Parameter("restitution", r, "", 0.6, "restitution", most=1),
+)
+FLIGHT = Phase(
+    "flight",
+    m * a + c * v + k * x - F * forcing,
+    Event(x - g, jump={v: -r * v}),
+    demands={"before the stop": g - x},
+)
+
+
+def scene(*, phase=None, ends=None, **changes):
+    """Return the scene of a mass that hits a stop, with changed fields."""
+    flight = replace(FLIGHT, **(phase or {}))
+    if ends is not None:
+        flight = replace(flight, ends=replace(flight.ends, **ends))
+    fields = {
+        "name": "small",
+        "title": "a small scene",
+        "parameters": PARAMETERS,
+        "phases": (flight,),
+        "frequency": Omega,
+    }
+    return Scene(**(fields | changes))
+
+
+def with_parameter(index, **changes):
+    """Return the scene with a parameter that has changed fields."""
+    changed = replace(PARAMETERS[index], **changes)
+    return scene(parameters=(*PARAMETERS[:index], changed, *PARAMETERS[index + 1 :]))
+
+
+BELT = (
+    Parameter("mass", m, "kg", 1.0, "mass"),
+    Parameter("stiffness", k, "N/m", 1.0, "stiffness"),
+    Parameter("speed", V, "m/s", 1.0, "speed of the belt"),
+    Parameter("limit", F, "N", 1.0, "static limit"),
+)
+REST = Phase("rest", a, Event(F - k * x), held=V)
+RUN = Phase("run", m * a + k * x, Event(v - V))
+
+
+def belt(*, rest=None, run=None, parameters=BELT, **changes):
+    """Return the scene of a mass on a belt, with changed fields."""
+    phases = (replace(REST, **(rest or {})), replace(RUN, **(run or {})))
+    return Scene(
+        **({"name": "belt", "title": "a belt", "phases": phases} | changes),
+        parameters=parameters,
+    )
+
+
+def refused(make, *words):
+    """Check that a scene is refused in one line that begins with the field."""
+    with pytest.raises(SceneError) as caught:
+        make()
+    message = str(caught.value)
+    assert "\n" not in message
+    field, *others = words
+    assert message.startswith(field), message
+    for word in others:
+        assert word in message, message

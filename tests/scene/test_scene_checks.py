@@ -1,0 +1,522 @@
+"""Every mistake in a scene is refused in one line that names the field."""
+
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+from small_scene import (
+    BELT,
+    FLIGHT,
+    PARAMETERS,
+    F,
+    Omega,
+    V,
+    a,
+    belt,
+    c,
+    forcing,
+    g,
+    k,
+    m,
+    mu,
+    r,
+    refused,
+    scene,
+    v,
+    with_parameter,
+    x,
+)
+
+from nonsmooth.codegen.scene import Event, Parameter, Phase, t
+from nonsmooth.codegen.scene.linear import without_modulus
+
+stranger = sp.Symbol("stranger", positive=True)
+MOTION = FLIGHT.equation
+
+
+def test_the_scenes_that_are_changed_below_are_right():
+    assert scene().symbols == tuple(q.symbol for q in PARAMETERS)
+    assert belt().sign == 1
+    assert scene(half_period=True).sign == -1
+
+
+NAMES = {
+    "name of two words": (lambda: scene(name="a b"), "name: got 'a b'"),
+    "name that Python has": (
+        lambda: scene(name="while"),
+        "name: got 'while', a word of Python",
+    ),
+    "parameter of two words": (lambda: with_parameter(0, name="a b"), "parameter a b: got"),
+    "parameter that Python has": (lambda: with_parameter(0, name="lambda"), "parameter lambda"),
+    "parameter that is a flag": (
+        lambda: with_parameter(0, name="order"),
+        "parameter order",
+        "taken",
+    ),
+    "symbol that Python has": (
+        lambda: with_parameter(0, symbol=sp.Symbol("lambda", positive=True)),
+        "parameter mass: symbol: got 'lambda', a word of Python",
+    ),
+    "symbol in LaTeX": (
+        lambda: with_parameter(0, symbol=sp.Symbol("m_{1}", positive=True)),
+        "parameter mass: symbol: got 'm_{1}'",
+    ),
+    "symbol of the state": (lambda: with_parameter(0, symbol=x), "parameter mass: symbol: x"),
+    "symbol of the order": (
+        lambda: with_parameter(0, symbol=sp.Symbol("N", positive=True)),
+        "parameter mass: symbol: N has a meaning of its own",
+    ),
+    "symbol of an unknown": (
+        lambda: with_parameter(0, symbol=sp.Symbol("s_flight", positive=True)),
+        "parameter mass: symbol: s_flight has a meaning of its own",
+    ),
+    "complex symbol": (
+        lambda: with_parameter(0, symbol=sp.Symbol("m")),
+        "parameter mass: symbol: got m",
+        "real",
+    ),
+    "negative symbol": (
+        lambda: with_parameter(0, symbol=sp.Symbol("m", negative=True)),
+        "parameter mass: symbol: got m",
+        "positive, nonnegative or real",
+    ),
+    "integer symbol": (
+        lambda: with_parameter(0, symbol=sp.Symbol("m", integer=True)),
+        "parameter mass: symbol: got m",
+    ),
+    "name twice": (lambda: with_parameter(1, name="mass"), "parameters: name mass", "twice"),
+    "symbol twice": (lambda: with_parameter(1, symbol=m), "parameters: symbol m", "twice"),
+    "phase of two words": (lambda: scene(phase={"name": "a b"}), "phase a b: name: got"),
+    "phase that Python has": (lambda: scene(phase={"name": "pass"}), "phase pass: name: got"),
+    "phases of one name": (lambda: belt(run={"name": "rest"}), "phases: got rest, rest"),
+    "no phases": (lambda: scene(phases=()), "phases: got none"),
+}
+
+PARAMETER = {
+    "unit": (lambda: with_parameter(0, unit="pound"), "parameter mass: unit: got 'pound'"),
+    "default below": (
+        lambda: with_parameter(0, default=0.0),
+        "parameter mass: default: got 0.0",
+        "above 0",
+    ),
+    "default negative": (
+        lambda: with_parameter(1, default=-1.0),
+        "parameter damping: default",
+        "0 or more",
+    ),
+    "default above": (
+        lambda: with_parameter(6, default=1.5),
+        "parameter restitution: default: got 1.5",
+        "above 0 and at most 1",
+    ),
+    "default infinite": (
+        lambda: with_parameter(5, default=float("inf")),
+        "parameter gap: default: got inf",
+        "a number",
+    ),
+    "default not a number": (
+        lambda: with_parameter(5, default=float("nan")),
+        "parameter gap: default: got nan",
+    ),
+    "unused": (
+        lambda: scene(parameters=(*PARAMETERS, Parameter("idle", mu, "", 1.0, "idle"))),
+        "parameter idle: no equation",
+    ),
+}
+
+FIELDS = {
+    "unknown in the equation": (
+        lambda: scene(phase={"equation": MOTION + stranger * x}),
+        "phase flight: equation: stranger is not a parameter",
+    ),
+    "unknown in the event": (
+        lambda: scene(ends={"zero": x - stranger}),
+        "phase flight: ends: stranger is not",
+    ),
+    "unknown in the jump": (
+        lambda: scene(ends={"jump": {v: -stranger * v}}),
+        "phase flight: jump: stranger is not",
+    ),
+    "unknown in a demand": (
+        lambda: scene(phase={"demands": {"right": stranger - x}}),
+        "phase flight: demand 'right': stranger is not",
+    ),
+    "unknown in a requirement": (
+        lambda: scene(requires={"right": stranger}),
+        "requires 'right': stranger is not",
+    ),
+    "unknown in the guess": (
+        lambda: scene(guess=(stranger / Omega,)),
+        "guess: stranger is not",
+    ),
+    "unknown in a scale": (
+        lambda: scene(scales={"length": stranger * g}),
+        "scales 'length': stranger is not",
+    ),
+    "the symbol of another call": (
+        lambda: scene(phase={"equation": MOTION + sp.Symbol("c") * v}),
+        "phase flight: equation: c is not a parameter",
+        "another symbol of that name",
+        "nonnegative=True",
+    ),
+    "units of the equation": (
+        lambda: scene(phase={"equation": m * a + k * v - F * forcing + c * v}),
+        "phase flight: equation: units clash",
+        "k*v in kg m/s^3",
+    ),
+    "units of the event": (
+        lambda: scene(ends={"zero": x - v}),
+        "phase flight: ends: units clash",
+        "is in m",
+        "m/s",
+    ),
+    "units of a demand": (
+        lambda: scene(phase={"demands": {"right": g - v}}),
+        "phase flight: demand 'right': units clash",
+    ),
+    "units of a requirement": (
+        lambda: scene(requires={"right": g - m}),
+        "requires 'right': units clash",
+    ),
+    "nonlinear equation": (
+        lambda: scene(phase={"equation": MOTION + k * x**3 / g**2}),
+        "phase flight: equation",
+        "not linear in x",
+    ),
+    "product in the equation": (
+        lambda: scene(phase={"equation": MOTION + c * v * x / g}),
+        "phase flight: equation",
+        "not linear in",
+    ),
+    "modulus in the equation": (
+        lambda: scene(phase={"equation": MOTION + k * sp.Abs(x)}),
+        "phase flight: equation",
+        "not linear in x",
+    ),
+    "nonlinear event": (
+        lambda: scene(ends={"zero": x**2 - g**2}),
+        "phase flight: ends",
+        "not linear in x",
+    ),
+    "acceleration in the event": (
+        lambda: scene(ends={"zero": m * a + F}),
+        "phase flight: ends",
+        "acceleration",
+    ),
+    "nonlinear demand": (
+        lambda: scene(phase={"demands": {"right": g**2 - x**2}}),
+        "phase flight: demand 'right'",
+        "not linear in x",
+    ),
+    "acceleration in a demand": (
+        lambda: scene(phase={"demands": {"right": F - m * a}}),
+        "phase flight: demand 'right'",
+        "acceleration",
+    ),
+    "modulus above a bound": (
+        lambda: scene(phase={"demands": {"right": sp.Abs(x) - g}}),
+        "phase flight: demand 'right'",
+        "a bound - Abs(...)",
+    ),
+    "square of a modulus": (
+        lambda: scene(phase={"demands": {"right": g**2 - sp.Abs(x - g) ** 2 * r}}),
+        "phase flight: demand 'right'",
+    ),
+    "no acceleration": (
+        lambda: scene(phase={"equation": c * v + k * x - F * forcing}),
+        "phase flight: equation",
+        "no acceleration",
+    ),
+    "mass of the wrong sign": (
+        lambda: scene(phase={"equation": -MOTION}),
+        "phase flight: equation: got -m times a",
+    ),
+    "event of parameters": (
+        lambda: scene(ends={"zero": g}),
+        "phase flight: ends: g depends on neither",
+    ),
+    "event that is a number": (
+        lambda: scene(ends={"zero": 0.0}),
+        "phase flight: ends: 0.0 dep",
+    ),
+    "jump of x": (lambda: scene(ends={"jump": {x: -x}}), "phase flight: jump: got a jump of x"),
+    "jump of the square": (
+        lambda: scene(ends={"jump": {v: -r * v**2}}),
+        "phase flight: jump: ",
+        "is not a velocity",
+    ),
+    "jump of the modulus": (
+        lambda: scene(ends={"jump": {v: -r * sp.Abs(v)}}),
+        "phase flight: jump",
+        "not linear in v",
+    ),
+    "jump by displacement": (
+        lambda: scene(ends={"jump": {v: -r * v + Omega * x}}),
+        "phase flight: jump: got",
+        "the velocity v alone",
+    ),
+    "jump of another unit": (
+        lambda: scene(ends={"jump": {v: -r * x}}),
+        "phase flight: jump: -r*x is not a velocity",
+    ),
+    "time in the equation": (
+        lambda: scene(phase={"equation": m * a + c * v + k * x - F * sp.cos(Omega * t)}),
+        "phase flight: equation: it has the time t",
+        "forcing",
+    ),
+    "time in the event": (
+        lambda: scene(ends={"zero": x - g * Omega * t}),
+        "phase flight: ends",
+    ),
+    "forcing times x": (
+        lambda: scene(phase={"equation": MOTION + k * x * forcing}),
+        "phase flight: equation",
+        "not linear",
+    ),
+    "phases in different units": (
+        lambda: scene(
+            phases=(
+                Phase("here", MOTION / m, Event(x - g)),
+                Phase("there", m * a + c * v - F * forcing * r, Event(x - g)),
+            )
+        ),
+        "phase there: equation: it is in kg m/s^2, that of here in m/s^2",
+    ),
+}
+
+WHOLE = {
+    "forcing without frequency": (
+        lambda: scene(frequency=None),
+        "phase flight: equation: it has forcing, but the scene has no frequency",
+    ),
+    "forcing in an event without frequency": (
+        lambda: belt(rest={"ends": Event(F * forcing - k * x)}),
+        "phase rest: ends: it has forcing",
+    ),
+    "frequency without forcing": (
+        lambda: belt(
+            parameters=(*BELT, Parameter("frequency", Omega, "1/s", 1.0, "frequency")),
+            frequency=Omega,
+        ),
+        "frequency: no equation and no event has forcing",
+    ),
+    "frequency that is no parameter": (
+        lambda: scene(frequency=stranger),
+        "frequency: stranger is not a parameter",
+    ),
+    "frequency in another unit": (
+        lambda: scene(frequency=k),
+        "frequency: got the unit 'N/m', expected rad/s",
+    ),
+    "frequency of any sign": (
+        lambda: scene(
+            frequency=sp.Symbol("w", real=True),
+            parameters=(*PARAMETERS, Parameter("w", sp.Symbol("w", real=True), "1/s", 1.0, "")),
+        ),
+        "frequency: got w, expected a positive symbol",
+    ),
+    "too few durations": (lambda: belt(guess=(m * V / F,)), "guess: got 1 durations for 2"),
+    "duration in metres": (lambda: scene(guess=(g,)), "guess: g is in m, expected s"),
+    "duration that is a number": (lambda: scene(guess=(3.0,)), "guess: 3.0", "expected s"),
+    "state in a duration": (lambda: scene(guess=(x / v,)), "guess: v is not a parameter"),
+    "scale of what": (
+        lambda: scene(scales={"force": F}),
+        "scales 'force': expected one of mass",
+    ),
+    "scale of another unit": (
+        lambda: scene(scales={"length": F}),
+        "scales 'length': F is in kg m/s^2, expected m",
+    ),
+    "scale of zero": (lambda: scene(scales={"length": 0}), "scales 'length': got 0"),
+    "nothing changes": (
+        lambda: scene(phase={"ends": Event(x - g)}, parameters=PARAMETERS[:-1]),
+        "phase flight: its motion is that of flight; nothing changes",
+    ),
+    "no length": (
+        lambda: belt(
+            rest={"equation": m * a + F, "held": None},
+            run={"ends": Event(k * x - F)},
+            parameters=tuple(q for q in BELT if q.symbol != V),
+        ),
+        "scales: no length can be worked out",
+    ),
+    "no time": (
+        lambda: belt(run={"equation": m * a + F}),
+        "scales: no time can be worked out",
+    ),
+    "held everywhere": (
+        lambda: belt(
+            run={"equation": a, "held": V, "ends": Event(k * x + F)},
+            rest={"ends": Event(v - V)},
+        ),
+        "phases: got only held ones",
+    ),
+}
+
+HELD = {
+    "held for ever": (
+        lambda: belt(rest={"ends": Event(v - V)}),
+        "phase rest: ends: -V + v does not change while it is held",
+    ),
+    "held at rest for ever": (
+        lambda: belt(rest={"held": sp.Integer(0)}, run={"ends": Event(v)}),
+        "phase rest: ends: F - k*x does not change while it is held",
+    ),
+    "held phase with a spring": (
+        lambda: belt(rest={"equation": m * a + k * x}),
+        "phase rest: held: got the equation",
+        "expected a",
+    ),
+    "held at a displacement": (
+        lambda: belt(rest={"held": V * m}),
+        "phase rest: held: V*m is not a velocity",
+    ),
+    "entered by displacement": (
+        lambda: belt(run={"ends": Event(k * x - F)}),
+        "phase run: ends: got",
+        "expected -V + v",
+    ),
+    "entered at another velocity": (
+        lambda: belt(run={"ends": Event(v - 2 * V)}),
+        "phase run: ends: got -2*V + v, expected -V + v",
+    ),
+    "entered by a jump": (
+        lambda: belt(run={"ends": Event(v - V, jump={v: -v})}),
+        "phase run: jump: rest is held",
+    ),
+    "entered without the other sign": (
+        lambda: belt(half_period=True),
+        "phase run: ends: got -V + v, expected V + v",
+    ),
+}
+
+TYPES = {
+    "a phase that is alone": (lambda: scene(phases=FLIGHT), "phases: got", "(entry,)"),
+    "an event among phases": (
+        lambda: scene(phases=(FLIGHT.ends,)),
+        "phases: got",
+        "expected a Phase",
+    ),
+    "a phase for an event": (
+        lambda: scene(phase={"ends": FLIGHT}),
+        "phase flight: ends: got a Phase, expected an Event",
+    ),
+    "an expression for an event": (
+        lambda: scene(phase={"ends": x - g}),
+        "phase flight: ends: got -g + x, expected an Event",
+    ),
+    "a symbol among parameters": (
+        lambda: scene(parameters=(m, k)),
+        "parameters: got m, expected a Parameter",
+    ),
+    "a number for a symbol": (
+        lambda: with_parameter(0, symbol=1.0),
+        "parameter mass: symbol: got 1.0",
+    ),
+    "symbol and name exchanged": (
+        lambda: with_parameter(0, name=m, symbol="mass"),
+        "parameter: name: got m, expected text",
+    ),
+    "a unit that is none": (
+        lambda: with_parameter(0, unit=None),
+        "parameter mass: unit: got No",
+    ),
+    "text for a default": (
+        lambda: with_parameter(0, default="1"),
+        "parameter mass: default: got '1', expected a number",
+    ),
+    "truth for a default": (
+        lambda: with_parameter(0, default=True),
+        "parameter mass: default: got True",
+    ),
+    "text for the largest": (
+        lambda: with_parameter(6, most="1"),
+        "parameter restitution: most",
+    ),
+    "an equation with two sides": (
+        lambda: scene(phase={"equation": sp.Eq(m * a, -k * x)}),
+        "phase flight: equation: got an equation",
+    ),
+    "text for an equation": (
+        lambda: scene(phase={"equation": "m*a + k*x"}),
+        "phase flight: equation: got 'm*a + k*x'",
+        "expression of SymPy",
+    ),
+    "text for a demand": (
+        lambda: scene(phase={"demands": {"right": "g - x"}}),
+        "phase flight: demand 'right': got 'g - x'",
+    ),
+    "an inequality": (
+        lambda: scene(phase={"demands": {"right": g >= x}}),
+        "phase flight: demand 'right': got",
+        "expression",
+    ),
+    "demands without words": (
+        lambda: scene(phase={"demands": (g - x,)}),
+        "phase flight: demand: got",
+        "mapping",
+    ),
+    "words that are none": (
+        lambda: scene(phase={"demands": {1: g - x}}),
+        "phase flight: demand: got 1, expected text",
+    ),
+    "a jump that is no mapping": (
+        lambda: scene(ends={"jump": -r * v}),
+        "phase flight: jump: got -r*v, expected a mapping",
+    ),
+    "text for what jumps": (
+        lambda: scene(ends={"jump": {"v": -r * v}}),
+        "phase flight: jump: got 'v', expected a symbol",
+    ),
+    "infinity": (
+        lambda: scene(phase={"demands": {"right": sp.oo - x}}),
+        "phase flight: demand 'right': got",
+    ),
+    "imaginary": (
+        lambda: scene(phase={"equation": MOTION + sp.I * c * v}),
+        "phase flight: equation: got",
+        "real and finite",
+    ),
+    "a function of time": (
+        lambda: scene(phase={"equation": MOTION + k * sp.Function("x")(t)}),
+        "phase flight: equation: got x(t), expected the symbols",
+    ),
+    "text for the frequency": (lambda: scene(frequency="frequency"), "frequency: got 'freq"),
+    "a number for the frequency": (lambda: scene(frequency=1.8), "frequency: got 1.8"),
+    "a guess that is alone": (lambda: scene(guess=1 / Omega), "guess: got 1/Omega", "(entry,)"),
+    "scales that are a tuple": (lambda: scene(scales=(m, 1, g)), "scales: got", "mapping"),
+    "truth that is none": (lambda: scene(half_period="yes"), "half_period: got 'yes'"),
+    "a name that is none": (lambda: scene(name=None), "name: got None, expected text"),
+    "a title of two lines": (lambda: scene(title="two\nlines"), "title: got", "one line"),
+}
+
+MISTAKES = NAMES | PARAMETER | FIELDS | WHOLE | HELD | TYPES
+
+
+@pytest.mark.parametrize("what", MISTAKES)
+def test_a_mistake_gets_one_line_that_names_the_field(what):
+    make, *words = MISTAKES[what]
+    refused(make, *words)
+
+
+def test_numbers_of_any_kind_are_numbers():
+    made = scene(
+        parameters=tuple(
+            replace(
+                q, default=sp.Rational(1, 2), most=None if q.most is None else sp.Integer(1)
+            )
+            for q in PARAMETERS
+        ),
+        ends={"jump": {v: -0.5 * r * v}},
+        scales={"length": 2.0, "mass": 3},
+        guess=[2 * sp.pi / Omega],
+    )
+    assert float(made.parameters[0].default) == 0.5
+
+
+def test_a_bound_of_a_modulus_is_two_bounds():
+    parts = without_modulus(g - sp.Abs(x - c * v / k) - sp.Abs(F / k))
+    assert set(parts) == {g - (x - c * v / k) - F / k, g + x - c * v / k - F / k}
+    two = without_modulus(g - sp.Abs(x) - r * sp.Abs(v) * m / k)
+    assert len(two) == 4
+    assert all(not part.has(sp.Abs) for part in two)
