@@ -7,12 +7,16 @@ import json
 import pkgutil
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
 from shown import PAGES, README, ROOT, differences
 
 import nonsmooth
+
+#: The scene file that pages write and use.
+BALL = ROOT / "examples" / "bouncing_ball.py"
 
 
 def modules() -> list[str]:
@@ -34,6 +38,26 @@ def test_some_docstrings_have_examples() -> None:
         assert any(test.examples for test in finder.find(module)), name
 
 
+@pytest.fixture(scope="session")
+def kernels_of_scene_files(tmp_path_factory) -> Path:
+    """Return a cache in which the scene of the pages has been derived: it says so only once."""
+    cache: Path = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(cache))
+        nonsmooth.scene(BALL)
+    return cache
+
+
+@pytest.fixture
+def place(kernels_of_scene_files: Path, tmp_path: Path, monkeypatch) -> Path:
+    """Return a folder of its own to be in, with the scene file of the pages."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(kernels_of_scene_files))
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(BALL, tmp_path)
+    return tmp_path
+
+
+@pytest.mark.usefixtures("place")
 @pytest.mark.parametrize("page", [page for page, text in PAGES.items() if ">>>" in text])
 def test_python_examples_of_the_pages_run(page: str) -> None:
     result = doctest.testfile(str(ROOT / page), module_relative=False)
@@ -54,15 +78,18 @@ def shown() -> list[tuple[str, str, str]]:
     return [(page, *block) for page in PAGES for block in blocks(page) if block[1].strip()]
 
 
+@pytest.mark.usefixtures("place")
 @pytest.mark.parametrize(("page", "command", "output"), shown())
 def test_output_on_a_page_is_what_the_command_prints(
-    run, page: str, command: str, output: str, tmp_path: Path, monkeypatch
+    run, page: str, command: str, output: str
 ) -> None:
-    monkeypatch.chdir(tmp_path)
     for case in re.findall(r"```toml\n(.*?)```", PAGES[page], flags=re.DOTALL):
-        Path("belt.toml").write_text(case, encoding="utf-8")
+        table = case[1 : case.index("]")]
+        name = "belt" if table == "stick_slip" else table
+        Path(f"{name}.toml").write_text(case, encoding="utf-8")
     _, out, err = run(*shlex.split(command)[1:])
-    assert differences(output, out + err) == []
+    told = re.sub(r"^sweep: \d+ of \d+ done.*\n", "", err, flags=re.MULTILINE)
+    assert differences(output, out + told) == []
 
 
 DOCUMENTS = (
@@ -74,12 +101,24 @@ DOCUMENTS = (
     "sweep --orders 3,4",
     "sweep --vary belt-speed=1:2:2",
     "roots --order 3",
+    "solve impact --order 4",
+    "solve stick-slip-damped --tol 1e-3",
+    "solve impact --gap 5 --method ck",
+    "sweep impact --orders 4 --methods ck",
+    "scenes",
+    "scenes stick-slip-damped",
 )
+
+
+#: What has the names of a scene's own parameters and functions as keys.
+OF_A_SCENE = ("parameters", "units", "coefficients")
 
 
 def keys(document: object) -> set[str]:
     """Return all keys of a JSON document, those of what it contains included."""
     if isinstance(document, dict):
+        if "scene" in document:
+            document = document | dict.fromkeys(set(OF_A_SCENE) & set(document))
         return {*document, *itertools.chain(*map(keys, document.values()))}
     if isinstance(document, list):
         return {*itertools.chain(*map(keys, document))}

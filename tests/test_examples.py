@@ -10,7 +10,12 @@ from pathlib import Path
 import pytest
 from shown import ROOT, differences
 
-SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
+#: A scene file is no script: it is tested where its page is.
+SCRIPTS = [
+    path
+    for path in sorted((ROOT / "examples").glob("*.py"))
+    if "\nSCENE = " not in path.read_text("utf-8")
+]
 
 #: Errors, but for what matplotlib 3.10 calls and pyparsing 3.3 deprecates.
 WARNINGS = (

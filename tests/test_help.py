@@ -10,7 +10,8 @@ import pytest
 from nonsmooth.cli import cli
 
 COMMANDS = (
-    "generate", "equations", "solve", "sweep", "roots", "stability", "tradeoff", "report",
+    "scenes", "generate", "equations", "solve", "sweep", "roots", "stability", "tradeoff",
+    "report",
 )  # fmt: skip
 
 

@@ -23,7 +23,9 @@ from nonsmooth.solver.belt import DEFAULT
 LISTS: dict[str, Iterable[str]] = {
     "solver/methods.py: METHODS": methods.METHODS,
     "solver/budget.py: ORDERS": budget.ORDERS,
-    "src/nonsmooth/tradeoff.py: ORDERS": dict.fromkeys(name for name, _ in tradeoff.ORDERS),
+    "src/nonsmooth/tradeoff.py: ORDERS": dict.fromkeys(
+        name for name, _ in tradeoff.ORDERS if name in codegen.METHODS
+    ),
     "src/nonsmooth/cli/equations.py: METHODS": equations.METHODS,
     "src/nonsmooth/style.py: STYLES": style.STYLES,
     "src/nonsmooth/style.py: LABELS": style.LABELS,

@@ -5,12 +5,13 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from ..no_orbit import NoOrbit
+    from .case import Case
+    from .exact import ExactSceneOrbit
     from .orbit import SceneOrbit
 
 #: Of the document's keys and their meaning.
 SCHEMA = 1
-
-_NO_ERRORS = dict.fromkeys(("period", "times", "discontinuous"))
 
 
 def document(orbit: "SceneOrbit") -> dict[str, Any]:
@@ -42,15 +43,60 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
         "coefficients": orbit.coefficients,
         "admissible": orbit.admissible,
         "violations": list(orbit.violations),
-        "exact": {
-            "period": exact and exact.period,
-            "forcing_phase": exact and exact.forcing_phase,
-            "durations": exact and list(exact.durations),
-        },
-        "errors": asdict(errors) if errors else dict(_NO_ERRORS),
+        "exact": _of_exact(exact),
+        "errors": asdict(errors) if errors else without_errors(),
         "estimate": asdict(orbit.estimate),
     }
     return {name: _finite(value) for name, value in content.items()}
+
+
+def document_without_orbit(
+    case: "Case", method: str, order: int | None, functions: int | None, finding: "NoOrbit",
+    exact: "ExactSceneOrbit | None",
+) -> dict[str, Any]:  # fmt: skip
+    """Return the document of an orbit that is not there: the same keys, and its status."""
+    ends = dict.fromkeys(("displacement", "velocity"))
+    content = {
+        "schema": SCHEMA,
+        "scene": case.scene.name,
+        "class": f"C{case.scene.k}",
+        "motion": None,
+        "method": method,
+        "order": order,
+        "functions": functions,
+        "parameters": dict(case.values),
+        "converged": False,
+        "iterations": finding.iterations,
+        "residual_norm": None,
+        "phases": [
+            {"name": phase.name, "duration": None, "start": dict(ends)}
+            for phase in case.cell.phases * case.cell.cells
+        ],
+        "period": None,
+        "forcing_phase": None,
+        "extremes": dict(ends),
+        "coefficients": None,
+        "admissible": False,
+        "violations": [str(finding)],
+        "exact": _of_exact(exact),
+        "errors": without_errors(),
+        "estimate": without_errors(),
+        "status": finding.status,
+    }
+    return {name: _finite(value) for name, value in content.items()}
+
+
+def without_errors() -> dict[str, None]:
+    """Return the errors of an orbit that is not there."""
+    return dict.fromkeys(("period", "times", "discontinuous"))
+
+
+def _of_exact(exact: "ExactSceneOrbit | None") -> dict[str, Any]:
+    return {
+        "period": exact and exact.period,
+        "forcing_phase": exact and exact.forcing_phase,
+        "durations": exact and list(exact.durations),
+    }
 
 
 def _finite(value: Any) -> Any:

@@ -15,8 +15,9 @@ from .orbit import SceneOrbit
 #: The method of the better orbit.
 BEST = "ck-tau"
 
-#: Its order: so many more than the orbit's, and no less than that.
-MORE, LEAST = 4, 20
+#: Its order: so many more than the orbit's, and no less than that; nor more than that, where
+#: the orbit is of a method whose errors are far larger at any order.
+MORE, LEAST, MOST = 4, 20, 60
 
 #: Rounding of the times, as a part of the period, beside the last corrections of Newton's
 #: method; and of the derivative.
@@ -30,11 +31,13 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     if BEST not in library.methods(orbit.case.scene):
         return NOTHING
     order = max(orbit.order + MORE, LEAST)
+    if orbit.method != BEST:
+        order = min(order, MOST)
     better = _neighbour(orbit, order)
     beyond = better and _neighbour(better, order + MORE)
     if better is None or beyond is None:
         return NOTHING
-    apart = difference(orbit, better, order)
+    apart = difference(orbit, better, max(order, orbit.order))
     doubt = difference(better, beyond, order + MORE)
     rounding = ROUNDING + CORRECTIONS * orbit.outcome.correction
     return SceneErrors(

@@ -1,13 +1,18 @@
 """Find a scene's folder of generated modules, by the scene's name or by its path."""
 
+import hashlib
 import importlib
 import types
+from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from .kernel import SceneKernel, compiled, plain
 from .modules import module_of
 from .numbers import SceneNumbers
+
+if TYPE_CHECKING:
+    from .kernel import SceneKernel
 
 #: The module of a folder that holds the scene itself; any other module is a method's.
 SCENE = "scene"
@@ -104,7 +109,7 @@ def generic_method(scene: SceneNumbers, method: object) -> str:
 
 def kernel(
     scene: SceneNumbers, method: str, number: int | None = None, *, compile_it: bool = False
-) -> SceneKernel:
+) -> "SceneKernel":
     """Return the kernel of a method for a scene, as plain Python or compiled by numba.
 
     Parameters
@@ -126,7 +131,17 @@ def kernel(
     if path is None:
         known = ", ".join(map(str, functions(scene, name))) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
+    from .kernel import compiled, plain  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
     return compiled(module_of(path)) if compile_it else plain(module_of(path))
+
+
+def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
+    """Return a hash of the conditions behind these methods: 16 hexadecimal digits."""
+    wanted = {generic_method(scene, method) for method in chosen}
+    files = sorted(path for (name, _), path in _files(scene).items() if name in wanted)
+    texts = [scene.module.BODY, *(module_of(path).MATHEMATICS for path in files)]
+    return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
 
 
 def _unknown(what: str, found: object, known: tuple[str, ...]) -> str:

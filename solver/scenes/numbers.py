@@ -4,9 +4,10 @@ import types
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from .case import Case
+if TYPE_CHECKING:
+    from .case import Case
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ class SceneNumbers:
     module: types.ModuleType
     folder: Path
 
-    def __call__(self, **values: object) -> Case:
+    def __call__(self, **values: object) -> "Case":
         """Return the case of these parameters, in SI units.
 
         Raises
@@ -71,6 +72,8 @@ class SceneNumbers:
         ParameterError
             Naming everything that is wrong with them.
         """
+        from .case import Case  # noqa: PLC0415  (NumPy: a list of scenes needs none)
+
         return Case(self, values)
 
     def __eq__(self, other: object) -> bool:

@@ -17,6 +17,7 @@ from .errors import SceneErrors, difference
 from .exact import ExactSceneOrbit, exact_orbit
 from .kernel import SceneKernel
 from .motion import SceneMotion
+from .names import shown
 from .newton import Outcome
 
 
@@ -132,8 +133,27 @@ class SceneOrbit(SceneMotion):
         """Return the orbit as the document that ``solve --json`` writes."""
         return document(self)
 
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the phase portrait and return the axes; needs matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones without it.
+        **style
+            Of the line.
+        """
+        from .notebook import portrait  # noqa: PLC0415
+
+        return portrait(self, ax, **style)
+
+    def _repr_html_(self) -> str:
+        from .notebook import table  # noqa: PLC0415
+
+        return table(self)
+
     def __repr__(self) -> str:
-        name = self.method.replace("ck", f"c{self.case.scene.k}")
+        name = shown(self.case.scene, self.method)
         return (
             f"<{self.case.scene.name} by {name}, N = {self.order}: T = {self.period:.10g} s, "
             f"{self.iterations} iterations>"

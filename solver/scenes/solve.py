@@ -61,10 +61,10 @@ def solve_case(
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
     method = library.generic_method(case.scene, method)
-    if functions is None and library.functions(case.scene, method):
-        functions = 2 if case.scene.k == 0 else 1
+    if functions is None:
+        functions = number_of_functions(case, method, None)
     kernel = library.kernel(case.scene, method, functions)
-    order = _whole("order", order, kernel.lowest, HIGHEST_ORDER)
+    order = check_order(kernel, order)
     if order > PLAIN_ORDER:
         kernel = library.kernel(case.scene, method, functions, compile_it=True)
     search = _Search(case, kernel)
@@ -76,6 +76,16 @@ def solve_case(
     error = NoOrbit(reason, False, tuple(dict.fromkeys(search.tried)))
     error.iterations = search.iterations
     raise error
+
+
+def number_of_functions(case: Case, method: str, wanted: int | None) -> int | None:
+    """Return the number of functions that a method has: as wanted, or as is usual.
+
+    None where it does not count functions; there, what is wanted is meant for another method.
+    """
+    if not library.functions(case.scene, method):
+        return None
+    return (2 if case.scene.k == 0 else 1) if wanted is None else wanted
 
 
 @dataclass
@@ -114,13 +124,19 @@ class _Search:
                     yield coarse.times(found.unknowns)
 
 
-def _whole(name: str, value: object, least: int, most: int) -> int:
-    """Return a whole number within its range."""
+def check_order(kernel: SceneKernel, value: object) -> int:
+    """Return an order as a whole number that the method can compute.
+
+    Raises
+    ------
+    ValueError
+        If it is not one.
+    """
     try:
         number = -1 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
     except TypeError:
         number = -1
-    if not least <= number <= most:
-        expected = f"a whole number from {least} to {most}"
-        raise ValueError(f"{name}: got {value!r}, expected {expected}")
+    if not kernel.lowest <= number <= HIGHEST_ORDER:
+        expected = f"a whole number from {kernel.lowest} to {HIGHEST_ORDER}"
+        raise ValueError(f"order: got {value!r}, expected {expected} for {kernel.method}")
     return number

@@ -1,7 +1,8 @@
-"""Periodic orbits of a stick-slip oscillator by harmonic balance and Galerkin expansions.
+"""Periodic orbits of non-smooth oscillators by harmonic balance and Galerkin expansions.
 
 SymPy derives the equations of W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003)
-213-224; the package solves them by generated kernels.  SI units throughout.
+213-224, and the same for any scene; the package solves them by generated kernels.  SI units
+throughout.
 
 Examples
 --------
@@ -11,6 +12,8 @@ Examples
 >>> orbit = ns.solve(belt, method="c1", order=7)
 >>> round(orbit.period, 6), round(ns.exact(belt).period, 6)
 (0.671238, 0.671239)
+>>> ns.solve(ns.scene("impact")(gap=0.2), tol=1e-9)
+<impact by c0-tau, N = 9: T = 3.490658504 s, 8 iterations>
 """
 
 from importlib import import_module
@@ -20,41 +23,58 @@ if TYPE_CHECKING:
     from .codegen import derive as equations
     from .files.api import load, save
     from .files.errors import FileError
+    from .oscillators import exact, solve, sweep
+    from .scene import find as scene
+    from .scene_files.error import SceneFileError
+    from .scene_files.find import names as scenes
     from .solver.belt import ParameterError, StickSlip
     from .solver.family import Family, family
-    from .solver.motion import ExactOrbit, exact
+    from .solver.motion import ExactOrbit
     from .solver.no_orbit import NoOrbit
     from .solver.orbit import Orbit
-    from .solver.solve import solve
-    from .solver.sweep import Row, Sweep, sweep
+    from .solver.scenes.case import Case
+    from .solver.scenes.exact import ExactSceneOrbit
+    from .solver.scenes.library import UnknownScene
+    from .solver.scenes.orbit import SceneOrbit
+    from .solver.scenes.sweep import SceneSweep
+    from .solver.sweep import Row, Sweep
 
     __version__: str
 
 #: Where each public name lives.  Nothing is imported before it is asked for: SymPy takes a
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
+    "Case": ("solver.scenes.case", "Case"),
     "ExactOrbit": ("solver.motion", "ExactOrbit"),
-    "FileError": ("files.errors", "FileError"),
+    "ExactSceneOrbit": ("solver.scenes.exact", "ExactSceneOrbit"),
     "Family": ("solver.family", "Family"),
+    "FileError": ("files.errors", "FileError"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "NotCertified": ("solver.choice", "NotCertified"),
     "Orbit": ("solver.orbit", "Orbit"),
     "ParameterError": ("solver.belt", "ParameterError"),
     "Row": ("solver.sweep", "Row"),
+    "SceneFileError": ("scene_files.error", "SceneFileError"),
+    "SceneOrbit": ("solver.scenes.orbit", "SceneOrbit"),
+    "SceneSweep": ("solver.scenes.sweep", "SceneSweep"),
     "StickSlip": ("solver.belt", "StickSlip"),
     "Sweep": ("solver.sweep", "Sweep"),
     "TooSlow": ("solver.choice", "TooSlow"),
+    "UnknownScene": ("solver.scenes.library", "UnknownScene"),
     "equations": ("codegen", "derive"),
-    "exact": ("solver.motion", "exact"),
+    "exact": ("oscillators", "exact"),
+    "family": ("solver.family", "family"),
     "load": ("files.api", "load"),
     "save": ("files.api", "save"),
-    "family": ("solver.family", "family"),
-    "solve": ("solver.solve", "solve"),
-    "sweep": ("solver.sweep", "sweep"),
+    "scenes": ("scene_files.find", "names"),
+    "solve": ("oscillators", "solve"),
+    "sweep": ("oscillators", "sweep"),
 }
 
 __all__ = [
+    "Case",
     "ExactOrbit",
+    "ExactSceneOrbit",
     "Family",
     "FileError",
     "NoOrbit",
@@ -62,15 +82,21 @@ __all__ = [
     "Orbit",
     "ParameterError",
     "Row",
+    "SceneFileError",
+    "SceneOrbit",
+    "SceneSweep",
     "StickSlip",
     "Sweep",
     "TooSlow",
+    "UnknownScene",
     "__version__",
     "equations",
     "exact",
     "family",
     "load",
     "save",
+    "scene",
+    "scenes",
     "solve",
     "sweep",
 ]
@@ -80,6 +106,8 @@ def __getattr__(name: str) -> Any:
     """Return a public name, imported at its first use."""
     if name == "__version__":
         return import_module("importlib.metadata").version("nonsmooth")
+    if name == "scene":  # a module that is called
+        return import_module(f"{__name__}.scene")
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     home, attribute = _HOMES[name]

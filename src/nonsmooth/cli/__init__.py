@@ -1,4 +1,4 @@
-"""The command line: ``nonsmooth generate``, ``equations``, ``solve``, ``sweep``.
+"""The command line: ``nonsmooth scenes``, ``generate``, ``equations``, ``solve``, ``sweep``.
 
 Results go to stdout, progress and messages to stderr.  Exit status: 0 done, 1 no converged
 and admissible orbit (or, for ``generate --check``, a difference), 2 bad input, 130
@@ -14,6 +14,8 @@ import click
 
 from . import equations, generate, report, roots, solve, stability, sweep, tradeoff
 from .problems import Problem
+from .scenes import command as scene_command
+from .scenes import listing
 from .version import show_version
 
 EXAMPLES = """\b
@@ -22,6 +24,8 @@ Examples:
   nonsmooth solve --method c1 --order 7
   nonsmooth sweep --orders 1-40 -o convergence.png
   nonsmooth equations --format latex -o equations.tex
+  nonsmooth scenes
+  nonsmooth solve impact --gap 0.2
 """
 
 
@@ -30,7 +34,17 @@ class _ReaderLeft(Exception):  # noqa: N818
 
 
 class _Commands(click.Group):
-    """Commands whose broken pipe click does not make an exit with 1: that is for no orbit."""
+    """Commands, some of which take a scene as their first argument.
+
+    Click does not make their broken pipe an exit with 1: that is for no orbit.
+    """
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name, command, rest = super().resolve_command(ctx, args)
+        quiet = ctx.resilient_parsing
+        return scene_command.resolved(name, command, rest, quiet=quiet)
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
@@ -47,13 +61,15 @@ class _Commands(click.Group):
     help="Show what a bug report needs and exit.",
 )  # fmt: skip
 def cli() -> None:
-    """Periodic orbits of a stick-slip oscillator by harmonic balance and Galerkin expansions.
+    """Periodic orbits of non-smooth oscillators by harmonic balance and Galerkin expansions.
 
-    After W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003) 213-224.
+    After W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003) 213-224. Without a scene,
+    commands are about the stick-slip oscillator of that paper.
     """
 
 
 for command in (
+    listing.scenes,
     generate.generate,
     equations.equations,
     solve.solve,

@@ -6,22 +6,25 @@ import click
 
 from .problems import Problem
 from .progress import busy
+from .scenes.command import SceneCommand
 
 EPILOG = """\b
 Examples:
   nonsmooth generate
+  nonsmooth generate impact
   nonsmooth generate --check      for a continuous integration
 """
 
 
-@click.command(epilog=EPILOG)
+@click.command(cls=SceneCommand, module="generate", all_without=True, epilog=EPILOG)
 @click.option(
     "--check", is_flag=True, help="Only compare, write nothing; exit 1 on a difference."
 )
 def generate(check: bool) -> int:
     """Derive the equations with SymPy and write generated/.
 
-    A file is written only when its text changes.
+    A file is written only when its text changes. With SCENE, a name of 'nonsmooth scenes'
+    or the path of a scene file, of that scene alone. A scene file is Python and is run.
     """
     with busy("deriving the equations"):
         from nonsmooth.codegen import generate as stage  # noqa: PLC0415

@@ -1,7 +1,7 @@
 """The oscillator from a case file, from flags, or both; flags override the file."""
 
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -41,30 +41,42 @@ def parameter_options(command: Callable[..., Any]) -> Callable[..., Any]:
     return click.option("--case", type=click.Path(path_type=Path), help=help_)(command)
 
 
-def read_case(path: Path) -> dict[str, object]:
-    """Return the table ``[stick_slip]`` of a case file.
+def read_case(path: Path, tables: Sequence[str] = (TABLE,)) -> dict[str, object]:
+    """Return the table ``[stick_slip]`` of a case file, or another under one of its names.
 
     Raises
     ------
     Problem
         If the file cannot be read, is not TOML, or has no such table.
     """
+    content = read_toml(path)
+    name = next((each for each in tables if each in content), tables[0])
+    table = content.get(name)
+    if not isinstance(table, dict):
+        raise Problem(f"--case: {path} has no table [{name}]")
+    others = sorted(content.keys() - {name})
+    if others:
+        raise Problem(f"--case: {path}: unknown {others[0]!r}, expected only [{name}]")
+    return table
+
+
+def read_toml(path: Path) -> dict[str, object]:
+    """Return the content of a case file.
+
+    Raises
+    ------
+    Problem
+        If it cannot be read, or is not TOML.
+    """
     try:
         text = path.read_bytes().decode("utf-8-sig")  # editors on Windows write a mark first
-        content = tomllib.loads(text)
+        return tomllib.loads(text)
     except OSError as error:
         raise Problem(f"--case: cannot read {path}: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise Problem(f"--case: {path} is not a text file; expected TOML") from error
     except (ValueError, RecursionError) as error:
         raise Problem(f"--case: {path} is not TOML: {error}") from error
-    table = content.get(TABLE)
-    if not isinstance(table, dict):
-        raise Problem(f"--case: {path} has no table [{TABLE}]")
-    others = sorted(content.keys() - {TABLE})
-    if others:
-        raise Problem(f"--case: {path}: unknown {others[0]!r}, expected only [{TABLE}]")
-    return table
 
 
 def _case_errors(table: Mapping[str, object], given: Mapping[str, object]) -> list[str]:

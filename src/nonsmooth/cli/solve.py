@@ -2,7 +2,7 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -12,6 +12,16 @@ from .parameters import belt_from, caption, parameter_options
 from .precise import add_precise, check_digits, show_precise
 from .problems import Problem
 from .progress import busy
+from .scenes.command import SceneCommand
+from .scenes.paper import (
+    FUNCTIONS,
+    NO_SHORTCUTS,
+    MethodOfPaper,
+    is_generic,
+    refuse_beside_generic,
+    solve_generic,
+)
+from .scenes.wanted import Wanted
 from .tolerance import choose, parse_seconds, why
 
 if TYPE_CHECKING:
@@ -33,17 +43,23 @@ Examples:
   nonsmooth solve --order 10 -o orbit.png      all three methods
   nonsmooth solve --method hb --order 40 --case belt.toml --json
   nonsmooth solve --method c1 --order 20 --digits 50
+  nonsmooth solve --method c1-tau --tol 1e-12
+  nonsmooth solve impact --gap 0.2 --tol 1e-9
 """
 
 
-@click.command(epilog=EPILOG)
+@click.command(cls=SceneCommand, module="solve", epilog=EPILOG)
 @click.option(
-    "--method", type=click.Choice(METHODS), help="Section 3.1, 3.2 or 3.3; without it, all."
+    "--method",
+    type=MethodOfPaper(METHODS),
+    help="Section 3.1, 3.2 or 3.3, without it all; or c1-tau, of every scene.",
 )
 @click.option("--order", type=int, help=f"N, the size of the expansion.  [default: {ORDER}]")
 @click.option(
     "--c1-terms", type=int, default=1, show_default=True, help="C1 functions of hb-c1, 1 to 6."
 )
+@click.option("--functions", type=int, help=FUNCTIONS)
+@click.option("--no-shortcuts", is_flag=True, help=NO_SHORTCUTS)
 @click.option("--tol", type=float, help="Choose: largest relative error of the period.")
 @click.option("--tol-acceleration", type=float, help="Choose: largest error (22).")
 @click.option("--budget", help="Choose: the best in this time, like 200us, 1ms, 2s.")
@@ -58,6 +74,8 @@ def solve(
     method: str | None,
     order: int | None,
     c1_terms: int,
+    functions: int | None,
+    no_shortcuts: bool,
     tol: float | None,
     tol_acceleration: float | None,
     budget: str | None,
@@ -70,9 +88,22 @@ def solve(
     """Compute the periodic orbit by one method of the paper, or by all three.
 
     With a tolerance, the cheapest method and order that meet it, by the estimated error;
-    with a budget, the best that fits, timed on this machine.
+    with a budget, the best that fits, timed on this machine. SCENE is a name of 'nonsmooth
+    scenes', or the path of a scene file, which is Python and is run; without it, the belt of
+    the paper. 'nonsmooth solve SCENE --help' lists its parameters.
     """
     check_target(output, (*DATA, *PICTURES))
+    if is_generic(method, functions, no_shortcuts):
+        refuse_beside_generic(
+            {
+                "--c1-terms": c1_terms if c1_terms != 1 else None,
+                "--tol-acceleration": tol_acceleration,
+                "--budget": budget,
+                "--digits": digits,
+            }
+        )
+        wanted = Wanted(method, order, functions, tol, json_, output)
+        return solve_generic(case, flags, wanted)
     from nonsmooth.solver.orbit import Orbit  # noqa: PLC0415
 
     found: dict[str, Orbit | NoOrbit]
@@ -101,9 +132,7 @@ def solve(
     documents = [of_solution(belt, name, order, result) for name, result in found.items()]
     if choice is not None:
         documents[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
-    if digits is not None:
-        for each in documents:
-            add_precise(each, found[each["method"]], digits)
+    _add_digits(documents, found, digits)
     text = sealed(with_origin(documents[0] if method else {"orbits": documents}, list(found)))
     if json_:
         click.echo(text, nl=False)
@@ -121,6 +150,14 @@ def solve(
     if output is not None:
         _write(output, text, belt, orbits)
     return 0 if len(orbits) == len(found) else 1
+
+
+def _add_digits(
+    documents: list[dict[str, Any]], found: "dict[str, Orbit | NoOrbit]", digits: int | None
+) -> None:
+    if digits is not None:
+        for each in documents:
+            add_precise(each, found[each["method"]], digits)
 
 
 def _search(belt: "StickSlip", method: str, order: int, terms: int) -> "Orbit | NoOrbit":

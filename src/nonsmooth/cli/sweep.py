@@ -12,6 +12,15 @@ from .output import DATA, PICTURES, check_target, write_file, write_whole
 from .parameters import belt_from, caption, parameter_options
 from .problems import Problem, about_option
 from .progress import progress
+from .scenes.command import SceneCommand
+from .scenes.paper import (
+    FUNCTIONS,
+    NO_SHORTCUTS,
+    are_generic,
+    names_as_in_paper,
+    refuse_beside_generic,
+    sweep_generic,
+)
 
 if TYPE_CHECKING:
     from nonsmooth.solver.sweep import Row, Sweep
@@ -26,10 +35,11 @@ Examples:
   nonsmooth sweep --orders 1-40 --json > convergence.json
   nonsmooth sweep --orders 10,100,...,1000000
   nonsmooth sweep --vary belt-speed=0.1:10:200 --log -o family.csv
+  nonsmooth sweep impact --orders 2-16
 """
 
 
-@click.command(epilog=EPILOG)
+@click.command(cls=SceneCommand, module="sweep", epilog=EPILOG)
 @click.option("--methods", help="Methods, by commas.  [default: hb,hb-c1,c1; with --vary: c1]")
 @click.option(
     "--orders",
@@ -38,6 +48,8 @@ Examples:
 @click.option(
     "--c1-terms", type=int, default=1, show_default=True, help="C1 functions of hb-c1, 1 to 6."
 )
+@click.option("--functions", type=int, help=FUNCTIONS)
+@click.option("--no-shortcuts", is_flag=True, help=NO_SHORTCUTS)
 @click.option(
     "--vary", metavar="NAME=FROM:TO:POINTS",
     help="Sweep over a parameter instead, at one order: period, amplitude, stick.",
@@ -53,6 +65,8 @@ def sweep(
     methods: str | None,
     orders: str | None,
     c1_terms: int,
+    functions: int | None,
+    no_shortcuts: bool,
     vary: str | None,
     log: bool,
     case: Path | None,
@@ -62,10 +76,20 @@ def sweep(
 ) -> int:
     """Compute the orbit for many orders and compare period and acceleration with the exact.
 
-    With --vary, follow it along a parameter.
+    With --vary, follow it along a parameter. SCENE is a name of 'nonsmooth scenes', or the
+    path of a scene file, which is Python and is run; without it, the belt of the paper.
     """
     check_target(output, (*DATA, *PICTURES))
-    names = None if methods is None else parse_methods(methods)
+    if are_generic(methods, functions, no_shortcuts):
+        refuse_beside_generic(
+            {
+                "--c1-terms": c1_terms if c1_terms != 1 else None,
+                "--vary": vary,
+                "--log": log or None,
+            }
+        )
+        return sweep_generic(case, flags, methods, orders, functions, json_, output)
+    names = None if methods is None else parse_methods(names_as_in_paper(methods))
     if vary is not None:
         belt = belt_from(case, flags)
         job = family.job_from(vary, log, belt, flags, names, orders, c1_terms)

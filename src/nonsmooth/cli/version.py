@@ -2,7 +2,6 @@
 
 import os
 import platform
-from importlib.metadata import PackageNotFoundError, requires, version
 
 import click
 from click.core import Context, Parameter
@@ -12,6 +11,8 @@ def show_version(context: Context, _: Parameter, wanted: bool) -> None:
     """Print the version, the mathematics, the machine and the libraries, and leave."""
     if not wanted or context.resilient_parsing:
         return
+    from importlib.metadata import version  # noqa: PLC0415  (it takes 10 ms)
+
     from nonsmooth.files.origin import mathematics  # noqa: PLC0415
     from nonsmooth.solver.methods import METHODS  # noqa: PLC0415
 
@@ -27,6 +28,8 @@ def show_version(context: Context, _: Parameter, wanted: bool) -> None:
 
 def _libraries() -> list[str]:
     """Return the libraries that compute, draw or write: all but those of the developers."""
+    from importlib.metadata import requires  # noqa: PLC0415
+
     needed = [line.partition(";") for line in requires("nonsmooth") or []]
     names = [
         line.partition(">=")[0].strip()
@@ -37,6 +40,8 @@ def _libraries() -> list[str]:
 
 
 def _version(name: str) -> str:
+    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415
+
     try:
         return version(name)
     except PackageNotFoundError:

@@ -11,6 +11,13 @@ class FileError(ValueError):
         self.path = path
 
 
+def of_a_scene(path: Path, scene: object) -> FileError:
+    """Return the error of a file of a scene: those are written for other programs."""
+    return FileError(
+        path, f"of the scene {scene}: only what the paper's methods made is loaded"
+    )
+
+
 def damaged(path: Path, how: str) -> FileError:
     """Return the error of a file that is not as it was written."""
     return FileError(path, f"damaged, or changed since it was written: {how}")

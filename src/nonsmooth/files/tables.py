@@ -20,7 +20,7 @@ from nonsmooth.solver.orbit import Orbit
 from nonsmooth.solver.sweep import Sweep
 
 from .documents import to_row
-from .errors import FileError, damaged
+from .errors import FileError, damaged, of_a_scene
 from .json_text import SCHEMA
 from .origin import check_schema, origin
 from .points import Head, Points, to_families
@@ -113,6 +113,8 @@ def read(path: Path) -> Any:
 
 
 def _restored(path: Path, rows: list[dict[str, str]]) -> Any:
+    if rows and "scene" in rows[0]:
+        raise of_a_scene(path, rows[0]["scene"])
     if not rows or "schema" not in rows[0]:
         if rows and "displacement" in rows[0]:
             raise FileError(path, "the motion of an orbit; save the orbit as .json to load it")

@@ -13,7 +13,7 @@ from nonsmooth.solver.orbit import Orbit
 from nonsmooth.solver.sweep import Sweep
 
 from .documents import of_orbits, of_sweep, to_orbit, to_sweep, with_origin
-from .errors import FileError, damaged
+from .errors import FileError, damaged, of_a_scene
 from .json_text import DIGEST, as_json, seal, sealed
 from .origin import check_mathematics, check_schema, origin, units
 from .points import Head, Points, to_families
@@ -111,6 +111,8 @@ def _document(path: Path) -> dict[str, Any]:
 
 
 def _restored(path: Path, document: dict[str, Any]) -> Any:
+    if "scene" in document:
+        raise of_a_scene(path, document["scene"])
     if "vary" in document:
         return _families(path, document)
     if "rows" in document:

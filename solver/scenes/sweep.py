@@ -1,0 +1,173 @@
+"""Convergence of the methods of a scene over orders: one row each, whatever comes of it."""
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict, dataclass
+from html import escape
+from typing import Any
+
+from ..no_orbit import NoOrbit
+from . import library
+from .case import Case
+from .document import without_errors
+from .errors import SceneErrors
+from .names import in_order, shown
+from .rates import Rate, rate
+from .solve import check_order, number_of_functions, solve_case
+
+
+@dataclass(frozen=True)
+class SceneRow:
+    """One method at one order.
+
+    Parameters
+    ----------
+    method, order : str, int
+        What was asked for; the generic name.
+    status : {"ok", "no-orbit", "not-converged"}
+        An orbit; shown that there is none; none found.
+    period : float or None
+        In s; None without an orbit, as all that follows but `iterations` and `seconds`.
+    forcing_phase : float or None
+        In rad; None also where nothing forces.
+    durations : tuple of float or None
+        Of the phases of one period, in s.
+    iterations : int
+        Jacobians factorised.
+    errors, estimate : SceneErrors or None
+        Against the exact orbit; as estimated without it.
+    seconds : float
+        Time of the search; with the first order above 48 of a method, compilation too.
+    message : str
+        Why there is no orbit; empty if there is one.
+    """
+
+    method: str
+    order: int
+    status: str
+    period: float | None
+    forcing_phase: float | None
+    durations: tuple[float, ...] | None
+    iterations: int
+    errors: SceneErrors | None
+    estimate: SceneErrors | None
+    seconds: float
+    message: str = ""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the row as JSON has it."""
+        return asdict(self) | {
+            "errors": without_errors() if self.errors is None else asdict(self.errors),
+            "estimate": without_errors() if self.estimate is None else asdict(self.estimate),
+        }
+
+
+@dataclass(frozen=True)
+class SceneSweep:
+    """The rows of a sweep of a case, in the order in which they were asked for."""
+
+    case: Case
+    rows: tuple[SceneRow, ...]
+    functions: int | None = None
+
+    def of(self, method: str) -> tuple[SceneRow, ...]:
+        """Return the rows of one method, by either of its names."""
+        wanted = library.generic_method(self.case.scene, method)
+        return tuple(row for row in self.rows if row.method == wanted)
+
+    def rates(self) -> dict[str, Rate]:
+        """Return how fast each method converges, by its generic name."""
+        found = {}
+        for method in dict.fromkeys(row.method for row in self.rows):
+            rows = [(row.order, asdict(row.errors)) for row in self.of(method) if row.errors]
+            found[method] = rate(method, rows)
+        return found
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the sweep as the document that ``sweep --json`` writes."""
+        return {
+            "scene": self.case.scene.name,
+            "class": f"C{self.case.scene.k}",
+            "functions": self.functions,
+            "parameters": dict(self.case.values),
+            "rows": [row.as_dict() for row in self.rows],
+            "rates": {name: asdict(found) for name, found in self.rates().items()},
+        }
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
+
+    def __str__(self) -> str:
+        lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'times':>9}  {'jump':>9}  estimate"]
+        for row in self.rows:
+            head = f"{shown(self.case.scene, row.method):8}{row.order:5d}  "
+            if row.errors is None or row.estimate is None:
+                lines.append(f"{head}{row.status}: {row.message:.60}")
+                continue
+            errors = f"{row.errors.times:9.2e}  {row.errors.discontinuous:9.2e}"
+            lines.append(f"{head}{row.period:15.10g}  {errors}  {row.estimate.times:8.1e}")
+        return "\n".join(lines)
+
+
+def sweep_case(
+    case: Case,
+    methods: str | Sequence[str] | None = None,
+    orders: Iterable[int] = range(1, 21),
+    functions: int | None = None,
+    progress: Callable[[SceneRow], None] = lambda row: None,
+) -> SceneSweep:
+    """Solve for each method and order, and compare with the exact orbit.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    methods : str or sequence of str, optional
+        The methods, each in its turn; without it all, those orders left out that a method
+        cannot compute and another can.
+    orders : iterable of int
+        The orders of every method.
+    functions : int, optional
+        See `solve_case`.
+    progress : callable
+        Called with each row when it is done.
+
+    Raises
+    ------
+    ValueError
+        If a method or an order is not one that can be computed; before anything is.
+    """
+    scene, numbers = case.scene, list(orders)
+    named = in_order(library.methods(scene)) if methods is None else methods
+    wanted = (named,) if isinstance(named, str) else named
+    jobs = []
+    for method in (library.generic_method(scene, name) for name in wanted):
+        count = number_of_functions(case, method, functions)
+        kernel = library.kernel(scene, method, count)
+        chosen = numbers if methods is not None else _computed(numbers, kernel.lowest)
+        jobs += [(method, check_order(kernel, order), count) for order in chosen]
+    rows = []
+    for method, order, count in jobs:
+        rows.append(_row(case, method, order, count))
+        progress(rows[-1])
+    return SceneSweep(case, tuple(rows), functions)
+
+
+def _computed(orders: list[int], lowest: int) -> list[int]:
+    """Return the orders that are not below the lowest; what is no number is refused later."""
+    return [order for order in orders if not isinstance(order, int) or order >= lowest]
+
+
+def _row(case: Case, method: str, order: int, functions: int | None) -> SceneRow:
+    begin = time.perf_counter()
+    try:
+        orbit = solve_case(case, method, order, functions)
+    except NoOrbit as finding:
+        seconds = time.perf_counter() - begin
+        nothing = (None, None, None, finding.iterations, None, None)
+        return SceneRow(method, order, finding.status, *nothing, seconds, str(finding))
+    seconds = time.perf_counter() - begin
+    return SceneRow(
+        method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
+        orbit.iterations, orbit.errors, orbit.estimate, seconds,
+    )  # fmt: skip

@@ -1,0 +1,148 @@
+"""The cheapest order of a method whose estimated errors are within a tolerance."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..belt import is_number
+from ..choice import MARGIN
+from ..no_orbit import NoOrbit
+from . import library
+from .case import Case
+from .choice import NotCertifiedScene, SceneChoice, SceneTrial, size
+from .estimate import BEST, ROUNDING
+from .names import shown
+from .orbit import SceneOrbit
+from .solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case
+
+#: Up to here every order is tried; beyond, each is larger than the last by a part of it.
+EVERY, STEP = 24, 0.15
+
+#: Orders over which the errors must have fallen, or they will not, and the least fall.
+PATIENCE, LEAST_FALL = 8, 0.9
+
+#: Error above which a motion may have more waves than the order resolves, and falls later.
+RESOLVED = 1e-3
+
+#: Times the highest order that the errors must need, by their rate, to be given up.
+FAR, FAR_AT_FIRST = 2, 30
+
+
+def choose_order(
+    case: Case, tol: float, method: str = BEST, functions: int | None = None
+) -> SceneChoice:
+    """Return the orbit of the lowest order, of those tried, that meets a tolerance.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    tol : float
+        Largest estimated error of the times and of the period, as a part of the period.
+    method, functions : str, int
+        See `solve_case`.
+
+    Raises
+    ------
+    ValueError
+        If `tol` is not between 0 and 1, or there is no such method.
+    NotCertifiedScene
+        If no order meets it: rounding, or more orders than can be computed.
+    NoOrbit
+        If no order that was tried has an orbit.
+    """
+    if not (is_number(tol) and 0 < tol < 1):
+        raise ValueError(f"tol: got {tol!r}, expected a number between 0 and 1")
+    name = library.generic_method(case.scene, method)
+    count = number_of_functions(case, name, None) if functions is None else functions
+    kernel = library.kernel(case.scene, name, count)
+    search = _Search(case, tol, name, count, [])
+    if MARGIN * tol <= ROUNDING:
+        raise NotCertifiedScene(tol, (), math.nan)
+    last = kernel.lowest
+    for order in _orders(kernel.lowest):
+        orbit = search.meets(order)
+        if orbit is not None:
+            orbit = search.lowest(last, order, orbit)
+            return SceneChoice(orbit, tuple(search.trials))
+        if search.hopeless():
+            break
+        last = order
+    if search.finding is not None and not search.known():
+        raise search.finding
+    raise NotCertifiedScene(tol, tuple(search.trials), search.needed())
+
+
+def _orders(lowest: int) -> Iterator[int]:
+    order = lowest
+    while order < HIGHEST_ORDER:
+        yield order
+        order += 1 if order < EVERY else math.ceil(STEP * order)
+    yield HIGHEST_ORDER
+
+
+@dataclass
+class _Search:
+    case: Case
+    tol: float
+    method: str
+    functions: int | None
+    trials: list[SceneTrial]
+    finding: NoOrbit | None = None
+
+    def meets(self, order: int) -> SceneOrbit | None:
+        """Return the orbit of an order if it is within the tolerance; note what it is."""
+        name = shown(self.case.scene, self.method)
+        try:
+            orbit = solve_case(self.case, self.method, order, self.functions)
+        except NoOrbit as finding:
+            self.finding = finding
+            self.trials.append(SceneTrial(name, order, None))
+            return None
+        self.trials.append(SceneTrial(name, order, orbit.estimate))
+        return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
+
+    def lowest(self, fails: int, meets: int, orbit: SceneOrbit) -> SceneOrbit:
+        """Return the orbit of the lowest order between one that fails and one that meets."""
+        while meets - fails > 1:
+            middle = (fails + meets) // 2
+            found = self.meets(middle)
+            if found is None:
+                fails = middle
+            else:
+                meets, orbit = middle, found
+        return orbit
+
+    def known(self) -> list[tuple[int, float]]:
+        """Return the orders whose errors are known, and these."""
+        sizes = [(t.order, size(t.estimate)) for t in self.trials if t.estimate is not None]
+        return [(order, error) for order, error in sizes if math.isfinite(error)]
+
+    def needed(self) -> float:
+        """Return the order at which the errors as they fall now would meet the tolerance.
+
+        Infinite where they do not fall any more; 0 where too little is known.
+        """
+        known = self.known()
+        if len(known) < 2 * PATIENCE:
+            return 0.0
+        before = min(error for _, error in known[:-PATIENCE])
+        resolved = before < RESOLVED or known[-1][0] > 4 * EVERY
+        if resolved and min(error for _, error in known[-PATIENCE:]) > LEAST_FALL * before:
+            return math.inf
+        if not self.method.startswith("hb"):  # faster than any power
+            return 0.0
+        orders, errors = np.log(np.array(known[len(known) // 2 :])).T
+        power, at_1 = np.polyfit(orders, errors, 1)
+        if power >= 0:
+            return 0.0
+        return float(np.exp(min((math.log(MARGIN * self.tol) - at_1) / power, 700.0)))
+
+    def hopeless(self) -> bool:
+        """Whether no order that can be computed will do; a fit to few orders is not trusted."""
+        if not self.known():
+            return self.trials[-1].order > max(COARSE)  # the starts are the same at any order
+        far = FAR if self.trials[-1].order > 2 * EVERY else FAR_AT_FIRST
+        return self.needed() > far * HIGHEST_ORDER

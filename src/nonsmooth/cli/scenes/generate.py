@@ -1,0 +1,74 @@
+"""``nonsmooth generate SCENE``: derive the kernels of one scene."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ..problems import Problem
+from ..progress import busy
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.numbers import SceneNumbers
+
+HELP = """Derive the equations of {name} with SymPy and write its kernels.
+
+Of a shipped scene into generated/, a file only when its text changes. The kernels of a scene
+file are derived when it is first used, and kept in the user's cache: this says where."""
+
+EPILOG = """\b
+Examples:
+  nonsmooth generate {name}
+  nonsmooth generate {name} --check
+"""
+
+
+def command(scene: "SceneNumbers", said: str) -> click.Command:
+    """Return ``nonsmooth generate`` of a scene, which the user called so."""
+    words = "Only compare, write nothing; exit 1 on a difference."
+    return click.Command(
+        scene.name,
+        params=[click.Option(["--check"], is_flag=True, help=words)],
+        callback=lambda check: run(scene, check),
+        help=HELP.format(name=scene.name),
+        epilog=EPILOG.format(name=said),
+    )
+
+
+def run(scene: "SceneNumbers", check: bool) -> int:
+    """Derive the kernels of a scene, and compare or write them; the exit status."""
+    from nonsmooth.solver.scenes.library import names  # noqa: PLC0415
+
+    if scene.name not in names():
+        click.echo(f"{scene.name}: its kernels are in {scene.folder}")
+        return 0
+    with busy(f"deriving the equations of {scene.name}"):
+        from nonsmooth.codegen import generate, scenes  # noqa: PLC0415
+
+        fresh = dict(generate.scene_sources(scenes.load(scene.name)))
+    folder = generate.FOLDER / scene.folder.name
+    changed = [name for name, text in fresh.items() if _text(folder / name) != text]
+    if not changed:
+        click.echo(f"{generate.FOLDER.name}/{folder.name}/ is up to date")
+        return 0
+    if not check:
+        _write(folder, {name: fresh[name] for name in changed})
+    done = "differs" if check else "written"
+    click.echo("\n".join(f"{folder.name}/{name}: {done}" for name in changed))
+    return 1 if check else 0
+
+
+def _text(path: Path) -> str | None:
+    return path.read_text("utf-8") if path.is_file() else None
+
+
+def _write(folder: Path, files: dict[str, str]) -> None:
+    from nonsmooth.files.whole import whole  # noqa: PLC0415
+
+    try:
+        folder.mkdir(exist_ok=True)
+        for name, text in files.items():
+            with whole(folder / name) as temporary:
+                temporary.write_text(text, "utf-8", newline="\n")
+    except OSError as error:
+        raise Problem(f"cannot write {folder}: {error.strerror}") from error

@@ -1,0 +1,61 @@
+"""The motion of orbits of a scene over one period as CSV, for other programs."""
+
+import csv
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from nonsmooth.solver.scenes.names import shown
+
+from ..output import write_whole
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.orbit import SceneOrbit
+    from nonsmooth.solver.scenes.sweep import SceneSweep
+
+#: Times over one period at which a motion is written.
+SAMPLES = 1000
+
+COLUMNS = ("method", "t", "displacement", "velocity", "acceleration")
+
+
+def write_motion(orbits: "Iterable[SceneOrbit]", path: Path) -> None:
+    """Write displacement, velocity and acceleration: s, m, m/s, m/s**2."""
+
+    def write(target: Path) -> None:
+        with target.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(COLUMNS)
+            for orbit in orbits:
+                t = orbit.period * np.arange(SAMPLES) / SAMPLES
+                motion = (t, orbit.displacement(t), orbit.velocity(t), orbit.acceleration(t))
+                name = shown(orbit.case.scene, orbit.method)
+                rows = zip(*(column.tolist() for column in motion), strict=True)
+                writer.writerows((name, *row) for row in rows)
+
+    write_whole(path, write)
+
+
+def write_rows(result: "SceneSweep", path: Path) -> None:
+    """Write the rows of a sweep, each with the scene and its parameters behind it."""
+    constants = {"scene": result.case.scene.name} | dict(result.case.values)
+
+    def write(target: Path) -> None:
+        with target.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            for index, row in enumerate(result.rows):
+                values = row.as_dict()
+                durations = values.pop("durations") or ()
+                for name in ("errors", "estimate"):
+                    found = values.pop(name)
+                    head = name.removesuffix("s")
+                    values |= {f"{head}_{key}": value for key, value in found.items()}
+                values["durations"] = " ".join(map(repr, durations))
+                values |= constants
+                if index == 0:
+                    writer.writerow(values)
+                writer.writerow(values.values())
+
+    write_whole(path, write)

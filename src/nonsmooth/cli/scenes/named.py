@@ -1,0 +1,41 @@
+"""The scene that a text on the command line names."""
+
+from typing import TYPE_CHECKING
+
+import click
+
+from ..problems import Problem
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.numbers import SceneNumbers
+
+
+def scene_named(text: str) -> "SceneNumbers":
+    """Return a scene by its name or by the path of its file, derived first if it is new.
+
+    Raises
+    ------
+    UsageError
+        If there is none of this name.
+    Problem
+        If its file is not as it must be.
+    """
+    from nonsmooth.scene_files.error import SceneFileError  # noqa: PLC0415
+    from nonsmooth.scene_files.find import find_scene  # noqa: PLC0415
+    from nonsmooth.solver.scenes.library import UnknownScene  # noqa: PLC0415
+
+    try:
+        return find_scene(text)
+    except UnknownScene as error:
+        hint = ", or the path of a scene file" if "did you mean" not in str(error) else ""
+        context = click.get_current_context(silent=True)
+        raise click.UsageError(f"{error}{hint}", context) from error
+    except SceneFileError as error:
+        raise Problem(str(error)) from error
+
+
+def known() -> tuple[str, ...]:
+    """Return the names of the shipped scenes."""
+    from nonsmooth.solver.scenes.library import names  # noqa: PLC0415
+
+    return names()

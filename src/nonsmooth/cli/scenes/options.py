@@ -1,0 +1,111 @@
+"""The flags of a scene, and the case that they and a case file describe."""
+
+from collections.abc import Callable, Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..parameters import read_case
+from ..problems import Problem
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.numbers import Parameter, SceneNumbers
+
+#: Before the names of a scene's parameters among the arguments of a command.
+PREFIX = "of_scene_"
+
+
+class CommandOfScene(click.Command):
+    """A command built for a scene: an option that it does not have is one of its parameters."""
+
+    def __init__(self, scene: "SceneNumbers", **options: Any) -> None:
+        super().__init__(**options)
+        self.scene = scene
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Parse arguments; say which parameters there are where one is unknown."""
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            flags = [flag(parameter) for parameter in self.scene.parameters]
+            given = str(error.option_name)
+            close = get_close_matches(given, [*flags, *(error.possibilities or ())], 1)
+            hint = f"Did you mean {close[0]}?" if close else f"It has {', '.join(flags)}."
+            raise click.UsageError(f"{self.scene.name} has no {given}. {hint}", ctx) from error
+
+
+def command_of(
+    scene: "SceneNumbers", callback: Callable[..., int], options: list[click.Parameter],
+    help_: str, epilog: str,
+) -> click.Command:  # fmt: skip
+    """Return a command of a scene: its own options, then ``--case`` and the parameters."""
+    return CommandOfScene(
+        scene,
+        name=scene.name,
+        callback=callback,
+        params=[*options[:-2], *_parameter_options(scene), *options[-2:]],
+        help=help_,
+        epilog=epilog,
+    )
+
+
+def flag(parameter: "Parameter") -> str:
+    """Return the flag of a parameter."""
+    return f"--{parameter.name.replace('_', '-')}"
+
+
+def _parameter_options(scene: "SceneNumbers") -> list[click.Parameter]:
+    table = _tables(scene)[0]
+    file = click.Option(
+        ["--case"],
+        type=click.Path(path_type=Path),
+        help=f"Case file with a table [{table}]; flags override it.",
+    )
+    flags = [
+        click.Option([flag(q), PREFIX + q.name], type=float, help=_help(q))
+        for q in scene.parameters
+    ]
+    return [file, *flags]
+
+
+def _help(q: "Parameter") -> str:
+    unit = f" in {q.unit}" if q.unit else ""
+    return f"{q.symbol}{unit}: {q.what}; {q.expected}.  [default: {q.default:g}]"
+
+
+def _tables(scene: "SceneNumbers") -> tuple[str, str]:
+    return scene.name.replace("-", "_"), scene.name
+
+
+def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]) -> "Case":
+    """Return the case that the command line describes.
+
+    Without a case file, what no flag gives has its default.
+
+    Raises
+    ------
+    Problem
+        With all mistakes at once.
+    """
+    from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
+
+    given = {
+        name.removeprefix(PREFIX): value for name, value in flags.items() if value is not None
+    }
+    table = {} if file is None else read_case(file, _tables(scene))
+    missing = [
+        f"{q.name}: missing, expected {q.what}{f' in {q.unit}' if q.unit else ''}"
+        for q in scene.parameters
+        if file is not None and q.name not in table and q.name not in given
+    ]
+    try:
+        case = scene(**(table | given))
+    except ParameterError as error:
+        missing += error.errors
+    where = f"{file}: " if file else ""
+    if missing:
+        raise Problem(where + "; ".join(missing))
+    return case

@@ -1,0 +1,141 @@
+"""``nonsmooth solve SCENE``: one orbit of a scene, or the orbit by each of its methods."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..output import PICTURES, check_target, write_text, write_whole
+from .options import case_from, command_of
+from .wanted import ORDER, Wanted, exact_near, search
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.choice import SceneChoice
+    from nonsmooth.solver.scenes.exact import ExactSceneOrbit
+    from nonsmooth.solver.scenes.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.orbit import SceneOrbit
+
+#: Estimated error of the times above which an orbit is not returned without a word.
+FAR_OFF = 0.1
+
+#: What an orbit can be written as.
+SUFFIXES = (".json", ".csv", *PICTURES)
+
+HELP = """Compute the periodic orbit of {name} by one method, or by each.
+
+{title}. With a tolerance, the lowest order of the method, without one of {best}, whose
+estimated errors of times and period are within it."""
+
+EPILOG = """\b
+Examples:
+  nonsmooth solve {scene}
+  nonsmooth solve {scene} --method {best} --tol 1e-9
+  nonsmooth solve {scene} --{flag} {value:g} -o orbit.png
+"""
+
+FUNCTIONS = "Functions of hb-ck at each switch.  [default: 1; 2 where x' jumps]"
+
+
+def command(scene: "SceneNumbers", said: str) -> click.Command:
+    """Return ``nonsmooth solve`` of a scene, which the user called so."""
+    names = method_names(scene)
+    options: list[click.Parameter] = [
+        click.Option(["--method"], help=f"{', '.join(names)}; without it, all."),
+        click.Option(["--order"], type=int, help=f"N, the size.  [default: {ORDER}]"),
+        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        click.Option(["--tol"], type=float, help="Choose N: largest error of times, period."),
+        click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
+        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
+        click.Option(
+            ["-o", "--output"], type=click.Path(path_type=Path),
+            help="Write the orbit: .json, its motion .csv; or a picture .png, .svg, .pdf.",
+        ),
+    ]  # fmt: skip
+
+    def callback(
+        method: str | None, order: int | None, functions: int | None, tol: float | None,
+        no_shortcuts: bool, case: Path | None, json_: bool, output: Path | None, **flags: Any,
+    ) -> int:  # fmt: skip
+        check_target(output, SUFFIXES)
+        wanted = Wanted(method, order, functions, tol, json_, output)
+        return run(case_from(scene, case, flags), wanted)
+
+    last = scene.parameters[-1]
+    words = {"name": scene.name, "title": scene.title.capitalize(), "best": names[-1]}
+    examples = {"flag": last.name.replace("_", "-"), "value": last.default}
+    epilog = EPILOG.format(scene=said, best=names[-1], **examples)
+    return command_of(scene, callback, options, HELP.format(**words), epilog)
+
+
+def method_names(scene: "SceneNumbers") -> list[str]:
+    """Return the methods of a scene as they are shown, in their order."""
+    from nonsmooth.solver.scenes.library import methods  # noqa: PLC0415
+    from nonsmooth.solver.scenes.names import in_order, shown  # noqa: PLC0415
+
+    return [shown(scene, method) for method in in_order(methods(scene))]
+
+
+def run(case: "Case", wanted: Wanted) -> int:
+    """Solve as wanted, show it, write it; the exit status."""
+    from nonsmooth.solver.scenes.orbit import SceneOrbit  # noqa: PLC0415
+
+    from . import documents  # noqa: PLC0415
+
+    choice, found = search(case, wanted)
+    orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
+    exact = exact_near(case, orbits)
+    order = (ORDER if wanted.order is None else wanted.order) if wanted.tol is None else None
+    parts = documents.of_orbits(case, found, order, wanted.functions, exact)
+    if choice is not None:
+        parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
+    text = documents.text_of_orbits(case, parts, list(found), wanted.one)
+    if wanted.json:
+        click.echo(text, nl=False)
+    else:
+        from . import captions, tables  # noqa: PLC0415
+
+        click.echo(captions.caption(case))
+        tables.solutions(case, exact, found)
+        if choice is not None:
+            click.echo(_why(choice, wanted))
+        click.echo(f"\n{captions.legend(case.scene)}")
+    _warn(orbits if choice is None else [])
+    if wanted.output is not None:
+        _write(case, wanted.output, text, orbits, exact)
+    return 0 if len(orbits) == len(found) else 1
+
+
+def _why(choice: "SceneChoice", wanted: Wanted) -> str:
+    """Return why this order was taken."""
+    last = choice.trials[-1]
+    words = f"the lowest order, of {len(choice.trials)} tried, whose estimated errors are"
+    return f"{last.method}, N = {choice.orbit.order}: {words}\nwithin {wanted.tol:g}."
+
+
+def _warn(orbits: "list[SceneOrbit]") -> None:
+    for orbit in orbits:
+        off = orbit.estimate.times
+        if off > FAR_OFF:
+            hint = f"its times are off by {off:.0%} of the period, by the estimate"
+            click.echo(f"nonsmooth: {orbit.method}, N = {orbit.order}: {hint}", err=True)
+
+
+def _write(
+    case: "Case", output: Path, text: str, orbits: "list[SceneOrbit]",
+    exact: "ExactSceneOrbit | None",
+) -> None:  # fmt: skip
+    suffix = output.suffix.lower()
+    if suffix == ".json":
+        write_text(output, text)
+    elif not orbits:
+        click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
+    elif suffix == ".csv":
+        from .motion import write_motion  # noqa: PLC0415
+
+        write_motion(orbits, output)
+    else:
+        from .pictures import orbit_picture  # noqa: PLC0415
+
+        write_whole(output, lambda target: orbit_picture(case, orbits, exact, target))

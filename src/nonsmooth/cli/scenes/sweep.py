@@ -1,0 +1,123 @@
+"""``nonsmooth sweep SCENE``: how fast the methods of a scene converge with the order."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..orders import parse_orders
+from ..output import PICTURES, check_target, write_text, write_whole
+from ..progress import progress
+from .options import case_from, command_of
+from .solve import FUNCTIONS, method_names
+from .wanted import as_problems
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.sweep import SceneRow, SceneSweep
+
+#: Orders of a sweep that names none.
+ORDERS = "1-20"
+
+#: What a sweep can be written as.
+SUFFIXES = (".json", ".csv", *PICTURES)
+
+HELP = """Compute the orbit of {name} for many orders and compare it with the exact one.
+
+{title}."""
+
+EPILOG = """\b
+Examples:
+  nonsmooth sweep {scene}
+  nonsmooth sweep {scene} --methods hb,{best} --orders 1-10,20,40 -o rows.csv
+  nonsmooth sweep {scene} --orders 2-16 -o convergence.png
+"""
+
+
+def command(scene: "SceneNumbers", said: str) -> click.Command:
+    """Return ``nonsmooth sweep`` of a scene, which the user called so."""
+    names = method_names(scene)
+    options: list[click.Parameter] = [
+        click.Option(["--methods"], help=f"By commas.  [default: {','.join(names)}]"),
+        click.Option(
+            ["--orders"], help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]"
+        ),
+        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
+        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
+        click.Option(
+            ["-o", "--output"], type=click.Path(path_type=Path),
+            help="Write the rows: .csv, .json; or a picture .png, .svg, .pdf.",
+        ),
+    ]  # fmt: skip
+
+    def callback(
+        methods: str | None, orders: str | None, functions: int | None, no_shortcuts: bool,
+        case: Path | None, json_: bool, output: Path | None, **flags: Any,
+    ) -> int:  # fmt: skip
+        check_target(output, SUFFIXES)
+        return run(case_from(scene, case, flags), methods, orders, functions, json_, output)
+
+    words = {"name": scene.name, "title": scene.title.capitalize()}
+    epilog = EPILOG.format(scene=said, best=names[-1])
+    return command_of(scene, callback, options, HELP.format(**words), epilog)
+
+
+def run(
+    case: "Case", methods: str | None, orders: str | None, functions: int | None,
+    json_: bool, output: Path | None,
+) -> int:  # fmt: skip
+    """Sweep, show it, write it; the exit status."""
+    from nonsmooth.solver.scenes.names import shown  # noqa: PLC0415
+    from nonsmooth.solver.scenes.sweep import sweep_case  # noqa: PLC0415
+
+    numbers = parse_orders(ORDERS if orders is None else orders)
+    with as_problems(plural=True):
+        names = None if methods is None else _methods(case.scene, methods)
+        total = len(names or method_names(case.scene)) * len(numbers)
+        with progress(total, "sweep") as advance:
+
+            def done(row: "SceneRow") -> None:
+                advance(f"{shown(case.scene, row.method)}, N = {row.order}")
+
+            result = sweep_case(case, names, numbers, functions, done)
+    text = _text(result)
+    if json_:
+        click.echo(text, nl=False)
+    else:
+        from . import captions, tables  # noqa: PLC0415
+
+        click.echo(captions.caption(case))
+        tables.convergence(result)
+        click.echo(captions.legend(case.scene, durations=False))
+    if output is not None:
+        _write(output, text, result)
+    return 0 if all(row.status == "ok" for row in result.rows) else 1
+
+
+def _methods(scene: "SceneNumbers", text: str) -> list[str]:
+    from nonsmooth.solver.scenes.library import generic_method  # noqa: PLC0415
+
+    names = [generic_method(scene, part.strip()) for part in text.split(",")]
+    return list(dict.fromkeys(names))
+
+
+def _text(result: "SceneSweep") -> str:
+    from . import documents  # noqa: PLC0415
+
+    return documents.text(result.case, result.as_dict(), result.rates())
+
+
+def _write(output: Path, text: str, result: "SceneSweep") -> None:
+    suffix = output.suffix.lower()
+    if suffix == ".json":
+        write_text(output, text)
+    elif suffix == ".csv":
+        from .motion import write_rows  # noqa: PLC0415
+
+        write_rows(result, output)
+    else:
+        from .pictures import convergence_picture  # noqa: PLC0415
+
+        write_whole(output, lambda target: convergence_picture(result, target))

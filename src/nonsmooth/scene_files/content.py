@@ -1,0 +1,64 @@
+"""Hashes of what kernels are made from: a scene, and the program that derives them."""
+
+import hashlib
+from collections.abc import Iterable, Mapping
+from dataclasses import fields, is_dataclass
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from nonsmooth.codegen.scene import Scene
+
+#: Folders of the symbolic stage that no kernel of a user's scene is made by.
+OTHERS = {"scenes", "show", "__pycache__"}
+
+
+def key_of_text(text: bytes) -> str:
+    """Return the key of the text of a scene file."""
+    return _key(b"text", text)
+
+
+def key_of_scene(scene: "Scene") -> str:
+    """Return the key of a scene that was made in place: of its whole content."""
+    return _key(b"scene", _content(scene).encode())
+
+
+def _key(*parts: bytes) -> str:
+    digest = hashlib.sha256(_generator())
+    for part in parts:
+        digest.update(len(part).to_bytes(8, "big") + part)
+    return digest.hexdigest()[:24]
+
+
+def _content(value: Any) -> str:
+    """Return a text that says all of a scene or of a part of it."""
+    if is_dataclass(value):
+        parts = (
+            f"{field.name}={_content(getattr(value, field.name))}" for field in fields(value)
+        )
+        return f"{type(value).__name__}({', '.join(parts)})"
+    if isinstance(value, Mapping):
+        return f"{{{', '.join(f'{_content(k)}: {_content(v)}' for k, v in value.items())}}}"
+    if isinstance(value, tuple | list):
+        return f"({', '.join(map(_content, value))})"
+    if isinstance(value, str | bool | int | float | None):
+        return repr(value)
+    from sympy import srepr  # noqa: PLC0415  (a scene is there, so SymPy is)
+
+    return str(srepr(value))
+
+
+@cache
+def _generator() -> bytes:
+    """Return a hash of the text of the symbolic stage."""
+    folder = (Path(__file__).resolve().parent.parent / "codegen").resolve()
+    digest = hashlib.sha256()
+    for path in _modules(folder):
+        digest.update(path.relative_to(folder).as_posix().encode() + b"\0" + path.read_bytes())
+    return digest.digest()
+
+
+def _modules(folder: Path) -> Iterable[Path]:
+    found = folder.rglob("*.py")
+    return sorted(path for path in found if not OTHERS & {*path.relative_to(folder).parts})

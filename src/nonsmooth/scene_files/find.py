@@ -1,0 +1,111 @@
+"""Find a scene by whatever names it: a name, a path, an object."""
+
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from nonsmooth.solver.scenes import library
+from nonsmooth.solver.scenes.numbers import SceneNumbers
+
+from .content import key_of_scene, key_of_text
+from .derive import check_name, derive
+from .error import SceneFileError
+from .read import read_scene, text_of
+from .store import Say, keep, stored
+
+
+def say_on_stderr(line: str) -> None:
+    """Print a line on what is being done."""
+    print(f"nonsmooth: {line}", file=sys.stderr, flush=True)
+
+
+def find_scene(what: object, say: Say = say_on_stderr) -> SceneNumbers:
+    """Return a scene, derived first if it is new.
+
+    Parameters
+    ----------
+    what : str, Path, Scene or SceneNumbers
+        See `nonsmooth.scene`.
+    say : callable
+        Takes the progress of a derivation, a line at a time.
+
+    Raises
+    ------
+    TypeError
+        If `what` is none of these.
+    UnknownScene
+        If no scene has this name.
+    SceneFileError
+        If a scene file, or the scene in it, is not as it must be.
+    """
+    if isinstance(what, SceneNumbers):
+        return what
+    if isinstance(what, str) and not is_path(what):
+        return library.load(what)
+    if isinstance(what, str | Path):
+        return _of_file(Path(what), say)
+    if _is_scene(what):
+        return _of_object(what, say)
+    raise TypeError(
+        f"scene: got {what!r:.80}, expected a name, the path of a scene file, or a Scene"
+    )
+
+
+def is_path(text: str) -> bool:
+    """Whether a text is the path of a scene file, and not the name of a scene.
+
+    Examples
+    --------
+    >>> is_path("impact"), is_path("./impact"), is_path("impact.py")
+    (False, True, True)
+    """
+    return text.endswith(".py") or any(q in text for q in (os.sep, os.altsep) if q)
+
+
+def names() -> tuple[str, ...]:
+    """Return the names of the shipped scenes.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> "impact" in ns.scenes()
+    True
+    """
+    return library.names()
+
+
+def _is_scene(what: object) -> bool:
+    """Whether it is a `Scene`; without SymPy there is none."""
+    module = sys.modules.get("nonsmooth.codegen.scene")
+    return module is not None and isinstance(what, module.Scene)
+
+
+def _of_file(path: Path, say: Say) -> SceneNumbers:
+    text = text_of(path)
+    key = key_of_text(text)
+    folder = stored(key)
+    if folder is None:
+        scene = read_scene(path, text)
+        files = derive(scene, str(path), say)
+        folder = keep(scene.name, key, files, say)
+    return _loaded(folder, str(path))
+
+
+def _of_object(scene: Any, say: Say) -> SceneNumbers:
+    key = key_of_scene(scene)
+    folder = stored(key)
+    if folder is None:
+        folder = keep(scene.name, key, derive(scene, "scene", say), say)
+    return _loaded(folder, "scene")
+
+
+def _loaded(folder: Path, where: str) -> SceneNumbers:
+    try:
+        found = library.load_folder(folder)
+    except Exception as error:
+        raise SceneFileError(
+            f"{where}: its kernels in {folder} cannot be read ({error}); remove the folder"
+        ) from error
+    check_name(found.name, where)
+    return found

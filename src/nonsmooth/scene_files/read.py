@@ -1,0 +1,90 @@
+"""Read a scene file: it is Python, and it is run; every mistake is one line."""
+
+import sys
+from contextlib import redirect_stdout
+from pathlib import Path
+from traceback import walk_tb
+from types import CodeType, ModuleType
+from typing import TYPE_CHECKING
+
+from .error import SceneFileError, one_line
+
+if TYPE_CHECKING:
+    from nonsmooth.codegen.scene import Scene
+
+#: What a scene file defines.
+NAME = "SCENE"
+
+
+def text_of(path: Path) -> bytes:
+    """Return the bytes of a scene file.
+
+    Raises
+    ------
+    SceneFileError
+        If there is none, or it cannot be read.
+    """
+    if path.is_dir():
+        raise SceneFileError(f"{path}: a folder, expected a scene file")
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise SceneFileError(f"{path}: there is no such file") from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise SceneFileError(f"{path}: cannot be read: {reason}") from None
+
+
+def read_scene(path: Path, text: bytes) -> "Scene":
+    """Run the text of a scene file and return the scene that it defines.
+
+    Raises
+    ------
+    SceneFileError
+        If it is no Python, stops with an exception, or defines no scene.
+    """
+    from nonsmooth.codegen.scene import Scene  # noqa: PLC0415  (SymPy)
+
+    found = _run(path, _compiled(path, text))
+    if NAME not in found:
+        raise SceneFileError(f"{path}: defines no {NAME}, expected {NAME} = Scene(...)")
+    scene = found[NAME]
+    if not isinstance(scene, Scene):
+        kind = type(scene).__name__
+        raise SceneFileError(f"{path}: {NAME}: got a value of type {kind}, expected a Scene")
+    return scene
+
+
+def _compiled(path: Path, text: bytes) -> CodeType:
+    try:
+        return compile(text, str(path), "exec", dont_inherit=True)
+    except SyntaxError as error:
+        where = f", line {error.lineno}" if error.lineno else ""
+        raise SceneFileError(f"{path}{where}: {error.msg}") from None
+    except (ValueError, RecursionError, MemoryError) as error:
+        raise SceneFileError(f"{path}: no Python: {one_line(error)}") from None
+
+
+def _run(path: Path, code: CodeType) -> dict[str, object]:
+    """Run the code; what it prints goes to stderr, since stdout is for results."""
+    from nonsmooth.codegen.scene import SceneError  # noqa: PLC0415  (SymPy)
+
+    module = ModuleType("nonsmooth_scene_file")
+    module.__file__ = str(path)
+    try:
+        with redirect_stdout(sys.stderr):
+            exec(code, vars(module))
+    except (Exception, SystemExit) as error:
+        what = str(error) if isinstance(error, SceneError) else one_line(error)
+        raise SceneFileError(f"{path}{_line(error, path)}: {what}") from error
+    return vars(module)
+
+
+def _line(error: BaseException, path: Path) -> str:
+    """Return the line of the file in which it happened, in words."""
+    lines = [
+        line
+        for frame, line in walk_tb(error.__traceback__)
+        if frame.f_code.co_filename == str(path)
+    ]
+    return f", line {lines[-1]}" if lines else ""

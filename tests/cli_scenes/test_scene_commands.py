@@ -1,0 +1,429 @@
+"""Commands of a scene: what is printed, as a table and as JSON, and what is refused."""
+
+import csv
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from refusals import refused
+
+import nonsmooth as ns
+from nonsmooth.solver.scenes import library
+from nonsmooth.solver.scenes.exact import exact_orbit
+from nonsmooth.solver.scenes.solve import solve_case
+
+#: The keys of `solve --json` of a scene, as they are fixed, and those of every file.
+KEYS = [
+    "schema", "scene", "class", "motion", "method", "order", "functions", "parameters",
+    "converged", "iterations", "residual_norm", "phases", "period", "forcing_phase", "extremes",
+    "coefficients", "admissible", "violations", "exact", "errors", "estimate", "units",
+    "version", "mathematics", "sha256",
+]  # fmt: skip
+
+CASE = "[impact]\nmass = 2\ndamping = 0.1\nstiffness = 3\nforce = 1.5\nfrequency = 2.2\n"
+
+
+def rows(out: str) -> dict[str, list[str]]:
+    """Return the cells of the table of a solution by the method."""
+    known = ("exact", "hb", "hb-c0", "hb-c0(3)", "c0", "c0-tau", "hb-c1", "c1", "c1-tau")
+    lines = (line.split() for line in out.splitlines())
+    return {cells[0]: cells[1:] for cells in lines if cells and cells[0] in known}
+
+
+def test_the_list_of_scenes(run) -> None:
+    status, out, err = run("scenes")
+    assert (status, err) == (0, "")
+    for name in library.names():
+        scene = library.load(name)
+        (line,) = [q for q in out.splitlines() if q.split()[0] == name]
+        assert line.split()[1] == f"C{scene.k}"
+        assert ", ".join(scene.phases) in line
+    assert max(map(len, out.splitlines())) <= 80
+    _, out, _ = run("scenes", "--json")
+    document = json.loads(out)
+    assert document["schema"] == 1
+    assert [each["name"] for each in document["scenes"]] == list(library.names())
+    assert [set(each) for each in document["scenes"]] == [
+        {"name", "what", "class", "phases"}
+    ] * len(library.names())
+
+
+def test_what_a_scene_is(run) -> None:
+    _, out, _ = run("scenes", "stick_slip_damped")
+    words = " ".join(out.split())
+    for text in (
+        "stick-slip-damped: a damped mass on a moving belt, with weakening friction (C1)",
+        "--belt-speed V m/s 1 speed of the belt; a positive number",
+        "--damping c N s/m 5 viscous damping; a number not below 0",
+        "expected: mu_k is at most mu_s",
+        "stick: x' = V begins C1: x'' jumps ends -K x + F_N*mu_s - V*c = 0 demands",
+        "demands K x + F_N*mu_s + V*c >= 0 (the load stays within the static limit)",
+        "slip: M x'' + (-F_N*w + c) x' + K x = -F_N*(V*w - mu_k) begins C1: x'' jumps",
+        "ends x' - V = 0 demands -x' + V >= 0 (the mass stays slower than the belt)",
+        "methods: hb, hb-c1 (K = 1, 2, 3), c1, c1-tau",
+    ):
+        assert text in words, text
+    assert max(map(len, out.splitlines())) <= 80
+    document = json.loads(run("scenes", "impact", "--json")[1])
+    (phase,) = document["phases"]
+    assert phase["equation"] == "m x'' + c x' + k x = F cos(Omega t + phi)"
+    assert phase["ends"] == "x - g = 0"
+    assert phase["jump"] == "x' -> -r x'"
+    assert phase["begins"] == {"class": "C0", "jumps": "x'"}
+    assert phase["demands"][0] == {
+        "what": "the mass stays before the stop",
+        "expression": "-x + g >= 0",
+    }
+    assert document["frequency"] == "frequency"
+    by_name = {q["name"]: q for q in document["parameters"]}
+    assert by_name["restitution"]["most"] == 1
+    assert by_name["gap"]["bound"] == ""
+    assert by_name["gap"]["default"] == 0.1
+
+
+def test_solve_of_a_scene_shows_every_method_below_the_exact_orbit(run) -> None:
+    status, out, err = run("solve", "impact", "--gap", 0.2, "--order", 6)
+    assert (status, err) == (0, "")
+    assert "g = 0.2 m" in out
+    assert max(map(len, out.splitlines())) <= 80
+    found = rows(out)
+    assert list(found) == ["exact", "hb", "hb-c0", "c0", "c0-tau"]
+    case = library.load("impact")(gap=0.2)
+    exact = exact_orbit(case)
+    assert [float(q) for q in found["exact"]] == pytest.approx(
+        [exact.period, exact.angle], rel=1e-6
+    )
+    for shown, method in (("hb", "hb"), ("hb-c0", "hb-ck"), ("c0", "ck"), ("c0-tau", "ck-tau")):
+        orbit = solve_case(case, method, 6)
+        assert orbit.errors is not None
+        errors = (orbit.errors.times, orbit.errors.discontinuous, orbit.estimate.times)
+        expected = (6, orbit.period, orbit.forcing_phase, *errors, orbit.iterations)
+        assert [float(q) for q in found[shown]] == pytest.approx(expected, rel=6e-2), shown
+    for heading in ("T:", "phi:", "times:", "x':", "estimate:", "it:"):
+        assert heading in out
+
+
+def test_durations_are_columns_where_there_are_several_phases(run) -> None:
+    _, out, _ = run("solve", "stick-slip-damped", "--method", "c1-tau", "--order", 8)
+    orbit = solve_case(library.load("stick-slip-damped")(), "ck-tau", 8)
+    cells = [float(q) for q in rows(out)["c1-tau"][:4]]
+    assert cells == pytest.approx([8, orbit.period, *orbit.durations], rel=1e-6)
+    assert "stick [s]" in out
+    assert "phi" not in out
+
+
+def test_a_document_has_the_fixed_keys_and_the_numbers_of_the_solver(run) -> None:
+    status, out, _ = run("solve", "impact", "--method", "c0-tau", "--order", 9, "--json")
+    document = json.loads(out)
+    assert status == 0
+    assert list(document) == KEYS
+    orbit = solve_case(library.load("impact")(), "ck-tau", 9)
+    assert document["method"] == "ck-tau"
+    assert document["period"] == orbit.period
+    assert document["forcing_phase"] == orbit.forcing_phase
+    assert document["errors"]["times"] == orbit.errors.times
+    assert document["units"]["gap"] == "m"
+    assert document["phases"][0]["start"]["velocity"] == orbit.phases[0].velocity
+    several = json.loads(run("solve", "impact", "--order", 4, "--json")[1])
+    assert several["scene"] == "impact"
+    assert [q["method"] for q in several["orbits"]] == ["hb", "hb-ck", "ck", "ck-tau"]
+    assert several["mathematics"] != document["mathematics"]
+
+
+@pytest.mark.parametrize("json_", [False, True])
+def test_no_orbit_is_status_1_with_its_reason(run, json_) -> None:
+    more = ("--json",) if json_ else ()
+    status, out, err = run("solve", "impact", "--gap", 5, "--method", "ck", "--order", 7, *more)
+    assert status == 1
+    assert err.startswith("nonsmooth: impact, ck, N = 7: no admissible orbit was found; from ")
+    assert err.count("\n") == 1
+    if not json_:
+        assert rows(out)["c0"] == ["not-converged"]
+        return
+    document = json.loads(out)
+    assert set(document) == {*KEYS, "status"}
+    assert document["status"] == "not-converged"
+    assert document["converged"] is False
+    assert document["iterations"] > 0
+    for key in ("period", "forcing_phase", "residual_norm", "coefficients"):
+        assert document[key] is None
+    assert document["parameters"]["gap"] == 5
+    assert len(document["violations"][0]) > len(err)
+
+
+def test_a_tolerance_chooses_the_lowest_order(run) -> None:
+    status, out, _ = run("solve", "impact", "--tol", 1e-9, "--json")
+    document = json.loads(out)
+    assert status == 0
+    assert document["method"] == "ck-tau"
+    assert document["estimate"]["times"] <= 1e-9
+    orders = [trial["order"] for trial in document["trials"]]
+    assert orders == list(range(2, document["order"] + 1))
+    last = document["trials"][-2]["estimate"]["times"]
+    assert last > 0.9e-9
+    assert "the lowest order, of 8 tried" in run("solve", "impact", "--tol", 1e-9)[1]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("impact", "--tol", 1e-15), "no estimate in float64 goes below 2e-15"),
+        (("impact", "--tol", 1e-7, "--method", "hb"), "it would need N of about"),
+        (("stick-slip-damped", "--tol", 4e-15, "--method", "c1"), "do not fall any more"),
+    ],
+)
+def test_a_tolerance_that_cannot_be_met_is_refused(run, arguments, words) -> None:
+    status, out, err = run("solve", *arguments)
+    assert (status, out) == (1, "")
+    assert words in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("impakt",), "did you mean impact?"),
+        (("42",), "expected one of impact"),
+        (("impact", "--method", "c1-tau"), "--method: got 'c1-tau', expected one of"),
+        (("impact", "--method", "c0-tao"), "did you mean ck-tau?"),
+        (("impact", "--gab", 1), "impact has no --gab. Did you mean --gap?"),
+        (("impact", "--belt-speed", 1), "has no --belt-speed. It has --mass, --damping,"),
+        (("impact", "--orders", 1), "Did you mean --order?"),
+        (("impact", "--gap", "x"), "'--gap': 'x' is not a valid float"),
+        (("impact", "--mass", -1, "--restitution", 2), "restitution: got 2.0, expected a"),
+        (("impact", "--gap", "nan"), "gap: got nan"),
+        (
+            ("impact", "--order", 2),
+            "--order: got 2, expected a whole number from 3 to 400 for ck",
+        ),
+        (("impact", "--method", "hb", "--functions", 2), "--functions: got 2, expected for hb"),
+        (("impact", "--functions", 9), "--functions: got 9, expected for hb-ck: 1, 2, 3"),
+        (("impact", "--tol", 2), "--tol: got 2.0, expected a number between 0 and 1"),
+        (("impact", "--tol", 0.1, "--order", 3), "--order: got 3 beside --tol"),
+        (("impact", "-o", "x.nc"), "expected a name that ends in one of .json, .csv"),
+        (("impact", "extra"), "unexpected extra argument (extra)"),
+        (("stick-slip", "--method", "c1-tau", "--digits", 9), "--digits: expected beside"),
+        (("stick-slip", "--no-shortcuts", "--c1-terms", 2), "--c1-terms: expected beside"),
+        (("stick-slip-damped", "--mu-k", 0.6), "expected that mu_k is at most mu_s"),
+    ],
+)
+def test_bad_input_is_one_line(run, arguments, words) -> None:
+    assert words in refused(run, "solve", *arguments)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("impact", "--methods", "hb,galerkin"), "--methods: got 'galerkin'"),
+        (("impact", "--methods", "ck", "--orders", "2,3"), "--orders: got 2"),
+        (("impact", "--orders", "3-"), "'3-'"),
+        (("impact", "--vary", "gap=1:2:3"), "impact has no --vary"),
+        (("--methods", "c1,c1-tau"), "expected --no-shortcuts"),
+        (("--methods", "c1-tau", "--vary", "mass=1:2:3"), "--vary: expected beside"),
+    ],
+)
+def test_bad_input_of_a_sweep_is_one_line(run, arguments, words) -> None:
+    assert words in refused(run, "sweep", *arguments)
+
+
+def test_a_case_file_names_its_scene(run, tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(f"{CASE}gap = 0.05\nrestitution = 0.7\n")
+    arguments = ("--method", "ck-tau", "--order", 6, "--json")
+    expected = json.loads(run("solve", "impact", "--case", path, *arguments)[1])
+    assert expected["parameters"]["mass"] == 2
+    for given in (("--case", path), (f"--case={path}",)):
+        assert json.loads(run("solve", *given, *arguments)[1]) == expected
+    found = json.loads(run("solve", "--case", path, "--mass", 3, *arguments)[1])
+    assert found["parameters"] == expected["parameters"] | {"mass": 3}
+    path.write_text(path.read_text().replace("impact", "stick-slip-damped"))
+    assert "belt_speed: missing" in refused(run, "solve", "--case", path)
+    assert "no table [impact]" in refused(run, "solve", "impact", "--case", path)
+    path.write_text(f"{CASE}gab = 1\n")
+    error = refused(run, "solve", "--case", path)
+    assert "gap: missing, expected displacement at which the mass hits the stop in m" in error
+    assert "gab: not a parameter of impact; did you mean gap?" in error
+    assert "got" not in refused(run, "solve", "--case", path, "--gap", 0.1).split("gab:")[0]
+
+
+def test_help_lists_the_flags_of_the_scene(run) -> None:
+    for command in ("solve", "sweep"):
+        status, out, _ = run(command, "impact", "--help")
+        assert status == 0
+        assert f"Usage: nonsmooth {command} impact [OPTIONS]" in out
+        words = " ".join(out.split())
+        assert (
+            "--restitution FLOAT r: speed after over speed before an impact; "
+            "a positive number, at most 1. [default: 0.6]" in words
+        )
+        assert "--frequency FLOAT Omega in rad/s: angular" in words
+        assert "table [impact]" in words
+        assert "--belt-speed" not in out
+        assert max(map(len, out.splitlines())) <= 80
+        assert "Python" in run(command, "--help")[1]
+        assert f"nonsmooth {command} [SCENE] [OPTIONS]" in run(command, "--help")[1]
+    assert "and is run" in " ".join(run("scenes", "--help")[1].split())
+
+
+def test_the_default_scene_keeps_the_papers_methods(run) -> None:
+    plain = run("solve", "--order", 5)
+    assert run("solve", "stick-slip", "--order", 5) == plain
+    assert run("solve", "stick_slip", "--method", "ck", "--order", 5) == run(
+        "solve", "--method", "c1", "--order", 5
+    )
+    assert run("sweep", "stick-slip", "--methods", "hb-ck", "--orders", 3) == run(
+        "sweep", "--methods", "hb-c1", "--orders", 3
+    )
+    generic = json.loads(
+        run("solve", "--no-shortcuts", "--method", "c1", "--order", 5, "--json")[1]
+    )
+    case = library.load("stick-slip")()
+    assert (
+        generic["period"]
+        == solve_case(case, "ck", 5).period
+        != ns.solve(ns.StickSlip(**case.values), "c1", 5).period
+    )
+    for arguments in (("--method", "c1-tau"), ("--method", "ck-tau", "--no-shortcuts")):
+        found = json.loads(run("solve", *arguments, "--order", 10, "--json")[1])
+        assert (found["scene"], found["method"]) == ("stick-slip", "ck-tau")
+        assert abs(found["errors"]["period"]) < 1e-12
+    found = json.loads(
+        run(
+            "solve", "--method", "hb-c1", "--functions", 2, "--mass", 11, "--order", 4, "--json"
+        )[1]
+    )
+    assert (found["functions"], found["parameters"]["mass"]) == (2, 11)
+    assert "F_N = 400 N (alpha = 1) is our choice" in run("solve", "--method", "c1-tau")[1]
+    assert "our choice" not in run("solve", "--method", "c1-tau", "--mass", 11)[1]
+
+
+def test_a_sweep_has_rows_and_rates(run, tmp_path: Path) -> None:
+    status, out, err = run(
+        "sweep", "impact", "--methods", "hb,c0-tau", "--orders", "2-8", "--json"
+    )
+    document = json.loads(out)
+    assert status == 1  # c0-tau has no orbit at N = 2
+    assert "14 of 14 done" in err
+    assert [row["order"] for row in document["rows"]] == [*range(2, 9)] * 2
+    assert [row["method"] for row in document["rows"]] == ["hb"] * 7 + ["ck-tau"] * 7
+    assert {row["status"] for row in document["rows"]} == {"ok", "not-converged"}
+    bad = document["rows"][7]
+    assert bad["status"] == "not-converged"
+    assert set(bad["errors"].values()) == {None}
+    assert "no admissible orbit" in bad["message"]
+    good = document["rows"][0]
+    assert good["seconds"] > 0
+    orders = np.log10([row["order"] for row in document["rows"][:7]])
+    errors = np.log10([row["errors"]["times"] for row in document["rows"][:7]])
+    rates = document["rates"]
+    assert rates["hb"]["kind"] == "power"
+    assert rates["hb"]["times"] == pytest.approx(-np.polyfit(orders, errors, 1)[0], rel=1e-12)
+    assert rates["ck-tau"]["kind"] == "geometric"
+    assert 1.1 < rates["ck-tau"]["times"] < 1.7
+
+
+def test_a_sweep_prints_its_rows_and_where_orders_are_too_few(run, tmp_path: Path) -> None:
+    target = tmp_path / "rows.csv"
+    status, out, _ = run("sweep", "impact", "--orders", "3,5", "--methods", "ck", "-o", target)
+    assert status == 0
+    lines = [line.split() for line in out.splitlines() if line.startswith("c0 ")]
+    orbit = solve_case(library.load("impact")(), "ck", 5)
+    numbers = [float(cell) for cell in lines[1][1:]]
+    assert numbers == pytest.approx(
+        [5, orbit.period, orbit.forcing_phase, orbit.errors.times, orbit.errors.discontinuous,
+         orbit.estimate.times, orbit.iterations], rel=1e-2,
+    )  # fmt: skip
+    assert lines[2] == ["c0", *("too", "few", "orders") * 2]
+    with target.open(newline="") as file:
+        first, second = csv.DictReader(file)
+    assert float(second["error_times"]) == orbit.errors.times
+    assert float(second["estimate_discontinuous"]) == orbit.estimate.discontinuous
+    assert float(second["durations"]) == orbit.period
+    assert (first["scene"], float(first["gap"])) == ("impact", 0.1)
+
+
+def test_files_of_an_orbit(run, tmp_path: Path) -> None:
+    arguments = ("solve", "impact", "--method", "c0-tau", "--order", 6)
+    _, out, err = run(*arguments, "--json", "-o", tmp_path / "orbit.json")
+    assert (tmp_path / "orbit.json").read_text() == out
+    assert "wrote" in err
+    with pytest.raises(ns.FileError, match="of the scene impact"):
+        ns.load(tmp_path / "orbit.json")
+    run(*arguments, "-o", tmp_path / "motion.csv")
+    with (tmp_path / "motion.csv").open(newline="") as file:
+        motion = list(csv.DictReader(file))
+    orbit = solve_case(library.load("impact")(), "ck-tau", 6)
+    t = np.array([float(row["t"]) for row in motion])
+    assert {row["method"] for row in motion} == {"c0-tau"}
+    for name in ("displacement", "velocity", "acceleration"):
+        written = [float(row[name]) for row in motion]
+        np.testing.assert_array_equal(written, getattr(orbit, name)(t))
+    status, _, err = run(
+        "solve", "impact", "--gap", 5, "--method", "ck", "-o", tmp_path / "n.csv"
+    )
+    assert status == 1
+    assert "no orbit" in err
+    assert not (tmp_path / "n.csv").exists()
+
+
+def test_pictures(run, tmp_path: Path) -> None:
+    run("solve", "impact", "--method", "hb", "--order", 4, "-o", tmp_path / "orbit.png")
+    run("sweep", "impact", "--methods", "hb", "--orders", "3", "-o", tmp_path / "rows.svg")
+    assert (tmp_path / "orbit.png").stat().st_size > 10_000
+    assert (tmp_path / "rows.svg").stat().st_size > 10_000
+
+
+def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
+    from nonsmooth.cli.scenes.pictures import convergence_figure, orbit_figure
+
+    case = library.load("impact")()
+    orbit = solve_case(case, "ck-tau", 8)
+    exact = exact_orbit(case)
+    figure = orbit_figure(case, [orbit], exact)
+    plane, _, velocity, _ = figure.axes
+    assert [line.get_label() for line in plane.lines] == ["exact", "c0-tau, N = 8"]
+    x, v = plane.lines[1].get_data()
+    assert v.min() == pytest.approx(orbit.phases[0].velocity, rel=1e-6)
+    assert v.max() == pytest.approx(-orbit.phases[0].velocity / 0.6, rel=1e-6)
+    assert x.max() == pytest.approx(0.1, rel=1e-6)
+    assert len(velocity.lines[0].get_xdata()) == 400
+    result = ns.sweep(case, ["hb", "ck"], [3, 4])
+    times, jumps = convergence_figure(result).axes
+    errors = [row.errors.times for row in result.of("c0")]
+    np.testing.assert_array_equal(times.lines[1].get_ydata(), errors)
+    assert jumps.get_ylabel() == "error of $x'$"
+
+
+def test_generate_of_one_scene(run, tmp_path: Path, monkeypatch) -> None:
+    from nonsmooth.codegen import generate
+
+    fresh = {"__init__.py": "# a\n", "scene.py": "b = 1\n"}
+    monkeypatch.setattr(generate, "FOLDER", tmp_path / "generated")
+    monkeypatch.setattr(generate, "scene_sources", lambda scene: iter(fresh.items()))
+    (tmp_path / "generated").mkdir()
+    status, out, _ = run("generate", "stick-slip", "--check")
+    assert (status, out) == (
+        1,
+        "stick_slip/__init__.py: differs\nstick_slip/scene.py: differs\n",
+    )
+    assert list((tmp_path / "generated").iterdir()) == []
+    status, out, _ = run("generate", "stick-slip")
+    assert status == 0
+    assert (tmp_path / "generated" / "stick_slip" / "scene.py").read_text() == "b = 1\n"
+    assert run("generate", "stick-slip", "--check")[0] == 0
+
+
+def test_an_orbit_that_is_far_off_is_not_returned_without_a_word(run) -> None:
+    status, _, err = run("solve", "impact", "--method", "hb", "--order", 1)
+    assert status == 0
+    assert "its times are off by 18% of the period, by the estimate" in err
+
+
+def test_full_digits_are_those_that_the_estimate_leaves(run) -> None:
+    _, out, _ = run("solve", "impact", "--method", "c0-tau", "--order", 10)
+    (line,) = [q for q in out.splitlines() if q.startswith("c0-tau, N = 10: T = ")]
+    exact = exact_orbit(library.load("impact")())
+    phi = line.split("phi = ")[1].split()[0]
+    assert float(phi) == pytest.approx(exact.forcing_phase, abs=3 * 4.4e-13 * 2 * math.pi)
+    assert len(phi) > 11

@@ -1,0 +1,215 @@
+"""Scenes from Python: one `solve`, `sweep` and `exact` for every oscillator."""
+
+from dataclasses import asdict
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.solver.scenes import library
+from nonsmooth.solver.scenes.choice import NotCertifiedScene
+from nonsmooth.solver.scenes.estimate import MOST, estimate
+from nonsmooth.solver.scenes.exact import exact_orbit
+from nonsmooth.solver.scenes.rates import FLOORS, rate
+from nonsmooth.solver.scenes.solve import solve_case
+from nonsmooth.solver.scenes.sweep import sweep_case
+
+IMPACT = library.load("impact")
+
+
+def test_scenes_by_name() -> None:
+    assert ns.scenes() == library.names()
+    assert ns.scene("impact") == IMPACT
+    assert ns.scene(IMPACT) is IMPACT
+    case = ns.scene("impact")(gap=0.2)
+    assert isinstance(case, ns.Case)
+    assert case.values["gap"] == 0.2
+    with pytest.raises(ns.UnknownScene, match="did you mean impact"):
+        ns.scene("impakt")
+    with pytest.raises(ns.ParameterError, match="did you mean gap"):
+        ns.scene("impact")(gab=0.2)
+
+
+def test_the_module_and_the_function_are_one() -> None:
+    import nonsmooth.scene as module
+    from nonsmooth import codegen
+
+    assert ns.scene is module
+    assert module("impact") == module.find("impact") == IMPACT
+    assert module.Parameter is codegen.scene.Parameter
+    with pytest.raises(AttributeError, match="nothing"):
+        _ = module.nothing
+    assert all(getattr(module, name) is not None for name in module.__all__)
+
+
+def test_solve_of_a_case() -> None:
+    case = IMPACT(gap=0.2)
+    orbit = ns.solve(case, method="ck-tau", order=8)
+    assert isinstance(orbit, ns.SceneOrbit)
+    assert orbit.unknowns.tolist() == solve_case(case, "ck-tau", 8).unknowns.tolist()
+    assert ns.solve(case).method == "ck-tau"
+    assert ns.solve(case).order == 10
+    assert ns.solve(case, "hb-c0", 4).functions == 2
+    assert ns.solve(case, "hb-c0", 4, functions=3).functions == 3
+
+
+def test_solve_to_a_tolerance() -> None:
+    case = IMPACT()
+    orbit = ns.solve(case, tol=1e-6)
+    assert orbit.estimate.times <= 1e-6 < ns.solve(case, order=orbit.order - 1).estimate.times
+    by_ck = ns.solve(case, "ck", tol=1e-6)
+    assert by_ck.method == "ck"
+    assert by_ck.order > orbit.order
+    free = ns.solve(library.load("stick-slip-damped")(), tol=1e-5)
+    assert max(free.estimate.times, free.estimate.period) <= 1e-5
+    with pytest.raises(ns.NotCertified, match="2e-15") as caught:
+        ns.solve(case, tol=1e-15)
+    assert isinstance(caught.value, NotCertifiedScene)
+    assert not caught.value.tried
+    with pytest.raises(ns.NotCertified, match=r"best tried was .* by hb, N = "):
+        ns.solve(case, "hb", tol=1e-8)
+    with pytest.raises(ns.NoOrbit):
+        ns.solve(IMPACT(gap=5), tol=1e-2)
+
+
+def test_a_tolerance_between_orders_that_are_tried_is_met_by_the_lowest() -> None:
+    case = IMPACT()
+    tol = 1.05 * ns.solve(case, "hb", 26).estimate.times / 0.9
+    orbit = ns.solve(case, "hb", tol=tol)
+    assert orbit.order in (25, 26)
+    assert ns.solve(case, "hb", orbit.order - 1).estimate.times > 0.9 * tol
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"tol": 0.0}, "tol: got 0.0"),
+        ({"tol": True}, "tol: got True"),
+        ({"tol": 0.1, "order": 3}, "order: got 3 beside"),
+        ({"method": "c1"}, "method: got 'c1'"),
+        ({"method": 3}, "method: got 3"),
+        ({"order": 2.5}, "order: got 2.5"),
+        ({"budget": 1.0}, "budget: got 1.0"),
+        ({"c1_terms": 2}, "c1_terms: got 2"),
+        ({"method": "hb", "functions": 2}, "functions: got 2"),
+    ],
+)
+def test_arguments_that_a_case_does_not_take(arguments, words) -> None:
+    with pytest.raises(ValueError, match=words):
+        ns.solve(IMPACT(), **arguments)
+
+
+@pytest.mark.parametrize("what", [3, None, "impact", IMPACT])
+def test_what_is_no_oscillator(what) -> None:
+    for call in (
+        lambda: ns.solve(what, "c1", 5),
+        lambda: ns.sweep(what),
+        lambda: ns.exact(what),
+    ):
+        with pytest.raises(TypeError):
+            call()
+
+
+def test_the_belt_by_the_kernels_of_every_scene() -> None:
+    belt = ns.StickSlip(**(asdict(DEFAULT) | {"mass": 12}))
+    orbit = ns.solve(belt, method="c1-tau", order=10)
+    assert isinstance(orbit, ns.SceneOrbit)
+    assert dict(orbit.case.values) == asdict(belt)
+    assert orbit.period == pytest.approx(ns.exact(belt).period, rel=1e-12)
+    assert ns.solve(belt, "ck", 7).coefficients == ns.solve(belt, "c1", 7).coefficients
+    assert isinstance(ns.solve(belt, "hb-ck", 5), ns.Orbit)
+    assert isinstance(ns.solve(belt, "hb-c1", 5, functions=2), ns.SceneOrbit)
+    assert isinstance(ns.solve(belt, "c1-tau", tol=1e-4), ns.SceneOrbit)
+    assert isinstance(ns.sweep(belt, ["c1-tau"], [3]), ns.SceneSweep)
+    assert isinstance(ns.sweep(belt, "hb-ck", [3]), ns.Sweep)
+    with pytest.raises(ValueError, match="either the paper's or those of every scene"):
+        ns.sweep(belt, ["c1", "c1-tau"], [3])
+    with pytest.raises(ValueError, match="c1_terms"):
+        ns.sweep(belt, ["c1-tau"], [3], c1_terms=2)
+
+
+def test_exact_orbits() -> None:
+    assert isinstance(ns.exact(DEFAULT), ns.ExactOrbit)
+    case = IMPACT()
+    assert isinstance(ns.exact(case), ns.ExactSceneOrbit)
+    assert ns.exact(case).forcing_phase == exact_orbit(case).forcing_phase
+
+
+def test_sweeps() -> None:
+    case, told = IMPACT(), []
+    result = ns.sweep(case, orders=[2, 4], progress=told.append)
+    assert tuple(told) == result.rows
+    found = [(row.method, row.order) for row in result.rows]
+    assert found == [
+        ("hb", 2),
+        ("hb", 4),
+        ("hb-ck", 2),
+        ("hb-ck", 4),
+        ("ck", 4),
+        ("ck-tau", 2),
+        ("ck-tau", 4),
+    ]
+    assert [row.order for row in result.of("c0-tau")] == [2, 4]
+    row = result.of("hb")[1]
+    orbit = ns.solve(case, "hb", 4)
+    assert (row.period, row.durations) == (orbit.period, orbit.durations)
+    assert row.errors == orbit.errors
+    assert row.estimate == orbit.estimate
+    assert "c0-tau      2  not-converged: impact" in str(result)
+    assert result._repr_html_().startswith("<pre>method")
+    with pytest.raises(ValueError, match="order: got 2, expected a whole number from 3"):
+        ns.sweep(case, "ck", [2])
+    with pytest.raises(ValueError, match="method"):
+        ns.sweep(case, "c2", [4])
+    assert (
+        sweep_case(case, "hb-ck", [3], 3).rows[0].errors
+        == ns.solve(case, "hb-ck", 3, functions=3).errors
+    )
+
+
+def test_rates_are_least_squares_over_six_orders_above_rounding() -> None:
+    def rows(error, orders):
+        return [(N, dict.fromkeys(FLOORS, error(N))) for N in orders]
+
+    power = rate("hb-ck", rows(lambda N: 3.0 * N**-2.5, range(2, 8)))
+    assert (power.kind, power.times) == ("power", pytest.approx(2.5))
+    assert power.text("discontinuous") == "N^-2.500"
+    assert rate("hb", rows(lambda N: 1 / N, range(2, 7))).text("times") == "too few orders"
+    geometric = rate("ck-tau", rows(lambda N: 10.0 ** (-1.5 * N), range(1, 20)))
+    assert geometric.kind == "geometric"
+    assert geometric.times == pytest.approx(1.5)
+    assert geometric.text("times") == "10^(-1.50 N)"
+    assert rate("ck", rows(lambda N: 1e-14, range(1, 20))).times is None
+
+
+def test_the_estimate_of_a_high_order_is_cheap_and_right() -> None:
+    import time
+
+    orbit = solve_case(IMPACT(), "hb", 48)
+    far = type(orbit)(orbit.case, "hb", 48, orbit.outcome, 1)
+    begin = time.process_time()
+    found = estimate(far)
+    assert time.process_time() - begin < 2
+    assert found.times == pytest.approx(orbit.errors.times, rel=1e-6)
+    assert MOST < 100
+
+
+def test_an_orbit_shows_itself(monkeypatch) -> None:
+    orbit = ns.solve(IMPACT(), "ck-tau", 6)
+    html = orbit._repr_html_()
+    for words in ("impact: a driven mass", "c0-tau, N = 6", f"{orbit.period:.10g} s", "rad"):
+        assert words in html
+    assert html.startswith("<table>")
+    from matplotlib.figure import Figure
+
+    axes = Figure().subplots()
+    assert orbit.plot(axes, color="k") is axes
+    x, v = axes.lines[0].get_data()
+    assert (x[0], v[0]) == (x[-1], v[-1])
+    assert np.ptp(x) == pytest.approx(
+        np.subtract(*orbit.extremes["displacement"][::-1]), rel=1e-4
+    )
+    belt = ns.solve(library.load("stick-slip-damped")(), order=6)
+    assert "stick 0." in belt._repr_html_()
+    assert "forcing" not in belt._repr_html_()
