@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from nonsmooth.solver import kernels
-from nonsmooth.solver.start import cubic_slip, rough_times, with_coefficients
+from nonsmooth.solver.shortcuts.search import kernels
+from nonsmooth.solver.shortcuts.search.start import cubic_slip, rough_times, with_coefficients
 
 ALPHA = 1.0
 CASES = [("hb-symmetric", 0), ("hb-symmetric", 1), ("hb-symmetric", 3), ("c1", None)]

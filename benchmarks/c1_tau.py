@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.solver import exact
-from nonsmooth.solver.belt import DEFAULT
-from nonsmooth.solver.methods import METHODS
-from nonsmooth.solver.scenes.library import load
-from nonsmooth.solver.scenes.solve import solve_case
+from nonsmooth.solver.case.library import load
+from nonsmooth.solver.shortcuts.orbit import exact
+from nonsmooth.solver.shortcuts.orbit.methods import METHODS
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.solver.solve import solve_case
 
 ORDERS = range(3, 17)
 

@@ -9,7 +9,7 @@ with the order.  A dash where an order is not converged.
 import math
 
 import nonsmooth as ns
-from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 ORDERS = (8, 16, 32, 64, 128)
 

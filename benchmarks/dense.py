@@ -10,9 +10,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.linalg import lapack
 
-from nonsmooth.solver import kernels
-from nonsmooth.solver.newton import newton
-from nonsmooth.solver.start import cubic_slip, rough_times
+from nonsmooth.solver.shortcuts.search import kernels
+from nonsmooth.solver.shortcuts.search.newton import newton
+from nonsmooth.solver.shortcuts.search.start import cubic_slip, rough_times
 
 ROUNDS, ORDER = 300, 40
 

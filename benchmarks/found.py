@@ -11,8 +11,8 @@ from dataclasses import replace
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.solver.belt import DEFAULT
-from nonsmooth.solver.methods import MOST_TERMS
+from nonsmooth.solver.shortcuts.orbit.methods import MOST_TERMS
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 CASES, HIGHEST_ORDER, DECADES = 12_000, 64, 3.0
 

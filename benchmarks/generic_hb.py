@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from scipy.linalg import lapack
 
-from nonsmooth.solver import kernels
-from nonsmooth.solver.scenes import library
+from nonsmooth.solver.case import library
+from nonsmooth.solver.shortcuts.search import kernels
 
 ORDER, ROUNDS = 40, 400
 

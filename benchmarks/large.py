@@ -7,10 +7,11 @@ import sys
 
 import numpy as np
 
-from nonsmooth.solver import kernels, newton_krylov
-from nonsmooth.solver.matrix_free import Problem
-from nonsmooth.solver.newton import newton
-from nonsmooth.solver.start import cubic_slip, rough_times
+from nonsmooth.solver.shortcuts.search import kernels
+from nonsmooth.solver.shortcuts.search.newton import newton
+from nonsmooth.solver.shortcuts.search.start import cubic_slip, rough_times
+from nonsmooth.solver.shortcuts.series import newton_krylov
+from nonsmooth.solver.shortcuts.series.matrix_free import Problem
 
 #: Largest exponent of growth between 1e4 and 1e6 harmonics, seconds and MiB at 1e6 (hb), and
 #: relative difference from the dense solver.
@@ -20,7 +21,7 @@ GROWTH, SECONDS, MEMORY, AGREEMENT = 1.15, 10.0, 2048.0, 1e-12
 SCRIPT = """
 import json, resource, statistics, sys, time
 import nonsmooth as ns
-from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 method, order, rounds = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
 ns.solve(DEFAULT, method, 1000)
 seen = []

@@ -6,7 +6,7 @@ import numba
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.solver import kernels
+from nonsmooth.solver.shortcuts.search import kernels
 
 from .rivals import Period
 

@@ -19,7 +19,7 @@ import numba
 import numpy as np
 from numba.core.dispatcher import Dispatcher
 
-from nonsmooth.solver import exact
+from nonsmooth.solver.shortcuts.orbit import exact
 
 from . import dense, large, latency, ours, rivals, scenes, unrolled
 
@@ -140,7 +140,7 @@ def cheapest(points: list[Point], name: str, alpha: float, error: float) -> Poin
 
 def batch_rate(order: int = 13, count: int = 1_000_000) -> float:
     """Return orbits a second in a batch over alpha, on all cores."""
-    from nonsmooth.solver.batch import c1_times
+    from nonsmooth.solver.shortcuts.polynomials.batch import c1_times
 
     alphas = np.logspace(-1, 2, count)
     c1_times(alphas[:1000], order)

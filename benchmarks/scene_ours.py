@@ -9,12 +9,12 @@ from functools import cache
 
 import numpy as np
 
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.case import Case
-from nonsmooth.solver.scenes.exact import exact_orbit
-from nonsmooth.solver.scenes.kernel import SceneKernel
-from nonsmooth.solver.scenes.motion import SceneMotion
-from nonsmooth.solver.scenes.solve import COARSE, solve_case
+from nonsmooth.solver.case import library
+from nonsmooth.solver.case.case import Case
+from nonsmooth.solver.case.kernel import SceneKernel
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.orbit.motion import SceneMotion
+from nonsmooth.solver.solve import COARSE, solve_case
 
 from .scene_rivals import Solve, njit
 

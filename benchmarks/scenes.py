@@ -19,7 +19,7 @@ from pathlib import Path
 import numba
 from numba.core.dispatcher import Dispatcher
 
-from nonsmooth.solver.scenes import library
+from nonsmooth.solver.case import library
 
 from . import generic_hb, scene_ours, scene_rivals, scene_simulation
 from . import scene_references as references

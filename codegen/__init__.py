@@ -17,27 +17,15 @@ conditions of any of them, `show` makes them records for a reader, `emission` ke
 Nothing else in the package imports SymPy.
 """
 
-from collections.abc import Callable, Mapping
-from functools import cache
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from . import alongside, c1, c1_reduced, hb, hb_c1, hb_symmetric
-from .alongside import SideBySide
+from .printing import side_by_side as alongside
+from .printing.side_by_side import SideBySide
+from .shortcuts.methods import METHODS, SOLVED, of_the_paper
 from .system import DerivationError, Equation, GalerkinSystem
 
 if TYPE_CHECKING:
     from .scene import Scene
-
-#: The methods of the paper, in its order, and what derives each.
-METHODS: Mapping[str, Callable[[], GalerkinSystem]] = MappingProxyType(
-    {"hb": hb.derive, "hb-c1": hb_c1.derive, "c1": c1.derive}
-)
-
-#: What is solved in their place, where that is quicker: the same orbits.
-SOLVED: Mapping[str, Callable[[], GalerkinSystem]] = MappingProxyType(
-    {"hb-symmetric": hb_symmetric.derive, "c1-reduced": c1_reduced.derive}
-)
 
 
 def derive(
@@ -74,18 +62,10 @@ def derive(
     'functions of class `C^0`, tested with Legendre polynomials'
     """
     if scene is None:
-        return _of_the_paper(method)
+        return of_the_paper(method)
     from .show import derive_scene  # noqa: PLC0415  (its sections are those of this package)
 
     return derive_scene(scene, method, functions)
-
-
-@cache
-def _of_the_paper(method: str) -> GalerkinSystem:
-    known = {**METHODS, **SOLVED}
-    if method not in known:
-        raise ValueError(f"method: got {method!r}, expected one of {', '.join(known)}")
-    return known[method]()
 
 
 def derive_scene(

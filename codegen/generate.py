@@ -9,17 +9,21 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from . import METHODS, SOLVED, derive, scenes
+from . import scenes
 from .emission import kernel, scene_numbers
-from .emit import module_source
 from .expansions import kernels
 from .scene import Scene
+from .shortcuts.emit import module_source
+from .shortcuts.methods import METHODS, SOLVED, of_the_paper
 
 #: The folder of the generated modules, beside the folder of this file.
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
 
-INIT = '''"""Kernels of the three methods, a module each, written by ``nonsmooth generate``."""
-'''
+INIT = '"""Kernels, a folder for each scene, written by ``nonsmooth generate``."""\n'
+
+#: The folder of the paper's own methods, and its first file.
+SHORTCUTS = "shortcuts"
+SHORTCUTS_INIT = '"""Kernels of the paper\'s methods; written by ``nonsmooth generate``."""\n'
 
 
 #: Of the folder of a scene.
@@ -28,9 +32,9 @@ SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."
 
 def sources() -> dict[str, str]:
     """Derive everything and return the text of each generated file, by its place."""
-    files = {"__init__.py": INIT}
-    for system in map(derive, (*METHODS, *SOLVED)):
-        files[f"{system.method.replace('-', '_')}.py"] = module_source(system)
+    files = {"__init__.py": INIT, f"{SHORTCUTS}/__init__.py": SHORTCUTS_INIT}
+    for system in map(of_the_paper, (*METHODS, *SOLVED)):
+        files[f"{SHORTCUTS}/{system.method.replace('-', '_')}.py"] = module_source(system)
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
         files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}

@@ -61,13 +61,13 @@ class Equation:
 
     def latex(self) -> str:
         """Return the equation as displayed LaTeX, with its number as the tag."""
-        from .latex import displayed  # noqa: PLC0415  (printing is a later stage)
+        from .printing.latex import displayed  # noqa: PLC0415  (printing is a later stage)
 
         return displayed(self)
 
     def text(self, unicode: bool = True) -> str:
         """Return the equation as text for a terminal, in Unicode or in plain ASCII."""
-        from .text import equation_text  # noqa: PLC0415
+        from .printing.text import equation_text  # noqa: PLC0415
 
         return equation_text(self, unicode)
 
@@ -160,7 +160,7 @@ class GalerkinSystem:
 
     def latex(self) -> str:
         """Return the equations as LaTeX, numbered as in the paper, without a preamble."""
-        from .latex import equation_latex  # noqa: PLC0415
+        from .printing.latex import equation_latex  # noqa: PLC0415
 
         return "\n".join(map(equation_latex, self.equations))
 
@@ -172,7 +172,7 @@ class GalerkinSystem:
         return self.text()
 
     def _repr_latex_(self) -> str:
-        from .latex import in_notebook  # noqa: PLC0415
+        from .printing.latex import in_notebook  # noqa: PLC0415
 
         return in_notebook(self.equations)
 
@@ -185,7 +185,7 @@ class GalerkinSystem:
         >>> ns.equations("hb").unknown_symbols(2)
         (a0, a[1], a[2], b[1], b[2], t1, T)
         """
-        from .expansion import check_order, unknowns  # noqa: PLC0415
+        from .printing.written_out import check_order, unknowns  # noqa: PLC0415
 
         return unknowns(self, check_order(order))
 
@@ -216,7 +216,7 @@ class GalerkinSystem:
         >>> f(-1.0, 0.5, 2.0, 6.0)
         0.0
         """
-        from .expansion import expanded  # noqa: PLC0415
+        from .printing.written_out import expanded  # noqa: PLC0415
 
         return expanded(self, order)
 

@@ -1,1 +1,1 @@
-"""Kernels of the three methods, a module each, written by ``nonsmooth generate``."""
+"""Kernels, a folder for each scene, written by ``nonsmooth generate``."""

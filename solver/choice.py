@@ -1,116 +1,62 @@
-"""What a choice of method and order is made of: candidates, the orbit, and refusals."""
+"""What a tolerance comes to: the orders that were tried, the orbit, or why there is none."""
 
+import math
 from dataclasses import dataclass
 
-from .belt import StickSlip
-from .estimate import ACCELERATION_ROUNDING, ROUNDING, Estimate
-from .no_orbit import NoOrbit
-from .orbit import Orbit
-from .solve import solve
-
-#: Below these no estimate goes: rounding.
-LEAST = {"period": ROUNDING, "acceleration": ACCELERATION_ROUNDING}
-
-#: Part of the tolerance that an estimate may use up; it is itself off by a few per cent.
-MARGIN = 0.9
+from .accuracy.errors import SceneErrors
+from .accuracy.estimate import ROUNDING
+from .orbit.orbit import SceneOrbit
+from .shortcuts.choice.choice import MARGIN, NotCertified
 
 
 @dataclass(frozen=True)
-class Trial:
-    """One candidate.
+class SceneTrial:
+    """One order that was tried.
 
     Parameters
     ----------
     method, order : str, int
-    estimate : Estimate or None
+    estimate : SceneErrors or None
         Of its errors; None where it has no orbit.
-    seconds : float or None
-        Of one solve, measured; None where nothing was to be measured.
     """
 
     method: str
     order: int
-    estimate: Estimate | None
-    seconds: float | None = None
+    estimate: SceneErrors | None
 
 
 @dataclass(frozen=True)
-class Choice:
-    """What a tolerance or a budget led to.
+class SceneChoice:
+    """What a tolerance led to: the orbit, and all that was tried on the way."""
 
-    Parameters
-    ----------
-    orbit : Orbit
-        The first candidate whose estimate is within the tolerance; the best within the
-        budget.
-    trials : tuple of Trial
-        All candidates, in the order in which they were tried.
-    """
-
-    orbit: Orbit
-    trials: tuple[Trial, ...]
+    orbit: SceneOrbit
+    trials: tuple[SceneTrial, ...]
 
 
-class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
-    """No orbit in float64 is as accurate as asked for, as far as the estimate can say.
+class NotCertifiedScene(NotCertified):
+    """No order of a method is as accurate as asked for, as far as the estimate can say."""
 
-    Parameters
-    ----------
-    wanted : dict
-        The tolerances.
-    trials : tuple of Trial
-        What was tried.
-    foretold : dict
-        Order that a method would need, by its rate, where that is beyond its highest.
-    """
-
-    def __init__(
-        self, wanted: dict[str, float], trials: tuple[Trial, ...], foretold: dict[str, float]
-    ) -> None:
-        super().__init__(wanted, trials, foretold)
-        self.wanted = wanted
-        self.trials = trials
-        self.foretold = foretold
+    def __init__(self, tol: float, trials: tuple[SceneTrial, ...], needed: float) -> None:
+        super().__init__({"times": tol}, (), {})
+        self.args = (tol, trials, needed)
+        self.tol, self.tried, self.needed = tol, trials, needed
 
     def __str__(self) -> str:
-        parts = [" and ".join(f"{name} to {tol:g}" for name, tol in self.wanted.items())]
-        for name, tol in self.wanted.items():
-            if MARGIN * tol <= LEAST[name]:
-                parts.append(f"no estimate in float64 goes below {LEAST[name]:g}")
-        found = [(trial.estimate, trial) for trial in self.trials if trial.estimate is not None]
-        name = next(iter(self.wanted))
+        parts = [f"times to {self.tol:g}"]
+        if MARGIN * self.tol <= ROUNDING:
+            parts.append(f"no estimate in float64 goes below {ROUNDING:g}")
+        sizes = [(size(trial.estimate), trial) for trial in self.tried if trial.estimate]
+        found = [(error, trial) for error, trial in sizes if math.isfinite(error)]
         if found:
-            estimate, best = min(found, key=lambda pair: getattr(pair[0], name))
-            value = getattr(estimate, name)
-            parts.append(f"the best tried was {value:.1e} by {best.method}, N = {best.order}")
-        parts += [f"{name} would need N of about {N:.0e}" for name, N in self.foretold.items()]
+            best, trial = min(found, key=lambda pair: pair[0])
+            parts.append(f"the best tried was {best:.1e} by {trial.method}, N = {trial.order}")
+        if self.needed == math.inf:
+            parts.append("the errors do not fall any more")
+        elif self.needed > 0:
+            parts.append(f"it would need N of about {self.needed:.0e}")
         return "; ".join(parts)
 
 
-class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
-    """No orbit is computed within the budget.
-
-    Parameters
-    ----------
-    budget, fastest : float
-        Seconds.
-    """
-
-    def __init__(self, budget: float, fastest: float) -> None:
-        super().__init__(budget, fastest)
-        self.budget = budget
-        self.fastest = fastest
-
-    def __str__(self) -> str:
-        return (
-            f"a budget of {self.budget:.2g} s: the fastest orbit takes {self.fastest:.2g} s "
-            "here; for many orbits see nonsmooth.solver.batch"
-        )
-
-
-def attempt(belt: StickSlip, method: str, order: int, many: bool) -> Orbit | None:
-    """Return the orbit of one candidate, or None where it has none."""
-    try:
-        return solve(belt, method, order, many=many)
-    except NoOrbit:
-        return None
+def size(errors: SceneErrors) -> float:
+    """Return what a tolerance bounds: the error of the times, and of a free period."""
+    return max(errors.times, abs(errors.period))

@@ -1,110 +1,142 @@
-"""Find the orbit of one method and order, or say why there is none."""
+"""One orbit of a case by one method, or the reason why there is none."""
 
-from collections.abc import Callable
+import operator
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 
-from . import kernels
-from .belt import StickSlip
-from .kernels import PLAIN_ORDER, Kernel
-from .methods import check_belt, check_method, check_order, with_terms
+import numpy as np
+
+from .accuracy.estimate import BEST
+from .arrays import Vector
+from .case import library
+from .case.case import Case
+from .case.kernel import SceneKernel
+from .iteration.attempt import attempt
+from .iteration.start import rough_times
 from .no_orbit import NoOrbit
-from .orbit import Orbit
-from .search import Search, starts
+from .orbit.orbit import SceneOrbit
+from .shortcuts.search.kernels import PLAIN_ORDER
+
+#: Orders of the method from whose times every other starts: it converges from rough times at
+#: the first, and where a motion has too many waves for that, at the second.
+COARSE = (5, 12)
+
+#: Most unknowns are dense: beyond, a system takes seconds and nothing is gained.
+HIGHEST_ORDER = 400
 
 
-def _loader(order: int, many: bool) -> Callable[[str], Kernel]:
-    return kernels.compiled if many or order > PLAIN_ORDER else kernels.plain
-
-
-def solve(
-    belt: StickSlip,
-    method: str | None = None,
-    order: int | None = None,
-    *,
-    c1_terms: int = 1,
-    tol: float | None = None,
-    tol_acceleration: float | None = None,
-    budget: float | None = None,
-    many: bool = False,
-) -> Orbit:
-    """Return the periodic orbit of `belt`: by method and order, or as accurate as asked.
+def solve_case(
+    case: Case, method: str = BEST, order: int = 10, functions: int | None = None
+) -> SceneOrbit:
+    """Return the periodic orbit of a case, converged and admissible.
 
     Parameters
     ----------
-    belt : StickSlip
+    case : Case
         The oscillator.
-    method : {"hb", "hb-c1", "c1"}
-        Section 3.1 (Fourier series), 3.2 (with one C1 function), 3.3 (C1 functions).  With
-        a tolerance or a budget it may be left out: then the cheapest, or the best, is taken.
+    method : str
+        One of `library.methods`, by its generic name or with its class.
     order : int
-        ``N``, the number of harmonics, or the degree of the polynomial (15).  A tolerance
-        or a budget chooses it, and it is left out.
-    c1_terms : int
-        C1 functions of ``"hb-c1"``, 1 to 6; the paper has one.  For several, `order` is at
-        most 200.
-    tol : float, optional
-        Largest relative error of the period, as estimated; between 0 and 1.
-    tol_acceleration : float, optional
-        Largest error (22) of the acceleration, as estimated; between 0 and 1.
-    budget : float, optional
-        Seconds that one orbit may take: the best that fits, by compiled kernels.  Not beside
-        a tolerance.
-    many : bool
-        Whether more orbits are to follow: compile the kernels.  The result is the same.
+        ``N``.
+    functions : int, optional
+        Functions beside the harmonics at each switch, where the method counts them; 1, or 2
+        where the velocity jumps, if not given.
 
     Raises
     ------
     TypeError
-        If `belt` is no `StickSlip`.
+        If `case` is not a `Case`.
     ValueError
-        If `method`, `order`, `c1_terms`, a tolerance or the budget is not one that can be
-        computed, if they exclude each other, or if `alpha` of the oscillator is not from
-        1e-8 to 1e8.
+        If the scene has no kernel of the method, or a number is out of its range.
     NoOrbit
-        If there is no admissible orbit, or none was found; it says which.
-    NotCertified
-        If no orbit in float64 is as accurate as asked for.
-    TooSlow
-        If none is computed within the budget.
+        If no start led to a converged and admissible orbit; with what each led to.
 
     Examples
     --------
-    >>> import nonsmooth as ns
-    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
-    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
-    >>> orbit = ns.solve(belt, method="c1", order=7)
-    >>> round(orbit.period, 7), orbit.admissible
-    (0.6712384, True)
-    >>> orbit = ns.solve(belt, tol=1e-9)
-    >>> orbit.method, orbit.order, orbit.estimate.period < 1e-9
-    ('c1', 11, True)
+    >>> from nonsmooth.solver.case import library
+    >>> case = library.load(library.names()[0])()
+    >>> solve_case(case, order=12).admissible
+    True
     """
-    if any(value is not None for value in (tol, tol_acceleration, budget)):
-        if c1_terms != 1:
-            raise ValueError(f"c1_terms: got {c1_terms!r} beside a tolerance, expected 1")
-        from .choose import choose  # noqa: PLC0415  (it solves, too)
+    if not isinstance(case, Case):
+        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    method = library.generic_method(case.scene, method)
+    if functions is None:
+        functions = number_of_functions(case, method, None)
+    kernel = library.kernel(case.scene, method, functions)
+    order = check_order(kernel, order)
+    if order > PLAIN_ORDER:
+        kernel = library.kernel(case.scene, method, functions, compile_it=True)
+    search = _Search(case, kernel)
+    for times in search.starts():
+        found = search.note(attempt(kernel, case, order, times, functions))
+        if found.converged and found.admissible:
+            return replace(found, iterations=search.iterations)
+    reason = f"{case.scene.name}, {kernel.method}, N = {order}: no admissible orbit was found"
+    error = NoOrbit(reason, False, tuple(dict.fromkeys(search.tried)))
+    error.iterations = search.iterations
+    raise error
 
-        return choose(belt, method, order, tol, tol_acceleration, budget, many=many).orbit
-    chosen = with_terms(check_method(method), c1_terms)
-    check_belt(belt)
-    number = check_order(order, chosen)
-    search = Search(belt, chosen, number, _loader(number, many))
-    tried: list[str] = []
-    for name, start in starts(chosen, belt.alpha, search.order):
-        try:
-            outcome = start(search)
-        except NoOrbit as finding:
-            finding.iterations, finding.tried = search.iterations, tuple(tried)
-            raise
-        if not outcome.converged:
-            tried.append(f"{name}: {outcome.reason}")
-            continue
-        orbit = Orbit(
-            belt, chosen.name, number, outcome, search.iterations, chosen.c1_terms or 1
-        )
-        if orbit.admissible:
-            outcome.unknowns.flags.writeable = False
-            return orbit
-        tried.append(f"{name}: a solution that is no orbit: {orbit.violations[0]}")
-    failure = NoOrbit(f"no orbit of {method} found at order {order}", False, tuple(tried))
-    failure.iterations = search.iterations
-    raise failure
+
+def number_of_functions(case: Case, method: str, wanted: int | None) -> int | None:
+    """Return the number of functions that a method has: as wanted, or as is usual.
+
+    None where it does not count functions; there, what is wanted is meant for another method.
+    """
+    if not library.functions(case.scene, method):
+        return None
+    return (2 if case.scene.k == 0 else 1) if wanted is None else wanted
+
+
+@dataclass
+class _Search:
+    """The ways to an orbit, and what each came to."""
+
+    case: Case
+    kernel: SceneKernel
+    words: str = ""
+    iterations: int = 0
+    tried: list[str] = field(default_factory=list)
+
+    def note(self, found: SceneOrbit) -> SceneOrbit:
+        """Return a result, after its iterations and its failure, if it is one, were noted."""
+        self.iterations += found.outcome.iterations
+        why = "" if found.converged else found.outcome.reason
+        why = why or "; ".join(found.violations)
+        if why:
+            self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
+        return found
+
+    def starts(self) -> Iterator[Vector]:
+        """Yield times to start from: those of a coarse orbit, or rough ones if none can be."""
+        scene = self.case.scene
+        coarse = library.kernel(scene, BEST) if BEST in library.methods(scene) else None
+        for order in COARSE if coarse else COARSE[:1]:
+            for rough in rough_times(self.case.cell):
+                self.words = rough.words
+                angle = (rough.angle,) if self.kernel.forced else ()
+                times = np.array([*rough.durations, *angle])
+                if coarse is None:
+                    yield times
+                    continue
+                found = self.note(attempt(coarse, self.case, order, times))
+                if found.converged and found.admissible:
+                    yield coarse.times(found.unknowns)
+
+
+def check_order(kernel: SceneKernel, value: object) -> int:
+    """Return an order as a whole number that the method can compute.
+
+    Raises
+    ------
+    ValueError
+        If it is not one.
+    """
+    try:
+        number = -1 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        number = -1
+    if not kernel.lowest <= number <= HIGHEST_ORDER:
+        expected = f"a whole number from {kernel.lowest} to {HIGHEST_ORDER}"
+        raise ValueError(f"order: got {value!r}, expected {expected} for {kernel.method}")
+    return number

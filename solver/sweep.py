@@ -1,43 +1,43 @@
-"""Convergence of the methods over orders: one row each, whatever comes of it."""
+"""Convergence of the methods of a scene over orders: one row each, whatever comes of it."""
 
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from html import escape
+from typing import Any
 
-from . import kernels
-from .belt import StickSlip
-from .convergence import Rate, rate
-from .errors import Errors
-from .estimate import Estimate
-from .methods import METHODS, check_belt, check_method, check_order, with_terms
+from .accuracy.errors import SceneErrors
+from .accuracy.rates import Rate, rate
+from .case import library
+from .case.case import Case
+from .case.names import in_order, shown
 from .no_orbit import NoOrbit
-from .solve import solve
-
-#: Squared orders, summed, that plain Python solves while numba compiles.
-COMPILING = 200_000
+from .orbit.document import without_errors
+from .solve import check_order, number_of_functions, solve_case
 
 
 @dataclass(frozen=True)
-class Row:
+class SceneRow:
     """One method at one order.
 
     Parameters
     ----------
     method, order : str, int
-        What was asked for.
+        What was asked for; the generic name.
     status : {"ok", "no-orbit", "not-converged"}
         An orbit; shown that there is none; none found.
-    t1, period : float or None
-        In s; None without an orbit.
+    period : float or None
+        In s; None without an orbit, as all that follows but `iterations` and `seconds`.
+    forcing_phase : float or None
+        In rad; None also where nothing forces.
+    durations : tuple of float or None
+        Of the phases of one period, in s.
     iterations : int
         Jacobians factorised.
-    errors : Errors or None
-        Against the exact orbit; None without an orbit.
+    errors, estimate : SceneErrors or None
+        Against the exact orbit; as estimated without it.
     seconds : float
-        Time of the search; with the first order of a method, compilation too.
-    estimate : Estimate or None
-        The errors as estimated without the exact orbit; None without an orbit.
+        Time of the search; with the first order above 48 of a method, compilation too.
     message : str
         Why there is no orbit; empty if there is one.
     """
@@ -45,165 +45,129 @@ class Row:
     method: str
     order: int
     status: str
-    t1: float | None
     period: float | None
+    forcing_phase: float | None
+    durations: tuple[float, ...] | None
     iterations: int
-    errors: Errors | None
+    errors: SceneErrors | None
+    estimate: SceneErrors | None
     seconds: float
-    estimate: Estimate | None
     message: str = ""
 
-    def as_dict(self) -> dict[str, object]:
+    def as_dict(self) -> dict[str, Any]:
         """Return the row as JSON has it."""
-        row = asdict(self)
-        if self.errors is None:
-            row["errors"] = dict.fromkeys(field.name for field in fields(Errors))
-            row["estimate"] = dict.fromkeys(field.name for field in fields(Estimate))
-        return row
+        return asdict(self) | {
+            "errors": without_errors() if self.errors is None else asdict(self.errors),
+            "estimate": without_errors() if self.estimate is None else asdict(self.estimate),
+        }
 
 
 @dataclass(frozen=True)
-class Sweep:
-    """The rows of a sweep, in the order in which they were asked for."""
+class SceneSweep:
+    """The rows of a sweep of a case, in the order in which they were asked for."""
 
-    belt: StickSlip
-    rows: tuple[Row, ...]
-    c1_terms: int = 1
+    case: Case
+    rows: tuple[SceneRow, ...]
+    functions: int | None = None
 
-    def of(self, method: str) -> tuple[Row, ...]:
-        """Return the rows of one method."""
-        return tuple(row for row in self.rows if row.method == method)
+    def of(self, method: str) -> tuple[SceneRow, ...]:
+        """Return the rows of one method, by either of its names."""
+        wanted = library.generic_method(self.case.scene, method)
+        return tuple(row for row in self.rows if row.method == wanted)
 
     def rates(self) -> dict[str, Rate]:
-        """Return how fast each method converges, by name."""
-        found: dict[str, list[tuple[int, Errors]]] = {}
-        for row in self.rows:
-            orders = found.setdefault(row.method, [])
-            if row.errors is not None:
-                orders.append((row.order, row.errors))
-        return {method: rate(method, rows) for method, rows in found.items()}
+        """Return how fast each method converges, by its generic name."""
+        found = {}
+        for method in dict.fromkeys(row.method for row in self.rows):
+            rows = [(row.order, asdict(row.errors)) for row in self.of(method) if row.errors]
+            found[method] = rate(method, rows)
+        return found
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the sweep as the document that ``sweep --json`` writes."""
+        return {
+            "scene": self.case.scene.name,
+            "class": f"C{self.case.scene.k}",
+            "functions": self.functions,
+            "parameters": dict(self.case.values),
+            "rows": [row.as_dict() for row in self.rows],
+            "rates": {name: asdict(found) for name, found in self.rates().items()},
+        }
 
     def _repr_html_(self) -> str:
         return f"<pre>{escape(str(self))}</pre>"
 
     def __str__(self) -> str:
-        lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'T/T_exact-1':>12}  {'(22)':>10}"]
+        lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'times':>9}  {'jump':>9}  estimate"]
         for row in self.rows:
-            head = f"{row.method:8}{row.order:5d}  "
-            if row.errors is None or row.period is None:
-                lines.append(f"{head}{row.status}: {row.message}")
+            head = f"{shown(self.case.scene, row.method):8}{row.order:5d}  "
+            if row.errors is None or row.estimate is None:
+                lines.append(f"{head}{row.status}: {row.message:.60}")
                 continue
-            errors = row.errors
-            lines.append(
-                f"{head}{row.period:15.10g}  {errors.period:12.3e}  {errors.acceleration:10.3e}"
-            )
+            errors = f"{row.errors.times:9.2e}  {row.errors.discontinuous:9.2e}"
+            lines.append(f"{head}{row.period:15.10g}  {errors}  {row.estimate.times:8.1e}")
         return "\n".join(lines)
 
 
-def sweep(
-    belt: StickSlip,
+def sweep_case(
+    case: Case,
     methods: str | Sequence[str] | None = None,
-    orders: Iterable[int] = range(1, 41),
-    *,
-    c1_terms: int = 1,
-    progress: Callable[[Row], None] = lambda row: None,
-) -> Sweep:
+    orders: Iterable[int] = range(1, 21),
+    functions: int | None = None,
+    progress: Callable[[SceneRow], None] = lambda row: None,
+) -> SceneSweep:
     """Solve for each method and order, and compare with the exact orbit.
 
     Parameters
     ----------
-    belt : StickSlip
+    case : Case
         The oscillator.
-    methods : {"hb", "hb-c1", "c1"} or a sequence of them, optional
-        The methods, each in its turn; without it all three, those orders left out that a
-        method cannot compute and another can.
+    methods : str or sequence of str, optional
+        The methods, each in its turn; without it all, those orders left out that a method
+        cannot compute and another can.
     orders : iterable of int
         The orders of every method.
-    c1_terms : int
-        C1 functions of ``"hb-c1"``, 1 to 6; the paper has one.
-    progress : callable, optional
+    functions : int, optional
+        See `solve_case`.
+    progress : callable
         Called with each row when it is done.
 
     Raises
     ------
-    TypeError
-        If `belt` is no `StickSlip`.
     ValueError
         If a method or an order is not one that can be computed; before anything is.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
-    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
-    >>> print(ns.sweep(belt, methods=["c1"], orders=[3, 5]))
-    method      N            T [s]   T/T_exact-1        (22)
-    c1          3     0.6690781172    -3.219e-03   1.310e-01
-    c1          5     0.6712755659     5.463e-05   2.319e-02
     """
-    check_belt(belt)
-    if not isinstance(orders, Iterable):
-        raise ValueError(f"orders: got {orders!r}, expected whole numbers in a sequence")
-    jobs = _jobs(methods, list(orders), c1_terms)
-    rows, many = [], _worth_compiling(jobs)
-    for name, order in jobs:
-        row = _row(belt, name, order, many, c1_terms)
-        progress(row)
-        rows.append(row)
-    return Sweep(belt, tuple(rows), c1_terms)
+    scene, numbers = case.scene, list(orders)
+    named = in_order(library.methods(scene)) if methods is None else methods
+    wanted = (named,) if isinstance(named, str) else named
+    jobs = []
+    for method in (library.generic_method(scene, name) for name in wanted):
+        count = number_of_functions(case, method, functions)
+        kernel = library.kernel(scene, method, count)
+        chosen = numbers if methods is not None else _computed(numbers, kernel.lowest)
+        jobs += [(method, check_order(kernel, order), count) for order in chosen]
+    rows = []
+    for method, order, count in jobs:
+        rows.append(_row(case, method, order, count))
+        progress(rows[-1])
+    return SceneSweep(case, tuple(rows), functions)
 
 
-def _jobs(
-    methods: str | Sequence[str] | None, orders: list[int], c1_terms: int
-) -> list[tuple[str, int]]:
-    """Return each method and order that is to be computed."""
-    known = dict(METHODS) | {"hb-c1": with_terms(METHODS["hb-c1"], c1_terms)}
-    if methods is not None:
-        names = (methods,) if isinstance(methods, str) else methods
-        chosen = [known[check_method(name).name] for name in names]
-        return [(method.name, check_order(n, method)) for method in chosen for n in orders]
-    most = max(known.values(), key=lambda method: method.highest_order)
-    numbers = [check_order(n, most) for n in orders]
-    return [(m.name, n) for m in known.values() for n in numbers if n <= m.highest_order]
+def _computed(orders: list[int], lowest: int) -> list[int]:
+    """Return the orders that are not below the lowest; what is no number is refused later."""
+    return [order for order in orders if not isinstance(order, int) or order >= lowest]
 
 
-def _worth_compiling(jobs: list[tuple[str, int]]) -> bool:
-    """Return whether to compile: what is in the cache, or would take longer as Python."""
-    if sum(order**2 for _, order in jobs) > COMPILING:
-        return True
-    names = {"c1" if name == "c1" else "hb-symmetric" for name, _ in jobs}
-    return all(kernels.is_compiled(name) for name in names)
-
-
-def _row(belt: StickSlip, method: str, order: int, many: bool, c1_terms: int) -> Row:
+def _row(case: Case, method: str, order: int, functions: int | None) -> SceneRow:
     begin = time.perf_counter()
     try:
-        terms = c1_terms if method == "hb-c1" else 1
-        orbit = solve(belt, method, order, c1_terms=terms, many=many)
+        orbit = solve_case(case, method, order, functions)
     except NoOrbit as finding:
         seconds = time.perf_counter() - begin
-        message = str(finding)
-        return Row(
-            method,
-            order,
-            finding.status,
-            None,
-            None,
-            finding.iterations,
-            None,
-            seconds,
-            None,
-            message,
-        )
+        nothing = (None, None, None, finding.iterations, None, None)
+        return SceneRow(method, order, finding.status, *nothing, seconds, str(finding))
     seconds = time.perf_counter() - begin
-    return Row(
-        method,
-        order,
-        "ok",
-        orbit.t1,
-        orbit.period,
-        orbit.iterations,
-        orbit.errors,
-        seconds,
-        orbit.estimate,
-    )
+    return SceneRow(
+        method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
+        orbit.iterations, orbit.errors, orbit.estimate, seconds,
+    )  # fmt: skip

@@ -1,151 +1,148 @@
-"""The cheapest orbit that is as accurate as asked for, by the estimate of its error."""
+"""The cheapest order of a method whose estimated errors are within a tolerance."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from dataclasses import dataclass
 
-from .belt import StickSlip, is_number
-from .choice import LEAST, MARGIN, Choice, NotCertified, Trial, attempt
-from .estimate import Estimate
-from .methods import METHODS, check_belt, check_method
-from .search import MOST_DENSE
+import numpy as np
 
-#: How the errors fall with the order, ``N**-rate`` (make sweep); for 3.2 their envelope.
-RATES = {
-    "hb": {"period": 1.0, "acceleration": 0.5},
-    "hb-c1": {"period": 3.0, "acceleration": 1.5},
-}
+from .accuracy.estimate import BEST, ROUNDING
+from .case import library
+from .case.case import Case
+from .case.names import shown
+from .case.parameters import is_number
+from .choice import NotCertifiedScene, SceneChoice, SceneTrial, size
+from .no_orbit import NoOrbit
+from .orbit.orbit import SceneOrbit
+from .shortcuts.choice.choice import MARGIN
+from .solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case
 
-#: Orders of the C1 series beyond which nothing is left but rounding.
-MOST_C1 = 40
+#: Up to here every order is tried; beyond, each is larger than the last by a part of it.
+EVERY, STEP = 24, 0.15
 
-#: Part of the order that a rate foretells at which trying begins.
-EARLY = 0.7
+#: Orders over which the errors must have fallen, or they will not, and the least fall.
+PATIENCE, LEAST_FALL = 8, 0.9
 
+#: Error above which a motion may have more waves than the order resolves, and falls later.
+RESOLVED = 1e-3
 
-def cost(method: str, order: int) -> float:
-    """Return about how many microseconds a compiled solve takes.
-
-    Fitted to medians of ``make bench-kernels`` and ``make bench``; for the order in which
-    candidates are tried, to which only ratios matter.
-
-    Examples
-    --------
-    >>> cost("c1", 10) < cost("hb", 40) < cost("hb-c1", 40)
-    True
-    """
-    N = float(order)
-    if method == "c1":
-        return 3 + 0.6 * N + 0.027 * N**2
-    if N > MOST_DENSE:
-        return 5000 + 2 * N if method == "hb" else 10_000 + 2.5 * N
-    dense = 4 + 0.7 * N + 0.012 * N**2 + 1.8e-4 * N**3
-    return dense if method == "hb" else 2.4 * dense + 8
+#: Times the highest order that the errors must need, by their rate, to be given up.
+FAR, FAR_AT_FIRST = 2, 30
 
 
-def check_tolerance(name: str, tolerance: object) -> float:
-    """Return a tolerance as a float.
-
-    Raises
-    ------
-    ValueError
-        If it is not a number between 0 and 1.
-    """
-    if not (is_number(tolerance) and 0 < float(tolerance) < 1):  # type: ignore[arg-type]
-        raise ValueError(f"{name}: got {tolerance!r}, expected a number between 0 and 1")
-    return float(tolerance)  # type: ignore[arg-type]
-
-
-def within(
-    belt: StickSlip,
-    tol: float | None = None,
-    tol_acceleration: float | None = None,
-    *,
-    methods: Sequence[str] = tuple(METHODS),
-    many: bool = False,
-) -> Choice:
-    """Return the cheapest orbit whose estimated errors are within the tolerances.
+def choose_order(
+    case: Case, tol: float, method: str = BEST, functions: int | None = None
+) -> SceneChoice:
+    """Return the orbit of the lowest order, of those tried, that meets a tolerance.
 
     Parameters
     ----------
-    belt : StickSlip
+    case : Case
         The oscillator.
-    tol : float, optional
-        Relative error of the period.
-    tol_acceleration : float, optional
-        The measure (22).
-    methods : sequence of {"hb", "hb-c1", "c1"}
-        Methods to choose from.
-    many : bool
-        Whether more orbits are to follow: compile the kernels.
+    tol : float
+        Largest estimated error of the times and of the period, as a part of the period.
+    method, functions : str, int
+        See `solve_case`.
 
     Raises
     ------
     ValueError
-        If a tolerance is not between 0 and 1, none is given, or a method is unknown.
-    NotCertified
-        If float64 cannot, or the estimate cannot say so.
-
-    Examples
-    --------
-    >>> from nonsmooth.solver.belt import DEFAULT
-    >>> choice = within(DEFAULT, 1e-8)
-    >>> choice.orbit.method, choice.orbit.order
-    ('c1', 9)
+        If `tol` is not between 0 and 1, or there is no such method.
+    NotCertifiedScene
+        If no order meets it: rounding, or more orders than can be computed.
+    NoOrbit
+        If no order that was tried has an orbit.
     """
-    asked = {"period": ("tol", tol), "acceleration": ("tol_acceleration", tol_acceleration)}
-    wanted = {
-        error: check_tolerance(name, value)
-        for error, (name, value) in asked.items()
-        if value is not None
-    }
-    if not wanted:
-        raise ValueError("tol: got None, expected a number between 0 and 1")
-    names = [check_method(name).name for name in methods]
-    check_belt(belt)
-    trials: list[Trial] = []
-    lowest: dict[str, float] = dict.fromkeys(names, 0.0)  # orders below have no prospect
-    hopeless = any(MARGIN * tol <= LEAST[error] for error, tol in wanted.items())
-    for name, order in () if hopeless else _candidates(names):
-        if order < lowest[name]:
-            continue
-        orbit = attempt(belt, name, order, many)
-        trials.append(Trial(name, order, None if orbit is None else orbit.estimate))
-        if orbit is None:
-            continue
-        estimate = orbit.estimate
-        if all(getattr(estimate, error) <= MARGIN * tol for error, tol in wanted.items()):
-            return Choice(orbit, tuple(trials))
-        lowest[name] = _foretold(name, order, estimate, wanted)
-    beyond = {name: N for name, N in lowest.items() if METHODS[name].highest_order < N}
-    raise NotCertified(wanted, tuple(trials), beyond)
+    if not (is_number(tol) and 0 < tol < 1):
+        raise ValueError(f"tol: got {tol!r}, expected a number between 0 and 1")
+    name = library.generic_method(case.scene, method)
+    count = number_of_functions(case, name, None) if functions is None else functions
+    kernel = library.kernel(case.scene, name, count)
+    search = _Search(case, tol, name, count, [])
+    if MARGIN * tol <= ROUNDING:
+        raise NotCertifiedScene(tol, (), math.nan)
+    last = kernel.lowest
+    for order in _orders(kernel.lowest):
+        orbit = search.meets(order)
+        if orbit is not None:
+            orbit = search.lowest(last, order, orbit)
+            return SceneChoice(orbit, tuple(search.trials))
+        if search.hopeless():
+            break
+        last = order
+    if search.finding is not None and not search.known():
+        raise search.finding
+    raise NotCertifiedScene(tol, tuple(search.trials), search.needed())
 
 
-def _candidates(methods: Sequence[str]) -> Iterator[tuple[str, int]]:
-    """Yield methods and orders by their cost."""
-    pairs = [
-        (name, order)
-        for name in methods
-        for order in (range(2, MOST_C1 + 1) if name == "c1" else _spread(name))
-    ]
-    yield from sorted(pairs, key=lambda pair: cost(*pair))
-
-
-def _spread(method: str) -> Iterator[int]:
-    """Yield orders of a Fourier series, each about a tenth above the one before."""
-    order, most = 1, METHODS[method].highest_order
-    while order < most:
+def _orders(lowest: int) -> Iterator[int]:
+    order = lowest
+    while order < HIGHEST_ORDER:
         yield order
-        order = max(order + 1, int(1.1 * order))
-    yield most
+        order += 1 if order < EVERY else math.ceil(STEP * order)
+    yield HIGHEST_ORDER
 
 
-def _foretold(method: str, order: int, found: Estimate, wanted: dict[str, float]) -> float:
-    """Return the order from which the tolerances may be met, as the rates have it."""
-    if method not in RATES:
-        return order
-    factors = [
-        (getattr(found, error) / tol) ** (1 / RATES[method][error])
-        for error, tol in wanted.items()
-    ]
-    finite: list[float] = [factor for factor in factors if math.isfinite(factor)]
-    return EARLY * order * max([1.0, *finite])
+@dataclass
+class _Search:
+    case: Case
+    tol: float
+    method: str
+    functions: int | None
+    trials: list[SceneTrial]
+    finding: NoOrbit | None = None
+
+    def meets(self, order: int) -> SceneOrbit | None:
+        """Return the orbit of an order if it is within the tolerance; note what it is."""
+        name = shown(self.case.scene, self.method)
+        try:
+            orbit = solve_case(self.case, self.method, order, self.functions)
+        except NoOrbit as finding:
+            self.finding = finding
+            self.trials.append(SceneTrial(name, order, None))
+            return None
+        self.trials.append(SceneTrial(name, order, orbit.estimate))
+        return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
+
+    def lowest(self, fails: int, meets: int, orbit: SceneOrbit) -> SceneOrbit:
+        """Return the orbit of the lowest order between one that fails and one that meets."""
+        while meets - fails > 1:
+            middle = (fails + meets) // 2
+            found = self.meets(middle)
+            if found is None:
+                fails = middle
+            else:
+                meets, orbit = middle, found
+        return orbit
+
+    def known(self) -> list[tuple[int, float]]:
+        """Return the orders whose errors are known, and these."""
+        sizes = [(t.order, size(t.estimate)) for t in self.trials if t.estimate is not None]
+        return [(order, error) for order, error in sizes if math.isfinite(error)]
+
+    def needed(self) -> float:
+        """Return the order at which the errors as they fall now would meet the tolerance.
+
+        Infinite where they do not fall any more; 0 where too little is known.
+        """
+        known = self.known()
+        if len(known) < 2 * PATIENCE:
+            return 0.0
+        before = min(error for _, error in known[:-PATIENCE])
+        resolved = before < RESOLVED or known[-1][0] > 4 * EVERY
+        if resolved and min(error for _, error in known[-PATIENCE:]) > LEAST_FALL * before:
+            return math.inf
+        if not self.method.startswith("hb"):  # faster than any power
+            return 0.0
+        orders, errors = np.log(np.array(known[len(known) // 2 :])).T
+        power, at_1 = np.polyfit(orders, errors, 1)
+        if power >= 0:
+            return 0.0
+        return float(np.exp(min((math.log(MARGIN * self.tol) - at_1) / power, 700.0)))
+
+    def hopeless(self) -> bool:
+        """Whether no order that can be computed will do; a fit to few orders is not trusted."""
+        if not self.known():
+            return self.trials[-1].order > max(COARSE)  # the starts are the same at any order
+        far = FAR if self.trials[-1].order > 2 * EVERY else FAR_AT_FIRST
+        return self.needed() > far * HIGHEST_ORDER

@@ -6,8 +6,8 @@ import numpy as np
 
 import nonsmooth as ns
 from nonsmooth.report.case import MOST, Case
-from nonsmooth.solver.belt import DEFAULT
-from nonsmooth.solver.sweep import Row, Sweep
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.solver.shortcuts.search.sweep import Row, Sweep
 
 #: No two of its scales are the same, nor 1: a wrong unit or a missing factor is seen.
 ODD = ns.StickSlip(

@@ -13,7 +13,7 @@ from hypothesis import settings
 
 import nonsmooth as ns
 from nonsmooth.cli import main
-from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 # The same examples in every run: a change that fails is a change, not a throw of dice.
 settings.register_profile("fixed", deadline=None, derandomize=True)

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from nonsmooth.codegen import inner_product, slip_moments
-from nonsmooth.codegen.oscillator import T, V, omega_n, t1, x_0, x_s
+from nonsmooth.codegen.shortcuts.paper import inner_product, slip_moments
+from nonsmooth.codegen.shortcuts.paper.oscillator import T, V, omega_n, t1, x_0, x_s
 from nonsmooth.codegen.system import GalerkinSystem
 
 ORDER = 3

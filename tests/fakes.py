@@ -5,9 +5,9 @@ from types import SimpleNamespace
 from typing import Any
 
 from nonsmooth.report.case import Case, at_alpha
-from nonsmooth.solver.belt import DEFAULT
-from nonsmooth.solver.errors import Errors
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.shortcuts.accuracy.errors import Errors
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 #: What is measured of a method, by the order.
 Measure = Mapping[str, Callable[[int], float]]

@@ -5,7 +5,7 @@ import re
 
 import sympy as sp
 
-from ..emit import NumericPrinter
+from ..shortcuts.emit import NumericPrinter
 
 
 class KernelPrinter(NumericPrinter):

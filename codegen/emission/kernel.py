@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from ..emit import digest
 from ..galerkin import GalerkinConditions, breaks
+from ..shortcuts.emit import digest
 from .expressions import math_names, python
 from .loops import Writer, per_order, places, size
 from .runtime import breaks as broken

@@ -4,11 +4,11 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from ..emit import digest
 from ..scene import Parameter, Phase, Scene, linear_phase, state_row, switches, v
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
 from ..scene.units import dimension_of
+from ..shortcuts.emit import digest
 from .expressions import math_names, python
 
 HEADER = '''"""{name}: {title} (C{k}), in numbers.

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
+from ..printing.sections import Section
 from ..scene import Scene
-from ..sections import Section
 from .library import conditions, methods, scene_named
 from .method import method_equations, unknowns
 from .notation import Notation

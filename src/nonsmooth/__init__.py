@@ -27,43 +27,44 @@ if TYPE_CHECKING:
     from .scene import find as scene
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
-    from .solver.belt import ParameterError, StickSlip
-    from .solver.family import Family, family
-    from .solver.motion import ExactOrbit
+    from .solver.case.case import Case
+    from .solver.case.library import UnknownScene
+    from .solver.case.parameters import ParameterError
+    from .solver.flow.exact import ExactSceneOrbit
     from .solver.no_orbit import NoOrbit
-    from .solver.orbit import Orbit
-    from .solver.scenes.case import Case
-    from .solver.scenes.exact import ExactSceneOrbit
-    from .solver.scenes.library import UnknownScene
-    from .solver.scenes.orbit import SceneOrbit
-    from .solver.scenes.sweep import SceneSweep
-    from .solver.sweep import Row, Sweep
+    from .solver.orbit.orbit import SceneOrbit
+    from .solver.shortcuts.orbit.motion import ExactOrbit
+    from .solver.shortcuts.orbit.orbit import Orbit
+    from .solver.shortcuts.orbit.oscillator import StickSlip
+    from .solver.shortcuts.search.family import Family, family
+    from .solver.shortcuts.search.sweep import Row, Sweep
+    from .solver.sweep import SceneSweep
 
     __version__: str
 
 #: Where each public name lives.  Nothing is imported before it is asked for: SymPy takes a
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
-    "Case": ("solver.scenes.case", "Case"),
-    "ExactOrbit": ("solver.motion", "ExactOrbit"),
-    "ExactSceneOrbit": ("solver.scenes.exact", "ExactSceneOrbit"),
-    "Family": ("solver.family", "Family"),
+    "Case": ("solver.case.case", "Case"),
+    "ExactOrbit": ("solver.shortcuts.orbit.motion", "ExactOrbit"),
+    "ExactSceneOrbit": ("solver.flow.exact", "ExactSceneOrbit"),
+    "Family": ("solver.shortcuts.search.family", "Family"),
     "FileError": ("files.errors", "FileError"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
-    "NotCertified": ("solver.choice", "NotCertified"),
-    "Orbit": ("solver.orbit", "Orbit"),
-    "ParameterError": ("solver.belt", "ParameterError"),
-    "Row": ("solver.sweep", "Row"),
+    "NotCertified": ("solver.shortcuts.choice.choice", "NotCertified"),
+    "Orbit": ("solver.shortcuts.orbit.orbit", "Orbit"),
+    "ParameterError": ("solver.case.parameters", "ParameterError"),
+    "Row": ("solver.shortcuts.search.sweep", "Row"),
     "SceneFileError": ("scene_files.error", "SceneFileError"),
-    "SceneOrbit": ("solver.scenes.orbit", "SceneOrbit"),
-    "SceneSweep": ("solver.scenes.sweep", "SceneSweep"),
-    "StickSlip": ("solver.belt", "StickSlip"),
-    "Sweep": ("solver.sweep", "Sweep"),
-    "TooSlow": ("solver.choice", "TooSlow"),
-    "UnknownScene": ("solver.scenes.library", "UnknownScene"),
+    "SceneOrbit": ("solver.orbit.orbit", "SceneOrbit"),
+    "SceneSweep": ("solver.sweep", "SceneSweep"),
+    "StickSlip": ("solver.shortcuts.orbit.oscillator", "StickSlip"),
+    "Sweep": ("solver.shortcuts.search.sweep", "Sweep"),
+    "TooSlow": ("solver.shortcuts.choice.choice", "TooSlow"),
+    "UnknownScene": ("solver.case.library", "UnknownScene"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
-    "family": ("solver.family", "family"),
+    "family": ("solver.shortcuts.search.family", "family"),
     "load": ("files.api", "load"),
     "save": ("files.api", "save"),
     "scenes": ("scene_files.find", "names"),

@@ -4,16 +4,16 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, overload
 
-from .solver.belt import StickSlip
+from .solver.shortcuts.orbit.oscillator import StickSlip
 
 if TYPE_CHECKING:
-    from .solver.motion import ExactOrbit
-    from .solver.orbit import Orbit
-    from .solver.scenes.case import Case
-    from .solver.scenes.exact import ExactSceneOrbit
-    from .solver.scenes.orbit import SceneOrbit
-    from .solver.scenes.sweep import SceneSweep
-    from .solver.sweep import Sweep
+    from .solver.case.case import Case
+    from .solver.flow.exact import ExactSceneOrbit
+    from .solver.orbit.orbit import SceneOrbit
+    from .solver.shortcuts.orbit.motion import ExactOrbit
+    from .solver.shortcuts.orbit.orbit import Orbit
+    from .solver.shortcuts.search.sweep import Sweep
+    from .solver.sweep import SceneSweep
 
 #: The scene that a `StickSlip` is a case of.
 PAPER = "stick-slip"
@@ -78,7 +78,7 @@ def solve(
         Largest error of the times and the period, as estimated, as a part of the period;
         between 0 and 1.  Of a `Case`, the lowest order is taken that meets it.
     c1_terms, tol_acceleration, budget, many : optional
-        Of a `StickSlip` by the paper's methods; see `nonsmooth.solver.solve.solve`.
+        Of a `StickSlip` by the paper's methods, as for the function `solve` of the shortcuts.
 
     Raises
     ------
@@ -109,22 +109,22 @@ def solve(
     """
     generic = _generic(case, method, functions)
     if generic is None:
-        from .solver import solve as paper_solve  # noqa: PLC0415  (it loads parts of SciPy)
+        from .solver.shortcuts.search import solve as paper_solve  # noqa: PLC0415  (it loads parts of SciPy)
 
         name: Any = paper_name(method)
         return paper_solve.solve(case, name, order, tol=tol, **paper)  # type: ignore[arg-type]
     if paper:
         option, value = next(iter(paper.items()))
         raise ValueError(f"{option}: got {value!r}, expected it for the paper's methods only")
-    from .solver.scenes.estimate import BEST  # noqa: PLC0415
-    from .solver.scenes.solve import solve_case  # noqa: PLC0415
+    from .solver.accuracy.estimate import BEST  # noqa: PLC0415
+    from .solver.solve import solve_case  # noqa: PLC0415
 
     chosen = BEST if method is None else method
     if tol is None:
         return solve_case(generic, chosen, 10 if order is None else order, functions)
     if order is not None:
         raise ValueError(f"order: got {order!r} beside a tolerance, which chooses it")
-    from .solver.scenes.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
+    from .solver.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
     return choose_order(generic, tol, chosen, functions).orbit
 
@@ -189,7 +189,7 @@ def sweep(
                 "those of every scene; a case of ns.scene('stick-slip') has all by the latter"
             )
     if generic is None:
-        from .solver import sweep as paper_sweep  # noqa: PLC0415  (it loads parts of SciPy)
+        from .solver.shortcuts.search import sweep as paper_sweep  # noqa: PLC0415  (it loads parts of SciPy)
 
         numbers = range(1, 41) if orders is None else orders
         return paper_sweep.sweep(
@@ -201,7 +201,7 @@ def sweep(
         )
     if c1_terms != 1:
         raise ValueError(f"c1_terms: got {c1_terms!r}, expected functions for these methods")
-    from .solver.scenes.sweep import sweep_case  # noqa: PLC0415
+    from .solver.sweep import sweep_case  # noqa: PLC0415
 
     numbers = range(1, 21) if orders is None else orders
     return sweep_case(generic, methods, numbers, functions, progress)
@@ -247,10 +247,10 @@ def exact(case: "StickSlip | Case") -> "ExactOrbit | ExactSceneOrbit":
     """
     generic = _generic(case, None, None)
     if generic is None:
-        from .solver import motion  # noqa: PLC0415  (only where it is needed)
+        from .solver.shortcuts.orbit import motion  # noqa: PLC0415  (only where it is needed)
 
         return motion.exact(case)  # type: ignore[arg-type]
-    from .solver.scenes.exact import exact_orbit  # noqa: PLC0415
+    from .solver.flow.exact import exact_orbit  # noqa: PLC0415
 
     return exact_orbit(generic)
 
@@ -263,10 +263,10 @@ def _generic(case: object, method: object, functions: int | None) -> "Case | Non
     if isinstance(case, StickSlip):
         if functions is None and not of_every_scene(method):
             return None
-        from .solver.scenes.library import load  # noqa: PLC0415
+        from .solver.case.library import load  # noqa: PLC0415
 
         return load(PAPER)(**asdict(case))
-    from .solver.scenes.case import Case  # noqa: PLC0415
+    from .solver.case.case import Case  # noqa: PLC0415
 
     return case if isinstance(case, Case) else None
 
@@ -294,7 +294,7 @@ def of_every_scene(method: object) -> bool:
     >>> of_every_scene("c1-tau"), of_every_scene("c1"), of_every_scene("no method")
     (True, False, False)
     """
-    from .solver.scenes.library import UnknownScene, generic_method, load  # noqa: PLC0415
+    from .solver.case.library import UnknownScene, generic_method, load  # noqa: PLC0415
 
     if not isinstance(method, str) or paper_name(method) in ("hb", "hb-c1", "c1"):
         return False

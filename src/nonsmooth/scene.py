@@ -16,19 +16,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .codegen.scene import (
-        Event,
-        Parameter,
-        Phase,
-        Scene,
-        SceneError,
-        a,
-        forcing,
-        t,
-        v,
-        x,
-    )
-    from .solver.scenes.numbers import SceneNumbers
+    from .codegen.scene import Event, Parameter, Phase, Scene, SceneError, a, forcing, t, v, x
+    from .solver.case.numbers import SceneNumbers
 
 __all__ = [
     "Event", "Parameter", "Phase", "Scene", "SceneError", "a", "find", "forcing", "t", "v", "x",

@@ -10,9 +10,9 @@ import pytest
 from refusals import refused
 
 import nonsmooth as ns
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.exact import exact_orbit
-from nonsmooth.solver.scenes.solve import solve_case
+from nonsmooth.solver.case import library
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.solve import solve_case
 
 #: The keys of `solve --json` of a scene, as they are fixed, and those of every file.
 KEYS = [
@@ -375,7 +375,7 @@ def test_pictures(run, tmp_path: Path) -> None:
 
 
 def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
-    from nonsmooth.cli.scenes.pictures import convergence_figure, orbit_figure
+    from nonsmooth.cli.scenes.shown.pictures import convergence_figure, orbit_figure
 
     case = library.load("impact")()
     orbit = solve_case(case, "ck-tau", 8)

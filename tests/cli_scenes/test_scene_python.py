@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.belt import DEFAULT
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.choice import NotCertifiedScene
-from nonsmooth.solver.scenes.estimate import MOST, estimate
-from nonsmooth.solver.scenes.exact import exact_orbit
-from nonsmooth.solver.scenes.rates import FLOORS, rate
-from nonsmooth.solver.scenes.solve import solve_case
-from nonsmooth.solver.scenes.sweep import sweep_case
+from nonsmooth.solver.accuracy.estimate import MOST, estimate
+from nonsmooth.solver.accuracy.rates import FLOORS, rate
+from nonsmooth.solver.case import library
+from nonsmooth.solver.choice import NotCertifiedScene
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.solver.solve import solve_case
+from nonsmooth.solver.sweep import sweep_case
 
 IMPACT = library.load("impact")
 

@@ -148,7 +148,7 @@ def test_a_scene_that_has_become_a_shipped_one_is_refused(
 ) -> None:
     path = write(tmp_path)
     run("scenes", path)
-    from nonsmooth.solver.scenes import library
+    from nonsmooth.solver.case import library
 
     monkeypatch.setattr(library, "names", lambda: ("bouncing-ball",))
     assert "shipped scene" in refused(run, "scenes", path)

@@ -8,12 +8,12 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import nonsmooth as ns
-from nonsmooth.cli.roots import _rows as roots
-from nonsmooth.cli.stability import document as digits
-from nonsmooth.files.documents import of_solution, of_sweep
-from nonsmooth.solver.belt import DEFAULT
+from nonsmooth.cli.shortcuts.roots import _rows as roots
+from nonsmooth.cli.shortcuts.stability import document as digits
+from nonsmooth.files.shortcuts.documents import of_solution, of_sweep
+from nonsmooth.shortcuts.stability import cells, measure
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.stability import cells, measure
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 METHODS = ("hb", "hb-c1", "c1")
 ALPHAS = (0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0)

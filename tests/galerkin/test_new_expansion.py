@@ -8,12 +8,12 @@ import pytest
 
 from nonsmooth.codegen import expansions, generate
 from nonsmooth.codegen.scenes import load
-from nonsmooth.solver.scenes.library import load_folder, methods
-from nonsmooth.solver.scenes.solve import solve_case
+from nonsmooth.solver.case.library import load_folder, methods
+from nonsmooth.solver.solve import solve_case
 
 #: Step 1: the file.  The tests are sums of neighbouring Legendre polynomials, which span the
 #: same space as the polynomials themselves but for the last.
-FILE = '''"""Functions of class C^k, tested with sums of neighbouring polynomials (`ck-pairs`)."""
+FILE = '''"""Functions of class C^k, tested with sums of neighbours (`ck-pairs`)."""
 
 import sympy as sp
 

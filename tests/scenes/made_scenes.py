@@ -6,9 +6,9 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from nonsmooth.solver.scenes.case import Case
-from nonsmooth.solver.scenes.motion import SceneMotion
-from nonsmooth.solver.scenes.numbers import SceneNumbers
+from nonsmooth.solver.case.case import Case
+from nonsmooth.solver.case.numbers import SceneNumbers
+from nonsmooth.solver.orbit.motion import SceneMotion
 
 FREQUENCY = ("frequency", "Omega", "rad/s", 1.0, "angular frequency", "positive", None)
 SCALE = ("scale", "a", "", 1.0, "a number", "", None)

@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
-from nonsmooth.solver.scenes import admissible, chebyshev, library
-from nonsmooth.solver.scenes.allowance import MOST, by_residual, defect
-from nonsmooth.solver.scenes.attempt import attempt
-from nonsmooth.solver.scenes.exact import exact_orbit
-from nonsmooth.solver.scenes.exact_system import exact_kernel
-from nonsmooth.solver.scenes.newton import newton
+from nonsmooth.solver.case import library
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.flow.exact_system import exact_kernel
+from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.iteration.newton import newton
+from nonsmooth.solver.orbit import admissible, chebyshev
+from nonsmooth.solver.orbit.allowance import MOST, by_residual, defect
 
 IMPACT = library.load("impact")
 DAMPED = library.load("stick-slip-damped")
@@ -27,8 +28,8 @@ def polynomial_with(roots):
 
 def exact_roots(case, starts):
     """Return what the exact equations have as roots, admissible or not."""
-    from nonsmooth.solver.scenes.exact import _from
-    from nonsmooth.solver.scenes.start import RoughTimes
+    from nonsmooth.solver.flow.exact import _from
+    from nonsmooth.solver.iteration.start import RoughTimes
 
     found = (_from(case, RoughTimes(durations, angle, "")) for durations, angle in starts)
     return [orbit for orbit in found if orbit.outcome.converged]
@@ -76,7 +77,7 @@ def test_a_phase_without_duration_solves_the_equations_and_is_refused() -> None:
     R = np.empty(6)
     kernel.residual(cell, z, R)
     assert np.abs(R).max() < 1e-12
-    from nonsmooth.solver.scenes.exact import ExactSceneOrbit
+    from nonsmooth.solver.flow.exact import ExactSceneOrbit
 
     orbit = ExactSceneOrbit(scene(), newton(kernel.iterate, cell, z))
     orbit.outcome.unknowns[:] = z

@@ -5,11 +5,11 @@ import pickle
 
 import pytest
 
-from nonsmooth.solver.belt import ParameterError
+from nonsmooth.solver.case import library
+from nonsmooth.solver.case.library import UnknownScene
+from nonsmooth.solver.case.parameters import ParameterError
+from nonsmooth.solver.case.units import _in_units
 from nonsmooth.solver.scaling import product_of_powers
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.library import UnknownScene
-from nonsmooth.solver.scenes.units import _in_units
 
 IMPACT = library.load("impact")
 DAMPED = library.load("stick-slip-damped")

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from made_scenes import made
 
+from nonsmooth.solver.case import library
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.exact import exact_orbit
-from nonsmooth.solver.scenes.exact_system import exact_kernel
 
 IMPACT = library.load("impact")
 DAMPED = library.load("stick-slip-damped")

@@ -6,9 +6,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from nonsmooth.solver.scenes import flow
-from nonsmooth.solver.scenes.cell import Phase
-from nonsmooth.solver.scenes.divided import of_three, of_two
+from nonsmooth.solver.case.cell import Phase
+from nonsmooth.solver.flow import flow
+from nonsmooth.solver.flow.divided import of_three, of_two
 
 START, ANGLE = (0.7, -0.4), 0.9
 

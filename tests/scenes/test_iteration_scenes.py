@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from made_scenes import made
 
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.attempt import attempt
-from nonsmooth.solver.scenes.iteration import ROUNDOFF
-from nonsmooth.solver.scenes.kernel import fingerprint, linked
-from nonsmooth.solver.scenes.newton import newton
-from nonsmooth.solver.scenes.start import rough_times, with_coefficients
+from nonsmooth.solver.case import library
+from nonsmooth.solver.case.kernel import fingerprint, linked
+from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.iteration.iteration import ROUNDOFF
+from nonsmooth.solver.iteration.newton import newton
+from nonsmooth.solver.iteration.start import rough_times, with_coefficients
 
 IMPACT = library.load("impact")
 DAMPED = library.load("stick-slip-damped")

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
+from nonsmooth.solver.accuracy.errors import difference
+from nonsmooth.solver.case import library
+from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.errors import difference
-from nonsmooth.solver.scenes.exact import exact_orbit
-from nonsmooth.solver.scenes.solve import solve_case
+from nonsmooth.solver.solve import solve_case
 
 IMPACT = library.load("impact")
 DAMPED = library.load("stick-slip-damped")

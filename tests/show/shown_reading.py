@@ -19,10 +19,10 @@ from reading.latex import tokens as latex_tokens
 from reading.plain import named, plain
 from reading.tokens import ReadingError, Token
 
-from nonsmooth.codegen.latex import aligned
+from nonsmooth.codegen.printing.latex import aligned
+from nonsmooth.codegen.printing.words import spoken
 from nonsmooth.codegen.show.functions import Member, Rate
 from nonsmooth.codegen.system import Equation
-from nonsmooth.codegen.words import spoken
 
 _RAISED = "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ"
 _WORD = re.compile(rf"(?<=[^\W\d])[{_RAISED}]{{3,}}")

@@ -12,12 +12,12 @@ from shown_reading import drawn_tokens, functions, typeset_tokens, wrong
 from shown_scenes import SCENES
 
 from nonsmooth.cli import tex
-from nonsmooth.codegen.html import page_of
-from nonsmooth.codegen.latex import document_of, fragment_of
-from nonsmooth.codegen.sections import Section
+from nonsmooth.codegen.printing.html import page_of
+from nonsmooth.codegen.printing.latex import document_of, fragment_of
+from nonsmooth.codegen.printing.sections import Section
+from nonsmooth.codegen.printing.text import text_of
 from nonsmooth.codegen.show import sections
 from nonsmooth.codegen.system import Equation
-from nonsmooth.codegen.text import text_of
 
 __all__ = ["functions"]
 

@@ -12,10 +12,11 @@ from typing import Any, NoReturn
 
 import click
 
-from . import equations, generate, report, roots, solve, stability, sweep, tradeoff
+from . import equations, generate
 from .problems import Problem
 from .scenes import command as scene_command
-from .scenes import listing
+from .scenes.shown import listing
+from .shortcuts import report, roots, solve, stability, sweep, tradeoff
 from .version import show_version
 
 EXAMPLES = """\b

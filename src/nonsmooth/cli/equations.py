@@ -146,14 +146,14 @@ def _document(
 ) -> Callable[[Iterable[str], int | None], str]:
     """Return what makes the document of this format."""
     if format_ == "html":
-        from nonsmooth.codegen.html import html_document  # noqa: PLC0415
+        from nonsmooth.codegen.printing.html import html_document  # noqa: PLC0415
 
         return html_document
     if format_ == "text":
-        from nonsmooth.codegen.text import text_document  # noqa: PLC0415
+        from nonsmooth.codegen.printing.text import text_document  # noqa: PLC0415
 
         return partial(text_document, unicode=to_file or _terminal_has_unicode())
-    from nonsmooth.codegen import latex  # noqa: PLC0415
+    from nonsmooth.codegen.printing import latex  # noqa: PLC0415
 
     return latex.latex_fragment if fragment else latex.latex_document
 
@@ -163,7 +163,8 @@ def _of_scene(
     to_file: bool,
 ) -> str:  # fmt: skip
     """Return the document of a scene."""
-    from nonsmooth.codegen import html, latex, show, text  # noqa: PLC0415
+    from nonsmooth.codegen import show  # noqa: PLC0415
+    from nonsmooth.codegen.printing import html, latex, text  # noqa: PLC0415
 
     shown = show.sections(scene, [method] if method else (), functions)
     title = f"Galerkin equations of {show.scene_named(scene).title}"

@@ -13,8 +13,8 @@ def show_version(context: Context, _: Parameter, wanted: bool) -> None:
         return
     from importlib.metadata import version  # noqa: PLC0415  (it takes 10 ms)
 
-    from nonsmooth.files.origin import mathematics  # noqa: PLC0415
-    from nonsmooth.solver.methods import METHODS  # noqa: PLC0415
+    from nonsmooth.files.shortcuts.origin import mathematics  # noqa: PLC0415
+    from nonsmooth.solver.shortcuts.orbit.methods import METHODS  # noqa: PLC0415
 
     click.echo(f"nonsmooth {version('nonsmooth')}, mathematics {mathematics(METHODS)}")
     click.echo(

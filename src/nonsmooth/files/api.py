@@ -12,12 +12,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from nonsmooth.solver.family import Family
-from nonsmooth.solver.orbit import Orbit
-from nonsmooth.solver.sweep import Sweep
+from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
+from nonsmooth.solver.shortcuts.search.family import Family
+from nonsmooth.solver.shortcuts.search.sweep import Sweep
 
 from .errors import FileError
-from .points import Points, of_families
+from .shortcuts.points import Points, of_families
 from .whole import whole
 
 Savable: TypeAlias = Orbit | Sequence[Orbit] | Sweep | Family | Sequence[Family] | Points
@@ -118,4 +118,4 @@ def _format(path: Path) -> Any:
         raise FileError(path, f"expected a name that ends in one of {', '.join(SUFFIXES)}")
     if suffix == ".nc" and find_spec("netCDF4") is None:
         raise FileError(path, "netCDF needs netCDF4: pip install 'nonsmooth[netcdf]'")
-    return import_module(f".{SUFFIXES[suffix]}", __package__)
+    return import_module(f".shortcuts.{SUFFIXES[suffix]}", __package__)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import matplotlib as mpl
 
-from nonsmooth.solver.belt import StickSlip
+from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 from nonsmooth.style import save
 
 from .case import Case

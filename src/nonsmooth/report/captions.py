@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 
-from nonsmooth.solver.belt import DEFAULT, StickSlip
-from nonsmooth.solver.motion import exact
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.shortcuts.orbit.motion import exact
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip
 
 from .case import MOST, Case
 from .checks_c1 import THREE

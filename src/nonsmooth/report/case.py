@@ -4,14 +4,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from nonsmooth.solver import exact
 from nonsmooth.solver.arrays import Vector
-from nonsmooth.solver.belt import StickSlip
-from nonsmooth.solver.convergence import FLOORS, Rate, rate
-from nonsmooth.solver.methods import METHODS
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.orbit import Orbit
-from nonsmooth.solver.solve import solve
+from nonsmooth.solver.shortcuts.accuracy.convergence import FLOORS, Rate, rate
+from nonsmooth.solver.shortcuts.orbit import exact
+from nonsmooth.solver.shortcuts.orbit.methods import METHODS
+from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
+from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
+from nonsmooth.solver.shortcuts.search.solve import solve
 
 #: Highest order that a claim is checked at: that of Fig. 3.
 MOST = 40

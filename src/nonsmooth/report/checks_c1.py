@@ -5,8 +5,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.polynomial import legendre
 
-from nonsmooth.solver import c1_roots, exact
-from nonsmooth.solver.convergence import FLOORS
+from nonsmooth.solver.shortcuts.accuracy.convergence import FLOORS
+from nonsmooth.solver.shortcuts.orbit import exact
+from nonsmooth.solver.shortcuts.polynomials import c1_roots
 
 from .case import MOST, SAMPLES, Case
 from .checks_fourier import BAND, UNSEEN

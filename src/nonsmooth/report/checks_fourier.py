@@ -2,8 +2,8 @@
 
 from itertools import pairwise
 
-from nonsmooth.solver import exact
-from nonsmooth.solver.convergence import FLOORS
+from nonsmooth.solver.shortcuts.accuracy.convergence import FLOORS
+from nonsmooth.solver.shortcuts.orbit import exact
 
 from .case import MOST, Case
 from .finding import Finding

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from nonsmooth.solver import exact
-from nonsmooth.solver.fourier import smoothstep
-from nonsmooth.solver.quadrature import panels
+from nonsmooth.solver.shortcuts.accuracy.quadrature import panels
+from nonsmooth.solver.shortcuts.orbit import exact
+from nonsmooth.solver.shortcuts.series.fourier import smoothstep
 
 from .case import MOST, Case
 from .finding import Finding

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.belt import StickSlip
+from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 
 from .finding import VERDICTS, Claim, Finding, verdict
 from .intervals import FIRST, LAST, Intervals, force

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.motion import ExactOrbit, Motion, exact
+from nonsmooth.solver.shortcuts.orbit.motion import ExactOrbit, Motion, exact
 from nonsmooth.style import EXACT, SETTINGS, STYLES, above_floor, draw_floor, line
 
 from .case import MOST, Case

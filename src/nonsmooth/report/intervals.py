@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from nonsmooth.solver.belt import StickSlip
+from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 
 from .case import at_alpha
 from .finding import Part
@@ -107,7 +107,7 @@ def in_words(belt: StickSlip, found: list[Interval]) -> str:
 
     Examples
     --------
-    >>> from nonsmooth.solver.belt import DEFAULT
+    >>> from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
     >>> in_words(DEFAULT, [Interval(None, 0.1), Interval(1, None)])
     'up to 40.0 N and from 400 N up'
     >>> in_words(DEFAULT, [Interval(None, None)]), in_words(DEFAULT, [])

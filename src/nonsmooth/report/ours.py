@@ -2,8 +2,8 @@
 
 from dataclasses import asdict
 
-from nonsmooth.solver import exact
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.shortcuts.orbit import exact
 
 from .case import Case
 from .words import percent
@@ -29,8 +29,8 @@ def tau_period_error(case: Case, order: int) -> float:
     NoOrbit
         If none was found.
     """
-    from nonsmooth.solver.scenes.library import load  # noqa: PLC0415
-    from nonsmooth.solver.scenes.solve import solve_case  # noqa: PLC0415
+    from nonsmooth.solver.case.library import load  # noqa: PLC0415
+    from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
 
     try:
         orbit = solve_case(load("stick-slip")(**asdict(case.belt)), "ck-tau", order)

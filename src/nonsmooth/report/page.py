@@ -8,11 +8,11 @@ from importlib.metadata import version
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from nonsmooth.codegen.html import STYLE, equations_html, mathml
-from nonsmooth.solver.belt import DEFAULT, StickSlip
-from nonsmooth.solver.kernels import module
-from nonsmooth.solver.methods import METHODS
-from nonsmooth.solver.motion import exact
+from nonsmooth.codegen.printing.html import STYLE, equations_html, mathml
+from nonsmooth.solver.shortcuts.orbit.methods import METHODS
+from nonsmooth.solver.shortcuts.orbit.motion import exact
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip
+from nonsmooth.solver.shortcuts.search.kernels import module
 from nonsmooth.style import FLOOR
 
 from .captions import PLATES, Plate, flags

@@ -5,8 +5,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.solver.scenes import library
-from nonsmooth.solver.scenes.numbers import SceneNumbers
+from nonsmooth.solver.case import library
+from nonsmooth.solver.case.numbers import SceneNumbers
 
 from .content import key_of_scene, key_of_text
 from .derive import check_name, derive

@@ -4,8 +4,8 @@ from ..mutant import Mutant
 
 REPORT = "src/nonsmooth/report/"
 
-CHECKS = tuple(f"tests/test_report_checks{part}.py" for part in ("", "_c1", "_orbit"))
-VERDICTS = ("tests/test_verdicts.py",)
+CHECKS = tuple(f"tests/report/test_report_checks{part}.py" for part in ("", "_c1", "_orbit"))
+VERDICTS = ("tests/report/test_verdicts.py",)
 
 
 def fourier(what: str, old: str, new: str) -> Mutant:

@@ -4,8 +4,8 @@ from ..mutant import Mutant
 
 REPORT = "src/nonsmooth/report/"
 
-FIGURES = ("tests/test_figures.py", "tests/test_figures_of_motion.py")
-CAPTIONS = ("tests/test_captions.py",)
+FIGURES = ("tests/report/test_figures.py", "tests/report/test_figures_of_motion.py")
+CAPTIONS = ("tests/report/test_captions.py",)
 
 #: What is drawn in the report.
 _FIGURES = (
@@ -187,7 +187,7 @@ _CAPTIONS = (
         REPORT + "page.py",
         "(percent(case.period_error(name, N)), _visible_error(case, name, N))",
         "(_visible_error(case, name, N), percent(case.period_error(name, N)))",
-        ("tests/test_report.py",),
+        ("tests/report/test_report.py",),
     ),
 )
 

@@ -2,9 +2,12 @@
 
 from ..mutant import Mutant
 
-TWIN, SHARP = "src/nonsmooth/twin.py", ("tests/test_precise_errors.py",)
-ESTIMATE, ESTIMATES = "solver/estimate.py", ("tests/test_estimate.py",)
-CHOSEN = ("tests/test_choice.py",)
+TWIN, SHARP = "src/nonsmooth/shortcuts/twin.py", ("tests/accuracy/test_precise_errors.py",)
+ESTIMATE, ESTIMATES = (
+    "solver/shortcuts/accuracy/estimate.py",
+    ("tests/accuracy/test_estimate.py",),
+)
+CHOSEN = ("tests/accuracy/test_choice.py",)
 
 MUTANTS = (
     Mutant(
@@ -31,7 +34,7 @@ MUTANTS = (
     ),
     Mutant(
         "fractions in float64",
-        TWIN, "arb(fmpq(p, q))", "arb(int(p) / int(q))", ("tests/test_twin.py",),
+        TWIN, "arb(fmpq(p, q))", "arb(int(p) / int(q))", ("tests/accuracy/test_twin.py",),
     ),
     Mutant(
         "the difference of the frictions in float64",
@@ -48,22 +51,22 @@ MUTANTS = (
     Mutant(
         "the setting of flint stays changed",
         TWIN, "ctx.dps = before", "ctx.dps = digits",
-        ("tests/test_twin.py::test_the_setting_of_flint_is_restored",),
+        ("tests/accuracy/test_twin.py::test_the_setting_of_flint_is_restored",),
     ),
     Mutant(
         "a refinement that diverges goes on",
         TWIN, "if not length < 4 * shortest:", "if False:",
-        ("tests/test_twin.py::test_a_start_that_is_no_orbit_is_refused",),
+        ("tests/accuracy/test_twin.py::test_a_start_that_is_no_orbit_is_refused",),
     ),
     Mutant(
         "waves of the twin turn the wrong way",
-        "codegen/precise.py", "[sin(x) for x in turns]", "[-sin(x) for x in turns]",
-        ("tests/test_twin.py",),
+        "codegen/shortcuts/precise.py", "[sin(x) for x in turns]", "[-sin(x) for x in turns]",
+        ("tests/accuracy/test_twin.py",),
     ),
     Mutant(
         "whole fractions only where they have a name",
-        "codegen/precise.py", 'return f"rational({expr.p}, {expr.q})"',
-        'return f"{float(expr)}"', ("tests/test_twin.py",),
+        "codegen/shortcuts/precise.py", 'return f"rational({expr.p}, {expr.q})"',
+        'return f"{float(expr)}"', ("tests/accuracy/test_twin.py",),
     ),
     Mutant(
         "the estimate without rounding",
@@ -89,64 +92,64 @@ MUTANTS = (
     ),
     Mutant(
         "phases aligned, each weighed by its own time",
-        "solver/errors.py", "duration = exact_end - exact_start", "duration = end - start",
-        ("tests/test_errors.py",),
+        "solver/shortcuts/accuracy/errors.py", "duration = exact_end - exact_start", "duration = end - start",
+        ("tests/accuracy/test_errors.py",),
     ),
     Mutant(
         "the error of the period without its sign",
-        "solver/errors.py", "period=float((T - exact_T) / exact_T)",
-        "period=float(abs(T - exact_T) / exact_T)", ("tests/test_numbers.py",),
+        "solver/shortcuts/accuracy/errors.py", "period=float((T - exact_T) / exact_T)",
+        "period=float(abs(T - exact_T) / exact_T)", ("tests/accuracy/test_numbers.py",),
     ),
     Mutant(
         "one of the two jumps of (22) is integrated across",
-        "solver/quadrature.py", "[found.t1 / found.T, reference.t1 / reference.T]",
-        "[found.t1 / found.T]", ("tests/test_numbers.py",),
+        "solver/shortcuts/accuracy/quadrature.py", "[found.t1 / found.T, reference.t1 / reference.T]",
+        "[found.t1 / found.T]", ("tests/accuracy/test_numbers.py",),
     ),
     Mutant(
         "at the start of slip the acceleration of stick",
-        "solver/exact.py", "np.where(t < t1,", "np.where(t <= t1,", ("tests/test_orbits.py",),
+        "solver/shortcuts/orbit/exact.py", "np.where(t < t1,", "np.where(t <= t1,", ("tests/solving/test_orbits.py",),
     ),
     Mutant(
         "the exact slip with a minus",
-        "solver/exact.py", "(alpha * cos + sin,", "(alpha * cos - sin,",
-        ("tests/test_exact.py",),
+        "solver/shortcuts/orbit/exact.py", "(alpha * cos + sin,", "(alpha * cos - sin,",
+        ("tests/solving/test_exact.py",),
     ),
     Mutant(
         "the whole tolerance is used up",
-        "solver/choice.py", "MARGIN = 0.9", "MARGIN = 1.0", CHOSEN,
+        "solver/shortcuts/choice/choice.py", "MARGIN = 0.9", "MARGIN = 1.0", CHOSEN,
     ),
     Mutant(
         "one tolerance of two is enough",
-        "solver/tolerance.py", "if all(getattr(estimate", "if any(getattr(estimate",
-        ("tests/test_tolerance.py",),
+        "solver/shortcuts/choice/tolerance.py", "if all(getattr(estimate", "if any(getattr(estimate",
+        ("tests/accuracy/test_tolerance.py",),
     ),
     Mutant(
         "orders that would do are passed over",
-        "solver/tolerance.py", "EARLY = 0.7", "EARLY = 1.4", CHOSEN,
+        "solver/shortcuts/choice/tolerance.py", "EARLY = 0.7", "EARLY = 1.4", CHOSEN,
     ),
     Mutant(
         "what is hopeless is tried",
-        "solver/tolerance.py", "() if hopeless else _candidates(names)", "_candidates(names)",
+        "solver/shortcuts/choice/tolerance.py", "() if hopeless else _candidates(names)", "_candidates(names)",
         CHOSEN,
     ),
     Mutant(
         "a budget is overdrawn",
-        "solver/budget.py", "if seconds > budget:", "if seconds > 2 * budget:",
-        ("tests/test_tolerance.py",),
+        "solver/shortcuts/choice/budget.py", "if seconds > budget:", "if seconds > 2 * budget:",
+        ("tests/accuracy/test_tolerance.py",),
     ),
     Mutant(
         "the worst within the budget",
-        "solver/budget.py", "orbit.estimate.period < best.estimate.period",
-        "orbit.estimate.period > best.estimate.period", ("tests/test_tolerance.py",),
+        "solver/shortcuts/choice/budget.py", "orbit.estimate.period < best.estimate.period",
+        "orbit.estimate.period > best.estimate.period", ("tests/accuracy/test_tolerance.py",),
     ),
     Mutant(
         "rounding has a rate",
-        "solver/convergence.py", "if error > FLOORS[name]", "if error > 0",
-        ("tests/test_convergence.py",),
+        "solver/shortcuts/accuracy/convergence.py", "if error > FLOORS[name]", "if error > 0",
+        ("tests/accuracy/test_convergence.py",),
     ),
     Mutant(
         "sums beyond the harmonics begin one late",
-        "solver/tail_sums.py", "np.exp(1j * (N + 1) * x)", "np.exp(1j * N * x)",
-        ("tests/test_tail_sums.py",),
+        "solver/shortcuts/series/tail_sums.py", "np.exp(1j * (N + 1) * x)", "np.exp(1j * N * x)",
+        ("tests/solving/test_tail_sums.py",),
     ),
 )  # fmt: skip

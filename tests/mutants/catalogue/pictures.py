@@ -2,11 +2,11 @@
 
 from ..mutant import Mutant
 
-REPORT, CLI = "src/nonsmooth/report/", "src/nonsmooth/cli/"
+REPORT, CLI = "src/nonsmooth/report/", "src/nonsmooth/cli/shortcuts/"
 
-PICTURES = ("tests/test_pictures.py",)
-MAP = ("tests/test_claim_map.py",)
-HEAT = ("tests/test_heat_maps.py",)
+PICTURES = ("tests/cli/test_pictures.py",)
+MAP = ("tests/report/test_claim_map.py",)
+HEAT = ("tests/cli/test_heat_maps.py",)
 
 MUTANTS: tuple[Mutant, ...] = (
     Mutant(
@@ -109,14 +109,14 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "amplitude and stick fraction of a family swapped",
-        CLI + "family_picture.py",
+        CLI + "families/family_picture.py",
         '"amplitude": "amplitude [m]",\n    "stick_fraction": "stick fraction $t_1/T$",',
         '"stick_fraction": "amplitude [m]",\n    "amplitude": "stick fraction $t_1/T$",',
         PICTURES,
     ),
     Mutant(
         "a family over alpha under the label of its parameter",
-        CLI + "family_picture.py",
+        CLI + "families/family_picture.py",
         'axes.plot(points["value"],',
         'axes.plot(points["alpha"],',
         PICTURES,

@@ -2,13 +2,13 @@
 
 from ..mutant import Mutant
 
-STORE = "src/nonsmooth/cli/family_store.py"
-JOB = "src/nonsmooth/cli/family_job.py"
-FAMILY = "src/nonsmooth/cli/family.py"
+STORE = "src/nonsmooth/cli/shortcuts/families/family_store.py"
+JOB = "src/nonsmooth/cli/shortcuts/families/family_job.py"
+FAMILY = "src/nonsmooth/cli/shortcuts/families/family.py"
 
-ON_DISK = ("tests/test_store.py", "tests/test_resume.py")
-RESUMED = ("tests/test_resume.py",)
-PROCESSES = ("tests/test_long_sweeps.py",)
+ON_DISK = ("tests/families/test_store.py", "tests/families/test_resume.py")
+RESUMED = ("tests/families/test_resume.py",)
+PROCESSES = ("tests/families/test_long_sweeps.py",)
 
 MUTANTS: tuple[Mutant, ...] = (
     Mutant(
@@ -233,7 +233,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "the largest error is that of the last block",
-        "src/nonsmooth/cli/family_shown.py",
+        "src/nonsmooth/cli/shortcuts/families/family_shown.py",
         "        if errors[i] > worst:\n",
         "        if True:\n",
         RESUMED,

@@ -2,12 +2,18 @@
 
 from ..mutant import Mutant
 
-NEWTON, LINEAR = "solver/newton.py", "solver/linear.py"
-NEWTONS, LINEARS = ("tests/test_newton.py",), ("tests/test_linear.py",)
-ADMISSIBLE, DEMANDS = "solver/admissible.py", ("tests/test_admissible.py",)
-ROOTS, ALL_ROOTS = "solver/c1_roots.py", ("tests/test_roots.py",)
-FOLLOW, FOLDS = "solver/continuation.py", ("tests/test_continuation.py",)
-FREE, MANY = "solver/matrix_free.py", ("tests/test_matrix_free.py",)
+NEWTON, LINEAR = "solver/shortcuts/search/newton.py", "solver/iteration/linear.py"
+NEWTONS, LINEARS = ("tests/solving/test_newton.py",), ("tests/solving/test_linear.py",)
+ADMISSIBLE, DEMANDS = (
+    "solver/shortcuts/orbit/admissible.py",
+    ("tests/solving/test_admissible.py",),
+)
+ROOTS, ALL_ROOTS = "solver/shortcuts/polynomials/c1_roots.py", ("tests/solving/test_roots.py",)
+FOLLOW, FOLDS = (
+    "solver/shortcuts/search/continuation.py",
+    ("tests/solving/test_continuation.py",),
+)
+FREE, MANY = "solver/shortcuts/series/matrix_free.py", ("tests/solving/test_matrix_free.py",)
 
 MUTANTS = (
     Mutant(
@@ -28,13 +34,13 @@ MUTANTS = (
     ),
     Mutant(
         "an edit of Newton's method finds old machine code",
-        "solver/kernels.py", "source.BODY.encode() + _driver_text()", "source.BODY.encode()",
-        ("tests/test_compiled_cache.py",),
+        "solver/shortcuts/search/kernels.py", "source.BODY.encode() + _driver_text()", "source.BODY.encode()",
+        ("tests/derivation/test_compiled_cache.py",),
     ),
     Mutant(
         "the machine code does not know the linear algebra",
-        "solver/kernels.py", "for part in (newton, linear))", "for part in (newton,))",
-        ("tests/test_compiled_cache.py",),
+        "solver/shortcuts/search/kernels.py", "for part in (newton, linear))", "for part in (newton,))",
+        ("tests/derivation/test_compiled_cache.py",),
     ),
     Mutant(
         "the end of stick is not checked",
@@ -85,28 +91,28 @@ MUTANTS = (
     ),
     Mutant(
         "the roots are not isolated where the start fails",
-        "solver/search.py", "return (_ROUGH, _ROOTS)", "return (_ROUGH,)",
-        ("tests/test_orbits.py",),
+        "solver/shortcuts/search/search.py", "return (_ROUGH, _ROOTS)", "return (_ROUGH,)",
+        ("tests/solving/test_orbits.py",),
     ),
     Mutant(
         "no way round the folds",
-        "solver/search.py", "return (*first, _STICK) if reached else first", "return first",
+        "solver/shortcuts/search/search.py", "return (*first, _STICK) if reached else first", "return first",
         FOLDS,
     ),
     Mutant(
         "any root of the C1 series is started from",
-        "solver/search.py", "if not violations(search.method, order, belt, root)]", "if True]",
-        ("tests/test_orbits.py",),
+        "solver/shortcuts/search/search.py", "if not violations(search.method, order, belt, root)]", "if True]",
+        ("tests/solving/test_orbits.py",),
     ),
     Mutant(
         "the rough slip does not tend to 2 pi",
-        "solver/start.py", "2.0 / (alpha + 2.0 / math.pi)", "2.0 / (alpha + 1.0)",
-        ("tests/test_c1_reduced.py",),
+        "solver/shortcuts/search/start.py", "2.0 / (alpha + 2.0 / math.pi)", "2.0 / (alpha + 1.0)",
+        ("tests/derivation/test_c1_reduced.py",),
     ),
     Mutant(
         "a batch keeps times of what is no orbit",
-        "solver/batch.py", "t1[status != OK] = s[status != OK] = np.nan", "pass",
-        ("tests/test_c1_reduced.py",),
+        "solver/shortcuts/polynomials/batch.py", "t1[status != OK] = s[status != OK] = np.nan", "pass",
+        ("tests/derivation/test_c1_reduced.py",),
     ),
     Mutant(
         "t1 from (19) with another sign",
@@ -123,7 +129,7 @@ MUTANTS = (
     ),
     Mutant(
         "roots are isolated by fewer signs",
-        "solver/real_roots.py", "if roots <= 1:", "if roots <= 2:", ALL_ROOTS,
+        "solver/shortcuts/polynomials/real_roots.py", "if roots <= 1:", "if roots <= 2:", ALL_ROOTS,
     ),
     Mutant(
         "continuation jumps to another curve",
@@ -144,7 +150,7 @@ MUTANTS = (
     ),
     Mutant(
         "(14) by half of what is left out",
-        "solver/left_out.py", "return LeftOut(acceleration + tail_squared(functions, N, t1, T)",
+        "solver/shortcuts/series/left_out.py", "return LeftOut(acceleration + tail_squared(functions, N, t1, T)",
         "return LeftOut(acceleration", MANY,
     ),
 )  # fmt: skip

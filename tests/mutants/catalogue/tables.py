@@ -2,12 +2,12 @@
 
 from ..mutant import Mutant
 
-TABLES = ("tests/test_printed_tables.py", "tests/test_printed_measurements.py")
+TABLES = ("tests/cli/test_printed_tables.py", "tests/cli/test_printed_measurements.py")
 
 
 def table(what: str, old: str, new: str, file: str = "tables.py") -> Mutant:
     """Return a mistake in a printed table."""
-    return Mutant(what, f"src/nonsmooth/cli/{file}", old, new, TABLES)
+    return Mutant(what, f"src/nonsmooth/cli/shortcuts/{file}", old, new, TABLES)
 
 
 MUTANTS: tuple[Mutant, ...] = (
@@ -55,13 +55,13 @@ MUTANTS: tuple[Mutant, ...] = (
         "a wrong unit along a parameter",
         "heading = SYMBOLS[parameter]",
         'heading = "V"',
-        "family_shown.py",
+        "families/family_shown.py",
     ),
     table(
         "the largest error at the last point",
         "i = int(np.argmax(errors))",
         "i = len(errors) - 1",
-        "family_shown.py",
+        "families/family_shown.py",
     ),
     table(
         "error and estimate of tradeoff swapped",

@@ -8,8 +8,8 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from ..parameters import TABLE, read_toml
 from ..problems import Problem
+from ..shortcuts.parameters import TABLE, read_toml
 from .named import known, scene_named
 
 #: The scene of a command without one.

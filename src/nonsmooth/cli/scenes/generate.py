@@ -9,7 +9,7 @@ from ..problems import Problem
 from ..progress import busy
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.numbers import SceneNumbers
+    from nonsmooth.solver.case.numbers import SceneNumbers
 
 HELP = """Derive the equations of {name} with SymPy and write its kernels.
 
@@ -37,7 +37,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
 def run(scene: "SceneNumbers", check: bool) -> int:
     """Derive the kernels of a scene, and compare or write them; the exit status."""
-    from nonsmooth.solver.scenes.library import names  # noqa: PLC0415
+    from nonsmooth.solver.case.library import names  # noqa: PLC0415
 
     if scene.name not in names():
         click.echo(f"{scene.name}: its kernels are in {scene.folder}")

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonsmooth.solver.scenes.names import shown
+from nonsmooth.solver.case.names import shown
 
 from ..output import write_whole
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.orbit import SceneOrbit
-    from nonsmooth.solver.scenes.sweep import SceneSweep
+    from nonsmooth.solver.orbit.orbit import SceneOrbit
+    from nonsmooth.solver.sweep import SceneSweep
 
 #: Times over one period at which a motion is written.
 SAMPLES = 1000

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..parameters import read_case
 from ..problems import Problem
+from ..shortcuts.parameters import read_case
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.numbers import Parameter, SceneNumbers
+    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.case.numbers import Parameter, SceneNumbers
 
 #: Before the names of a scene's parameters among the arguments of a command.
 PREFIX = "of_scene_"
@@ -90,7 +90,7 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
     Problem
         With all mistakes at once.
     """
-    from nonsmooth.solver.belt import ParameterError  # noqa: PLC0415
+    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
 
     given = {
         name.removeprefix(PREFIX): value for name, value in flags.items() if value is not None

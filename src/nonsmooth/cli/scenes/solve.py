@@ -11,11 +11,11 @@ from .options import case_from, command_of
 from .wanted import ORDER, Wanted, exact_near, search
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.choice import SceneChoice
-    from nonsmooth.solver.scenes.exact import ExactSceneOrbit
-    from nonsmooth.solver.scenes.numbers import SceneNumbers
-    from nonsmooth.solver.scenes.orbit import SceneOrbit
+    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.choice import SceneChoice
+    from nonsmooth.solver.flow.exact import ExactSceneOrbit
+    from nonsmooth.solver.orbit.orbit import SceneOrbit
 
 #: Estimated error of the times above which an orbit is not returned without a word.
 FAR_OFF = 0.1
@@ -71,17 +71,17 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
 def method_names(scene: "SceneNumbers") -> list[str]:
     """Return the methods of a scene as they are shown, in their order."""
-    from nonsmooth.solver.scenes.library import methods  # noqa: PLC0415
-    from nonsmooth.solver.scenes.names import in_order, shown  # noqa: PLC0415
+    from nonsmooth.solver.case.library import methods  # noqa: PLC0415
+    from nonsmooth.solver.case.names import in_order, shown  # noqa: PLC0415
 
     return [shown(scene, method) for method in in_order(methods(scene))]
 
 
 def run(case: "Case", wanted: Wanted) -> int:
     """Solve as wanted, show it, write it; the exit status."""
-    from nonsmooth.solver.scenes.orbit import SceneOrbit  # noqa: PLC0415
+    from nonsmooth.solver.orbit.orbit import SceneOrbit  # noqa: PLC0415
 
-    from . import documents  # noqa: PLC0415
+    from .shown import documents  # noqa: PLC0415
 
     choice, found = search(case, wanted)
     orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
@@ -94,7 +94,7 @@ def run(case: "Case", wanted: Wanted) -> int:
     if wanted.json:
         click.echo(text, nl=False)
     else:
-        from . import captions, tables  # noqa: PLC0415
+        from .shown import captions, tables  # noqa: PLC0415
 
         click.echo(captions.caption(case))
         tables.solutions(case, exact, found)
@@ -136,6 +136,6 @@ def _write(
 
         write_motion(orbits, output)
     else:
-        from .pictures import orbit_picture  # noqa: PLC0415
+        from .shown.pictures import orbit_picture  # noqa: PLC0415
 
         write_whole(output, lambda target: orbit_picture(case, orbits, exact, target))

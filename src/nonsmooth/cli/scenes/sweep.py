@@ -13,9 +13,9 @@ from .solve import FUNCTIONS, method_names
 from .wanted import as_problems
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.numbers import SceneNumbers
-    from nonsmooth.solver.scenes.sweep import SceneRow, SceneSweep
+    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.sweep import SceneRow, SceneSweep
 
 #: Orders of a sweep that names none.
 ORDERS = "1-20"
@@ -69,8 +69,8 @@ def run(
     json_: bool, output: Path | None,
 ) -> int:  # fmt: skip
     """Sweep, show it, write it; the exit status."""
-    from nonsmooth.solver.scenes.names import shown  # noqa: PLC0415
-    from nonsmooth.solver.scenes.sweep import sweep_case  # noqa: PLC0415
+    from nonsmooth.solver.case.names import shown  # noqa: PLC0415
+    from nonsmooth.solver.sweep import sweep_case  # noqa: PLC0415
 
     numbers = parse_orders(ORDERS if orders is None else orders)
     with as_problems(plural=True):
@@ -86,7 +86,7 @@ def run(
     if json_:
         click.echo(text, nl=False)
     else:
-        from . import captions, tables  # noqa: PLC0415
+        from .shown import captions, tables  # noqa: PLC0415
 
         click.echo(captions.caption(case))
         tables.convergence(result)
@@ -97,14 +97,14 @@ def run(
 
 
 def _methods(scene: "SceneNumbers", text: str) -> list[str]:
-    from nonsmooth.solver.scenes.library import generic_method  # noqa: PLC0415
+    from nonsmooth.solver.case.library import generic_method  # noqa: PLC0415
 
     names = [generic_method(scene, part.strip()) for part in text.split(",")]
     return list(dict.fromkeys(names))
 
 
 def _text(result: "SceneSweep") -> str:
-    from . import documents  # noqa: PLC0415
+    from .shown import documents  # noqa: PLC0415
 
     return documents.text(result.case, result.as_dict(), result.rates())
 
@@ -118,6 +118,6 @@ def _write(output: Path, text: str, result: "SceneSweep") -> None:
 
         write_rows(result, output)
     else:
-        from .pictures import convergence_picture  # noqa: PLC0415
+        from .shown.pictures import convergence_picture  # noqa: PLC0415
 
         write_whole(output, lambda target: convergence_picture(result, target))

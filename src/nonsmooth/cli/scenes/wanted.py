@@ -12,11 +12,11 @@ from ..problems import Problem
 from ..progress import busy
 
 if TYPE_CHECKING:
+    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.choice import SceneChoice
+    from nonsmooth.solver.flow.exact import ExactSceneOrbit
     from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.choice import SceneChoice
-    from nonsmooth.solver.scenes.exact import ExactSceneOrbit
-    from nonsmooth.solver.scenes.orbit import SceneOrbit
+    from nonsmooth.solver.orbit.orbit import SceneOrbit
 
 #: N without ``--order``.
 ORDER = 10
@@ -52,10 +52,10 @@ def search(
     Problem
         If something wanted cannot be computed.
     """
-    from nonsmooth.solver.scenes.estimate import BEST  # noqa: PLC0415
-    from nonsmooth.solver.scenes.library import generic_method, methods  # noqa: PLC0415
-    from nonsmooth.solver.scenes.names import in_order  # noqa: PLC0415
-    from nonsmooth.solver.scenes.solve import number_of_functions  # noqa: PLC0415
+    from nonsmooth.solver.accuracy.estimate import BEST  # noqa: PLC0415
+    from nonsmooth.solver.case.library import generic_method, methods  # noqa: PLC0415
+    from nonsmooth.solver.case.names import in_order  # noqa: PLC0415
+    from nonsmooth.solver.solve import number_of_functions  # noqa: PLC0415
 
     scene = case.scene
     with as_problems():
@@ -78,7 +78,7 @@ def _solve(
     case: "Case", method: str, order: int, functions: int | None
 ) -> "SceneOrbit | NoOrbit":
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.scenes.solve import solve_case  # noqa: PLC0415
+    from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
 
     try:
         with as_problems(), busy(f"{method}, N = {order}"):
@@ -91,9 +91,9 @@ def _solve(
 def _choose(
     case: "Case", method: str, wanted: Wanted
 ) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
+    from nonsmooth.solver.choice import NotCertifiedScene  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.scenes.choice import NotCertifiedScene  # noqa: PLC0415
-    from nonsmooth.solver.scenes.tolerance import choose_order  # noqa: PLC0415
+    from nonsmooth.solver.tolerance import choose_order  # noqa: PLC0415
 
     if wanted.order is not None:
         raise Problem(f"--order: got {wanted.order} beside --tol, which chooses it")
@@ -131,8 +131,8 @@ def as_problems(*, plural: bool = False) -> Iterator[None]:
 
 def exact_near(case: "Case", orbits: "list[SceneOrbit]") -> "ExactSceneOrbit | None":
     """Return the exact orbit next to the orbits, or any if there are none."""
+    from nonsmooth.solver.flow.exact import exact_orbit  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.scenes.exact import exact_orbit  # noqa: PLC0415
 
     for orbit in orbits:
         if orbit.exact is not None:

@@ -1,0 +1,212 @@
+"""Draw expressions in lines of characters: fractions, sums, integrals, the paper's symbols.
+
+Input: an expression.  Output: SymPy's form of a drawing, in Unicode or in plain ASCII.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import sympy as sp
+from sympy.printing.pretty.pretty import PrettyPrinter
+from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
+from sympy.printing.pretty.stringpict import prettyForm, stringPict
+
+from ..shortcuts.paper.c1_legendre import ShiftedLegendre, TwiceIntegrated
+from ..system import Inner
+
+SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")
+SUPERSCRIPTS = str.maketrans("0123456789+-()cijklmns", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᶜⁱʲᵏˡᵐⁿˢ")
+
+#: Words that are set high; Unicode has no q.
+RAISED = str.maketrans("abcdefghijklmnoprstuvwxyz", "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ")
+
+
+def with_word(label: str) -> tuple[str, str]:
+    """Return a name and the word of several letters below it, if it has one.
+
+    Examples
+    --------
+    >>> with_word("d_flight"), with_word("F_N")
+    (('d', 'flight'), ('F_N', ''))
+    """
+    name, _, word = label.partition("_")
+    several = name and len(word) > 1 and word[0].isalpha()
+    return (name, word) if several else (label, "")
+
+
+class _Drawing(PrettyPrinter):  # type: ignore[misc]
+    """SymPy's drawing with the paper's symbols, and sums and integrals three lines high."""
+
+    def _name(self, label: str) -> str:
+        if self._use_unicode and label.startswith("R_"):
+            return f"R{f'({label[2:]})'.translate(SUBSCRIPTS)}"
+        if self._use_unicode and label.endswith(("^+", "^-")):
+            return self._name(label[:-2]) + label[-1].translate(SUPERSCRIPTS)
+        name, word = with_word(label)
+        if word:
+            return f"{self._name(name)}_{word}"
+        return str(super()._print_Symbol(sp.Symbol(label)).s)
+
+    def _print_Symbol(self, expr: sp.Symbol, bold_name: bool = False) -> prettyForm:
+        return prettyForm(self._name(expr.name))
+
+    def _print_Indexed(self, expr: sp.Indexed) -> prettyForm:
+        return prettyForm(self._indexed(str(expr.base.label), expr.indices))
+
+    def _indexed(self, label: str, indices: tuple[sp.Expr, ...]) -> str:
+        index = ", ".join(map(sp.sstr, indices))
+        if not self._use_unicode:
+            return f"{label}[{index}]"
+        name, _, raised = label.partition("^")
+        if name[0] in "CS" and name[1:].isdigit():
+            name, raised = name[0], f"({name[1:]})"
+        short, word = with_word(name)
+        if word and all(ord(letter) in RAISED for letter in word):
+            name, raised = short, word.translate(RAISED)
+        lowered = index.replace(" ", "").replace("*", "").translate(SUBSCRIPTS)
+        if "N" in lowered:  # Unicode has none that is set low
+            lowered = f"[{index}]"
+        return self._name(name) + raised.translate(SUPERSCRIPTS) + lowered
+
+    def _print_Pow(self, expr: sp.Pow) -> prettyForm:
+        base, exponent = expr.as_base_exp()
+        if exponent.is_Rational and (exponent < 0 or exponent.q > 1):
+            return super()._print_Pow(expr)
+        form = self._print(base)
+        if form.height() > 1:
+            return super()._print_Pow(expr)
+        if form.binding >= prettyForm.FUNC:
+            form = prettyForm(*form.parens())
+        above = sp.sstr(exponent)
+        if self._use_unicode:
+            product = "*" if "**" in above else ""
+            above = above.replace(" ", "").replace("*", product).translate(SUPERSCRIPTS)
+        else:
+            above = f"**{above}" if exponent.is_Atom else f"**({above})"
+        return prettyForm(*form.right(above), binding=prettyForm.ATOM)
+
+    def _operator(self, sign: str, above: sp.Expr, below: str) -> prettyForm:
+        """Return the sign of a sum or an integral with its limits, on the line of the sign."""
+        over = str(self._print(above).s)
+        width = max(len(sign), len(over), len(below))
+        lines = (f"{line:^{width}} " for line in (over, sign, below))
+        return prettyForm("\n".join(lines), baseline=1)
+
+    def sum_sign(self, total: sp.Sum) -> prettyForm:
+        """Return the sign of a sum, with the first and the last value of its index."""
+        ((index, first, last),) = total.limits
+        below = f"{index}={self._print(first).s}".replace(" ", "")
+        return self._operator("∑" if self._use_unicode else "Sum", last, below)
+
+    def _print_Sum(self, expr: sp.Sum) -> prettyForm:
+        inside = self._print(expr.function)
+        if isinstance(expr.function, sp.Add):
+            inside = prettyForm(*inside.parens())
+        form = stringPict.next(self.sum_sign(expr), inside)
+        return prettyForm(*form, binding=prettyForm.MUL)
+
+    def _print_Integral(self, expr: sp.Integral) -> prettyForm:
+        ((variable, start, end),) = expr.limits
+        sign = "∫" if self._use_unicode else "Int"
+        head = self._operator(sign, end, str(self._print(start).s))
+        inside = self._print(expr.function)
+        if isinstance(expr.function, sp.Add):
+            inside = prettyForm(*inside.parens())
+        form = stringPict.next(head, inside, f" d{self._name(str(variable))}")
+        return prettyForm(*form, binding=prettyForm.MUL)
+
+    def _print_Derivative(self, expr: sp.Derivative) -> prettyForm:
+        ((variable, order),) = expr.variable_count
+        if isinstance(expr.expr, sp.core.function.AppliedUndef):
+            return self._primed(expr.expr.func, int(order), variable)
+        sign = "∂" if self._use_unicode else "d"
+        return self._small(sign, expr.expr) / self._small(sign, variable)
+
+    def _small(self, sign: str, expr: sp.Expr) -> prettyForm:
+        """Return the differential of `expr`."""
+        inside = self._print(expr)
+        if not expr.is_Atom and not isinstance(expr, sp.Indexed):
+            inside = prettyForm(*inside.parens())
+        return prettyForm(*inside.left(sign))
+
+    def _primed(self, function: type[sp.Expr], order: int, at: sp.Expr) -> prettyForm:
+        name = self._name(function.__name__) + "'" * order
+        return prettyForm(*stringPict.next(name, prettyForm(*self._print(at).parens())))
+
+    def _print_Subs(self, expr: sp.Subs) -> prettyForm:
+        ((_, order),), (point,) = expr.expr.variable_count, expr.point
+        return self._primed(expr.expr.expr.func, int(order), point)
+
+    def _print_Function(self, expr: sp.Expr, **options: object) -> prettyForm:
+        if isinstance(expr, sp.Function("xdot")):
+            return self._primed(sp.Function("x"), 1, expr.args[0])
+        return super()._print_Function(expr, **options)
+
+    def _print_Max(self, expr: sp.Max) -> prettyForm:
+        return self._helper_print_function(expr.func, expr.args, func_name="max")
+
+    def _print_Heaviside(self, expr: sp.Heaviside) -> prettyForm:
+        return prettyForm(
+            *stringPict.next("H", prettyForm(*self._print(expr.args[0]).parens()))
+        )
+
+    def _print_Inner(self, expr: Inner) -> prettyForm:
+        left, right = ("⟨", "⟩") if self._use_unicode else ("<", ">")
+        first, second = map(self._print, expr.args)
+        return prettyForm(*stringPict.next(left, first, ", ", second, right))
+
+    def _with_index(self, name: str, expr: sp.Expr) -> prettyForm:
+        index, argument = expr.args
+        head = self._indexed(name, (index,))
+        return prettyForm(*stringPict.next(head, prettyForm(*self._print(argument).parens())))
+
+    def _print_bernoulli(self, expr: sp.bernoulli) -> prettyForm:
+        return self._with_index("B", expr)
+
+    def _print_euler(self, expr: sp.euler) -> prettyForm:
+        return self._with_index("E", expr)
+
+    def _print_legendre(self, expr: sp.legendre) -> prettyForm:
+        return self._with_index("P", expr)
+
+    def _print_KroneckerDelta(self, expr: sp.KroneckerDelta) -> prettyForm:
+        return prettyForm(self._indexed("delta", expr.args))
+
+    def _print_jn(self, expr: sp.jn) -> prettyForm:
+        if not expr.args[0].is_Integer:
+            return self._with_index("j", expr)
+        argument = prettyForm(*self._print(expr.args[1]).parens())
+        return prettyForm(*stringPict.next(self._name(f"j{expr.args[0]}"), argument))
+
+    def _print_ShiftedLegendre(self, expr: ShiftedLegendre) -> prettyForm:
+        return self._with_index("P*", expr)
+
+    def _print_TwiceIntegrated(self, expr: TwiceIntegrated) -> prettyForm:
+        return self._with_index("Q", expr)
+
+
+@contextmanager
+def _characters(unicode: bool) -> Iterator[None]:
+    """Choose the characters: SymPy keeps the choice in a global."""
+    before = pretty_use_unicode(unicode)
+    try:
+        yield
+    finally:
+        pretty_use_unicode(before)
+
+
+def drawn(expression: sp.Expr, unicode: bool = True, sign: bool = False) -> prettyForm:
+    """Return `expression` drawn, however wide; of a sum, on request, the sign alone.
+
+    Examples
+    --------
+    >>> from ..shortcuts.paper.fourier import SERIES
+    >>> for line in drawn(SERIES, unicode=False).picture:
+    ...     print(line.rstrip())
+    a0    N
+    -- + Sum (sin(n*omega_0*t)*a[n] + cos(n*omega_0*t)*b[n])
+    2    n=1
+    """
+    with _characters(unicode):
+        drawing = _Drawing({"use_unicode": unicode, "wrap_line": False})
+        return drawing.sum_sign(expression) if sign else drawing._print(expression)

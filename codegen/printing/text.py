@@ -1,0 +1,144 @@
+"""Print the derived equations in a terminal, in 80 columns.
+
+Input: the records.  Output: text, in Unicode or in plain ASCII.
+"""
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from textwrap import fill
+
+import sympy as sp
+from sympy.printing.pretty.stringpict import prettyForm, stringPict
+
+from ..system import Equation
+from .drawing import drawn
+from .pieces import Piece, filled, pieces, signed
+from .sections import Section, sections
+from .words import KEPT, spoken
+
+#: Columns for the mathematics, and of the margin left of it.
+COLUMNS, MARGIN = 73, 7
+
+#: What a line begins with: a side, and what is left of a long one.
+EQUALS, CONTINUED = "= ", "    "
+
+#: Columns that a sign between two terms takes.
+SIGN = 3
+
+#: Columns by which a term is made narrower as long as the brackets about it do not fit.
+STEP = 8
+
+
+def _drawn_piece(piece: Piece, unicode: bool) -> prettyForm:
+    """Return a piece drawn, with the sign and the brackets about it."""
+    parts: list[str | prettyForm] = []
+    first = piece.first
+    for before in piece.opens:
+        sign, factor = signed(before, first)
+        parts += _with_sign(sign, first, *_opening(factor, unicode))
+        first = True
+    sign, term = signed(piece.term, first)
+    parts += [*_with_sign(sign, first, drawn(term, unicode)), piece.closes]
+    return prettyForm(*stringPict.next(*parts))
+
+
+def _opening(before: sp.Expr, unicode: bool) -> Sequence[str | prettyForm]:
+    if isinstance(before, sp.Sum):
+        return drawn(before, unicode, sign=True), "["
+    return ("(",) if before == 1 else (drawn(before, unicode), "⋅(" if unicode else "*(")
+
+
+def _with_sign(sign: str, first: bool, *parts: str | prettyForm) -> Sequence[str | prettyForm]:
+    """Return `parts` behind `sign`; before a fraction it would pass for a part of the bar."""
+    high = isinstance(parts[0], prettyForm) and parts[0].height() > 1
+    return (
+        f"{'' if first else ' '}{sign}{' ' if sign and (high or not first) else ''}",
+        *parts,
+    )
+
+
+def _rows(side: sp.Expr, columns: int, unicode: bool) -> list[prettyForm]:
+    """Return one side as lines of drawings, as many pieces on each as fit."""
+    forms = _forms(side, columns, unicode)
+    narrower = range(columns - STEP, columns // 3, -STEP) if side.has(sp.Sum) else ()
+    for limit in narrower:
+        if max(form.width() for form in forms) <= columns:
+            break  # with the sign of the sum and the brackets about it, each term fits
+        forms = _forms(side, limit, unicode)
+    lines = filled([form.width() for form in forms], columns)
+    return [prettyForm(*stringPict.next(*forms[line])) for line in lines]
+
+
+def _forms(side: sp.Expr, limit: int, unicode: bool) -> list[prettyForm]:
+    """Return the drawings of the pieces of a side, no term wider than a limit."""
+    cut = pieces(side, lambda term: drawn(term, unicode).width() + SIGN > limit)
+    return [_drawn_piece(piece, unicode) for piece in cut]
+
+
+def _stacked(rows: Sequence[prettyForm]) -> list[str]:
+    """Return the rows below each other, with a blank line about those that are high."""
+    lines = list(rows[0].picture)
+    for above, below in pairwise(rows):
+        if above.height() > 1 or below.height() > 1:
+            lines.append("")
+        lines.extend(below.picture)
+    return [line.rstrip() for line in lines]
+
+
+def _prefixed(rows: Sequence[prettyForm], first: str) -> list[prettyForm]:
+    """Return the rows, the first behind `first`, the others as its continuation."""
+    head, *more = rows
+    return [prettyForm(*head.left(first)), *(prettyForm(*r.left(CONTINUED)) for r in more)]
+
+
+def _mathematics(sides: Sequence[sp.Expr], unicode: bool) -> list[str]:
+    """Return the lines of a chain of sides: beside each other if they fit, else stacked."""
+    if len(sides) == 1:  # a relation by itself
+        return _stacked(_rows(sides[0], COLUMNS, unicode))
+    head = drawn(sides[0], unicode)
+    room = COLUMNS - head.width() - 1 - len(EQUALS)
+    beside = [_rows(side, room, unicode) for side in sides[1:]]
+    if room > 0 and all(len(rows) == 1 and rows[0].width() <= room for rows in beside):
+        margin = " " * (head.width() + 1)
+        lines = [prettyForm(*rows[0].left(EQUALS)) for rows in beside]
+        lines[:1] = [prettyForm(*stringPict.next(head, " ", lines[0]))]
+        return _stacked([lines[0], *(prettyForm(*line.left(margin)) for line in lines[1:])])
+    whole = _rows(sides[0], COLUMNS - len(CONTINUED), unicode)
+    rows = _prefixed(whole, "")
+    for side in sides[1:]:
+        wrapped = _rows(side, COLUMNS - len(CONTINUED), unicode)
+        rows += _prefixed(wrapped, EQUALS)
+    return _stacked(rows)
+
+
+def equation_text(equation: Equation, unicode: bool = True) -> str:
+    """Return one equation as text for a terminal."""
+    number = f"({equation.number})" if equation.number else "-"
+    lines = _mathematics(equation.sides, unicode)
+    indented = (" " * MARGIN + line if line else "" for line in lines)
+    words = f"{number:>5}  {spoken(equation.words, unicode)}"
+    return "\n".join([_filled(words, " " * MARGIN), *indented])
+
+
+def _filled(words: str, indent: str = "") -> str:
+    """Return words as lines that do not break within mathematics."""
+    return fill(words, COLUMNS + MARGIN, subsequent_indent=indent).replace(KEPT, " ")
+
+
+def text_document(
+    methods: Iterable[str], order: int | None = None, *, unicode: bool = True
+) -> str:
+    """Return the equations of `methods` as text for a terminal; see `sections`."""
+    return text_of(sections(methods, order), unicode)
+
+
+def text_of(shown: Iterable[Section], unicode: bool = True) -> str:
+    """Return sections as text for a terminal."""
+    parts = []
+    for section in shown:
+        heading = spoken(section.heading, unicode).replace(KEPT, " ")
+        parts.append(f"{heading}\n{'=' * len(heading)}\n")
+        if section.note:
+            parts.append(_filled(spoken(section.note, unicode)) + "\n")
+        parts.extend(f"{equation_text(e, unicode)}\n" for e in section.equations)
+    return "\n".join(parts)

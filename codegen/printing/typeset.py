@@ -1,0 +1,106 @@
+"""Typeset expressions in LaTeX, with the paper's symbols.
+
+Input: an expression.  Output: LaTeX mathematics, without an environment.
+"""
+
+import re
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+
+from ..shortcuts.paper.c1_legendre import ShiftedLegendre, TwiceIntegrated
+from .drawing import with_word
+
+
+class _Latex(LatexPrinter):  # type: ignore[misc]
+    """LaTeX with the paper's symbols."""
+
+    def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
+        names = {"t1": "t_{1}", "a0": "a_{0}", "c1": "c_{1}"}
+        if expr.name.startswith("R_"):
+            return rf"\mathcal{{R}}_{{({expr.name[2:]})}}"
+        short, word = with_word(expr.name)
+        if word:
+            return f"{self._print(sp.Symbol(short))}_{{{_upright(word)}}}"
+        name = names.get(expr.name) or str(super()._print_Symbol(expr))
+        return _WORD.sub(r"\\mathrm{\g<0>}", name)
+
+    def _print_Indexed(self, expr: sp.Indexed) -> str:
+        base, indices = str(expr.base.label), ", ".join(map(self._print, expr.indices))
+        name, word = with_word(base)
+        if word:
+            return rf"{self._print(sp.Symbol(name))}^{{{_upright(word)}}}_{{{indices}}}"
+        name = self._print(expr.base.label)
+        if base[0] in "CS" and base[1:].isdigit():
+            return rf"{base[0]}^{{({base[1:]})}}_{{{indices}}}"
+        if base.startswith("H^"):
+            return rf"H^{{\mathrm{{{base[2:]}}}}}_{{{indices}}}"
+        return f"{name}_{{{indices}}}"
+
+    def _print_Derivative(self, expr: sp.Derivative) -> str:
+        (variable, order), *others = expr.variable_count
+        function = expr.expr
+        if not others and variable == sp.Symbol("t", positive=True) and function.func in _DOTS:
+            dot = "dot" if order == 1 else "ddot"
+            return rf"\{dot}{{{_DOTS[function.func]}}}\left(t\right)"
+        if isinstance(function, sp.core.function.AppliedUndef):
+            return self._primed(function, int(order), variable)
+        below = rf"\partial {self._print(variable)}"
+        if function.is_Symbol or isinstance(function, sp.Indexed):
+            return rf"\frac{{\partial {self._print(function)}}}{{{below}}}"
+        return rf"\frac{{\partial}}{{{below}}} \left({self._print(function)}\right)"
+
+    def _primed(self, function: sp.Expr, order: int, at: sp.Expr) -> str:
+        name = self._print(sp.Symbol(function.func.__name__)) + "'" * order
+        return rf"{name}\left({self._print(at)}\right)"
+
+    def _print_Subs(self, expr: sp.Subs) -> str:
+        (point,) = expr.point
+        ((variable, order),) = expr.expr.variable_count
+        if variable != sp.Symbol("t", positive=True):
+            return self._primed(expr.expr.expr, int(order), point)
+        inner = str(self._print(expr.expr))
+        return inner.replace(r"\left(t\right)", rf"\left({self._print(point)}\right)")
+
+    def _print_Heaviside(self, expr: sp.Heaviside, exp: str | None = None) -> str:
+        return rf"H\left({self._print(expr.args[0])}\right)"
+
+    def _print_KroneckerDelta(self, expr: sp.KroneckerDelta, exp: str | None = None) -> str:
+        first, second = map(self._print, expr.args)
+        return rf"\delta_{{{first}, {second}}}"
+
+    def _print_ShiftedLegendre(self, expr: ShiftedLegendre, exp: str | None = None) -> str:
+        index, argument = map(self._print, expr.args)
+        return rf"P^{{*}}_{{{index}}}\left({argument}\right)"
+
+    def _print_TwiceIntegrated(self, expr: TwiceIntegrated, exp: str | None = None) -> str:
+        index, argument = map(self._print, expr.args)
+        return rf"Q_{{{index}}}\left({argument}\right)"
+
+
+def _upright(word: str) -> str:
+    return rf"\mathrm{{{word.replace('_', chr(92) + '_')}}}"
+
+
+_DOTS = {sp.Function("x"): "x", sp.Function("g1"): "g_{1}"}
+
+#: Brackets about what is no higher than they are: they need not stretch.
+_FLAT = re.compile(
+    r"(?<![\^_])({)?\\left\(((?:(?!\\left|\\right|\\frac|\\sum|\\int).)*?) ?\\right\)(?(1)})"
+)
+
+#: A name of several letters, which would be their product.
+_WORD = re.compile(r"^[a-z]{2,}")
+
+_SETTINGS = {"mul_symbol": None, "fold_short_frac": False}
+
+
+def latex(expression: sp.Expr) -> str:
+    """Return `expression` as LaTeX mathematics."""
+    text = str(_Latex(_SETTINGS).doprint(expression))
+    for name in ("R1", "R2", "R3", "g1"):
+        text = text.replace(rf"\operatorname{{{name}}}", f"{name[0]}_{{{name[1]}}}")
+    text = text.replace(r"\operatorname{xdot}", r"\dot{x}").replace(r"\operatorname{q}", "q")
+    while (flat := _FLAT.sub(r"(\2)", text)) != text:
+        text = flat
+    return text

@@ -1,0 +1,1 @@
+"""The loops of these kernels over their indices, as text."""

@@ -1,0 +1,1 @@
+"""A scene with numbers: its generated modules, checked parameters, units, kernels."""

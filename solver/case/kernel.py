@@ -1,0 +1,145 @@
+"""Kernels of a scene: residual, Jacobian, motion of one method, and Newton's method for them.
+
+A kernel may come from a generated module, plain or compiled, or be made in place, as the exact
+equations are.  Compiled functions stand in numba's cache under names that carry a hash of all
+that is compiled with them, so that a change finds nothing old.
+"""
+
+import hashlib
+import types
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from ..arrays import Matrix, Vector
+from ..iteration import iteration, linear
+from ..iteration.iteration import Iteration
+from ..shortcuts.search.kernels import _jit, _rebuilt
+
+#: Functions that are compiled with a kernel, callers after what they call.
+DRIVER: tuple[Any, ...] = (
+    iteration.greatest,
+    iteration.times_size,
+    iteration.step_size,
+    iteration.longest_damping,
+    iteration.scale_rows,
+    linear.factorise,
+    linear.solve_factorised,
+    iteration.iterate_scene,
+)
+
+#: What a kernel does that only NumPy can: plain Python, even where the rest is compiled.
+PLAIN = ("motion", "coefficients", "phase_motion")
+
+
+@dataclass(frozen=True)
+class SceneKernel:
+    """The equations of one method for one scene over arrays, and their solver.
+
+    Parameters
+    ----------
+    method : str
+        Generic name.
+    durations : int
+        Phases of the cell: so many unknowns behind the coefficients are durations.
+    forced : bool
+        Whether the last unknown is the phase of the forcing.
+    lowest : int
+        The lowest order.
+    size, residual, jacobian, motion, coefficients : callable
+        As the generated modules have them.
+    iterate : callable
+        ``iterate(case, z, limit)``: `iteration.iterate_scene` for these.
+    """
+
+    method: str
+    durations: int
+    forced: bool
+    lowest: int
+    size: Callable[[int], int]
+    residual: Callable[[Any, Vector, Vector], None]
+    jacobian: Callable[[Any, Vector, Matrix], None]
+    motion: Callable[[Any, Vector, int, Vector, int], Vector]
+    coefficients: Callable[[Vector], dict[str, tuple[Any, int]]]
+    iterate: Iteration
+
+    def times(self, z: Vector) -> Vector:
+        """Return the durations and, if the scene is forced, the phase of the forcing."""
+        return z[len(z) - self.durations - self.forced :]
+
+    def split(self, z: Vector) -> tuple[Vector, float]:
+        """Return the durations, and the phase of the forcing or 0."""
+        times = self.times(z)
+        return times[: self.durations], float(times[-1]) if self.forced else 0.0
+
+
+def linked(
+    residual: Callable[[Any, Vector, Vector], None],
+    jacobian: Callable[[Any, Vector, Matrix], None],
+    durations: int,
+    forced: bool,
+) -> Iteration:
+    """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python."""
+    namespace = {
+        **vars(iteration),
+        "residual": residual,
+        "jacobian": jacobian,
+        "DURATIONS": durations,
+        "FORCED": forced,
+    }
+    for function in DRIVER:
+        namespace[function.__name__] = _rebuilt(function, namespace)
+    iterate: Iteration = namespace["iterate_scene"]
+    return iterate
+
+
+@cache
+def plain(module: types.ModuleType) -> SceneKernel:
+    """Return the kernel of a generated module as plain Python."""
+    functions = (module.residual, module.jacobian)
+    return _kernel(module, vars(module), linked(*functions, module.DURATIONS, module.FORCED))
+
+
+@cache
+def compiled(module: types.ModuleType) -> SceneKernel:
+    """Return the kernel of a generated module compiled by numba, cached where possible."""
+    namespace = {**vars(iteration), **vars(module)}
+    own = [
+        value
+        for name, value in vars(module).items()
+        if isinstance(value, types.FunctionType) and name not in PLAIN
+    ]
+    key = fingerprint(module)
+    for function in (*own, *DRIVER):
+        clone = _rebuilt(function, namespace)
+        clone.__qualname__ = f"{function.__name__}_{key}"
+        namespace[function.__name__] = _jit(clone)
+    return _kernel(module, namespace, namespace["iterate_scene"])
+
+
+@cache
+def _driver_text() -> bytes:
+    """Return the text of what is compiled with every kernel."""
+    return b"".join(Path(str(part.__file__)).read_bytes() for part in (iteration, linear))
+
+
+def fingerprint(module: types.ModuleType) -> str:
+    """Return a hash of all that is compiled for a generated module, the driver included."""
+    own = f"{module.BODY} {module.DURATIONS} {module.FORCED}".encode()
+    return hashlib.sha256(own + _driver_text()).hexdigest()[:16]
+
+
+def _kernel(
+    module: types.ModuleType, functions: dict[str, Any], iterate: Iteration
+) -> SceneKernel:
+    names = ("size", "residual", "jacobian", "motion", "coefficients")
+    return SceneKernel(
+        method=str(module.METHOD).partition(",")[0],
+        durations=int(module.DURATIONS),
+        forced=bool(module.FORCED),
+        lowest=int(getattr(module, "LOWEST", 1)),
+        iterate=iterate,
+        **{name: functions[name] for name in names},
+    )

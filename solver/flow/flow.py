@@ -1,0 +1,118 @@
+"""Closed-form motion of one linear phase from a given state, exact to rounding."""
+
+import cmath
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..case.cell import Phase
+from .divided import of_three, of_two
+
+
+@dataclass(frozen=True)
+class End:
+    """The state in which a phase ends, and its derivatives.
+
+    Parameters
+    ----------
+    state : ndarray, shape (2,)
+        Displacement and velocity.
+    by_duration, by_angle : ndarray, shape (2,)
+        Derivatives by the duration, and by the angle of the forcing where the phase starts.
+    by_start : ndarray, shape (2, 2)
+        Derivatives by the displacement and velocity in which it starts.
+    """
+
+    state: Vector
+    by_duration: Vector
+    by_angle: Vector
+    by_start: Matrix
+
+
+def roots(phase: Phase) -> tuple[complex, complex]:
+    """Return the roots of ``m r**2 + c r + k = 0``, the one of smaller modulus first."""
+    gamma, square = phase.c / (2 * phase.m), phase.k / phase.m
+    root = cmath.sqrt(_difference_of_squares(gamma, square))
+    if root.imag:
+        return -gamma + root, -gamma - root
+    large = -(gamma + math.copysign(root.real, gamma))
+    return (complex(square / large), complex(large)) if large else (0j, 0j)
+
+
+def _difference_of_squares(gamma: float, square: float) -> float:
+    if square <= 0:
+        return gamma * gamma - square
+    return (gamma - math.sqrt(square)) * (gamma + math.sqrt(square))
+
+
+def motion(
+    phase: Phase, start: Vector, angle: float, omega: float, t: Vector, derivative: int
+) -> Vector:
+    """Return a derivative of the displacement, 0 to 2, at times `t` after the start.
+
+    Parameters
+    ----------
+    phase : Phase
+        Its equation of motion.
+    start : ndarray, shape (2,)
+        Displacement and velocity at ``t = 0``.
+    angle, omega : float
+        The forcing is ``cos(omega t + angle)``.
+    t : ndarray
+        Times, not negative.
+    derivative : {0, 1, 2}
+    """
+    t = np.asarray(t, dtype=float)
+    if phase.held:
+        values = (start[0] + phase.speed * t, np.full(t.shape, phase.speed), np.zeros(t.shape))
+        return np.asarray(values[derivative])
+    with np.errstate(all="ignore"):  # a trial of Newton's method may grow beyond float64
+        x, v, *_ = _responses(phase, start, angle, omega, t.ravel())
+        if derivative == 2:
+            x = _acceleration(phase, x, v, np.cos(omega * t.ravel() + angle))
+    return np.asarray((x, v, x)[derivative]).reshape(t.shape)
+
+
+def end(phase: Phase, start: Vector, angle: float, omega: float, duration: float) -> End:
+    """Return the state in which a phase ends, with all its derivatives; see `motion`."""
+    if phase.held:
+        x, speed = start[0] + phase.speed * duration, phase.speed
+        first = np.array([[1.0, 0.0], [0.0, 0.0]])
+        return End(np.array([x, speed]), np.array([speed, 0.0]), np.zeros(2), first)
+    with np.errstate(all="ignore"):
+        t = np.array([duration])
+        x, v, by_start, by_angle = _responses(phase, start, angle, omega, t)
+        a = _acceleration(phase, x, v, np.cos(omega * t + angle))
+    state, field = np.array([x[0], v[0]]), np.array([v[0], a[0]])
+    return End(state, field, by_angle[:, 0], by_start[:, :, 0])
+
+
+def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:
+    return (phase.f + phase.g * cosine - phase.c * v - phase.k * x) / phase.m
+
+
+def _responses(
+    phase: Phase, start: Vector, angle: float, omega: float, t: Vector
+) -> tuple[Vector, Vector, Vector, Vector]:
+    """Return x and x', and their derivatives by the start and by the angle of the forcing."""
+    small, large = roots(phase)
+    impulse = of_two(small, large, t)
+    # each as the sum that does not cancel: the smaller root stands at the impulse
+    of_x = np.exp(small * t) - small * impulse
+    of_v = np.exp(large * t) + small * impulse
+    by_start = np.array([[of_x, impulse], [-phase.k / phase.m * impulse, of_v]]).real
+    x = by_start[0, 0] * start[0] + by_start[0, 1] * start[1]
+    v = by_start[1, 0] * start[0] + by_start[1, 1] * start[1]
+    if phase.f:
+        x = x + phase.f / phase.m * of_three(small, large, 0j, t).real
+        v = v + phase.f / phase.m * impulse.real
+    by_angle = np.zeros((2, len(t)))
+    if phase.g:
+        wave = of_three(small, large, 1j * omega, t)
+        turn = phase.g / phase.m * cmath.exp(1j * angle)
+        forced = turn * np.array([wave, 1j * omega * wave + impulse])
+        x, v = x + forced[0].real, v + forced[1].real
+        by_angle = -forced.imag
+    return x, v, by_start, by_angle

@@ -1,0 +1,1 @@
+"""From rough times to a solution: starts, Newton's method, linear algebra."""

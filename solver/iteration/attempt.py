@@ -1,0 +1,29 @@
+"""One way from rough times to a solution of a method's equations."""
+
+from ..arrays import Vector
+from ..case.case import Case
+from ..case.kernel import SceneKernel
+from ..orbit.orbit import SceneOrbit
+from .newton import newton
+from .start import with_coefficients
+
+
+def attempt(
+    kernel: SceneKernel, case: Case, order: int, times: Vector, functions: int | None = None
+) -> SceneOrbit:
+    """Return where Newton's method leads from rough times: an orbit only if it says so.
+
+    Parameters
+    ----------
+    kernel : SceneKernel
+        Of the method.
+    case, order : Case, int
+        What to solve.
+    times : ndarray
+        Durations and, if the scene is forced, the phase of the forcing; without units.
+    functions : int, optional
+        See `SceneOrbit`.
+    """
+    start = with_coefficients(kernel, case.numbers, kernel.size(order), times)
+    outcome = newton(kernel.iterate, case.numbers, start)
+    return SceneOrbit(case, kernel.method, order, outcome, outcome.iterations, functions)

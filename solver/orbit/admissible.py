@@ -1,0 +1,115 @@
+"""Whether a solution of the equations is an orbit: the inequalities that they leave out.
+
+The equations of a cell, exact or of an expansion, have roots that are no motion of the
+oscillator: a state on the wrong side of a limit, an event crossed from beyond it, a phase of no
+duration.  Each demand of a phase is followed over the phase through its critical points, and
+must fall where the event that ends the phase is the end of the demand.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..arrays import Vector
+from ..case.cell import Form
+from . import chebyshev
+from .forms import scale_of, terms, vanishes_by_event
+from .motion import SceneMotion
+
+#: What a demand may be below 0, as a part of its scale, where rounding is all that is off.
+ROUNDING = 1e-9
+
+#: Shortest phase, as a part of the cell.  A phase that shrinks to nothing solves the equations
+#: of many scenes, and is found at the size of rounding errors, of either sign.
+SHORTEST = 1e-10
+
+#: Mean velocity in a held phase, as a part of that at which it is held.  An expansion of low
+#: order shortens such a phase; nothing but a spurious root makes it much longer.
+HELD = (0.5, 3.0)
+
+#: ``allowed(p, form)``: what a demand on phase p may be below 0, as a part of its scale.
+Allowance = Callable[[int, Form], float]
+
+
+def only_rounding(p: int, form: Form) -> float:
+    """Allow rounding errors."""
+    return ROUNDING
+
+
+def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[str, ...]:
+    """Return what an orbit violates, in words with numbers in SI units; empty if nothing.
+
+    Parameters
+    ----------
+    orbit : SceneMotion
+        A solution of the equations.
+    allowed : callable
+        How far below 0 a demand may fall; see `allowance` for those of an expansion.
+    """
+    durations = orbit.cell_durations
+    total, unit = float(np.sum(durations)), orbit.case.units.time
+    found = [
+        f"{phase.name} lasts {s * unit:.6g} s of {total * unit:.6g} s: it has no duration"
+        for phase, s in zip(orbit.case.cell.phases, durations, strict=True)
+        if not s > SHORTEST * total > 0
+    ]
+    if found or not np.isfinite(durations).all():
+        return tuple(found) or ("the durations are not finite",)
+    for p, phase in enumerate(orbit.case.cell.phases):
+        found += _held(orbit, p)
+        for words, form in phase.demands:
+            found += _demand(orbit, p, words, form, allowed(p, form))
+    return tuple(found)
+
+
+def _held(orbit: SceneMotion, p: int) -> list[str]:
+    phase, s = orbit.case.cell.phases[p], float(orbit.cell_durations[p])
+    if not (phase.held and phase.speed):
+        return []
+    first, last = orbit.part(p, np.array([0.0, 1.0]), 0)
+    mean = float(last - first) / s / phase.speed
+    if HELD[0] <= mean <= HELD[1]:
+        return []
+    return [
+        f"the mean velocity in {phase.name} is {mean:.3g} times that at which it is held: "
+        "the order does not resolve the phase"
+    ]
+
+
+def _demand(orbit: SceneMotion, p: int, words: str, form: Form, allowed: float) -> list[str]:
+    """Return how a demand on a phase is violated, if it is."""
+    phase, scale = orbit.case.cell.phases[p], scale_of(orbit, p, form)
+
+    def value(u: Vector) -> Vector:
+        return np.asarray(terms(orbit, p, form, u).sum(axis=0))
+
+    if not np.isfinite(scale):
+        return [f"in {phase.name}, where {words}: the motion is not finite"]
+    parts = chebyshev.pieces(value, scale)
+    points = chebyshev.candidates(parts)
+    values = value(points)
+    worst = int(np.argmin(values))
+    if values[worst] < -allowed * scale:
+        where = _state(orbit, p, float(points[worst]))
+        return [
+            f"in {phase.name}, not true that {words}: by {-values[worst] / scale:.3g} of its "
+            f"size {where} (allowed: {allowed:.2g})"
+        ]
+    if vanishes_by_event(orbit, p, form):
+        slope = float(chebyshev.derivative_at(parts, np.ones(1), 1)[0])
+        if not slope < 0:
+            return [
+                f"{phase.name} ends from beyond its limit ({words}) {_state(orbit, p, 1.0)}: "
+                "its event is crossed in the wrong direction"
+            ]
+    return []
+
+
+def _state(orbit: SceneMotion, p: int, u: float) -> str:
+    """Return when something happens, and the state there, in words."""
+    units, at = orbit.case.units, np.array([u])
+    t = (float(np.sum(orbit.cell_durations[:p])) + u * float(orbit.cell_durations[p])) * (
+        units.time
+    )
+    x, v = (float(orbit.part(p, at, j)[0]) * units.of_motion(j) for j in (0, 1))
+    return f"at t = {t:.6g} s, where x = {x:.6g} m and x' = {v:.6g} m/s"

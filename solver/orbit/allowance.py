@@ -1,0 +1,63 @@
+"""How far an orbit of an expansion may violate a demand: by what its own residual explains.
+
+What an expansion leaves of the equation of motion acts on its motion like a force.  The
+velocity that this force would give, and the displacement, over each phase from the state that
+keeps them smallest, are the size of the error of the motion; a demand that is violated by less
+is not known to be violated.
+The measure needs no exact orbit and knows no expansion: for functions that fit it falls faster
+than any power of the order, for harmonics like their own overshoot, 1/N in the derivative
+before the one that jumps.  It excuses sizes only, never the direction in which an event is
+crossed nor a phase without duration, by which spurious roots are told.
+"""
+
+import numpy as np
+
+from ..arrays import Vector
+from ..case.cell import Form
+from . import chebyshev
+from .admissible import ROUNDING, Allowance
+from .forms import scale_of
+from .motion import SceneMotion
+
+#: Times the measured error, for the errors of the start of each phase and the growth since.
+FACTOR = 2.0
+
+#: Most that is excused, as a part of the demand's scale.
+MOST = 0.25
+
+
+def defect(orbit: SceneMotion, p: int) -> tuple[float, float]:
+    """Return the sizes of velocity and displacement that the residual on a phase would give.
+
+    Both without units; on a held phase the residual is the acceleration.
+    """
+    cell, durations = orbit.case.cell, orbit.cell_durations
+    phase, s = cell.phases[p], float(durations[p])
+    angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
+
+    def terms(u: Vector) -> Vector:
+        if phase.held:
+            return np.array([orbit.part(p, u, 2)])
+        x, v, a = (orbit.part(p, u, j) for j in (0, 1, 2))
+        force = phase.f + phase.g * np.cos(angle + cell.omega * s * u)
+        return np.array([a, phase.c / phase.m * v, phase.k / phase.m * x, -force / phase.m])
+
+    def residual(u: Vector) -> Vector:
+        return np.asarray(terms(u).sum(axis=0))
+
+    size = float(np.abs(terms(np.linspace(0.0, 1.0, 65))).sum(axis=0).max())
+    rate, travel = chebyshev.accumulated(chebyshev.pieces(residual, size))
+    return s * rate, s * s * travel
+
+
+def by_residual(orbit: SceneMotion) -> Allowance:
+    """Return what each demand of an orbit may fall below 0, as a part of its scale."""
+    found = [defect(orbit, p) for p in range(len(orbit.case.cell.phases))]
+    velocity, displacement = map(max, zip(*found, strict=True))
+
+    def allowed(p: int, form: Form) -> float:
+        scale = scale_of(orbit, p, form)
+        error = abs(form[0]) * displacement + abs(form[1]) * velocity
+        return min(MOST, max(ROUNDING, FACTOR * error / scale)) if scale else ROUNDING
+
+    return allowed

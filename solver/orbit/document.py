@@ -1,0 +1,110 @@
+"""An orbit of a scene as the document that programs read, in SI units."""
+
+import math
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ..case.case import Case
+    from ..flow.exact import ExactSceneOrbit
+    from ..no_orbit import NoOrbit
+    from .orbit import SceneOrbit
+
+#: Of the document's keys and their meaning.
+SCHEMA = 1
+
+
+def document(orbit: "SceneOrbit") -> dict[str, Any]:
+    """Return an orbit as a document of JSON: numbers, text, lists; None for what is unknown."""
+    exact, errors = orbit.exact, orbit.errors
+    content = {
+        "schema": SCHEMA,
+        "scene": orbit.case.scene.name,
+        "class": orbit.smoothness,
+        "motion": None,
+        "method": orbit.method,
+        "order": orbit.order,
+        "functions": orbit.functions,
+        "parameters": dict(orbit.case.values),
+        "converged": orbit.converged,
+        "iterations": orbit.iterations,
+        "residual_norm": orbit.residual_norm,
+        "phases": [
+            {
+                "name": phase.name,
+                "duration": phase.duration,
+                "start": {"displacement": phase.displacement, "velocity": phase.velocity},
+            }
+            for phase in orbit.phases
+        ],
+        "period": orbit.period,
+        "forcing_phase": orbit.forcing_phase,
+        "extremes": {name: list(ends) for name, ends in orbit.extremes.items()},
+        "coefficients": orbit.coefficients,
+        "admissible": orbit.admissible,
+        "violations": list(orbit.violations),
+        "exact": _of_exact(exact),
+        "errors": asdict(errors) if errors else without_errors(),
+        "estimate": asdict(orbit.estimate),
+    }
+    return {name: _finite(value) for name, value in content.items()}
+
+
+def document_without_orbit(
+    case: "Case", method: str, order: int | None, functions: int | None, finding: "NoOrbit",
+    exact: "ExactSceneOrbit | None",
+) -> dict[str, Any]:  # fmt: skip
+    """Return the document of an orbit that is not there: the same keys, and its status."""
+    ends = dict.fromkeys(("displacement", "velocity"))
+    content = {
+        "schema": SCHEMA,
+        "scene": case.scene.name,
+        "class": f"C{case.scene.k}",
+        "motion": None,
+        "method": method,
+        "order": order,
+        "functions": functions,
+        "parameters": dict(case.values),
+        "converged": False,
+        "iterations": finding.iterations,
+        "residual_norm": None,
+        "phases": [
+            {"name": phase.name, "duration": None, "start": dict(ends)}
+            for phase in case.cell.phases * case.cell.cells
+        ],
+        "period": None,
+        "forcing_phase": None,
+        "extremes": dict(ends),
+        "coefficients": None,
+        "admissible": False,
+        "violations": [str(finding)],
+        "exact": _of_exact(exact),
+        "errors": without_errors(),
+        "estimate": without_errors(),
+        "status": finding.status,
+    }
+    return {name: _finite(value) for name, value in content.items()}
+
+
+def without_errors() -> dict[str, None]:
+    """Return the errors of an orbit that is not there."""
+    return dict.fromkeys(("period", "times", "discontinuous"))
+
+
+def _of_exact(exact: "ExactSceneOrbit | None") -> dict[str, Any]:
+    return {
+        "period": exact and exact.period,
+        "forcing_phase": exact and exact.forcing_phase,
+        "durations": exact and list(exact.durations),
+    }
+
+
+def _finite(value: Any) -> Any:
+    """Return a document with None for what is infinite or not a number."""
+    if isinstance(value, dict):
+        return {name: _finite(part) for name, part in value.items()}
+    if isinstance(value, list):
+        return [_finite(part) for part in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

@@ -1,0 +1,49 @@
+"""Linear forms in the state along a motion: demands, and the events that end phases."""
+
+import numpy as np
+
+from ..arrays import Vector
+from ..case.cell import Form
+from .motion import SceneMotion
+
+#: Each term of a form by itself.
+UNIT_FORMS: tuple[Form, ...] = (
+    (1.0, 0.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0, 0.0),
+    (0.0, 0.0, 1.0, 0.0),
+    (0.0, 0.0, 0.0, 1.0),
+)
+
+
+def terms(orbit: SceneMotion, p: int, form: Form, u: Vector) -> Vector:
+    """Return the terms of a linear form in the state, at local times of a phase."""
+    cell, durations = orbit.case.cell, orbit.cell_durations
+    angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
+    cosine = np.cos(angle + cell.omega * durations[p] * u)
+    x, v, cos, constant = form
+    zero = np.zeros(len(u))
+    return np.array(
+        [
+            x * orbit.part(p, u, 0) if x else zero,
+            v * orbit.part(p, u, 1) if v else zero,
+            cos * cosine,
+            np.full(len(u), constant),
+        ]
+    )
+
+
+def scale_of(orbit: SceneMotion, p: int, form: Form) -> float:
+    """Return the size of a form on a phase: of its terms, added without sign."""
+    values = terms(orbit, p, form, np.linspace(0.0, 1.0, 65))
+    return float(np.abs(values).max(axis=1).sum())
+
+
+def vanishes_by_event(orbit: SceneMotion, p: int, form: Form) -> bool:
+    """Whether a demand is the event that ends the phase, but for a factor."""
+    event_form = orbit.case.cell.phases[p].event
+    sizes = np.array([scale_of(orbit, p, unit) for unit in UNIT_FORMS])
+    demand, event = np.array(form) * sizes, np.array(event_form) * sizes
+    if not event.any() or not demand.any():
+        return False
+    demand, event = demand / np.linalg.norm(demand), event / np.linalg.norm(event)
+    return bool(1 - abs(demand @ event) <= 1e-12)

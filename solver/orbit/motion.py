@@ -1,0 +1,149 @@
+"""A periodic motion of a case, in SI units, made of the motion of each phase."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from ..arrays import Vector
+from ..case.case import Case
+from .extremes import extremes
+
+
+@dataclass(frozen=True)
+class OrbitPhase:
+    """One phase of an orbit, in SI units.
+
+    Parameters
+    ----------
+    name : str
+        Of the scene.
+    duration : float
+        In s.
+    displacement, velocity : float
+        Where it starts, in m and m/s, after the switch.
+    """
+
+    name: str
+    duration: float
+    displacement: float
+    velocity: float
+
+
+class SceneMotion:
+    """Displacement, velocity and acceleration of a periodic motion at any time, in SI units.
+
+    A subclass says its case, and without units: durations, forcing phase, motion on a phase.
+    """
+
+    case: Case
+
+    @property
+    def cell_durations(self) -> Vector:
+        """Durations of the phases of the cell, without units."""
+        raise NotImplementedError
+
+    @property
+    def angle(self) -> float:
+        """Phase of the forcing at the first switch, anywhere on the circle."""
+        raise NotImplementedError
+
+    def part(self, p: int, u: Vector, derivative: int) -> Vector:
+        """Return a derivative of the displacement on phase `p` of the cell, without units."""
+        raise NotImplementedError
+
+    @cached_property
+    def durations(self) -> tuple[float, ...]:
+        """Durations of the phases of one period in s, from the first switch."""
+        cells = self.case.cell.cells
+        return tuple(float(s * self.case.units.time) for s in self.cell_durations) * cells
+
+    @property
+    def period(self) -> float:
+        """Period in s."""
+        return math.fsum(self.durations)
+
+    @property
+    def forcing_phase(self) -> float | None:
+        """Phase of the forcing at ``t = 0``, in [0, 2 pi); None where nothing forces."""
+        if not self.case.cell.forced:
+            return None
+        turn = self.angle % (2 * math.pi)
+        return turn if turn < 2 * math.pi else 0.0  # of a tiny negative number
+
+    @cached_property
+    def phases(self) -> tuple[OrbitPhase, ...]:
+        """The phases of one period, from the first switch."""
+        cell, units, start = self.case.cell, self.case.units, np.zeros(1)
+        states = [[float(self.part(p, start, j)[0]) for j in (0, 1)] for p in self._of_cell]
+        return tuple(
+            OrbitPhase(
+                name=cell.phases[p].name,
+                duration=self.durations[index],
+                displacement=self._sign(index) * states[p][0] * units.length,
+                velocity=self._sign(index) * states[p][1] * units.of_motion(1),
+            )
+            for index, p in enumerate([*self._of_cell] * cell.cells)
+        )
+
+    @property
+    def _of_cell(self) -> range:
+        return range(len(self.case.cell.phases))
+
+    def _sign(self, index: int) -> int:
+        return self.case.cell.sign if index >= len(self.case.cell.phases) else 1
+
+    @cached_property
+    def _switches(self) -> Vector:
+        """Times at which the phases of a period start, and its end, in s."""
+        ends = [math.fsum(self.durations[:p]) for p in range(len(self.durations) + 1)]
+        return np.array(ends)
+
+    def displacement(self, t: npt.ArrayLike) -> Vector:
+        """Return ``x(t)`` in m.
+
+        Parameters
+        ----------
+        t : array_like of float, any shape
+            Times in s; the first phase starts at 0, and the motion repeats with `period`.
+
+        Raises
+        ------
+        ValueError
+            If a time is infinite or not a number.
+        """
+        return self._at(t, 0)
+
+    def velocity(self, t: npt.ArrayLike) -> Vector:
+        """Return the velocity in m/s at times `t`; at a switch, that after it."""
+        return self._at(t, 1)
+
+    def acceleration(self, t: npt.ArrayLike) -> Vector:
+        """Return the acceleration in m/s**2 at times `t`; at a switch, that after it."""
+        return self._at(t, 2)
+
+    def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
+        times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
+        if not np.isfinite(times).all():
+            raise ValueError(f"t: got {t!r}, expected finite times in s")
+        within = np.mod(times.ravel(), self._switches[-1])
+        within[within >= self._switches[-1]] = 0.0  # of a tiny negative number
+        which = np.searchsorted(self._switches, within, side="right") - 1
+        values = np.empty(len(within))
+        for index in np.unique(which):
+            here = which == index
+            u = (within[here] - self._switches[index]) / self.durations[index]
+            p = int(index) % len(self.case.cell.phases)
+            values[here] = self._sign(index) * self.part(p, np.clip(u, 0.0, 1.0), derivative)
+        values *= self.case.units.of_motion(derivative)
+        return values.reshape(times.shape)
+
+    @cached_property
+    def extremes(self) -> dict[str, tuple[float, float]]:
+        """Least and largest displacement in m, and velocity in m/s, over a period."""
+        return {
+            name: extremes(self, derivative)
+            for derivative, name in enumerate(("displacement", "velocity"))
+        }

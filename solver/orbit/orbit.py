@@ -1,0 +1,161 @@
+"""A periodic orbit of a scene that one method computed, in SI units."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..accuracy.errors import SceneErrors, difference
+from ..arrays import Vector
+from ..case import library
+from ..case.case import Case
+from ..case.kernel import SceneKernel
+from ..case.names import shown
+from ..flow.exact import ExactSceneOrbit, exact_orbit
+from ..iteration.newton import Outcome
+from ..no_orbit import NoOrbit
+from ..scaling import product_of_powers
+from . import admissible
+from .allowance import by_residual
+from .document import document
+from .motion import SceneMotion
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class SceneOrbit(SceneMotion):
+    """A periodic orbit of a case, computed by one method at one order.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    method : str
+        Generic name of the method.
+    order : int
+        ``N`` of its expansion.
+    outcome : Outcome
+        The unknowns of the kernel, without units, and how Newton's method found them.
+    iterations : int
+        Jacobians factorised in all, those of the way to the start included.
+    functions : int or None
+        Functions beside the harmonics at each switch, where the method counts them.
+    """
+
+    case: Case
+    method: str
+    order: int
+    outcome: Outcome
+    iterations: int
+    functions: int | None = None
+
+    @cached_property
+    def _kernel(self) -> SceneKernel:
+        return library.kernel(self.case.scene, self.method, self.functions)
+
+    @property
+    def unknowns(self) -> Vector:
+        """The unknowns of the kernel, without units: coefficients, then times."""
+        return self.outcome.unknowns
+
+    @property
+    def cell_durations(self) -> Vector:
+        """Durations of the phases of the cell, without units."""
+        return self._kernel.split(self.unknowns)[0]
+
+    @property
+    def angle(self) -> float:
+        """Phase of the forcing at the first switch, anywhere on the circle."""
+        return self._kernel.split(self.unknowns)[1]
+
+    def part(self, p: int, u: Vector, derivative: int) -> Vector:
+        """Return a derivative of the displacement on phase `p` of the cell, without units."""
+        values = self._kernel.motion(self.case.numbers, self.unknowns, p, u, derivative)
+        return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
+
+    @property
+    def smoothness(self) -> str:
+        """Class of the motion: ``"C0"`` where its velocity jumps, and so on."""
+        return f"C{self.case.scene.k}"
+
+    @property
+    def converged(self) -> bool:
+        """Whether Newton's method converged; an orbit that did not is not returned."""
+        return self.outcome.converged
+
+    @property
+    def residual_norm(self) -> float:
+        """Maximum norm of the residual, without units."""
+        return self.outcome.residual_norm
+
+    @cached_property
+    def coefficients(self) -> dict[str, float | list[float]]:
+        """The coefficients of the expansion by name, in SI units."""
+        units = self.case.units
+        found: dict[str, float | list[float]] = {}
+        for name, (values, power) in self._kernel.coefficients(self.unknowns).items():
+            unit = product_of_powers(units.length, (units.time, -power))
+            found[name] = (np.asarray(values, dtype=float) * unit).tolist()
+        return found
+
+    @cached_property
+    def violations(self) -> tuple[str, ...]:
+        """What keeps the solution from being an orbit, in words."""
+        found = admissible.violations(self, lambda p, form: np.inf)  # durations, directions
+        return found or admissible.violations(self, by_residual(self))
+
+    @property
+    def admissible(self) -> bool:
+        """Whether the solution is an orbit: nothing in `violations`."""
+        return not self.violations
+
+    @cached_property
+    def exact(self) -> ExactSceneOrbit | None:
+        """The exact orbit next to this one; None if there is none to be found."""
+        durations = tuple(float(s * self.case.units.time) for s in self.cell_durations)
+        try:
+            return exact_orbit(self.case, durations, self.angle)
+        except NoOrbit:
+            return None
+
+    @cached_property
+    def errors(self) -> SceneErrors | None:
+        """Errors against the exact orbit; None if there is none to be found."""
+        return None if self.exact is None else difference(self, self.exact, self.order)
+
+    @cached_property
+    def estimate(self) -> SceneErrors:
+        """Errors as they are estimated without the exact orbit; see `estimate`."""
+        from ..accuracy.estimate import estimate  # noqa: PLC0415  (it computes orbits)
+
+        return estimate(self)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the orbit as the document that ``solve --json`` writes."""
+        return document(self)
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the phase portrait and return the axes; needs matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones without it.
+        **style
+            Of the line.
+        """
+        from .notebook import portrait  # noqa: PLC0415
+
+        return portrait(self, ax, **style)
+
+    def _repr_html_(self) -> str:
+        from .notebook import table  # noqa: PLC0415
+
+        return table(self)
+
+    def __repr__(self) -> str:
+        name = shown(self.case.scene, self.method)
+        return (
+            f"<{self.case.scene.name} by {name}, N = {self.order}: T = {self.period:.10g} s, "
+            f"{self.iterations} iterations>"
+        )

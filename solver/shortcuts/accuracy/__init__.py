@@ -1,0 +1,1 @@
+"""Errors and estimates of the paper's methods, rates of convergence."""

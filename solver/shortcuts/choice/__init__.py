@@ -1,0 +1,1 @@
+"""The cheapest method within a tolerance, the best within a time."""

@@ -1,0 +1,140 @@
+"""Periodic motions in SI units, and the exact one."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from ...arrays import Vector
+from . import exact as closed_form
+from .oscillator import StickSlip, check_type
+
+
+class Motion:
+    """Displacement, velocity and acceleration of a periodic motion at any time, in SI."""
+
+    belt: StickSlip
+
+    @property
+    def period(self) -> float:
+        """``T`` in s."""
+        raise NotImplementedError
+
+    @property
+    def t1(self) -> float:
+        """End of stick in s."""
+        raise NotImplementedError
+
+    @property
+    def amplitude(self) -> float:
+        """Half of the way between the two ends of the motion, in m."""
+        raise NotImplementedError
+
+    def _dimensionless(self) -> tuple[float, float, Callable[[Vector, int], Vector]]:
+        """Return ``t1``, ``T`` and ``evaluate(t, derivative)`` on ``[0, T)``, dimensionless."""
+        raise NotImplementedError
+
+    def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
+        times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
+        if not np.isfinite(times).all():
+            raise ValueError(f"t: got {t!r}, expected finite times in s")
+        in_period = np.mod(times.ravel(), self.period)
+        in_period[in_period >= self.period] = 0.0  # of a tiny negative number
+        t1, T, evaluate = self._dimensionless()
+        phase, slips = in_period / self.belt.time_unit, in_period >= self.t1
+        # the change of units may round a time into the other phase
+        first, end = np.where(slips, t1, 0.0), np.where(slips, T, t1)
+        phase = np.clip(phase, first, np.nextafter(end, 0.0))
+        belt = self.belt
+        unit = (belt.length_unit, belt.belt_speed, belt.acceleration_unit)[derivative]
+        values = unit * evaluate(phase, derivative)
+        if derivative == 0:
+            values += self.belt.slip_centre
+        return values.reshape(times.shape)
+
+    def displacement(self, t: npt.ArrayLike) -> Vector:
+        """Return ``x(t)`` in m.
+
+        Parameters
+        ----------
+        t : array_like of float, any shape
+            Times in s; stick starts at 0, and the motion repeats with `period`.
+
+        Returns
+        -------
+        ndarray of float, of the shape of `t`
+
+        Raises
+        ------
+        ValueError
+            If a time is infinite or not a number.
+        """
+        return self._at(t, 0)
+
+    def velocity(self, t: npt.ArrayLike) -> Vector:
+        """Return the velocity in m/s at times `t`; see `displacement`."""
+        return self._at(t, 1)
+
+    def acceleration(self, t: npt.ArrayLike) -> Vector:
+        """Return the acceleration in m/s**2 at times `t`; see `displacement`.
+
+        Where it jumps, at `t1` and at `period`, the value is that of the phase which begins.
+        """
+        return self._at(t, 2)
+
+
+@dataclass(frozen=True)
+class ExactOrbit(Motion):
+    """The exact orbit of Section 2.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+    >>> orbit = ExactOrbit(DEFAULT)
+    >>> round(orbit.period, 9), orbit.t1
+    (0.671238898, 0.2)
+    """
+
+    belt: StickSlip
+
+    @property
+    def period(self) -> float:
+        """``T`` in s."""
+        return closed_form.times(self.belt.alpha)[1] * self.belt.time_unit
+
+    @property
+    def t1(self) -> float:
+        """End of stick, ``2 A/V``, in s."""
+        return closed_form.times(self.belt.alpha)[0] * self.belt.time_unit
+
+    @property
+    def amplitude(self) -> float:
+        """Half of the way between the two ends of the motion, in m."""
+        return self.belt.length_unit * math.hypot(1.0, self.belt.alpha)
+
+    def _dimensionless(self) -> tuple[float, float, Callable[[Vector, int], Vector]]:
+        alpha = self.belt.alpha
+        evaluate = closed_form.evaluate
+        return *closed_form.times(alpha), lambda t, order: evaluate(alpha, t, order)
+
+
+def exact(belt: StickSlip) -> ExactOrbit:
+    """Return the exact orbit of Section 2.
+
+    Raises
+    ------
+    TypeError
+        If `belt` is no `StickSlip`.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
+    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
+    >>> ns.exact(belt).t1
+    0.2
+    """
+    check_type(belt)
+    return ExactOrbit(belt)

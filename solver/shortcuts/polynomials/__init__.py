@@ -1,0 +1,1 @@
+"""The C1 series: evaluation, batches over alpha, all real solutions."""

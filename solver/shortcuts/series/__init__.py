@@ -1,0 +1,1 @@
+"""Fourier series: a million harmonics without a matrix, errors summed over harmonics."""

@@ -1,0 +1,54 @@
+"""What stands above a table of a scene: what it is, its parameters, what the headings mean."""
+
+import textwrap
+from typing import TYPE_CHECKING
+
+from ...shortcuts.parameters import CHOICE
+from ..command import DEFAULT
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.case.numbers import SceneNumbers
+
+#: Columns of a table and of what stands above it.
+WIDTH = 80
+
+
+def caption(case: "Case") -> str:
+    """Return the scene and the parameters of a case, and whose choice they are."""
+    scene = case.scene
+    head = f"{scene.name}: {scene.title} (C{scene.k})"
+    lines = [*textwrap.wrap(head, WIDTH), *_wrapped(case.description)]
+    if scene.name == DEFAULT and case == scene():
+        lines.append(CHOICE)
+    return "\n".join(lines) + "\n"
+
+
+def _wrapped(parameters: str) -> list[str]:
+    """Return parameters in lines; none is divided."""
+    glued = parameters.replace(" ", "\0").replace(",\0", ", ")
+    return [line.replace("\0", " ") for line in textwrap.wrap(glued, WIDTH)]
+
+
+def derivative(scene: "SceneNumbers") -> str:
+    """Return the first derivative that jumps somewhere: ``x''`` of a C1 motion."""
+    return "x" + "'" * (scene.k + 1)
+
+
+def legend(scene: "SceneNumbers", durations: bool = True) -> str:
+    """Return what the headings of a table of orbits mean."""
+    jumps, forced = derivative(scene), scene.frequency is not None
+    phases = ", ".join(scene.phases)
+    parts = ["T: period" if len(scene.phases) > 1 else f"T: period, all of it {phases}"]
+    if forced:
+        parts.append("phi: phase of the forcing at the first switch")
+    if durations and len(scene.phases) > 1:
+        parts.append(f"{phases}: their durations")
+    largest = "largest error of a duration" + (" or of phi/Omega" if forced else "")
+    parts += [
+        f"times: {largest}, as a part of T",
+        f"{jumps}: L2 error of {jumps}, the first derivative that jumps",
+        "estimate: of times, without the exact orbit",
+        "it: Newton iterations",
+    ]
+    return textwrap.fill("; ".join(parts) + ".", WIDTH)

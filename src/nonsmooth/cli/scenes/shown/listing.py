@@ -1,0 +1,103 @@
+"""``nonsmooth scenes``: which scenes there are, and what one is."""
+
+import textwrap
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..named import known, scene_named
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+#: Columns of a line.
+WIDTH = 80
+
+EPILOG = """\b
+Examples:
+  nonsmooth scenes
+  nonsmooth scenes impact
+  nonsmooth scenes ./my_scene.py --json
+"""
+
+
+@click.command(epilog=EPILOG)
+@click.argument("scene", required=False)
+@click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
+def scenes(scene: str | None, json_: bool) -> None:
+    """List the scenes, or say what SCENE is: parameters, phases, events, class.
+
+    SCENE is a name of the list, or the path of a scene file. A scene file is Python and is
+    run. Its equations are derived when it is first used, and kept.
+    """
+    from .described import brief, document  # noqa: PLC0415
+
+    found: dict[str, Any]
+    if scene is None:
+        found = {"scenes": [brief(scene_named(name)) for name in known()]}
+    else:
+        found = document(scene_named(scene))
+    if json_:
+        from nonsmooth.files.json_text import as_json  # noqa: PLC0415
+
+        click.echo(as_json(found))
+    elif scene is None:
+        _list(found["scenes"])
+    else:
+        _describe(found)
+
+
+def _list(found: "Sequence[dict[str, Any]]") -> None:
+    rows = [(s["name"], s["class"], ", ".join(s["phases"]), s["what"]) for s in found]
+    click.echo(_columns(("scene", "class", "phases", "what it is"), rows))
+
+
+def _columns(heads: tuple[str, ...], rows: "Sequence[tuple[str, ...]]") -> str:
+    """Return rows under their headings; the last column goes on in the next line."""
+    widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)][:-1]
+    lines = []
+    for row in (heads, *rows):
+        cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=False)]
+        head = "  ".join(cells) + "  "
+        first, *more = textwrap.wrap(row[-1], max(WIDTH - len(head), 20)) or [""]
+        lines += [(head + first).rstrip(), *(" " * len(head) + part for part in more)]
+    return "\n".join(lines)
+
+
+def _describe(found: dict[str, Any]) -> None:
+    click.echo(_wrapped(f"{found['name']}: {found['what']} ({found['class']})", ""))
+    if found["source"]:
+        click.echo(_wrapped(f"  {found['source']}", "  "))
+    click.echo()
+    rows = [
+        (f"--{q['name'].replace('_', '-')}", q["symbol"], q["unit"], f"{q['default']:g}",
+         f"{q['what']}; {q['expected']}")
+        for q in found["parameters"]
+    ]  # fmt: skip
+    click.echo(_columns(("parameter", "symbol", "unit", "default", "what it is"), rows))
+    for words in found["requires"]:
+        click.echo(_wrapped(f"  expected: {words}", "  "))
+    for phase in found["phases"]:
+        click.echo("\n" + _phase(phase))
+    if found["half_period"]:
+        click.echo("\nThese phases are half a period: x(t + T/2) = -x(t).")
+    names = (
+        q["shown"] + (f" (K = {', '.join(map(str, q['functions']))})" if q["functions"] else "")
+        for q in found["methods"]
+    )
+    click.echo("\n" + _wrapped(f"methods: {', '.join(names)}", ""))
+
+
+def _phase(phase: dict[str, Any]) -> str:
+    begins = phase["begins"]
+    lines = [
+        f"{phase['name']}: {phase['held'] or phase['equation']}",
+        f"  begins  {begins['class']}: {begins['jumps']} jumps",
+        f"  ends    {phase['ends']}" + (f", then {phase['jump']}" if phase["jump"] else ""),
+    ]
+    lines += [f"  demands {q['expression']}  ({q['what']})" for q in phase["demands"]]
+    return "\n".join(_wrapped(line, "          ") for line in lines)
+
+
+def _wrapped(text: str, indent: str) -> str:
+    return textwrap.fill(text, WIDTH, subsequent_indent=indent, break_long_words=False)

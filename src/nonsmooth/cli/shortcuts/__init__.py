@@ -1,0 +1,1 @@
+"""The commands of the paper's oscillator: its flags, tables, pictures, families."""

@@ -1,0 +1,1 @@
+"""``sweep --vary``: orbits along a parameter, in chunks that are kept."""

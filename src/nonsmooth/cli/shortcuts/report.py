@@ -1,0 +1,46 @@
+"""``nonsmooth report``: the paper recomputed for one oscillator, as a page to read."""
+
+from pathlib import Path
+
+import click
+
+from ..folders import check_folder, write_folder
+from ..output import need
+from ..problems import Problem
+from ..progress import progress
+from .parameters import belt_from, parameter_options
+
+EPILOG = """\b
+Examples:
+  nonsmooth report -o report
+  nonsmooth report --normal-force 98.1 -o report
+"""
+
+
+@click.command(epilog=EPILOG)
+@parameter_options
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), required=True,
+    help="Folder to make: index.html, and every figure as .svg and .pdf.",
+)  # fmt: skip
+def report(case: Path | None, output: Path, **flags: float | None) -> None:
+    """Recompute figures, equations and claims of the paper, on one page.
+
+    For the oscillator given: Figs. 2 to 6, the equations with their numbers, and the claims
+    one by one, each with the normal forces for which it holds.  The page needs nothing from
+    outside.
+    """
+    for library in ("matplotlib", "jinja2"):
+        need(library, "report", "report")
+    belt = belt_from(case, flags)
+    from nonsmooth.report.build import FILES, STEPS, build  # noqa: PLC0415
+    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
+    from nonsmooth.solver.shortcuts.orbit.methods import check_alpha  # noqa: PLC0415
+
+    try:
+        check_alpha(belt.alpha)
+    except ParameterError as error:
+        raise Problem(str(error)) from error
+    check_folder(output, FILES)
+    with progress(STEPS, "report") as done:
+        write_folder(output, lambda folder: build(belt, folder, done))

@@ -1,0 +1,85 @@
+"""``nonsmooth stability``: digits kept at the extremes, by the stable and the printed forms."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nonsmooth.files.json_text import as_json
+
+from ..output import PICTURES, check_target, write_text, write_whole
+from ..progress import progress
+from .precise import need_flint
+
+if TYPE_CHECKING:
+    from nonsmooth.shortcuts.stability import Cell, Form
+
+EPILOG = """\b
+Examples:
+  nonsmooth stability --quick
+  nonsmooth stability -o stability.png
+"""
+
+
+@click.command(epilog=EPILOG)
+@click.option("--quick", is_flag=True, help="A small grid: seconds instead of minutes.")
+@click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path),
+    help="Write the cells: .json, or a picture .png, .svg, .pdf.",
+)  # fmt: skip
+def stability(quick: bool, json_: bool, output: Path | None) -> int:
+    """Measure the digits of t1 and T against high precision, on this machine.
+
+    The stable forms that the kernels use stand beside the equations as the paper prints
+    them: raw g1, monomials, SI units, no scaling.
+    """
+    check_target(output, (".json", *PICTURES))
+    need_flint("stability")
+    from nonsmooth.shortcuts.stability import cells, measure  # noqa: PLC0415
+
+    grid = cells(quick)
+    with progress(len(grid), "stability") as advance:
+        found = measure(
+            grid, lambda c: advance(f"{c.method}, alpha = {c.alpha:g}, N = {c.order}")
+        )
+    if json_:
+        click.echo(as_json(document(found)))
+    else:
+        from .tables import digits  # noqa: PLC0415
+
+        digits(found)
+    if output is not None:
+        _write(output, found)
+    return 0 if all(cell.met for cell in found) else 1
+
+
+def document(found: "list[Cell]") -> dict[str, Any]:
+    """Return the measurements as JSON has them."""
+    from nonsmooth.shortcuts.stability import MOST_ITERATIONS, TARGETS  # noqa: PLC0415
+
+    rows = [
+        {"method": cell.method, "alpha": cell.alpha, "order": cell.order, "met": cell.met}
+        | {name: _form(getattr(cell, name)) for name in ("stable", "printed")}
+        for cell in found
+    ]
+    targets = {"error": TARGETS, "iterations": MOST_ITERATIONS}
+    return {"targets": targets, "met": all(cell.met for cell in found), "rows": rows}
+
+
+def _form(form: "Form") -> dict[str, Any]:
+    finite = form.condition is not None and form.condition < float("inf")
+    return asdict(form) | {
+        "condition": form.condition if finite else None,
+        "digits": form.digits,
+    }
+
+
+def _write(output: Path, found: "list[Cell]") -> None:
+    if output.suffix.lower() == ".json":
+        write_text(output, as_json(document(found)) + "\n")
+        return
+    from .heat_maps import stability_picture  # noqa: PLC0415
+
+    write_whole(output, lambda target: stability_picture(found, target))

@@ -1,0 +1,221 @@
+"""Tables for people, on stdout, at most 80 columns wide."""
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy.typing as npt
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from nonsmooth.solver.shortcuts.orbit.methods import name_with_terms
+from nonsmooth.solver.shortcuts.orbit.motion import exact
+from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
+from nonsmooth.solver.shortcuts.search.family_points import STATUS
+
+if TYPE_CHECKING:
+    from nonsmooth.shortcuts.stability import Cell, Form
+    from nonsmooth.shortcuts.tradeoff import Point
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
+    from nonsmooth.solver.shortcuts.search.sweep import Sweep
+
+
+#: Estimated error of the period below which the digits of a column are not all.
+MORE_DIGITS = 1e-9
+
+#: Columns beyond which the gaps of a table are one column and not two.
+WIDE = 80
+
+#: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
+WIDEST = 200
+
+
+class _Console(Console):
+    """A console that hands a broken pipe on, and does not exit with 1."""
+
+    def on_broken_pipe(self) -> None:
+        raise BrokenPipeError
+
+
+def _print(table: Table) -> None:
+    """Print a table; where stdout is no terminal, plain and as wide as it is.
+
+    On a narrow terminal a cell goes on in the next line: no digit is left out.
+    """
+    console = _Console()
+    if not console.is_terminal:
+        console = _Console(width=WIDEST)
+        if console.measure(table).maximum > WIDE:
+            table.padding = (0, 1, 0, 0)
+    console.print(table)
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False)
+    for index, column in enumerate(columns):
+        table.add_column(
+            Text(column), justify="left" if index == 0 else "right", overflow="fold"
+        )
+    return table
+
+
+def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None:
+    """Print the orbit by each method, below the exact one."""
+    reference = exact(belt)
+    columns = (
+        "method",
+        "N",
+        "T [s]",
+        "T/T_ex-1",
+        "t1 [s]",
+        "(22)",
+        "aligned",
+        "estimate",
+        "it",
+    )
+    table = _table(*columns)
+    table.add_row("exact", "", f"{reference.period:.9g}", "", f"{reference.t1:.7g}")
+    for method, orbit in found.items():
+        if not isinstance(orbit, Orbit):
+            table.add_row(method, "", orbit.status)
+            continue
+        table.add_row(
+            name_with_terms(method, orbit.c1_terms),
+            str(orbit.order),
+            f"{orbit.period:.9g}",
+            f"{orbit.errors.period:.2e}",
+            f"{orbit.t1:.7g}",
+            f"{orbit.errors.acceleration:.2e}",
+            f"{orbit.errors.acceleration_aligned:.2e}",
+            f"{orbit.estimate.period:.1e}",
+            str(orbit.iterations),
+        )
+    _print(table)
+    for orbit in found.values():
+        if isinstance(orbit, Orbit) and orbit.estimate.period < MORE_DIGITS:
+            period = certain_digits(orbit.period, orbit.estimate.period)
+            t1 = certain_digits(orbit.t1, orbit.estimate.t1)
+            name = name_with_terms(orbit.method, orbit.c1_terms)
+            click.echo(f"{name}, N = {orbit.order}: T = {period} s, t1 = {t1} s")
+
+
+def certain_digits(value: float, error: float) -> str:
+    """Return a number by the digits that a relative error leaves.
+
+    Examples
+    --------
+    >>> certain_digits(0.1999999999876, 3e-10), certain_digits(2e-20, 0.0)
+    ('0.200000000', '2.000000000000000e-20')
+    """
+    digits = min(16, max(1, math.floor(-math.log10(error)))) if error > 0 else 16
+    return f"{value:#.{digits}g}"
+
+
+def convergence(result: "Sweep") -> None:
+    """Print one row a method and order."""
+    table = _table("method", "N", "T [s]", "T/T_ex-1", "t1/t1_ex-1", "(22)", "estimate", "it")
+    for row in result.rows:
+        head = (row.method, str(row.order))
+        if row.errors is None or row.period is None or row.estimate is None:
+            table.add_row(*head, row.status, "", "", "", "", str(row.iterations))
+            continue
+        errors = row.errors
+        table.add_row(
+            *head,
+            f"{row.period:.9g}",
+            f"{errors.period:.3e}",
+            f"{errors.t1:.3e}",
+            f"{errors.acceleration:.3e}",
+            f"{row.estimate.period:.1e}",
+            str(row.iterations),
+        )
+    _print(table)
+
+
+def rates(result: "Sweep") -> None:
+    """Print how fast each method converges, where there are orders enough."""
+    found = {name: rate for name, rate in result.rates().items() if rate.period is not None}
+    if not found:
+        return
+    click.echo("Convergence, fitted to the upper half of the orders above rounding:\n")
+    table = _table("method", "T", "t1", "(22)")
+    for name, rate in found.items():
+        table.add_row(name, *(rate.text(error) for error in ("period", "t1", "acceleration")))
+    _print(table)
+
+
+def family_points(heading: str, order: int, found: "Mapping[str, npt.NDArray[Any]]") -> None:
+    """Print points along a parameter."""
+    columns = ("method", "N", heading, "alpha", "T [s]", "amp. [m]", "stick/T", "estimate")
+    table = _table(*columns)
+    for method, points in found.items():
+        for point in points:
+            head = (method, str(order), f"{point['value']:.6g}", f"{point['alpha']:.4g}")
+            if point["status"]:
+                table.add_row(*head, STATUS[point["status"]])
+                continue
+            table.add_row(
+                *head,
+                f"{point['period']:.9g}",
+                f"{point['amplitude']:.7g}",
+                f"{point['stick_fraction']:.5f}",
+                f"{point['estimate_period']:.1e}",
+            )
+    _print(table)
+
+
+def trade(points: "list[Point]") -> None:
+    """Print time against error, the front marked."""
+    table = _table("method", "N", "digits", "time [s]", "T/T_ex-1", "estimate", "front")
+    for point in points:
+        table.add_row(
+            name_with_terms(point.method, point.c1_terms),
+            str(point.order),
+            "" if point.digits is None else str(point.digits),
+            f"{point.seconds:.1e}",
+            f"{point.error:.1e}",
+            "" if point.estimate is None else f"{point.estimate:.1e}",
+            "*" if point.front else "",
+        )
+    _print(table)
+
+
+def all_roots(rows: list[dict[str, Any]]) -> None:
+    """Print one row a solution of the C1 series."""
+    table = _table("slip [s]", "t1 [s]", "T [s]", "mismatch", "verdict")
+    for row in rows:
+        numbers = (f"{row[name]:.6g}" for name in ("slip", "t1", "period"))
+        verdict = "the orbit" if row["admissible"] else row["violations"][0].split(":")[0]
+        mismatch = f"{row['transition_mismatch']:.1e}"
+        table.add_row(*numbers, mismatch, _shortened(verdict))
+    _print(table)
+
+
+def _shortened(text: str, width: int = 34) -> str:
+    text = text.split(" (", maxsplit=1)[0]
+    return text if len(text) <= width else text[: width - 1] + "…"
+
+
+def digits(cells: "list[Cell]") -> None:
+    """Print one row a cell: digits, condition and iterations of both forms."""
+    table = _table(
+        "method", "alpha", "N", "digits", "cond", "it", "as printed", "cond", "it", "met"
+    )
+    for cell in cells:
+        head = (cell.method, f"{cell.alpha:g}", str(cell.order))
+        table.add_row(
+            *head, *_form(cell.stable), *_form(cell.printed), "yes" if cell.met else "NO"
+        )
+    _print(table)
+    met = sum(cell.met for cell in cells)
+    print(f"{met} of {len(cells)} cells meet their target")
+
+
+def _form(form: "Form") -> tuple[str, str, str]:
+    digits = form.status if form.digits is None else f"{form.digits:.1f}"
+    star = "*" if form.status == "helped" else ""
+    condition = "" if form.condition is None else f"{form.condition:.0e}"
+    return digits + star, condition, str(form.iterations)

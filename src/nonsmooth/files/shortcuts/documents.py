@@ -1,0 +1,108 @@
+"""Orbits and sweeps as plain dictionaries, and back: what JSON holds."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.shortcuts.accuracy.errors import Errors
+from nonsmooth.solver.shortcuts.accuracy.estimate import Estimate
+from nonsmooth.solver.shortcuts.orbit.methods import METHODS
+from nonsmooth.solver.shortcuts.orbit.motion import exact
+from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
+from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
+from nonsmooth.solver.shortcuts.search.family_points import STATUS
+from nonsmooth.solver.shortcuts.search.newton import Outcome
+from nonsmooth.solver.shortcuts.search.sweep import Row, Sweep
+
+from .origin import origin, units
+
+#: What `solve --json` has of an orbit that is an attribute of it.
+ATTRIBUTES = ("residual_norm", "t1", "period", "coefficients")
+
+
+def of_solution(
+    belt: StickSlip, method: str, order: int, found: Orbit | NoOrbit
+) -> dict[str, Any]:
+    """Return one solution; with null for what an absent orbit lacks."""
+    reference = exact(belt)
+    head = {"method": method, "order": order, "parameters": asdict(belt)}
+    tail = {"exact": {"t1": reference.t1, "period": reference.period}}
+    if isinstance(found, Orbit):
+        result: dict[str, Any] = {"converged": found.converged, "iterations": found.iterations}
+        result |= {name: getattr(found, name) for name in ATTRIBUTES}
+        result |= {"admissible": found.admissible, "violations": list(found.violations)}
+        result["transition_mismatch"] = found.transition_mismatch
+        judged = {"errors": asdict(found.errors), "estimate": asdict(found.estimate)}
+        more: dict[str, Any] = {"c1_terms": found.c1_terms} if found.c1_terms > 1 else {}
+        outcome = vars(found.outcome) | {"unknowns": found.unknowns.tolist()}
+        return head | result | tail | judged | more | {"outcome": outcome}
+    result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(ATTRIBUTES)
+    result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
+    judged = {
+        "errors": dict.fromkeys(field.name for field in fields(Errors)),
+        "estimate": dict.fromkeys(field.name for field in fields(Estimate)),
+    }
+    return head | result | tail | judged | {"status": found.status}
+
+
+def of_orbits(orbits: Sequence[Orbit]) -> dict[str, Any]:
+    """Return the document of one orbit, or of several."""
+    found = [of_solution(orbit.belt, orbit.method, orbit.order, orbit) for orbit in orbits]
+    return found[0] if len(found) == 1 else {"orbits": found}
+
+
+def to_orbit(document: dict[str, Any]) -> Orbit:
+    """Return the orbit of a document."""
+    outcome = document["outcome"]
+    unknowns = np.array(outcome["unknowns"], dtype=float)
+    unknowns.flags.writeable = False
+    return Orbit(
+        StickSlip(**document["parameters"]),
+        document["method"],
+        document["order"],
+        Outcome(**outcome | {"unknowns": unknowns}),
+        document["iterations"],
+        document.get("c1_terms", 1),
+    )
+
+
+def of_sweep(result: Sweep) -> dict[str, Any]:
+    """Return a sweep over orders."""
+    return {
+        "parameters": asdict(result.belt),
+        "rows": [row.as_dict() for row in result.rows],
+        "c1_terms": result.c1_terms,
+        "rates": {name: asdict(rate) for name, rate in result.rates().items()},
+    }
+
+
+def to_sweep(document: dict[str, Any]) -> Sweep:
+    """Return the sweep of a document."""
+    rows = tuple(to_row(row) for row in document["rows"])
+    return Sweep(StickSlip(**document["parameters"]), rows, document["c1_terms"])
+
+
+def to_row(row: dict[str, Any]) -> Row:
+    """Return a row of a sweep; an error that is null beside an orbit is infinite."""
+    found = row["status"] == "ok"
+    if row["status"] not in STATUS or row["method"] not in METHODS:
+        raise ValueError(f"a row {row['status']!r} of {row['method']!r}")
+    values = {name: _known(row["errors"][name]) for name in row["errors"]}
+    judged = {name: _known(row["estimate"][name]) for name in row["estimate"]}
+    errors = Errors(**values) if found else None
+    estimate = Estimate(**judged) if found else None
+    return Row(**row | {"errors": errors, "estimate": estimate})
+
+
+def _known(value: float | None) -> float:
+    return math.inf if value is None else value
+
+
+def with_origin(document: dict[str, Any], methods: Sequence[str]) -> dict[str, Any]:
+    """Return a document that says where it comes from."""
+    shown = methods if "coefficients" in document or "orbits" in document else ()
+    return document | {"units": units(shown)} | origin(methods)

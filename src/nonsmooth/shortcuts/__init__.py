@@ -1,0 +1,1 @@
+"""What is measured of the paper's oscillator alone: digits, trade, printed equations."""

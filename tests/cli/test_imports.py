@@ -1,0 +1,43 @@
+"""What is imported when: in fresh interpreters."""
+
+from collections.abc import Callable
+
+HEAVY = ("sympy", "numba", "matplotlib", "rich", "scipy.optimize")
+WHICH = f"import sys; print([m for m in {HEAVY!r} if m in sys.modules])"
+
+
+def test_the_solver_never_imports_sympy(python: Callable[[str], str]) -> None:
+    code = """
+import pkgutil, importlib, sys
+import nonsmooth.solver
+for module in pkgutil.iter_modules(nonsmooth.solver.__path__):
+    importlib.import_module(f"nonsmooth.solver.{module.name}")
+import nonsmooth as ns
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+ns.sweep(DEFAULT, orders=[1, 2])
+print("sympy" in sys.modules, "nonsmooth.codegen" in sys.modules, "numba" in sys.modules)
+"""
+    assert python(code) == "False False True\n"
+
+
+def test_importing_the_package_imports_nothing_heavy(python: Callable[[str], str]) -> None:
+    assert python(f"import nonsmooth; {WHICH}") == "[]\n"
+
+
+def test_one_solve_in_plain_python_needs_no_numba(python: Callable[[str], str]) -> None:
+    code = "import nonsmooth as ns\n"
+    code += "from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT\n"
+    code += f"ns.solve(DEFAULT, 'hb-c1', 6); {WHICH}"
+    assert python(code) == "[]\n"
+
+
+def test_the_symbolic_stage_imports_no_solver(python: Callable[[str], str]) -> None:
+    code = "import sys, nonsmooth as ns; ns.equations('c1').latex()\n"
+    code += "print([m for m in sys.modules if m.startswith(('nonsmooth.s', 'nonsmooth.g'))])"
+    assert python(code) == "[]\n"
+
+
+def test_every_public_name_is_there(python: Callable[[str], str]) -> None:
+    code = "import nonsmooth as ns; print(all(getattr(ns, name) for name in ns.__all__))\n"
+    code += "print(set(dir(ns)) >= set(ns.__all__))"
+    assert python(code) == "True\nTrue\n"

@@ -1,0 +1,120 @@
+"""What is written can be read by whom the umask lets read it, like any other file."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.cli import tex
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="the modes are POSIX")
+
+SOLVE = ("solve", "--method", "c1", "--order", 5)
+SWEEP = ("sweep", "--methods", "c1", "--orders", "5,6")
+VARY = ("sweep", "--vary", "mass=1:2:3", "--orders", 5)
+EQUATIONS = ("equations", "--method", "c1")
+
+DATA = ("result.json", "result.csv", "result.nc")
+EVERY = [
+    *((command, name) for command in (SOLVE, SWEEP, VARY) for name in DATA),
+    *((SOLVE, "orbit.png"), (SWEEP, "sweep.svg"), (VARY, "family.pdf"), (VARY, "family.png")),
+    *((EQUATIONS, f"equations.{suffix}") for suffix in ("txt", "tex", "html", "pdf")),
+    (("stability",), "digits.json"),
+    (("tradeoff",), "times.json"),
+]
+
+
+@pytest.fixture(params=[0o000, 0o022, 0o027, 0o077], ids=oct)
+def umask(request) -> Iterator[int]:
+    """Set a umask, and see that it is as it was in the end."""
+    before = os.umask(request.param)
+    yield request.param
+    assert os.umask(before) == request.param
+
+
+def mode_of(path: Path) -> int:
+    return path.stat().st_mode & 0o777
+
+
+def needs(name: str) -> None:
+    if name.endswith(".nc"):
+        pytest.importorskip("netCDF4")
+    if name.endswith((".png", ".svg", ".pdf")):
+        pytest.importorskip("matplotlib")
+
+
+@pytest.fixture
+def without_work(monkeypatch) -> None:
+    """Replace what is written by what is quick."""
+    monkeypatch.setattr(tex, "engine", lambda: "pdflatex")
+    monkeypatch.setattr(tex, "pdf", lambda text: b"%PDF")
+    for name in ("stability", "tradeoff"):
+        monkeypatch.setattr(
+            f"nonsmooth.shortcuts.{name}.measure", lambda *arguments, **named: []
+        )
+
+
+@pytest.mark.usefixtures("without_work")
+@pytest.mark.parametrize("umask", [0o027], ids=oct, indirect=True)
+@pytest.mark.parametrize(
+    ("command", "name"), EVERY, ids=lambda value: value if isinstance(value, str) else value[0]
+)
+def test_every_file_has_the_mode_of_a_new_file(
+    command: tuple[object, ...], name: str, umask: int, run, tmp_path: Path
+) -> None:
+    needs(name)
+    target = tmp_path / name
+    if command == ("stability",):
+        pytest.importorskip("flint")
+    assert run(*command, "-o", target)[0] == 0
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+    assert mode_of(target) == 0o640
+
+
+@pytest.mark.parametrize("name", DATA)
+@pytest.mark.parametrize("there", [True, False], ids=["old", "new"])
+def test_a_saved_file_has_the_mode_of_a_new_file(
+    name: str, there: bool, umask: int, tmp_path: Path
+) -> None:
+    needs(name)
+    target = tmp_path / name
+    if there:
+        target.write_text("old")
+    ns.save(ns.family(DEFAULT, "mass", [1.0], "c1", 5), target)
+    assert mode_of(target) == 0o666 & ~umask
+
+
+def test_the_points_of_an_unfinished_sweep_have_it(
+    umask: int, run, tmp_path: Path, monkeypatch
+) -> None:
+    target = tmp_path / "family.csv"
+
+    def fail(*arguments: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("nonsmooth.files.shortcuts.tables.write_points", fail)
+    assert run(*VARY, "-o", target)[0] == 2
+    (part,) = tmp_path.iterdir()
+    assert part.name == "family.csv.part"
+    assert mode_of(part) == 0o666 & ~umask
+
+
+@pytest.mark.parametrize("there", [True, False], ids=["old", "new"])
+def test_a_folder_and_the_files_in_it_have_theirs(
+    there: bool, umask: int, run, tmp_path: Path, monkeypatch
+) -> None:
+    pytest.importorskip("matplotlib")
+    pytest.importorskip("jinja2")
+    target = tmp_path / "report"
+
+    def build(belt: ns.StickSlip, folder: Path, done: object) -> None:
+        (folder / "index.html").write_text('<meta name="generator" content="nonsmooth 1">')
+
+    monkeypatch.setattr("nonsmooth.report.build.build", build)
+    for _ in range(1 + there):
+        assert run("report", "-o", target)[0] == 0
+    assert mode_of(target) == 0o777 & ~umask
+    assert mode_of(target / "index.html") == 0o666 & ~umask

@@ -1,0 +1,180 @@
+"""What the documentation shows is what the program does: doctests, README and pages."""
+
+import doctest
+import importlib
+import itertools
+import json
+import pkgutil
+import re
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+from shown import PAGES, README, ROOT, differences
+
+import nonsmooth
+
+#: The scene file that pages write and use.
+BALL = ROOT / "examples" / "bouncing_ball.py"
+
+
+def modules() -> list[str]:
+    found = pkgutil.walk_packages(nonsmooth.__path__, "nonsmooth.")
+    return ["nonsmooth", *(m.name for m in found if not m.name.endswith("__main__"))]
+
+
+@pytest.mark.parametrize("name", modules())
+def test_examples_in_docstrings_run(name: str) -> None:
+    result = doctest.testmod(importlib.import_module(name))
+    assert result.failed == 0
+
+
+def test_some_docstrings_have_examples() -> None:
+    finder = doctest.DocTestFinder(exclude_empty=True)
+    names = (
+        "solver.shortcuts.search.solve",
+        "solver.shortcuts.search.sweep",
+        "solver.shortcuts.orbit.oscillator",
+        "solver.shortcuts.orbit.motion",
+        "cli.orders",
+    )
+    for name in names:
+        module = importlib.import_module(f"nonsmooth.{name}")
+        assert any(test.examples for test in finder.find(module)), name
+
+
+@pytest.fixture(scope="session")
+def kernels_of_scene_files(tmp_path_factory) -> Path:
+    """Return a cache in which the scene of the pages has been derived: it says so only once."""
+    cache: Path = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(cache))
+        nonsmooth.scene(BALL)
+    return cache
+
+
+@pytest.fixture
+def place(kernels_of_scene_files: Path, tmp_path: Path, monkeypatch) -> Path:
+    """Return a folder of its own to be in, with the scene file of the pages."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(kernels_of_scene_files))
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(BALL, tmp_path)
+    return tmp_path
+
+
+@pytest.mark.usefixtures("place")
+@pytest.mark.parametrize("page", [page for page, text in PAGES.items() if ">>>" in text])
+def test_python_examples_of_the_pages_run(page: str) -> None:
+    result = doctest.testfile(str(ROOT / page), module_relative=False)
+    assert result.attempted > 0
+    assert result.failed == 0
+
+
+def blocks(page: str) -> list[tuple[str, str]]:
+    """Return each command of a page's console blocks with the output shown."""
+    text = "\n".join(re.findall(r"```console\n(.*?)```", PAGES[page], flags=re.DOTALL))
+    parts = re.split(r"^\$ ", text, flags=re.MULTILINE)[1:]
+    commands = [part.partition("\n") for part in parts]
+    return [(line, out) for line, _, out in commands if line.startswith("nonsmooth ")]
+
+
+def shown() -> list[tuple[str, str, str]]:
+    """Return each command with output, after the page that shows it."""
+    return [(page, *block) for page in PAGES for block in blocks(page) if block[1].strip()]
+
+
+@pytest.mark.usefixtures("place")
+@pytest.mark.parametrize(("page", "command", "output"), shown())
+def test_output_on_a_page_is_what_the_command_prints(
+    run, page: str, command: str, output: str
+) -> None:
+    for case in re.findall(r"```toml\n(.*?)```", PAGES[page], flags=re.DOTALL):
+        table = case[1 : case.index("]")]
+        name = "belt" if table == "stick_slip" else table
+        Path(f"{name}.toml").write_text(case, encoding="utf-8")
+    _, out, err = run(*shlex.split(command)[1:])
+    told = re.sub(r"^sweep: \d+ of \d+ done.*\n", "", err, flags=re.MULTILINE)
+    assert differences(output, out + told) == []
+
+
+DOCUMENTS = (
+    "solve --order 3",
+    "solve --method c1 --order 4 --normal-force 100",
+    "solve --tol 1e-2",
+    "solve --method c1 --order 3 --digits 20",
+    "solve --method hb-c1 --order 8 --c1-terms 2",
+    "sweep --orders 3,4",
+    "sweep --vary belt-speed=1:2:2",
+    "roots --order 3",
+    "solve impact --order 4",
+    "solve stick-slip-damped --tol 1e-3",
+    "solve impact --gap 5 --method ck",
+    "sweep impact --orders 4 --methods ck",
+    "scenes",
+    "scenes stick-slip-damped",
+)
+
+
+#: What has the names of a scene's own parameters and functions as keys.
+OF_A_SCENE = ("parameters", "units", "coefficients")
+
+
+def keys(document: object) -> set[str]:
+    """Return all keys of a JSON document, those of what it contains included."""
+    if isinstance(document, dict):
+        if "scene" in document:
+            document = document | dict.fromkeys(set(OF_A_SCENE) & set(document))
+        return {*document, *itertools.chain(*map(keys, document.values()))}
+    if isinstance(document, list):
+        return {*itertools.chain(*map(keys, document))}
+    return set()
+
+
+@pytest.mark.parametrize("command", DOCUMENTS)
+def test_every_key_of_a_document_is_on_the_page_of_files(run, command: str) -> None:
+    _, out, _ = run(*command.split(), "--json")
+    named = set(re.findall(r"`\"?(\w[\w-]*)", PAGES["docs/reference/files.md"]))
+    assert keys(json.loads(out)) - named == set()
+
+
+@pytest.mark.parametrize("name", [name for name in nonsmooth.__all__ if name[0] != "_"])
+def test_every_public_name_is_in_the_reference(name: str) -> None:
+    assert re.search(rf"auto\w+:: nonsmooth\.{name}$", PAGES["docs/reference/python.md"], re.M)
+
+
+def test_the_columns_of_a_sweep_are_on_the_page_of_files(run, tmp_path: Path) -> None:
+    run("sweep", "--methods", "c1", "--orders", "3", "-o", tmp_path / "sweep.csv")
+    columns = (tmp_path / "sweep.csv").read_text("utf-8").splitlines()[0]
+    assert columns in "".join(PAGES["docs/reference/files.md"].split())
+
+
+def test_the_readme_shows_real_output() -> None:
+    assert sum(page == "README.md" for page, *_ in shown()) >= 2
+
+
+def test_every_place_that_the_readme_names_exists() -> None:
+    for path in re.findall(r"`((?:codegen|solver|generated|tests|docs)/[\w./]+)`", README):
+        assert (ROOT / path).exists(), path
+    for path, name in re.findall(r"`((?:codegen|generated|solver)/\w+\.py)`: `(\w+)`", README):
+        assert re.search(
+            rf"(def |class |^){name}\b", (ROOT / path).read_text(), re.MULTILINE
+        ), (
+            path,
+            name,
+        )
+
+
+def test_every_equation_of_the_paper_is_in_the_readmes_index() -> None:
+    index = README.split("## Where each equation is")[1].split("\n## ")[0]
+    numbers = {int(n) for row in re.findall(r"^\| ([\d, -]+) \|", index, re.MULTILINE)
+               for n in expand(row)}  # fmt: skip
+    assert numbers == set(range(1, 23))
+
+
+def expand(row: str) -> list[str]:
+    numbers = []
+    for part in row.split(","):
+        first, _, last = part.strip().partition("-")
+        numbers += [str(n) for n in range(int(first), int(last or first) + 1)]
+    return numbers

@@ -1,0 +1,81 @@
+"""Generic code names no scene; folders stay small enough to be read.
+
+The words are those of the scenes' own records: names of scenes, phases and parameters, and the
+symbols that stand for them in the paper, less those that any mechanical system has.
+"""
+
+import io
+import re
+import tokenize
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+from shown import ROOT
+
+from nonsmooth.codegen import scenes
+
+#: What the generic interface itself speaks of.
+GENERAL = frozenset({"mass", "damping", "stiffness", "force", "frequency", "speed", "damped"})
+
+#: Names of the paper's oscillator that no record has.
+PAPER = frozenset({"belt", "alpha", "t1", "backlash"})
+
+#: Rooms that may name a scene.
+OWN = re.compile(r"/(scenes|expansions|shortcuts|generated|report)/")
+
+MOST_FILES = 16
+
+
+@cache
+def words() -> frozenset[str]:
+    """Return the words of all scenes."""
+    found: set[str] = set(PAPER)
+    for scene in map(scenes.load, scenes.names()):
+        found |= set(scene.name.split("-"))
+        for phase in scene.phases:
+            found.add(phase.name)
+        for parameter in scene.parameters:
+            found |= set(parameter.name.split("_"))
+    return frozenset(word for word in found - GENERAL if len(word) > 1)
+
+
+def sources() -> Iterator[Path]:
+    """Yield the Python files of the package, but for what is reached by a link."""
+    for top in ("codegen", "solver", "src/nonsmooth"):
+        for path in sorted((ROOT / top).rglob("*.py")):
+            if not any(parent.is_symlink() for parent in path.parents):
+                yield path
+
+
+def named(path: Path) -> set[str]:
+    """Return the words of scenes in the names of a file's code."""
+    code = io.StringIO(path.read_text("utf-8"))
+    names = (
+        q.string.lower()
+        for q in tokenize.generate_tokens(code.readline)
+        if q.type == tokenize.NAME
+    )
+    return {word for name in names for word in name.split("_")} & words()
+
+
+def test_the_words_come_from_the_records() -> None:
+    assert {"stick", "slip", "belt", "mu", "normal", "restitution", "gap", "flight"} <= words()
+    assert named(ROOT / "codegen" / "scenes" / "impact.py")
+
+
+@pytest.mark.parametrize(
+    "path", [q for q in sources() if not OWN.search(f"/{q.relative_to(ROOT)}")],
+    ids=lambda q: str(q.relative_to(ROOT)),
+)  # fmt: skip
+def test_a_generic_file_names_no_scene(path: Path) -> None:
+    assert named(path) == set()
+
+
+def test_no_folder_has_more_files_than_one_can_look_through() -> None:
+    width: dict[Path, int] = {}
+    for path in sources():
+        width[path.parent] = width.get(path.parent, 0) + 1
+    wide = {str(q.relative_to(ROOT)): n for q, n in width.items() if n > MOST_FILES}
+    assert wide == {}

@@ -1,0 +1,223 @@
+"""What stands beside the figures: every sentence, and every number in it against the rows."""
+
+import math
+import re
+from dataclasses import asdict
+
+import numpy as np
+import pytest
+
+pytest.importorskip("matplotlib")
+pytest.importorskip("jinja2")
+
+from computed import (
+    LIGHT,
+    METHODS,
+    ODD,
+    Exact,
+    acceleration_errors,
+    case,
+    period_errors,
+    rows,
+    swept,
+)
+from fakes import Fake
+from written import value
+
+import nonsmooth as ns
+from nonsmooth.report.captions import PLATES
+from nonsmooth.report.ours import remark
+from nonsmooth.solver import solve as scenes_solve
+from nonsmooth.solver.case.library import load
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+
+BELTS = pytest.mark.parametrize("belt", [DEFAULT, ODD, LIGHT], ids=["default", "odd", "light"])
+
+#: Three digits are shown.
+SHOWN = 5.001e-3
+
+
+def numbers(belt: ns.StickSlip, plate: int, sentence: str) -> list[float]:
+    """Return the numbers in a caption, which is this sentence with a # for each of them."""
+    text = PLATES[plate - 1].text(case(belt))
+    pattern = re.escape(sentence).replace(r"\#", r"(\S+?)").replace("#", r"(\S+?)")
+    found = re.fullmatch(pattern, text)
+    assert found, text
+    return [value(group) for group in found.groups()]
+
+
+def close(*expected: float):
+    return pytest.approx(expected, rel=SHOWN)
+
+
+def percent(part: float) -> float:
+    """Return a part of one in percent."""
+    return 100 * part
+
+
+@BELTS
+def test_the_oscillator_is_described(belt: ns.StickSlip) -> None:
+    sentence = (
+        "A mass M = # kg on a spring K = # N/m lies on a belt that moves at V = # m/s, and is "
+        "pressed to it by F_N = # N. It sticks until the spring pulls with μ_s F_N = # N; "
+        "then it slips back, held by no more than μ_k F_N = # N, until it is as fast as the "
+        "belt again."
+    )
+    assert numbers(belt, 1, sentence) == close(
+        belt.mass,
+        belt.stiffness,
+        belt.belt_speed,
+        belt.normal_force,
+        belt.mu_s * belt.normal_force,
+        belt.mu_k * belt.normal_force,
+    )
+
+
+@BELTS
+def test_the_exact_orbit_is_described(belt: ns.StickSlip) -> None:
+    sentence = (
+        "From A to B the mass sticks, for # s, # % of the period of # s; from B back to A it "
+        "slips. The displacement is smooth, the velocity has two kinks, and the acceleration "
+        "jumps there, by # m/s². That is what a series of smooth functions cannot do."
+    )
+    orbit = Exact(belt)
+    t1, share, period, jump = numbers(belt, 2, sentence)
+    assert (t1, period, jump) == close(orbit.t1, orbit.period, orbit.jump)
+    assert share == pytest.approx(percent(orbit.t1 / orbit.period), rel=0.05)  # two digits
+
+
+@BELTS
+def test_the_overshoot_of_many_harmonics_is_described(belt: ns.StickSlip) -> None:
+    sentence = (
+        "Even with N = 40 harmonics the series overshoots beside each jump, in stick by # % of "
+        "it, # s before stick ends. More harmonics make the ripple narrower, not lower: Gibbs' "
+        "phenomenon. Only the mean square of the error, (22), goes to zero; here it is # %."
+    )
+    orbit = ns.solve(belt, "hb", 40)
+    times = np.linspace(orbit.t1 / 2, orbit.t1, 4_001)
+    ripple = orbit.acceleration(times)
+    over, before, error = numbers(belt, 3, sentence)
+    assert over == pytest.approx(percent(ripple.max() / Exact(belt).jump), rel=SHOWN)
+    # the report takes it from half as many times
+    assert before == pytest.approx(
+        orbit.t1 - times[ripple.argmax()], rel=SHOWN, abs=orbit.t1 / 4000
+    )
+    assert error == pytest.approx(percent(acceleration_errors(belt, "hb")[40]), rel=SHOWN)
+
+
+def first_inside(belt: ns.StickSlip, method: str) -> str:
+    """Return from which order on the period is within 0.1 %, from the rows."""
+    errors = period_errors(belt, method)
+    outside = [N for N in range(1, 41) if abs(errors.get(N, math.inf)) > 1e-3]
+    if outside[-1:] == [40]:
+        return f"{method} not by N = 40"
+    return f"{method} from N = {max(outside, default=0) + 1}"
+
+
+@BELTS
+def test_the_convergence_of_the_period_is_described(belt: ns.StickSlip) -> None:
+    ours, theirs = (period_errors(belt, method) for method in ("c1", "hb-c1"))
+    behind = [N for N in range(1, 13) if abs(ours.get(N, math.inf)) >= abs(theirs[N])]
+    inside = [first_inside(belt, method) for method in METHODS]
+    sentence = (
+        f"Within 0.1 % of the exact period (the grey band) for good: {inside[0]}, {inside[1]} "
+        f"and {inside[2]}. The C¹ series is ahead for good from N = {behind[-1] + 1}, and it "
+        "gains # digits with each order, until rounding stops it. The logarithmic scale is "
+        "ours: on the other all three seem to arrive."
+    )
+    (gain,) = numbers(belt, 4, sentence)
+    rate = swept(belt).rates()["c1"].period
+    assert rate is not None
+    assert gain == pytest.approx(rate, rel=0.05)  # two digits
+    assert gain == pytest.approx(math.log10(abs(ours[7] / ours[11])) / 4, rel=0.2)
+
+
+def test_a_period_that_stays_behind_or_ahead_is_said_to() -> None:
+    slow = {"hb": lambda N: 0.1, "hb-c1": lambda N: 0.01}
+    text = PLATES[3].text(Fake(period=slow | {"c1": lambda N: 0.02}))
+    assert "hb not by N = 40, hb-c1 not by N = 40 and c1 not by N = 40. " in text
+    assert "The C¹ series does not overtake" in text
+    text = PLATES[3].text(Fake(period=slow | {"c1": lambda N: 0.001}))
+    assert "hb-c1 not by N = 40 and c1 from N = 1. " in text
+    assert "The C¹ series is ahead at every order" in text
+
+
+def test_an_orbit_that_is_missing_is_said_to_be() -> None:
+    text = PLATES[2].text(Fake(missing=[("hb", 40)]))
+    assert text == "In this case hb has no orbit at N = 40."
+
+
+@BELTS
+def test_the_errors_of_the_three_methods_at_one_order_are_described(
+    belt: ns.StickSlip,
+) -> None:
+    errors = {m: acceleration_errors(belt, m).get(3) for m in METHODS}
+    shown = [f"{m} # %" for m in METHODS if errors[m] is not None]
+    sentence = (
+        "At the same order N = 3 the harmonics alone cannot jump at all; those with one C¹ "
+        "function can, and so can the C¹ series, whose stick is exact. Error (22): "
+        f"{', '.join(shown[:-1])} and {shown[-1]}."
+    )
+    expected = [percent(error) for error in errors.values() if error is not None]
+    assert numbers(belt, 5, sentence) == close(*expected)
+
+
+def rises(belt: ns.StickSlip, method: str) -> str:
+    """Return how often (22) is larger than at the order before, and not by rounding."""
+    errors = acceleration_errors(belt, method)
+    up = [N for N in errors if errors[N] > max(errors.get(N - 1, math.inf), 1e-6)]
+    return {0: "never", 1: "once"}.get(len(up), f"{len(up)} times")
+
+
+@BELTS
+def test_the_convergence_of_the_acceleration_is_described(belt: ns.StickSlip) -> None:
+    up = [f"{method} {rises(belt, method)}" for method in METHODS]
+    sentence = (
+        "The error falls slowly in Fourier series, hb like N# and hb-c1 like N#; in the C¹ "
+        "series it goes down in stairs, two orders to a step. How often it is larger than at "
+        f"the order before, from N = 2 to 40: {up[0]}, {up[1]} and {up[2]}."
+    )
+    for method, rate in zip(("hb", "hb-c1"), numbers(belt, 6, sentence), strict=True):
+        fitted = swept(belt).rates()[method].acceleration
+        assert fitted is not None
+        assert rate == pytest.approx(-fitted, abs=0.00501)
+
+
+@BELTS
+def test_the_command_of_a_plate_computes_this_oscillator(belt: ns.StickSlip, run) -> None:
+    commands = [plate.command(belt) for plate in PLATES]
+    assert commands[0] == ""
+    orders = [re.search(r"--order[s]? (\S+)", command) for command in commands[1:]]
+    assert [found[1] for found in orders if found] == ["20", "40", "1-40", "3", "1-40"]
+    flags = commands[4].partition(" -o three.svg")[2].split()
+    _, out, _ = run("solve", "--order", 3, *flags)
+    assert f"{Exact(belt).period:.9g}" in out
+    assert len(rows(belt, "hb")) == 40
+
+
+@BELTS
+def test_the_series_that_is_ours_is_told_from_the_papers(belt: ns.StickSlip) -> None:
+    text = remark(case(belt))
+    found = re.search(
+        r" At N = 8 the period is (\S+) % off with its tests and (\S+) % with these\. ", text
+    )
+    assert found, text
+    period = scenes_solve.solve_case(load("stick-slip")(**asdict(belt)), "ck-tau", 8).period
+    assert [value(shown) for shown in found.groups()] == close(
+        percent(abs(period_errors(belt, "c1")[8])),
+        percent(abs(period / Exact(belt).period - 1)),
+    )
+    assert "is ours, and not in the paper" in text
+
+
+@pytest.mark.parametrize("missing", ["c1", "c1-tau"])
+def test_a_series_without_an_orbit_is_told_instead(missing: str, monkeypatch) -> None:
+    def nothing(*arguments: object) -> None:
+        raise NoOrbit("none", False, ())
+
+    monkeypatch.setattr(scenes_solve, "solve_case", nothing)
+    kept = [("c1", 8)] if missing == "c1" else []
+    text = remark(Fake(missing=kept, period={"c1": lambda N: 0.1}))
+    words = "has no orbit" if missing == "c1" else "leads to no orbit"
+    assert f" In this case {missing} {words} at N = 8. " in text

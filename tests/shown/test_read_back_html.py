@@ -1,0 +1,37 @@
+"""The equations of a page, read back from their MathML: they are the record's."""
+
+from collections import Counter
+
+import pytest
+from reading import mathml
+from reading.compare import differences
+from reading.expected import methods, notes, rows
+from reading.prose import bare
+
+from nonsmooth.codegen.printing.html import equations_html, html_document
+
+
+@pytest.mark.parametrize("order", [None, 1, 3])
+def test_every_equation_of_the_page_reads_as_its_record(order: int | None) -> None:
+    printed = list(mathml.equations(html_document(methods(order), order)))
+    meant = [(bare(head), row.number, bare(row.words)) for head, row in rows(order)]
+    assert [(bare(row.heading), row.number, bare(row.words)) for row in printed] == meant
+    wrong = [
+        differences(equation, found.tokens, spaced=True)
+        for (_, equation), found in zip(rows(order), printed, strict=True)
+    ]
+    assert not any(wrong), "\n".join(filter(None, wrong))
+
+
+def test_the_anchor_of_an_equation_counts_those_of_its_number() -> None:
+    seen: Counter[str] = Counter()
+    for printed in mathml.equations(equations_html(methods(None))):
+        seen[printed.number] += 1
+        again = f"-{seen[printed.number]}" if seen[printed.number] > 1 else ""
+        assert printed.anchor == (f"eq-{printed.number}{again}" if printed.number else "")
+
+
+def test_the_sentence_below_a_heading_names_the_unknowns() -> None:
+    shown = bare(mathml.words(html_document(methods(2), 2)))
+    for note in notes(2):
+        assert bare(note) in shown
