@@ -1,6 +1,5 @@
 """Scenes and expansions by their names: those of the folders, whatever is in them."""
 
-import importlib.util
 from collections.abc import Mapping
 from difflib import get_close_matches
 from functools import cache
@@ -11,7 +10,7 @@ from types import MappingProxyType, ModuleType
 
 from .. import expansions, scenes
 from ..galerkin import GalerkinConditions
-from ..scene import Scene, SceneError, switches
+from ..scene import Scene, switches
 from ..system import GalerkinSystem
 from .method import method_equations, with_class
 
@@ -122,20 +121,9 @@ def scene_named(scene: str | Scene) -> Scene:
 
 
 def _from_file(path: Path) -> Scene:
-    specification = importlib.util.spec_from_file_location(path.stem, path)
-    if specification is None or specification.loader is None or not path.is_file():
-        raise ValueError(f"scene: cannot read {path}")
-    module = importlib.util.module_from_spec(specification)
-    try:
-        specification.loader.exec_module(module)
-    except SceneError as error:
-        raise ValueError(f"scene: {path}: {error}") from error
-    except Exception as error:  # a scene file is Python and is run
-        raise ValueError(f"scene: {path}: {type(error).__name__}: {error}") from error
-    scene = getattr(module, "SCENE", None)
-    if not isinstance(scene, Scene):
-        raise ValueError(f"scene: {path}: expected SCENE, a Scene")
-    return scene
+    from ...scene_files.read import read_scene, text_of  # noqa: PLC0415  (read in one place)
+
+    return read_scene(path, text_of(path))
 
 
 def _expansion(scene: Scene, method: str) -> ModuleType:

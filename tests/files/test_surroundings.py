@@ -23,7 +23,7 @@ def shell(command: str, folder: Path) -> "subprocess.CompletedProcess[str]":
     [
         "solve --method c1 --order 5",
         "sweep --methods c1 --orders 3,5",
-        "equations --method c1",
+        "scenes stick-slip",
         "--version",
     ],
 )
@@ -41,7 +41,7 @@ def test_a_stream_that_is_closed_takes_nothing_away(
     "command",
     [
         "sweep --methods c1 --orders 1-20",
-        "equations --method c1",
+        "scenes impact --json",
         "sweep --vary mass=1:2:5000 --json",
     ],
 )

@@ -56,7 +56,7 @@ def test_the_number_of_functions_is_two_at_an_impact_or_what_is_asked(
         (("impact", "--method", "hb-ck", "--functions", "0"), "--functions: got 0"),
         (("--functions", "2"), "expected a SCENE"),
         (("impact", "--expand", "2"), "--expand: got 2, expected no SCENE"),
-        (("none.py",), "SCENE: cannot read none.py"),
+        (("none.py",), "none.py: there is no such file"),
         (("--method", "ck-tau"), "'ck-tau' is not one of"),
     ],
 )

@@ -9,6 +9,8 @@ from typing import Any
 
 import click
 
+from nonsmooth.scene_files.error import SceneFileError
+
 from . import tex
 from .output import check_target, write_bytes, write_text
 from .problems import Problem
@@ -104,6 +106,8 @@ def equations(
             else:
                 document = _document(chosen, fragment, output is not None)
                 text = document([method] if method else METHODS, order)
+    except SceneFileError as error:
+        raise Problem(str(error)) from error
     except ValueError as error:
         name, _, expected = str(error).partition(": ")
         option = {"order": "--expand", "scene": "SCENE"}.get(name, f"--{name}")

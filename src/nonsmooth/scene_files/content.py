@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from nonsmooth.codegen.scene import Scene
 
 #: Folders of the symbolic stage that no kernel of a user's scene is made by.
-OTHERS = {"scenes", "show", "__pycache__"}
+OTHERS = {"scenes", "show", "printing", "__pycache__"}
 
 
 def key_of_text(text: bytes) -> str:
