@@ -24,10 +24,10 @@ stability: $(VENV)/ready  ## digits kept at the extremes, against high precision
 	@$(BIN)/nonsmooth stability -o $(OUTPUT)/stability.png
 
 test: $(VENV)/ready  ## the tests: two minutes on two cores
-	@$(BIN)/python -m pytest -n 2 -m 'not long'
+	@$(BIN)/python -m pytest -n 2 --dist loadgroup -m 'not long'
 
 test-long: $(VENV)/ready  ## all tests, 100,000 random oscillators among them: most of an hour
-	@EXAMPLES=100000 $(BIN)/python -m pytest -n 2
+	@EXAMPLES=100000 $(BIN)/python -m pytest -n 2 --dist loadgroup
 
 mutants: $(VENV)/ready  ## deliberate mistakes: which of them the tests catch
 	@cd tests && ../$(BIN)/python -m mutants

@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 # Before NumPy: on small arrays the threads of its BLAS cost more than they give.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+if "PYTEST_XDIST_WORKER" in os.environ:  # the cores are taken by the workers
+    os.environ.setdefault("NUMBA_NUM_THREADS", "1")
 
 import pytest
 from hypothesis import settings
@@ -18,6 +20,18 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 # The same examples in every run: a change that fails is a change, not a throw of dice.
 settings.register_profile("fixed", deadline=None, derandomize=True)
 settings.load_profile("fixed")
+
+#: Rooms whose tests share what they derive: one process runs them.
+SHARED = {"derivation": "paper", "shown": "paper", "galerkin": "machine", "show": "machine"}
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Keep the tests of a derivation in one process, where several run side by side."""
+    for item in items:
+        group = SHARED.get(item.path.parent.name)
+        if group is not None:
+            item.add_marker(pytest.mark.xdist_group(group))
+
 
 Outcome = tuple[int, str, str]
 

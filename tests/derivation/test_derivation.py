@@ -129,7 +129,7 @@ def test_legendre_polynomials_are_integrated_twice(degree: int) -> None:
     assert Q.diff(u).subs(u, 0) == 0
 
 
-@pytest.mark.parametrize("N", [1, 2, 4])
+@pytest.mark.parametrize("N", [1, 2, pytest.param(4, marks=pytest.mark.long)])
 def test_the_legendre_form_of_18_spans_the_rows_of_the_paper(N: int) -> None:
     """The rows of the paper, combined to the test functions Q_k, are the kernel's rows."""
     u, s, k = c1_legendre.u, c1_legendre.s, c1.k

@@ -14,7 +14,8 @@ import sympy as sp
 from numpy.testing import assert_array_equal
 
 from nonsmooth import codegen as derived
-from nonsmooth.codegen import derive, generate
+from nonsmooth.codegen import derive, generate, scenes
+from nonsmooth.codegen.expansions import kernels as kernels_of_a_scene
 from nonsmooth.codegen.shortcuts import emit
 from nonsmooth.codegen.system import ClosedForm, GalerkinSystem
 from nonsmooth.solver.shortcuts.search import kernels
@@ -24,19 +25,39 @@ METHODS = ("hb", "hb-c1", "c1")
 
 DERIVE = """
 import sys
-from pathlib import Path
-from nonsmooth.codegen import generate
-print(*generate.differences(), sep="\\n")
+from nonsmooth.codegen import generate, scenes
+if len(sys.argv) > 1:
+    scenes.names, generate.METHODS, generate.SOLVED = lambda: tuple(sys.argv[1:]), {}, {}
+for name, text in generate.sources().items():
+    if (generate.FOLDER / name).read_text("utf-8") != text:
+        print(name)
 """
 
 
-def test_a_derivation_in_another_process_gives_the_committed_files() -> None:
-    """The text does not depend on the process: neither on its hashes nor on its clock."""
+@pytest.mark.parametrize("names", [("impact",), pytest.param((), marks=pytest.mark.long)])
+def test_a_derivation_in_another_process_gives_the_committed_files(names: tuple[str]) -> None:
+    """The text does not depend on the process: neither on its hashes nor on its clock.
+
+    All is derived by `make test-long`, and by `make lint`.
+    """
     environment = os.environ | {"PYTHONHASHSEED": "12345"}
-    done = subprocess.run(
-        [sys.executable, "-c", DERIVE], check=True, env=environment, capture_output=True
-    )
-    assert done.stdout.strip() == b""
+    command = [sys.executable, "-c", DERIVE, *names]
+    done = subprocess.run(command, check=True, env=environment, capture_output=True)
+    assert done.stdout == b""
+
+
+@pytest.mark.parametrize("method", [*derived.METHODS, *derived.SOLVED])
+def test_the_kernels_of_the_paper_are_what_is_derived(method: str) -> None:
+    path = generate.FOLDER / generate.SHORTCUTS / f"{method.replace('-', '_')}.py"
+    assert path.read_text("utf-8") == emit.module_source(derive(method))
+
+
+def test_the_folder_has_the_files_of_every_scene_and_no_others() -> None:
+    found = {path.parent.name for path in generate.FOLDER.glob("*/scene.py")}
+    assert found == {name.replace("-", "_") for name in scenes.names()}
+    expected = {"__init__", "scene", *kernels_of_a_scene()}
+    for name in found:
+        assert {path.stem for path in (generate.FOLDER / name).glob("*.py")} == expected
 
 
 #: What stands for the derived files where only the handling of files is tested.

@@ -15,10 +15,21 @@ def tolerance(name: str, kernel: str) -> float:
     return TOLERANCE[kernel == "ck" and max(REFERENCES[name]["classes"]) == 2]
 
 
+#: Scenes whose phases are those of another one, with other numbers.
+REPEATED = ("S3c", "S5b", "S5c")
+
+#: Two functions a switch are tried on scenes of one phase, and here on one of two.
+COSTLY = {(name, "hb_ck_2") for name in ("S2a", "S2b", "S5a")}
+
+
 @pytest.mark.parametrize(
     ("name", "method", "row"),
     [
-        pytest.param(*q, id=f"{q[0]}-{q[1]}-{q[2]['order']}")
+        pytest.param(
+            *q,
+            id=f"{q[0]}-{q[1]}-{q[2]['order']}",
+            marks=pytest.mark.long if q[0] in REPEATED or (q[0], q[1]) in COSTLY else [],
+        )
         for q in solutions("ck_tau", "ck", "hb", "hb_ck_1", "hb_ck_2")
     ],
 )

@@ -20,14 +20,18 @@ from nonsmooth.codegen.printing.sections import sections
 from nonsmooth.codegen.printing.text import text_document
 
 #: Without a number, the equations for any N; the widest are those of the highest order.
-ORDERS = (None, 5)
-SIDES = [
-    side
-    for order in (None, 2)
-    for section in sections(METHODS, order)
-    for equation in section.equations
-    for side in equation.sides
-]
+ORDERS = (None, pytest.param(5, marks=pytest.mark.long))
+
+
+def sides() -> list[sp.Expr]:
+    """Return every side that is shown, for any N and for N = 2."""
+    return [
+        side
+        for order in (None, 2)
+        for section in sections(METHODS, order)
+        for equation in section.equations
+        for side in equation.sides
+    ]
 
 
 @cache
@@ -60,7 +64,7 @@ def together(side: sp.Expr, limit: int) -> sp.Expr:
 @pytest.mark.parametrize("limit", [0, 40])
 def test_the_pieces_of_a_side_are_the_side(limit: int) -> None:
     cut = 0
-    for side in dict.fromkeys(SIDES):
+    for side in dict.fromkeys(sides()):
         cut += any(piece.opens for piece in pieces(side, lambda q: drawn(q).width() > limit))
         difference = together(side, limit) - side
         assert difference == 0 or sp.expand(difference.doit()) == 0, side

@@ -56,14 +56,15 @@ def at_z(expression: sp.Expr) -> sp.Expr:
     return expression.subs(z)
 
 
-def rows(method: str) -> list[tuple[str, Equation]]:
-    return [(method, equation) for equation in derive(method).jacobian]
+@pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
+def test_every_row_is_the_derivative_it_says(method: str) -> None:
+    rows = derive(method).jacobian
+    assert len(rows) > 4
+    for equation in rows:
+        is_the_derivative_it_says(method, equation)
 
 
-@pytest.mark.parametrize(
-    ("method", "equation"), [row for m in ("hb", "hb-c1", "c1") for row in rows(m)]
-)
-def test_row_is_the_derivative_it_says(method: str, equation: Equation) -> None:
+def is_the_derivative_it_says(method: str, equation: Equation) -> None:
     system = derive(method)
     of, unknown = equation.sides[0].expr, equation.sides[0].variables[0]
     if isinstance(of, sp.Symbol) and of.name.startswith("R_"):

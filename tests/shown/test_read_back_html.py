@@ -11,7 +11,7 @@ from reading.prose import bare
 from nonsmooth.codegen.printing.html import equations_html, html_document
 
 
-@pytest.mark.parametrize("order", [None, 1, 3])
+@pytest.mark.parametrize("order", [None, 1, pytest.param(3, marks=pytest.mark.long)])
 def test_every_equation_of_the_page_reads_as_its_record(order: int | None) -> None:
     printed = list(mathml.equations(html_document(methods(order), order)))
     meant = [(bare(head), row.number, bare(row.words)) for head, row in rows(order)]

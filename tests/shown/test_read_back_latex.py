@@ -12,7 +12,7 @@ from nonsmooth.codegen import derive
 from nonsmooth.codegen.printing.latex import latex_document, latex_fragment
 
 
-@pytest.mark.parametrize("order", [None, 1, 2, 4])
+@pytest.mark.parametrize("order", [None, 1, 2, pytest.param(4, marks=pytest.mark.long)])
 def test_every_equation_of_the_fragment_reads_as_its_record(order: int | None) -> None:
     printed = list(latex.equations(latex_fragment(methods(order), order)))
     meant = [(bare(head), row.number, bare(row.words)) for head, row in rows(order)]

@@ -9,7 +9,12 @@ from nonsmooth.codegen import derive
 from nonsmooth.codegen.printing.text import text_document
 
 #: Without a number, the equations for any N; ASCII differs in the characters alone.
-CASES = [*((order, True) for order in (None, 1, 2, 3, 4, 5)), (None, False), (3, False)]
+CASES = [
+    *((order, True) for order in (None, 1, 2, 3)),
+    *(pytest.param(order, True, marks=pytest.mark.long) for order in (4, 5)),
+    (None, False),
+    pytest.param(3, False, marks=pytest.mark.long),
+]
 
 
 @pytest.mark.parametrize(("order", "unicode"), CASES)

@@ -22,7 +22,7 @@ pytest.importorskip("flint")
 from nonsmooth.shortcuts.stability import MOST_ITERATIONS, TARGETS, lowest_order
 from nonsmooth.shortcuts.twin import refine
 
-EXAMPLES = int(os.environ.get("EXAMPLES", "1200"))
+EXAMPLES = int(os.environ.get("EXAMPLES", "500"))
 #: Parts of the examples: the Fourier series cost the twin a hundred times as much.
 SHARES = {"c1": 0.8, "hb": 0.15, "hb-c1": 0.05}
 

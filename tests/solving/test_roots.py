@@ -103,7 +103,9 @@ def test_minus_the_rational_function_approximates_tan() -> None:
         assert value == pytest.approx(-np.tan(s / 2) / s, rel=1e-3)
 
 
-@pytest.mark.parametrize(("alpha", "order"), [(1e-8, 40), (3e-8, 60), (1e-6, 20)])
+@pytest.mark.parametrize(
+    ("alpha", "order"), [(1e-8, 40), pytest.param(3e-8, 60, marks=pytest.mark.long), (1e-6, 20)]
+)
 def test_an_orbit_with_a_very_short_stick_is_among_the_solutions(
     alpha: float, order: int
 ) -> None:
