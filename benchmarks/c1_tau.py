@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.solver.case.library import load
+from nonsmooth.solver.case.registry import load
 from nonsmooth.solver.shortcuts.orbit import exact
 from nonsmooth.solver.shortcuts.orbit.methods import METHODS
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT

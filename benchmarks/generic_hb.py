@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from scipy.linalg import lapack
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.shortcuts.search import kernels
 
 ORDER, ROUNDS = 40, 400
@@ -23,9 +23,9 @@ AT_MOST = 2.0
 
 def measure(order: int = ORDER) -> list[dict[str, object]]:
     """Return each target with the measured ratio."""
-    scene = library.load("stick-slip")
+    scene = registry.load("stick-slip")
     case = scene()
-    generic = library.kernel(scene, "hb", compile_it=True)
+    generic = registry.kernel(scene, "hb", compile_it=True)
     paper, halved = kernels.compiled("hb"), kernels.compiled("hb-symmetric")
     ways: dict[str, tuple[Any, Any, int]] = {
         "generic": (generic, case.numbers, generic.size(order)),

@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.case import Case
 from nonsmooth.solver.case.kernel import SceneKernel
 from nonsmooth.solver.flow.exact import exact_orbit
@@ -24,7 +24,7 @@ LIMIT = 40
 @cache
 def kernel(scene: str, method: str, functions: int | None = None) -> SceneKernel:
     """Return a compiled kernel."""
-    return library.kernel(library.load(scene), method, functions, compile_it=True)
+    return registry.kernel(registry.load(scene), method, functions, compile_it=True)
 
 
 def newton(
@@ -35,7 +35,7 @@ def newton(
     Parameters
     ----------
     scene, method, functions : str, str, int or None
-        See `library.kernel`.
+        See `registry.kernel`.
     least_squares : bool
         By LAPACK, as the solver does it; else by normal equations, which lose half the digits
         of a start, and are quicker.
@@ -82,7 +82,7 @@ def _as_given(case, order, a, b):
 
 
 def _oscillator(scene: str, case: tuple[float, ...]) -> Case:
-    load = library.load(scene)
+    load = registry.load(scene)
     names = (parameter.name for parameter in load.parameters)
     return load(**dict(zip(names, case, strict=True)))
 

@@ -19,7 +19,7 @@ from pathlib import Path
 import numba
 from numba.core.dispatcher import Dispatcher
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 
 from . import generic_hb, scene_ours, scene_rivals, scene_simulation
 from . import scene_references as references
@@ -98,7 +98,7 @@ def measure() -> list[Point]:
     """Return all points, timed round by round."""
     runs = []
     for scene in SCENES:
-        case, rough = library.load(scene)(), references.rough(scene)
+        case, rough = registry.load(scene)(), references.rough(scene)
         unit = case.units.time
         units = (unit, 1.0) if case.cell.forced else (unit, unit)
         for name, solve, settings in _contenders(scene):

@@ -8,7 +8,7 @@ import numpy as np
 
 from .accuracy.estimate import BEST
 from .arrays import Vector
-from .case import library
+from .case import registry
 from .case.case import Case
 from .case.kernel import SceneKernel
 from .iteration.attempt import attempt
@@ -35,7 +35,7 @@ def solve_case(
     case : Case
         The oscillator.
     method : str
-        One of `library.methods`, by its generic name or with its class.
+        One of `registry.methods`, by its generic name or with its class.
     order : int
         ``N``.
     functions : int, optional
@@ -53,20 +53,20 @@ def solve_case(
 
     Examples
     --------
-    >>> from nonsmooth.solver.case import library
-    >>> case = library.load(library.names()[0])()
+    >>> from nonsmooth.solver.case import registry
+    >>> case = registry.load(registry.names()[0])()
     >>> solve_case(case, order=12).admissible
     True
     """
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
-    method = library.generic_method(case.scene, method)
+    method = registry.generic_method(case.scene, method)
     if functions is None:
         functions = number_of_functions(case, method, None)
-    kernel = library.kernel(case.scene, method, functions)
+    kernel = registry.kernel(case.scene, method, functions)
     order = check_order(kernel, order)
     if order > PLAIN_ORDER:
-        kernel = library.kernel(case.scene, method, functions, compile_it=True)
+        kernel = registry.kernel(case.scene, method, functions, compile_it=True)
     search = _Search(case, kernel)
     for times in search.starts():
         found = search.note(attempt(kernel, case, order, times, functions))
@@ -83,7 +83,7 @@ def number_of_functions(case: Case, method: str, wanted: int | None) -> int | No
 
     None where it does not count functions; there, what is wanted is meant for another method.
     """
-    if not library.functions(case.scene, method):
+    if not registry.functions(case.scene, method):
         return None
     return (2 if case.scene.k == 0 else 1) if wanted is None else wanted
 
@@ -110,7 +110,7 @@ class _Search:
     def starts(self) -> Iterator[Vector]:
         """Yield times to start from: those of a coarse orbit, or rough ones if none can be."""
         scene = self.case.scene
-        coarse = library.kernel(scene, BEST) if BEST in library.methods(scene) else None
+        coarse = registry.kernel(scene, BEST) if BEST in registry.methods(scene) else None
         for order in COARSE if coarse else COARSE[:1]:
             for rough in rough_times(self.case.cell):
                 self.words = rough.words

@@ -8,7 +8,7 @@ from typing import Any
 
 from .accuracy.errors import SceneErrors
 from .accuracy.rates import Rate, rate
-from .case import library
+from .case import registry
 from .case.case import Case
 from .case.names import in_order, shown
 from .no_orbit import NoOrbit
@@ -72,7 +72,7 @@ class SceneSweep:
 
     def of(self, method: str) -> tuple[SceneRow, ...]:
         """Return the rows of one method, by either of its names."""
-        wanted = library.generic_method(self.case.scene, method)
+        wanted = registry.generic_method(self.case.scene, method)
         return tuple(row for row in self.rows if row.method == wanted)
 
     def rates(self) -> dict[str, Rate]:
@@ -138,12 +138,12 @@ def sweep_case(
         If a method or an order is not one that can be computed; before anything is.
     """
     scene, numbers = case.scene, list(orders)
-    named = in_order(library.methods(scene)) if methods is None else methods
+    named = in_order(registry.methods(scene)) if methods is None else methods
     wanted = (named,) if isinstance(named, str) else named
     jobs = []
-    for method in (library.generic_method(scene, name) for name in wanted):
+    for method in (registry.generic_method(scene, name) for name in wanted):
         count = number_of_functions(case, method, functions)
-        kernel = library.kernel(scene, method, count)
+        kernel = registry.kernel(scene, method, count)
         chosen = numbers if methods is not None else _computed(numbers, kernel.lowest)
         jobs += [(method, check_order(kernel, order), count) for order in chosen]
     rows = []

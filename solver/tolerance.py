@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .accuracy.estimate import BEST, ROUNDING
-from .case import library
+from .case import registry
 from .case.case import Case
 from .case.names import shown
 from .case.parameters import is_number
@@ -55,9 +55,9 @@ def choose_order(
     """
     if not (is_number(tol) and 0 < tol < 1):
         raise ValueError(f"tol: got {tol!r}, expected a number between 0 and 1")
-    name = library.generic_method(case.scene, method)
+    name = registry.generic_method(case.scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions
-    kernel = library.kernel(case.scene, name, count)
+    kernel = registry.kernel(case.scene, name, count)
     search = _Search(case, tol, name, count, [])
     if MARGIN * tol <= ROUNDING:
         raise NotCertifiedScene(tol, (), math.nan)

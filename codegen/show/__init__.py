@@ -9,8 +9,8 @@ Nothing here names a scene; an expansion is told by what its conditions hold.
 """
 
 from .document import sections
-from .library import derive_scene, scene_named
 from .method import method_equations
+from .registry import derive_scene, scene_named
 from .scene import scene_equations
 
 __all__ = ["derive_scene", "method_equations", "scene_equations", "scene_named", "sections"]

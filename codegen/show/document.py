@@ -4,9 +4,9 @@ from collections.abc import Iterable
 
 from ..printing.sections import Section
 from ..scene import Scene
-from .library import conditions, methods, scene_named
 from .method import method_equations, unknowns
 from .notation import Notation
+from .registry import conditions, methods, scene_named
 from .scene import scene_equations
 
 

@@ -7,7 +7,7 @@ few orders more, is added, and so is the rounding that Newton's method left.
 
 import math
 
-from ..case import library
+from ..case import registry
 from ..iteration.attempt import attempt
 from ..orbit.orbit import SceneOrbit
 from .errors import SceneErrors, difference
@@ -28,7 +28,7 @@ NOTHING = SceneErrors(math.inf, math.inf, math.inf)
 
 def estimate(orbit: SceneOrbit) -> SceneErrors:
     """Return the estimated errors of an orbit, without sign; infinite where none is known."""
-    if BEST not in library.methods(orbit.case.scene):
+    if BEST not in registry.methods(orbit.case.scene):
         return NOTHING
     order = max(orbit.order + MORE, LEAST)
     if orbit.method != BEST:
@@ -52,6 +52,6 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
 
 def _neighbour(orbit: SceneOrbit, order: int) -> SceneOrbit | None:
     """Return the orbit of the better method to which the times of an orbit lead."""
-    kernel = library.kernel(orbit.case.scene, BEST)
+    kernel = registry.kernel(orbit.case.scene, BEST)
     found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
     return found if found.converged and found.admissible else None

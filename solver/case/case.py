@@ -131,6 +131,6 @@ def _unmet(scene: "SceneNumbers", values: Mapping[str, float]) -> list[str]:
 
 
 def _restored(folder: str, values: dict[str, float]) -> Case:
-    from .library import load_folder  # noqa: PLC0415  (it imports this module)
+    from .registry import load_folder  # noqa: PLC0415  (it imports this module)
 
     return load_folder(folder)(**values)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..accuracy.errors import SceneErrors, difference
 from ..arrays import Vector
-from ..case import library
+from ..case import registry
 from ..case.case import Case
 from ..case.kernel import SceneKernel
 from ..case.names import shown
@@ -51,7 +51,7 @@ class SceneOrbit(SceneMotion):
 
     @cached_property
     def _kernel(self) -> SceneKernel:
-        return library.kernel(self.case.scene, self.method, self.functions)
+        return registry.kernel(self.case.scene, self.method, self.functions)
 
     @property
     def unknowns(self) -> Vector:

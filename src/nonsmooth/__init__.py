@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
     from .solver.case.case import Case
-    from .solver.case.library import UnknownScene
     from .solver.case.parameters import ParameterError
+    from .solver.case.registry import UnknownScene
     from .solver.flow.exact import ExactSceneOrbit
     from .solver.no_orbit import NoOrbit
     from .solver.orbit.orbit import SceneOrbit
@@ -61,7 +61,7 @@ _HOMES = {
     "StickSlip": ("solver.shortcuts.orbit.oscillator", "StickSlip"),
     "Sweep": ("solver.shortcuts.search.sweep", "Sweep"),
     "TooSlow": ("solver.shortcuts.choice.choice", "TooSlow"),
-    "UnknownScene": ("solver.case.library", "UnknownScene"),
+    "UnknownScene": ("solver.case.registry", "UnknownScene"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
     "family": ("solver.shortcuts.search.family", "family"),

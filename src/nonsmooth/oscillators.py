@@ -263,7 +263,7 @@ def _generic(case: object, method: object, functions: int | None) -> "Case | Non
     if isinstance(case, StickSlip):
         if functions is None and not of_every_scene(method):
             return None
-        from .solver.case.library import load  # noqa: PLC0415
+        from .solver.case.registry import load  # noqa: PLC0415
 
         return load(PAPER)(**asdict(case))
     from .solver.case.case import Case  # noqa: PLC0415
@@ -294,7 +294,7 @@ def of_every_scene(method: object) -> bool:
     >>> of_every_scene("c1-tau"), of_every_scene("c1"), of_every_scene("no method")
     (True, False, False)
     """
-    from .solver.case.library import UnknownScene, generic_method, load  # noqa: PLC0415
+    from .solver.case.registry import UnknownScene, generic_method, load  # noqa: PLC0415
 
     if not isinstance(method, str) or paper_name(method) in ("hb", "hb-c1", "c1"):
         return False

@@ -10,7 +10,7 @@ import pytest
 from refusals import refused
 
 import nonsmooth as ns
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.solve import solve_case
 
@@ -35,8 +35,8 @@ def rows(out: str) -> dict[str, list[str]]:
 def test_the_list_of_scenes(run) -> None:
     status, out, err = run("scenes")
     assert (status, err) == (0, "")
-    for name in library.names():
-        scene = library.load(name)
+    for name in registry.names():
+        scene = registry.load(name)
         (line,) = [q for q in out.splitlines() if q.split()[0] == name]
         assert line.split()[1] == f"C{scene.k}"
         assert ", ".join(scene.phases) in line
@@ -44,10 +44,10 @@ def test_the_list_of_scenes(run) -> None:
     _, out, _ = run("scenes", "--json")
     document = json.loads(out)
     assert document["schema"] == 1
-    assert [each["name"] for each in document["scenes"]] == list(library.names())
+    assert [each["name"] for each in document["scenes"]] == list(registry.names())
     assert [set(each) for each in document["scenes"]] == [
         {"name", "what", "class", "phases"}
-    ] * len(library.names())
+    ] * len(registry.names())
 
 
 def test_what_a_scene_is(run) -> None:
@@ -90,7 +90,7 @@ def test_solve_of_a_scene_shows_every_method_below_the_exact_orbit(run) -> None:
     assert max(map(len, out.splitlines())) <= 80
     found = rows(out)
     assert list(found) == ["exact", "hb", "hb-c0", "c0", "c0-tau"]
-    case = library.load("impact")(gap=0.2)
+    case = registry.load("impact")(gap=0.2)
     exact = exact_orbit(case)
     assert [float(q) for q in found["exact"]] == pytest.approx(
         [exact.period, exact.angle], rel=1e-6
@@ -107,7 +107,7 @@ def test_solve_of_a_scene_shows_every_method_below_the_exact_orbit(run) -> None:
 
 def test_durations_are_columns_where_there_are_several_phases(run) -> None:
     _, out, _ = run("solve", "stick-slip-damped", "--method", "c1-tau", "--order", 8)
-    orbit = solve_case(library.load("stick-slip-damped")(), "ck-tau", 8)
+    orbit = solve_case(registry.load("stick-slip-damped")(), "ck-tau", 8)
     cells = [float(q) for q in rows(out)["c1-tau"][:4]]
     assert cells == pytest.approx([8, orbit.period, *orbit.durations], rel=1e-6)
     assert "stick [s]" in out
@@ -119,7 +119,7 @@ def test_a_document_has_the_fixed_keys_and_the_numbers_of_the_solver(run) -> Non
     document = json.loads(out)
     assert status == 0
     assert list(document) == KEYS
-    orbit = solve_case(library.load("impact")(), "ck-tau", 9)
+    orbit = solve_case(registry.load("impact")(), "ck-tau", 9)
     assert document["method"] == "ck-tau"
     assert document["period"] == orbit.period
     assert document["forcing_phase"] == orbit.forcing_phase
@@ -278,7 +278,7 @@ def test_the_default_scene_keeps_the_papers_methods(run) -> None:
     generic = json.loads(
         run("solve", "--no-shortcuts", "--method", "c1", "--order", 5, "--json")[1]
     )
-    case = library.load("stick-slip")()
+    case = registry.load("stick-slip")()
     assert (
         generic["period"]
         == solve_case(case, "ck", 5).period
@@ -328,7 +328,7 @@ def test_a_sweep_prints_its_rows_and_where_orders_are_too_few(run, tmp_path: Pat
     status, out, _ = run("sweep", "impact", "--orders", "3,5", "--methods", "ck", "-o", target)
     assert status == 0
     lines = [line.split() for line in out.splitlines() if line.startswith("c0 ")]
-    orbit = solve_case(library.load("impact")(), "ck", 5)
+    orbit = solve_case(registry.load("impact")(), "ck", 5)
     numbers = [float(cell) for cell in lines[1][1:]]
     assert numbers == pytest.approx(
         [5, orbit.period, orbit.forcing_phase, orbit.errors.times, orbit.errors.discontinuous,
@@ -353,7 +353,7 @@ def test_files_of_an_orbit(run, tmp_path: Path) -> None:
     run(*arguments, "-o", tmp_path / "motion.csv")
     with (tmp_path / "motion.csv").open(newline="") as file:
         motion = list(csv.DictReader(file))
-    orbit = solve_case(library.load("impact")(), "ck-tau", 6)
+    orbit = solve_case(registry.load("impact")(), "ck-tau", 6)
     t = np.array([float(row["t"]) for row in motion])
     assert {row["method"] for row in motion} == {"c0-tau"}
     for name in ("displacement", "velocity", "acceleration"):
@@ -377,7 +377,7 @@ def test_pictures(run, tmp_path: Path) -> None:
 def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
     from nonsmooth.cli.scenes.shown.pictures import convergence_figure, orbit_figure
 
-    case = library.load("impact")()
+    case = registry.load("impact")()
     orbit = solve_case(case, "ck-tau", 8)
     exact = exact_orbit(case)
     figure = orbit_figure(case, [orbit], exact)
@@ -423,7 +423,7 @@ def test_an_orbit_that_is_far_off_is_not_returned_without_a_word(run) -> None:
 def test_full_digits_are_those_that_the_estimate_leaves(run) -> None:
     _, out, _ = run("solve", "impact", "--method", "c0-tau", "--order", 10)
     (line,) = [q for q in out.splitlines() if q.startswith("c0-tau, N = 10: T = ")]
-    exact = exact_orbit(library.load("impact")())
+    exact = exact_orbit(registry.load("impact")())
     phi = line.split("phi = ")[1].split()[0]
     assert float(phi) == pytest.approx(exact.forcing_phase, abs=3 * 4.4e-13 * 2 * math.pi)
     assert len(phi) > 11

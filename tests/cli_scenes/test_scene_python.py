@@ -8,18 +8,18 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.solver.accuracy.estimate import MOST, estimate
 from nonsmooth.solver.accuracy.rates import FLOORS, rate
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.choice import NotCertifiedScene
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.sweep import sweep_case
 
-IMPACT = library.load("impact")
+IMPACT = registry.load("impact")
 
 
 def test_scenes_by_name() -> None:
-    assert ns.scenes() == library.names()
+    assert ns.scenes() == registry.names()
     assert ns.scene("impact") == IMPACT
     assert ns.scene(IMPACT) is IMPACT
     case = ns.scene("impact")(gap=0.2)
@@ -61,7 +61,7 @@ def test_solve_to_a_tolerance() -> None:
     by_ck = ns.solve(case, "ck", tol=1e-6)
     assert by_ck.method == "ck"
     assert by_ck.order > orbit.order
-    free = ns.solve(library.load("stick-slip-damped")(), tol=1e-5)
+    free = ns.solve(registry.load("stick-slip-damped")(), tol=1e-5)
     assert max(free.estimate.times, free.estimate.period) <= 1e-5
     with pytest.raises(ns.NotCertified, match="2e-15") as caught:
         ns.solve(case, tol=1e-15)
@@ -210,6 +210,6 @@ def test_an_orbit_shows_itself(monkeypatch) -> None:
     assert np.ptp(x) == pytest.approx(
         np.subtract(*orbit.extremes["displacement"][::-1]), rel=1e-4
     )
-    belt = ns.solve(library.load("stick-slip-damped")(), order=6)
+    belt = ns.solve(registry.load("stick-slip-damped")(), order=6)
     assert "stick 0." in belt._repr_html_()
     assert "forcing" not in belt._repr_html_()

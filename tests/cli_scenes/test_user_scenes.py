@@ -148,9 +148,9 @@ def test_a_scene_that_has_become_a_shipped_one_is_refused(
 ) -> None:
     path = write(tmp_path)
     run("scenes", path)
-    from nonsmooth.solver.case import library
+    from nonsmooth.solver.case import registry
 
-    monkeypatch.setattr(library, "names", lambda: ("bouncing-ball",))
+    monkeypatch.setattr(registry, "names", lambda: ("bouncing-ball",))
     assert "shipped scene" in refused(run, "scenes", path)
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from nonsmooth.codegen import expansions, generate
 from nonsmooth.codegen.scenes import load
-from nonsmooth.solver.case.library import load_folder, methods
+from nonsmooth.solver.case.registry import load_folder, methods
 from nonsmooth.solver.solve import solve_case
 
 #: Step 1: the file.  The tests are sums of neighbouring Legendre polynomials, which span the

@@ -28,7 +28,7 @@ import nonsmooth as ns
 from nonsmooth.report.captions import PLATES
 from nonsmooth.report.ours import remark
 from nonsmooth.solver import solve as scenes_solve
-from nonsmooth.solver.case.library import load
+from nonsmooth.solver.case.registry import load
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.iteration.attempt import attempt
@@ -14,8 +14,8 @@ from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.orbit import admissible, chebyshev
 from nonsmooth.solver.orbit.allowance import MOST, by_residual, defect
 
-IMPACT = library.load("impact")
-DAMPED = library.load("stick-slip-damped")
+IMPACT = registry.load("impact")
+DAMPED = registry.load("stick-slip-damped")
 
 
 def case_with(demands, events=((1, 0, 0, 0),), **options):
@@ -52,7 +52,7 @@ def test_impacts_from_beyond_the_stop_are_refused_by_name() -> None:
 @pytest.mark.parametrize("method", ["ck", "ck-tau", "hb"])
 @pytest.mark.parametrize("order", [4, 7, 12])
 def test_the_same_of_expansions_is_refused_at_any_order(method, order) -> None:
-    kernel, case = library.kernel(IMPACT, method), IMPACT()
+    kernel, case = registry.kernel(IMPACT, method), IMPACT()
     found = [
         attempt(kernel, case, order, np.array([2 * math.pi, angle]))
         for angle in np.arange(12) * math.pi / 6
@@ -146,7 +146,7 @@ def test_a_held_phase_that_moves_otherwise_is_refused() -> None:
 def test_what_is_excused_falls_with_the_order_and_is_bounded() -> None:
     form, found = (-1, 0, 0, 0.324), {}
     for method in ("ck-tau", "hb"):
-        kernel = library.kernel(IMPACT, method)
+        kernel = registry.kernel(IMPACT, method)
         for order in (3, 8, 24):
             orbit = attempt(kernel, IMPACT(), order, np.array([2 * math.pi, 1.0]))
             found[method, order] = by_residual(orbit)(0, form)

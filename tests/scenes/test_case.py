@@ -5,37 +5,37 @@ import pickle
 
 import pytest
 
-from nonsmooth.solver.case import library
-from nonsmooth.solver.case.library import UnknownScene
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.parameters import ParameterError
+from nonsmooth.solver.case.registry import UnknownScene
 from nonsmooth.solver.case.units import _in_units
 from nonsmooth.solver.scaling import product_of_powers
 
-IMPACT = library.load("impact")
-DAMPED = library.load("stick-slip-damped")
+IMPACT = registry.load("impact")
+DAMPED = registry.load("stick-slip-damped")
 
 
 def test_shipped_scenes_are_found_by_looking() -> None:
-    assert {"impact", "stick-slip-damped"} <= set(library.names())
-    assert library.load("stick_slip_damped") == DAMPED
-    assert library.load_folder(IMPACT.folder) == IMPACT != DAMPED
-    assert "ck-tau" in library.methods(IMPACT)
-    assert "scene" not in library.methods(IMPACT)
+    assert {"impact", "stick-slip-damped"} <= set(registry.names())
+    assert registry.load("stick_slip_damped") == DAMPED
+    assert registry.load_folder(IMPACT.folder) == IMPACT != DAMPED
+    assert "ck-tau" in registry.methods(IMPACT)
+    assert "scene" not in registry.methods(IMPACT)
 
 
 def test_unknown_names_get_the_nearest_known_one(tmp_path) -> None:
     with pytest.raises(UnknownScene, match="did you mean impact"):
-        library.load("impakt")
+        registry.load("impakt")
     with pytest.raises(UnknownScene, match="expected one of"):
-        library.load(3)  # type: ignore[arg-type]
+        registry.load(3)  # type: ignore[arg-type]
     with pytest.raises(UnknownScene, match=r"no scene\.py"):
-        library.load_folder(tmp_path)
+        registry.load_folder(tmp_path)
     with pytest.raises(UnknownScene, match="did you mean ck-tau"):
-        library.kernel(IMPACT, "ck-tao")
-    assert library.generic_method(IMPACT, "c0-tau") == "ck-tau"
-    assert library.generic_method(DAMPED, "c1-tau") == "ck-tau"
+        registry.kernel(IMPACT, "ck-tao")
+    assert registry.generic_method(IMPACT, "c0-tau") == "ck-tau"
+    assert registry.generic_method(DAMPED, "c1-tau") == "ck-tau"
     with pytest.raises(UnknownScene):
-        library.generic_method(IMPACT, "c1-tau")
+        registry.generic_method(IMPACT, "c1-tau")
 
 
 def test_all_mistakes_are_named_at_once() -> None:

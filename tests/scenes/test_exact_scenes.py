@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from made_scenes import made
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.no_orbit import NoOrbit
 
-IMPACT = library.load("impact")
-DAMPED = library.load("stick-slip-damped")
+IMPACT = registry.load("impact")
+DAMPED = registry.load("stick-slip-damped")
 UNIT = {"mass": 1, "stiffness": 1, "belt_speed": 1, "normal_force": 1, "damping": 0.1}
 
 #: Case; durations; phase of the forcing; states after the switches; ends of the motion.

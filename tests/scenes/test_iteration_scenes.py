@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from made_scenes import made
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.kernel import fingerprint, linked
 from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.iteration.start import rough_times, with_coefficients
 
-IMPACT = library.load("impact")
-DAMPED = library.load("stick-slip-damped")
+IMPACT = registry.load("impact")
+DAMPED = registry.load("stick-slip-damped")
 
 
 def solve(residual, jacobian, start, durations=1, forced=False, seen=None, **options):
@@ -113,7 +113,7 @@ def test_compiled_and_plain_kernels_give_the_same_bits() -> None:
     case = IMPACT()
     times = np.array([6.2, 1.0])
     plain, compiled = (
-        attempt(library.kernel(IMPACT, "ck-tau", compile_it=flag), case, 8, times)
+        attempt(registry.kernel(IMPACT, "ck-tau", compile_it=flag), case, 8, times)
         for flag in (False, True)
     )
     assert plain.outcome.converged
@@ -129,7 +129,7 @@ def test_the_key_of_compiled_code_covers_all_of_it() -> None:
 
 
 def test_coefficients_at_exact_times_solve_all_conditions() -> None:
-    kernel, case = library.kernel(IMPACT, "ck-tau"), IMPACT()
+    kernel, case = registry.kernel(IMPACT, "ck-tau"), IMPACT()
     solved = attempt(kernel, case, 8, np.array([6.28, 1.0])).unknowns
     z = with_coefficients(kernel, case.numbers, len(solved), kernel.times(solved))
     np.testing.assert_allclose(z, solved, rtol=0, atol=1e-12)
@@ -158,7 +158,7 @@ def test_the_guess_of_a_scene_comes_first() -> None:
 
 
 def test_the_first_coefficients_do_not_depend_on_the_scale_of_an_equation() -> None:
-    kernel, case = library.kernel(IMPACT, "ck-tau"), IMPACT()
+    kernel, case = registry.kernel(IMPACT, "ck-tau"), IMPACT()
     size = kernel.size(5)
     rows = 10.0 ** np.random.default_rng(0).uniform(-6, 6, size)
 

@@ -9,13 +9,13 @@ import pytest
 from made_scenes import Given, made
 
 from nonsmooth.solver.accuracy.errors import difference
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.solve import solve_case
 
-IMPACT = library.load("impact")
-DAMPED = library.load("stick-slip-damped")
+IMPACT = registry.load("impact")
+DAMPED = registry.load("stick-slip-damped")
 UNIT = {"mass": 1, "stiffness": 1, "belt_speed": 1, "normal_force": 1, "damping": 0.1}
 S1 = IMPACT()
 S5B = DAMPED(**UNIT, mu_s=2, mu_k=1, weakening=0.2)
@@ -47,7 +47,7 @@ SOLVED = [
 def test_orbits_against_many_digits(row) -> None:
     case, method, order, functions, expected = row
     if (method, functions) not in {
-        (m, k) for m in library.methods(case.scene) for k in (None, 1, 2)
+        (m, k) for m in registry.methods(case.scene) for k in (None, 1, 2)
     }:
         pytest.skip("no kernel of this method yet")
     orbit = solve_case(case, method, order, functions)
@@ -181,8 +181,8 @@ def test_errors_of_the_forcing_phase_go_the_short_way_round() -> None:
 def test_a_scene_of_its_own_needs_no_other_method(tmp_path) -> None:
     for name in ("scene", "hb"):
         copy(IMPACT.folder / f"{name}.py", tmp_path)
-    own = library.load_folder(tmp_path)
-    assert library.methods(own) == ("hb",)
+    own = registry.load_folder(tmp_path)
+    assert registry.methods(own) == ("hb",)
     orbit = solve_case(own(), "hb", 5)
     assert orbit.durations == solve_case(S1, "hb", 5).durations
     assert orbit.estimate.times == math.inf  # there is no better orbit

@@ -7,7 +7,7 @@ from shown_numbers import Numbers
 
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.codegen.show import scene_named
-from nonsmooth.codegen.show.library import conditions, methods
+from nonsmooth.codegen.show.registry import conditions, methods
 
 m, k, F, Omega, r, h, g = sp.symbols("m k F Omega r h g", positive=True)
 c, f_d, f_s = sp.symbols("c f_d f_s", nonnegative=True)

@@ -29,7 +29,7 @@ def tau_period_error(case: Case, order: int) -> float:
     NoOrbit
         If none was found.
     """
-    from nonsmooth.solver.case.library import load  # noqa: PLC0415
+    from nonsmooth.solver.case.registry import load  # noqa: PLC0415
     from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
 
     try:

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.numbers import SceneNumbers
 
 from .content import key_of_scene, key_of_text
@@ -42,7 +42,7 @@ def find_scene(what: object, say: Say = say_on_stderr) -> SceneNumbers:
     if isinstance(what, SceneNumbers):
         return what
     if isinstance(what, str) and not is_path(what):
-        return library.load(what)
+        return registry.load(what)
     if isinstance(what, str | Path):
         return _of_file(Path(what), say)
     if _is_scene(what):
@@ -72,7 +72,7 @@ def names() -> tuple[str, ...]:
     >>> "impact" in ns.scenes()
     True
     """
-    return library.names()
+    return registry.names()
 
 
 def _is_scene(what: object) -> bool:
@@ -102,7 +102,7 @@ def _of_object(scene: Any, say: Say) -> SceneNumbers:
 
 def _loaded(folder: Path, where: str) -> SceneNumbers:
     try:
-        found = library.load_folder(folder)
+        found = registry.load_folder(folder)
     except Exception as error:
         raise SceneFileError(
             f"{where}: its kernels in {folder} cannot be read ({error}); remove the folder"

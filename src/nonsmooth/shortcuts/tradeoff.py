@@ -120,7 +120,7 @@ def _float64(belt: StickSlip, method: str, terms: int, order: int) -> list[Point
 
 def _tau(belt: StickSlip, order: int) -> list[Point]:
     """Return the point of the C1 series with Legendre's tests; none where it has no orbit."""
-    from ..solver.case.library import load  # noqa: PLC0415
+    from ..solver.case.registry import load  # noqa: PLC0415
     from ..solver.solve import solve_case  # noqa: PLC0415
 
     case = load("stick-slip")(**asdict(belt))

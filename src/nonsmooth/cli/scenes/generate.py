@@ -37,7 +37,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
 def run(scene: "SceneNumbers", check: bool) -> int:
     """Derive the kernels of a scene, and compare or write them; the exit status."""
-    from nonsmooth.solver.case.library import names  # noqa: PLC0415
+    from nonsmooth.solver.case.registry import names  # noqa: PLC0415
 
     if scene.name not in names():
         click.echo(f"{scene.name}: its kernels are in {scene.folder}")

@@ -22,7 +22,7 @@ def scene_named(text: str) -> "SceneNumbers":
     """
     from nonsmooth.scene_files.error import SceneFileError  # noqa: PLC0415
     from nonsmooth.scene_files.find import find_scene  # noqa: PLC0415
-    from nonsmooth.solver.case.library import UnknownScene  # noqa: PLC0415
+    from nonsmooth.solver.case.registry import UnknownScene  # noqa: PLC0415
 
     try:
         return find_scene(text)
@@ -36,6 +36,6 @@ def scene_named(text: str) -> "SceneNumbers":
 
 def known() -> tuple[str, ...]:
     """Return the names of the shipped scenes."""
-    from nonsmooth.solver.case.library import names  # noqa: PLC0415
+    from nonsmooth.solver.case.registry import names  # noqa: PLC0415
 
     return names()

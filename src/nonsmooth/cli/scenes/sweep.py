@@ -97,7 +97,7 @@ def run(
 
 
 def _methods(scene: "SceneNumbers", text: str) -> list[str]:
-    from nonsmooth.solver.case.library import generic_method  # noqa: PLC0415
+    from nonsmooth.solver.case.registry import generic_method  # noqa: PLC0415
 
     names = [generic_method(scene, part.strip()) for part in text.split(",")]
     return list(dict.fromkeys(names))

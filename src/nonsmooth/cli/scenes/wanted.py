@@ -53,8 +53,8 @@ def search(
         If something wanted cannot be computed.
     """
     from nonsmooth.solver.accuracy.estimate import BEST  # noqa: PLC0415
-    from nonsmooth.solver.case.library import generic_method, methods  # noqa: PLC0415
     from nonsmooth.solver.case.names import in_order  # noqa: PLC0415
+    from nonsmooth.solver.case.registry import generic_method, methods  # noqa: PLC0415
     from nonsmooth.solver.solve import number_of_functions  # noqa: PLC0415
 
     scene = case.scene

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.solver.case import library
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.names import in_order, shown
 
 from .formulas import STATE, linear, nested, rows
@@ -46,9 +46,9 @@ def document(scene: "SceneNumbers") -> dict[str, Any]:
         "methods": [
             {
                 "name": method, "shown": shown(scene, method),
-                "functions": list(library.functions(scene, method)),
+                "functions": list(registry.functions(scene, method)),
             }
-            for method in in_order(library.methods(scene))
+            for method in in_order(registry.methods(scene))
         ],
     }  # fmt: skip
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.files.json_text import sealed
-from nonsmooth.solver.case.library import mathematics
+from nonsmooth.solver.case.registry import mathematics
 from nonsmooth.solver.orbit.document import document_without_orbit
 from nonsmooth.solver.orbit.orbit import SceneOrbit
 

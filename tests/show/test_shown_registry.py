@@ -12,7 +12,7 @@ from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
 from nonsmooth.codegen.scenes import impact
 from nonsmooth.codegen.show import derive_scene, scene_equations, scene_named
 from nonsmooth.codegen.show.functions import Rate
-from nonsmooth.codegen.show.library import conditions, methods, scene_files
+from nonsmooth.codegen.show.registry import conditions, methods, scene_files
 
 
 def test_every_scene_and_expansion_of_the_folders_is_found() -> None:
