@@ -4,6 +4,8 @@ Each equation of `hb-symmetric` and `c1-reduced` is evaluated as it stands, with
 quadrature, at what Newton's method has found: a wrong one would not hold there.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -95,20 +97,8 @@ def integrated(degree: int, at: sp.Expr | float) -> sp.Expr:
     )
 
 
-Q_SLIP = {
-    2 * m + 1: sp.lambdify(tau, integrated(2 * m + 1, (2 * tau - PERIOD) / SLIP))
-    for m in range(TERMS)
-}
+Q_SLIP: dict[int, Callable[[float], float]] = {}
 HARMONICS = [{"i": i, "j": n} for i in range(1, TERMS + 1) for n in range(1, ORDER + 1)]
-for m in range(TERMS):
-    for n in range(1, ORDER + 1):
-        wave = over_slip(
-            lambda time, m=m, n=n: (
-                legendre(2 * m + 1, time) * np.sin(n * 2 * np.pi / PERIOD * time)
-            )
-        )
-        NUMBERS[shown.M[2 * m + 1, n]] = wave
-learn(shown.gamma, "harmonics of C1 function", *HARMONICS)
 
 
 def function(i: int, time: float) -> float:
@@ -128,17 +118,32 @@ def sine(n: int, time: float) -> float:
     return float(np.sin(n * 2 * np.pi / PERIOD * time))
 
 
-for at in HARMONICS:
-    by_tail = over_slip(lambda time, at=at: tail(at["i"], time) * sine(at["j"], time))
-    NUMBERS[shown.h[at["i"], at["j"]]] = by_tail
-learn(shown.phi, "its tail at t1", *({"i": i} for i in range(1, TERMS + 1)))
-learn(shown.psi, "the velocity of its tail", *({"i": i} for i in range(1, TERMS + 1)))
-learn(
-    C,
-    "slip integral C_k, k",
-    *({"k": q} for q in (*range(-ORDER, 0), *range(1, 2 * ORDER + 1))),
-)
-NUMBERS[C[0]] = float(evaluated(sides("slip integral C_k, the diagonal")[1]))
+@pytest.fixture(scope="module", autouse=True)
+def known() -> None:
+    """Put what the equations define into the numbers, by the definitions that are shown."""
+    for m in range(TERMS):
+        at = (2 * tau - PERIOD) / SLIP
+        Q_SLIP[2 * m + 1] = sp.lambdify(tau, integrated(2 * m + 1, at))
+    for m in range(TERMS):
+        for n in range(1, ORDER + 1):
+            wave = over_slip(
+                lambda time, m=m, n=n: (
+                    legendre(2 * m + 1, time) * np.sin(n * 2 * np.pi / PERIOD * time)
+                )
+            )
+            NUMBERS[shown.M[2 * m + 1, n]] = wave
+    learn(shown.gamma, "harmonics of C1 function", *HARMONICS)
+    for where in HARMONICS:
+        by_tail = over_slip(lambda time, at=where: tail(at["i"], time) * sine(at["j"], time))
+        NUMBERS[shown.h[where["i"], where["j"]]] = by_tail
+    learn(shown.phi, "its tail at t1", *({"i": i} for i in range(1, TERMS + 1)))
+    learn(shown.psi, "the velocity of its tail", *({"i": i} for i in range(1, TERMS + 1)))
+    learn(
+        C,
+        "slip integral C_k, k",
+        *({"k": q} for q in (*range(-ORDER, 0), *range(1, 2 * ORDER + 1))),
+    )
+    NUMBERS[C[0]] = float(evaluated(sides("slip integral C_k, the diagonal")[1]))
 
 
 @pytest.mark.parametrize("i", range(1, TERMS + 1))
