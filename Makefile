@@ -23,7 +23,7 @@ stability: $(VENV)/ready  ## digits kept at the extremes, against high precision
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth stability -o $(OUTPUT)/stability.png
 
-test: $(VENV)/ready  ## the tests: two minutes on two cores
+test: $(VENV)/ready  ## the tests, in two processes
 	@$(BIN)/python -m pytest -n 2 --dist loadgroup -m 'not long'
 
 test-long: $(VENV)/ready  ## all tests, 100,000 random oscillators among them: most of an hour

@@ -1,18 +1,16 @@
 """The symbolic stage: from the equation of motion to the text of the kernels.
 
-Stages, one file each, in the order in which a derivation runs through them:
+Stages, a folder each, in the order in which a derivation runs through them:
 
-1. `oscillator`: Section 2 as data.
-2. `inner_product`, `fourier`, `slip_moments`, `c1_legendre`: basis functions and the
-   inner product (8), in closed form with symbolic indices.
-3. `hb`, `hb_c1`, `c1`: Sections 3.1, 3.2, 3.3, each ending in a `system.GalerkinSystem`; and
-   what is solved in their place, `hb_symmetric` and `c1_reduced`, in such records as well.
-4. `text`, `latex`, `html` show the record to a reader, whole or written out at one order
-   (`expansion`); `emit` writes it as a module of kernels, `generate` puts the modules into
-   ``generated/``, and `alongside` shows an equation and its functions together.
+1. `scene` and `scenes`: an oscillator as data, and what SymPy checks and deduces of it.
+2. `expansions` and `galerkin`: the conditions of any scene in a set of functions, in closed form
+   with symbolic indices.
+3. `emission` writes the conditions as a module of kernels; `generate` puts the modules into
+   ``generated/``.
+4. `show` makes the conditions records for a reader, `printing` prints them as text, LaTeX, HTML.
 
-Any scene: `scene` and `scenes` hold oscillators as data, `expansions` and `galerkin` derive the
-conditions of any of them, `show` makes them records for a reader, `emission` kernels.
+`shortcuts` has the paper's own Sections 3.1, 3.2 and 3.3, each ending in a
+`system.GalerkinSystem`, and what is solved in their place.
 
 Nothing else in the package imports SymPy.
 """
