@@ -3,11 +3,12 @@
 Stages, a folder each, in the order in which a derivation runs through them:
 
 1. `scene` and `scenes`: an oscillator as data, and what SymPy checks and deduces of it.
-2. `expansions` and `galerkin`: the conditions of any scene in a set of functions, in closed form
-   with symbolic indices.
+2. `expansions` and `galerkin`: the conditions of any scene in a set of functions, in closed
+   form with symbolic indices.
 3. `emission` writes the conditions as a module of kernels; `generate` puts the modules into
    ``generated/``.
-4. `show` makes the conditions records for a reader, `printing` prints them as text, LaTeX, HTML.
+4. `show` makes the conditions records for a reader, `printing` prints them as text, LaTeX and
+   HTML.
 
 `shortcuts` has the paper's own Sections 3.1, 3.2 and 3.3, each ending in a
 `system.GalerkinSystem`, and what is solved in their place.
