@@ -1,7 +1,8 @@
 """Write ``generated/``: one module a method, a file only when its text changes.
 
-Input: the records of the methods, the scenes and the expansions.  Output: the folder, complete
-and with nothing else: the modules of the paper's methods, and a folder for each scene.
+Input: the records of the methods, the scenes and the expansions.  Output: the folder,
+complete and with nothing else: the modules of the paper's methods, a table of those that every
+scene has, and a folder for each scene.
 """
 
 import os
@@ -10,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from . import scenes
-from .emission import kernel, scene_numbers
+from .emission import kernel, methods, scene_numbers
 from .expansions import kernels
 from .scene import Scene
 from .shortcuts.emit import module_source
@@ -32,7 +33,8 @@ SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."
 
 def sources() -> dict[str, str]:
     """Derive everything and return the text of each generated file, by its place."""
-    files = {"__init__.py": INIT, f"{SHORTCUTS}/__init__.py": SHORTCUTS_INIT}
+    files = {"__init__.py": INIT, "methods.py": methods.methods_source()}
+    files[f"{SHORTCUTS}/__init__.py"] = SHORTCUTS_INIT
     for system in map(of_the_paper, (*METHODS, *SOLVED)):
         files[f"{SHORTCUTS}/{system.method.replace('-', '_')}.py"] = module_source(system)
     for scene in map(scenes.load, scenes.names()):

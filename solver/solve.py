@@ -6,11 +6,11 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .accuracy.estimate import BEST
 from .arrays import Vector
 from .case import registry
 from .case.case import Case
 from .case.kernel import SceneKernel
+from .case.methods import FIRST
 from .iteration.attempt import attempt
 from .iteration.start import rough_times
 from .no_orbit import NoOrbit
@@ -26,7 +26,7 @@ HIGHEST_ORDER = 400
 
 
 def solve_case(
-    case: Case, method: str = BEST, order: int = 10, functions: int | None = None
+    case: Case, method: str = FIRST, order: int = 10, functions: int | None = None
 ) -> SceneOrbit:
     """Return the periodic orbit of a case, converged and admissible.
 
@@ -110,7 +110,7 @@ class _Search:
     def starts(self) -> Iterator[Vector]:
         """Yield times to start from: those of a coarse orbit, or rough ones if none can be."""
         scene = self.case.scene
-        coarse = registry.kernel(scene, BEST) if BEST in registry.methods(scene) else None
+        coarse = registry.kernel(scene, FIRST) if FIRST in registry.methods(scene) else None
         for order in COARSE if coarse else COARSE[:1]:
             for rough in rough_times(self.case.cell):
                 self.words = rough.words

@@ -10,7 +10,8 @@ from .accuracy.errors import SceneErrors
 from .accuracy.rates import Rate, rate
 from .case import registry
 from .case.case import Case
-from .case.names import in_order, shown
+from .case.methods import in_order
+from .case.names import shown
 from .no_orbit import NoOrbit
 from .orbit.document import without_errors
 from .solve import check_order, number_of_functions, solve_case

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .accuracy.estimate import BEST, ROUNDING
+from .accuracy.estimate import ROUNDING
 from .case import registry
 from .case.case import Case
+from .case.methods import FIRST, about
 from .case.names import shown
 from .case.parameters import is_number
 from .choice import NotCertifiedScene, SceneChoice, SceneTrial, size
@@ -31,7 +32,7 @@ FAR, FAR_AT_FIRST = 2, 30
 
 
 def choose_order(
-    case: Case, tol: float, method: str = BEST, functions: int | None = None
+    case: Case, tol: float, method: str = FIRST, functions: int | None = None
 ) -> SceneChoice:
     """Return the orbit of the lowest order, of those tried, that meets a tolerance.
 
@@ -132,7 +133,7 @@ class _Search:
         resolved = before < RESOLVED or known[-1][0] > 4 * EVERY
         if resolved and min(error for _, error in known[-PATIENCE:]) > LEAST_FALL * before:
             return math.inf
-        if not self.method.startswith("hb"):  # faster than any power
+        if not about(self.method).power:
             return 0.0
         orders, errors = np.log(np.array(known[len(known) // 2 :])).T
         power, at_1 = np.polyfit(orders, errors, 1)

@@ -1,14 +1,17 @@
 """Sets of functions, a file each: what a motion is expanded in, and what it is tested with.
 
-None knows an oscillator.  A file has `METHOD`, `TITLE` and ``derive(scene)``; one whose
-``derive`` takes a number of functions besides says in `FUNCTIONS` which there may be.
+None knows an oscillator.  A file has `METHOD`, `TITLE` and ``derive(scene)``, and may have
+`ABOUT`; one whose ``derive`` takes a number of functions besides says in `FUNCTIONS` which
+there may be.
 """
 
 import importlib
 import pkgutil
 from collections.abc import Callable, Mapping
 from functools import cache, partial
+from types import ModuleType
 
+from ..expansion import About
 from ..galerkin import GalerkinConditions
 from ..scene import Scene
 
@@ -16,15 +19,32 @@ Derivation = Callable[[Scene], GalerkinConditions]
 
 
 @cache
+def modules() -> Mapping[str, ModuleType]:
+    """Return the files of the folder by the names of their modules."""
+    found = (entry.name for entry in pkgutil.iter_modules(__path__))
+    return {name: importlib.import_module(f"{__name__}.{name}") for name in found}
+
+
+def about(module: ModuleType) -> About:
+    """Return what an expansion says of itself, or what holds for one that says nothing."""
+    found: About = getattr(module, "ABOUT", About())
+    return found
+
+
+def in_order() -> list[ModuleType]:
+    """Return the expansions in the order in which they are told."""
+    return sorted(modules().values(), key=lambda q: (about(q).place, q.METHOD))
+
+
+@cache
 def kernels() -> Mapping[str, Derivation]:
     """Return what derives each kernel of a scene, by the name of its module."""
     found: dict[str, Derivation] = {}
-    for entry in pkgutil.iter_modules(__path__):
-        module = importlib.import_module(f"{__name__}.{entry.name}")
+    for name, module in modules().items():
         numbers = getattr(module, "FUNCTIONS", None)
         if numbers is None:
-            found[entry.name] = module.derive
+            found[name] = module.derive
         else:
             for number in numbers:
-                found[f"{entry.name}_{number}"] = partial(module.derive, functions=number)
+                found[f"{name}_{number}"] = partial(module.derive, functions=number)
     return found

@@ -6,12 +6,14 @@ integrated k + 1 times from the switch: (18) has them for k = 1.
 
 import sympy as sp
 
+from ..expansion import About
 from ..galerkin import GalerkinConditions, polynomials
 from ..galerkin.legendre import repeated_integral
 from ..scene import Scene
 
 METHOD = "ck"
 TITLE = "functions of class C^k, tested with themselves"
+ABOUT = About(place=3, colour="#009E73", marker="o", line=(0, (1.5, 1)))
 
 
 def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:

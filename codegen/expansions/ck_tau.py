@@ -7,11 +7,13 @@ method of Lanczos), not the functions themselves: then the times converge about 
 
 import sympy as sp
 
+from ..expansion import About
 from ..galerkin import GalerkinConditions, polynomials
 from ..scene import Scene
 
 METHOD = "ck-tau"
 TITLE = "functions of class C^k, tested with Legendre polynomials"
+ABOUT = About(place=4, first=True, colour="#CC79A7", marker="^", line=(0, (3, 1, 1, 1, 1, 1)))
 
 
 def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:

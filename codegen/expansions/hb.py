@@ -10,6 +10,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from ..emission.expressions import floating, python
+from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
@@ -17,6 +18,7 @@ from ..scene import Phase, Scene, Switch, switches, v
 
 METHOD = "hb"
 TITLE = "Fourier series"
+ABOUT = About(place=1, power=True, colour="#0072B2", marker="D", line=(0, (6, 2)), filled=False)
 
 
 def impulse(switch: Switch) -> sp.Symbol:

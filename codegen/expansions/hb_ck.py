@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..emission.expressions import floating, python
+from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, breaks, closure
 from ..galerkin.harmonics import Harmonics, ends_of_phases, equations, j
 from ..galerkin.tables import tables_with_rates
@@ -19,6 +20,7 @@ from . import hb
 
 METHOD = "hb-ck"
 TITLE = "Fourier series and functions of class C^k"
+ABOUT = About(place=2, power=True, colour="#D55E00", marker="s", line=(0, (6, 2, 1.5, 2)))
 
 #: How many functions a switch may have.
 FUNCTIONS = (1, 2, 3)

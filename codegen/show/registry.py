@@ -90,11 +90,8 @@ def scene_files() -> Mapping[str, Scene]:
 
 @cache
 def methods() -> Mapping[str, ModuleType]:
-    """Return the expansions of the folder by their generic names, the shortest name first."""
-    names = (q.name for q in iter_modules(expansions.__path__))
-    found = [import_module(f"{expansions.__name__}.{name}") for name in names]
-    found.sort(key=lambda module: ("ck" in module.METHOD, len(module.METHOD)))
-    return MappingProxyType({module.METHOD: module for module in found})
+    """Return the expansions of the folder by their generic names, as they are told."""
+    return MappingProxyType({module.METHOD: module for module in expansions.in_order()})
 
 
 def is_path(name: str) -> bool:

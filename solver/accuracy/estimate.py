@@ -8,15 +8,13 @@ few orders more, is added, and so is the rounding that Newton's method left.
 import math
 
 from ..case import registry
+from ..case.methods import FIRST
 from ..iteration.attempt import attempt
 from ..orbit.orbit import SceneOrbit
 from .errors import SceneErrors, difference
 
-#: The method of the better orbit.
-BEST = "ck-tau"
-
-#: Its order: so many more than the orbit's, and no less than that; nor more than that, where
-#: the orbit is of a method whose errors are far larger at any order.
+#: The order of the better orbit: so many more than the orbit's, and no less than that; nor more
+#: than that, where the orbit is of a method whose errors are far larger at any order.
 MORE, LEAST, MOST = 4, 20, 60
 
 #: Rounding of the times, as a part of the period, beside the last corrections of Newton's
@@ -28,10 +26,10 @@ NOTHING = SceneErrors(math.inf, math.inf, math.inf)
 
 def estimate(orbit: SceneOrbit) -> SceneErrors:
     """Return the estimated errors of an orbit, without sign; infinite where none is known."""
-    if BEST not in registry.methods(orbit.case.scene):
+    if FIRST not in registry.methods(orbit.case.scene):
         return NOTHING
     order = max(orbit.order + MORE, LEAST)
-    if orbit.method != BEST:
+    if orbit.method != FIRST:
         order = min(order, MOST)
     better = _neighbour(orbit, order)
     beyond = better and _neighbour(better, order + MORE)
@@ -52,6 +50,6 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
 
 def _neighbour(orbit: SceneOrbit, order: int) -> SceneOrbit | None:
     """Return the orbit of the better method to which the times of an orbit lead."""
-    kernel = registry.kernel(orbit.case.scene, BEST)
+    kernel = registry.kernel(orbit.case.scene, FIRST)
     found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
     return found if found.converged and found.admissible else None

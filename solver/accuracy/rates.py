@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..case.methods import about
+
 #: Orders above rounding that a fit takes at least: fewer say too little.
 FEWEST = 6
 
@@ -46,7 +48,7 @@ def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
     Parameters
     ----------
     method : str
-        Its generic name: one with harmonics, ``"hb..."``, converges by a power.
+        Its generic name; `about` says whether it converges by a power.
     errors : sequence of (int, dict)
         Order, and the errors by the names of `FLOORS`.
 
@@ -56,7 +58,7 @@ def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
     >>> rate("hb", rows).text("times"), rate("hb", rows).text("discontinuous")
     ('N^-2.000', 'too few orders')
     """
-    power = method.startswith("hb")
+    power = about(method).power
     slopes = {name: _slope(errors, name, power) for name in FLOORS}
     return Rate("power" if power else "geometric", **slopes)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .modules import module_of
+from .names import generic
 from .numbers import SceneNumbers
 
 if TYPE_CHECKING:
@@ -100,8 +101,7 @@ def generic_method(scene: SceneNumbers, method: object) -> str:
         If the scene has no kernel of it.
     """
     known = methods(scene)
-    parts = method.replace("_", "-").split("-") if isinstance(method, str) else []
-    wanted = "-".join("ck" if part == f"c{scene.k}" else part for part in parts)
+    wanted = generic(scene, method) if isinstance(method, str) else ""
     if wanted not in known:
         raise UnknownScene(_unknown("method", method, known))
     return wanted

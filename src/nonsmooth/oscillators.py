@@ -116,10 +116,10 @@ def solve(
     if paper:
         option, value = next(iter(paper.items()))
         raise ValueError(f"{option}: got {value!r}, expected it for the paper's methods only")
-    from .solver.accuracy.estimate import BEST  # noqa: PLC0415
+    from .solver.case.methods import FIRST  # noqa: PLC0415
     from .solver.solve import solve_case  # noqa: PLC0415
 
-    chosen = BEST if method is None else method
+    chosen = FIRST if method is None else method
     if tol is None:
         return solve_case(generic, chosen, 10 if order is None else order, functions)
     if order is not None:

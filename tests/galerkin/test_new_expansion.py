@@ -42,9 +42,11 @@ def own_expansion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[N
     folder.mkdir()
     (folder / "ck_pairs.py").write_text(FILE, encoding="utf-8")
     monkeypatch.setattr(expansions, "__path__", [*expansions.__path__, str(folder)])
-    expansions.kernels.cache_clear()
+    for cached in (expansions.modules, expansions.kernels):
+        cached.cache_clear()
     yield
-    expansions.kernels.cache_clear()
+    for cached in (expansions.modules, expansions.kernels):
+        cached.cache_clear()
 
 
 @pytest.mark.usefixtures("own_expansion")

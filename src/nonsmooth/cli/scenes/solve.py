@@ -71,7 +71,8 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
 def method_names(scene: "SceneNumbers") -> list[str]:
     """Return the methods of a scene as they are shown, in their order."""
-    from nonsmooth.solver.case.names import in_order, shown  # noqa: PLC0415
+    from nonsmooth.solver.case.methods import in_order  # noqa: PLC0415
+    from nonsmooth.solver.case.names import shown  # noqa: PLC0415
     from nonsmooth.solver.case.registry import methods  # noqa: PLC0415
 
     return [shown(scene, method) for method in in_order(methods(scene))]

@@ -52,14 +52,13 @@ def search(
     Problem
         If something wanted cannot be computed.
     """
-    from nonsmooth.solver.accuracy.estimate import BEST  # noqa: PLC0415
-    from nonsmooth.solver.case.names import in_order  # noqa: PLC0415
+    from nonsmooth.solver.case.methods import FIRST, in_order  # noqa: PLC0415
     from nonsmooth.solver.case.registry import generic_method, methods  # noqa: PLC0415
     from nonsmooth.solver.solve import number_of_functions  # noqa: PLC0415
 
     scene = case.scene
     with as_problems():
-        one = generic_method(scene, wanted.method or BEST) if wanted.one else None
+        one = generic_method(scene, wanted.method or FIRST) if wanted.one else None
     names = in_order(methods(scene)) if one is None else (one,)
     found: dict[str, SceneOrbit | NoOrbit] = {}
     if wanted.tol is not None:

@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.names import in_order, shown
+from nonsmooth.solver.case.methods import in_order
+from nonsmooth.solver.case.names import shown
 
 from .formulas import STATE, linear, nested, rows
 

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
+from nonsmooth.solver.case.methods import about
 from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.orbit.notebook import instants, portrait
-from nonsmooth.style import EXACT, SETTINGS, STYLES, save
+from nonsmooth.style import EXACT, SETTINGS, save
 
 from .captions import derivative
 
@@ -18,17 +19,6 @@ if TYPE_CHECKING:
     from nonsmooth.solver.orbit.motion import SceneMotion
     from nonsmooth.solver.orbit.orbit import SceneOrbit
     from nonsmooth.solver.sweep import SceneSweep
-
-#: The look of each method: that of its like in the paper, and one of its own.
-LOOKS: dict[str, dict[str, Any]] = {
-    "hb": STYLES["hb"],
-    "hb-ck": STYLES["hb-c1"],
-    "ck": STYLES["c1"],
-    "ck-tau": {"color": "#CC79A7", "marker": "^", "linestyle": (0, (3, 1, 1, 1, 1, 1))},
-}
-
-#: Of a method that is none of these.
-OTHER: dict[str, Any] = {"color": "0.5", "marker": "x", "linestyle": "--"}
 
 #: Least error that is drawn.
 LEAST = 1e-17
@@ -52,7 +42,7 @@ def orbit_figure(
         _draw(plane, histories, exact, "exact", EXACT)
     for orbit in orbits:
         words = f"{shown(case.scene, orbit.method)}, N = {orbit.order}"
-        look = {name: look_of(orbit.method)[name] for name in ("color", "linestyle")}
+        look = {name: about(orbit.method).look[name] for name in ("color", "linestyle")}
         _draw(plane, histories, orbit, words, look | {"linewidth": 1.4})
     plane.set(title="periodic orbit")
     names = ("displacement [m]", "velocity [m/s]", "acceleration [m/s²]")
@@ -60,11 +50,6 @@ def orbit_figure(
         axes.set(xlabel="t/T", ylabel=name)
     _label(figure, plane, case)
     return figure
-
-
-def look_of(method: str) -> dict[str, Any]:
-    """Return colour, marker and line of a method."""
-    return LOOKS.get(method, OTHER)
 
 
 def _label(figure: Figure, axes: Any, case: "Case") -> None:
@@ -102,7 +87,7 @@ def convergence_figure(result: "SceneSweep") -> Figure:
                 for row in result.of(method)
                 if row.errors is not None
             ]
-            look = look_of(method) | {"markersize": 4, "linewidth": 0.9}
+            look = about(method).look | {"markersize": 4, "linewidth": 0.9}
             orders, errors = zip(*points, strict=True) if points else ((), ())
             axes.semilogy(orders, errors, label=shown(scene, method), **look)
         axes.set(xlabel="order N", ylabel=title, title=title)
