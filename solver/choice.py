@@ -1,4 +1,4 @@
-"""What a tolerance comes to: the orders that were tried, the orbit, or why there is none."""
+"""What a tolerance or a budget comes to: what was tried, the orbit, or why there is none."""
 
 import math
 from dataclasses import dataclass
@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from .accuracy.errors import SceneErrors
 from .accuracy.estimate import ROUNDING
 from .orbit.orbit import SceneOrbit
-from .shortcuts.choice.choice import MARGIN, NotCertified
+from .shortcuts.choice.choice import MARGIN, NotCertified, TooSlow
+
+__all__ = ["NotCertifiedScene", "SceneChoice", "SceneTrial", "TooSlow", "size"]
 
 
 @dataclass(frozen=True)
@@ -18,16 +20,19 @@ class SceneTrial:
     method, order : str, int
     estimate : SceneErrors or None
         Of its errors; None where it has no orbit.
+    seconds : float or None
+        Of one solve, measured; None where nothing was to be measured.
     """
 
     method: str
     order: int
     estimate: SceneErrors | None
+    seconds: float | None = None
 
 
 @dataclass(frozen=True)
 class SceneChoice:
-    """What a tolerance led to: the orbit, and all that was tried on the way."""
+    """What a tolerance or budget led to: the orbit, and all that was tried on the way."""
 
     orbit: SceneOrbit
     trials: tuple[SceneTrial, ...]

@@ -42,6 +42,7 @@ def solve(
     *,
     functions: int | None = None,
     tol: float | None = None,
+    budget: float | None = None,
 ) -> "SceneOrbit": ...
 
 
@@ -52,6 +53,7 @@ def solve(
     *,
     functions: int | None = None,
     tol: float | None = None,
+    budget: float | None = None,
     **paper: Any,
 ) -> "Orbit | SceneOrbit":
     """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
@@ -77,7 +79,10 @@ def solve(
     tol : float, optional
         Largest error of the times and the period, as estimated, as a part of the period;
         between 0 and 1.  Of a `Case`, the lowest order is taken that meets it.
-    c1_terms, tol_acceleration, budget, many : optional
+    budget : float, optional
+        Seconds for one orbit: the best that fits, timed on this machine, by this method or
+        by any.  It chooses the order, and excludes a tolerance.
+    c1_terms, tol_acceleration, many : optional
         Of a `StickSlip` by the paper's methods, as for the function `solve` of the shortcuts.
 
     Raises
@@ -112,18 +117,25 @@ def solve(
         from .solver.shortcuts.search import solve as paper_solve  # noqa: PLC0415  (it loads parts of SciPy)
 
         name: Any = paper_name(method)
-        return paper_solve.solve(case, name, order, tol=tol, **paper)  # type: ignore[arg-type]
+        return paper_solve.solve(case, name, order, tol=tol, budget=budget, **paper)  # type: ignore[arg-type]
     if paper:
         option, value = next(iter(paper.items()))
         raise ValueError(f"{option}: got {value!r}, expected it for the paper's methods only")
     from .solver.case.methods import FIRST  # noqa: PLC0415
     from .solver.solve import solve_case  # noqa: PLC0415
 
+    if (tol is not None or budget is not None) and order is not None:
+        what = "a budget" if tol is None else "a tolerance"
+        raise ValueError(f"order: got {order!r} beside {what}, which chooses it")
+    if budget is not None:
+        if tol is not None:
+            raise ValueError(f"budget: got {budget!r} beside a tolerance, expected one of them")
+        from .solver.budget import choose_within  # noqa: PLC0415
+
+        return choose_within(generic, budget, method, functions).orbit
     chosen = FIRST if method is None else method
     if tol is None:
         return solve_case(generic, chosen, 10 if order is None else order, functions)
-    if order is not None:
-        raise ValueError(f"order: got {order!r} beside a tolerance, which chooses it")
     from .solver.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
     return choose_order(generic, tol, chosen, functions).orbit

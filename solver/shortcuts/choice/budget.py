@@ -1,25 +1,27 @@
 """The best orbit that is quick enough, timed on this machine."""
 
 import math
-import statistics
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from ...case.parameters import is_number
+from ...timing import median_seconds
 from ..orbit.methods import METHODS, check_belt, check_method
 from ..orbit.orbit import Orbit
 from ..orbit.oscillator import StickSlip
 from ..search.solve import solve
 from .choice import Choice, TooSlow, Trial, attempt
 
-#: Orders among which a budget chooses; seconds and rounds that are spent on measuring one.
+#: Orders among which a budget chooses.
 _DOUBLING = (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384, 65_536, 262_144, 1_000_000)
 ORDERS = {
     "hb": _DOUBLING,
     "hb-c1": _DOUBLING,
     "c1": (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 20, 24),
 }
-MEASURED, MOST_ROUNDS = 0.01, 25
+
+
+#: For those whom a single solve is too slow.
+MANY = "for many orbits see nonsmooth.solver.shortcuts.polynomials.batch"
 
 
 def fitting(
@@ -66,21 +68,10 @@ def fitting(
                 best = orbit
     if best is None:
         times = [trial.seconds for trial in trials if trial.seconds is not None]
-        raise TooSlow(budget, min(times, default=math.inf))
+        raise TooSlow(budget, min(times, default=math.inf), MANY)
     return Choice(best, tuple(trials))
 
 
 def _seconds(belt: StickSlip, method: str, order: int) -> float:
     """Return the median time of one solve."""
     return median_seconds(lambda: solve(belt, method, order, many=True))
-
-
-def median_seconds(work: Callable[[], object]) -> float:
-    """Return the median time of `work`, after one run that fills the caches."""
-    work()
-    seen: list[float] = []
-    while len(seen) < MOST_ROUNDS and sum(seen) < MEASURED:
-        begin = time.perf_counter()
-        work()
-        seen.append(time.perf_counter() - begin)
-    return statistics.median(seen)

@@ -94,18 +94,19 @@ class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
     ----------
     budget, fastest : float
         Seconds.
+    hint : str
+        What to do instead, if something.
     """
 
-    def __init__(self, budget: float, fastest: float) -> None:
-        super().__init__(budget, fastest)
+    def __init__(self, budget: float, fastest: float, hint: str = "") -> None:
+        super().__init__(budget, fastest, hint)
         self.budget = budget
         self.fastest = fastest
+        self.hint = hint
 
     def __str__(self) -> str:
-        return (
-            f"a budget of {self.budget:.2g} s: the fastest orbit takes {self.fastest:.2g} s "
-            "here; for many orbits see nonsmooth.solver.shortcuts.polynomials.batch"
-        )
+        found = f"a budget of {self.budget:.2g} s: the fastest orbit takes {self.fastest:.2g} s"
+        return f"{found} here{self.hint and '; '}{self.hint}"
 
 
 def attempt(belt: StickSlip, method: str, order: int, many: bool) -> Orbit | None:

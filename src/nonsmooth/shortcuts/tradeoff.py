@@ -12,11 +12,12 @@ from importlib.util import find_spec
 
 from ..solver.no_orbit import NoOrbit
 from ..solver.shortcuts.accuracy.convergence import rate
-from ..solver.shortcuts.choice.budget import median_seconds
 from ..solver.shortcuts.orbit.methods import name_with_terms
 from ..solver.shortcuts.orbit.orbit import Orbit
 from ..solver.shortcuts.orbit.oscillator import StickSlip
 from ..solver.shortcuts.search.solve import solve
+from ..solver.timing import median_seconds
+from ..solver.trade import front
 
 #: Method and its C1 functions, with the orders in float64.  Of 3.2 with several functions
 #: those numbers that are the first of their order of convergence.
@@ -165,9 +166,5 @@ def _precise(belt: StickSlip, order: int, digits: int) -> list[Point]:
 
 def with_front(points: list[Point]) -> list[Point]:
     """Return the points, those marked that no other beats in time and error."""
-    best, front = float("inf"), set()
-    for index in sorted(range(len(points)), key=lambda i: (points[i].seconds, points[i].error)):
-        if points[index].error < best:
-            best = points[index].error
-            front.add(index)
-    return [replace(point, front=index in front) for index, point in enumerate(points)]
+    chosen = front([(point.seconds, point.error) for point in points])
+    return [replace(point, front=index in chosen) for index, point in enumerate(points)]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..output import PICTURES, check_target, write_text, write_whole
+from ..seconds import parse_seconds
 from .options import case_from, command_of
 from .wanted import ORDER, Wanted, exact_near, search
 
@@ -26,7 +27,8 @@ SUFFIXES = (".json", ".csv", *PICTURES)
 HELP = """Compute the periodic orbit of {name} by one method, or by each.
 
 {title}. With a tolerance, the lowest order of the method, without one of {best}, whose
-estimated errors of times and period are within it."""
+estimated errors of times and period are within it. With a budget, the best orbit that fits,
+timed on this machine."""
 
 EPILOG = """\b
 Examples:
@@ -46,6 +48,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         click.Option(["--order"], type=int, help=f"N, the size.  [default: {ORDER}]"),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
         click.Option(["--tol"], type=float, help="Choose N: largest error of times, period."),
+        click.Option(["--budget"], help="Choose: the best in this time, like 200us, 1ms, 2s."),
         click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
@@ -56,10 +59,12 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
     def callback(
         method: str | None, order: int | None, functions: int | None, tol: float | None,
-        no_shortcuts: bool, case: Path | None, json_: bool, output: Path | None, **flags: Any,
+        budget: str | None, no_shortcuts: bool, case: Path | None, json_: bool,
+        output: Path | None, **flags: Any,
     ) -> int:  # fmt: skip
         check_target(output, SUFFIXES)
-        wanted = Wanted(method, order, functions, tol, json_, output)
+        seconds = None if budget is None else parse_seconds(budget)
+        wanted = Wanted(method, order, functions, tol, seconds, json_, output)
         return run(case_from(scene, case, flags), wanted)
 
     last = scene.parameters[-1]
@@ -109,7 +114,11 @@ def run(case: "Case", wanted: Wanted) -> int:
 
 
 def _why(choice: "SceneChoice", wanted: Wanted) -> str:
-    """Return why this order was taken."""
+    """Return why this method and order were taken."""
+    if wanted.tol is None:
+        names = ", ".join(dict.fromkeys(trial.method for trial in choice.trials))
+        words = f"the smallest estimated error within {wanted.budget:g} s, of {names}"
+        return f"{choice.orbit.method}, N = {choice.orbit.order}: {words}"
     last = choice.trials[-1]
     words = f"the lowest order, of {len(choice.trials)} tried, whose estimated errors are"
     return f"{last.method}, N = {choice.orbit.order}: {words}\nwithin {wanted.tol:g}."

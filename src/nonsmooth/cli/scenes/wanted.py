@@ -33,19 +33,20 @@ class Wanted:
     order: int | None = None
     functions: int | None = None
     tol: float | None = None
+    budget: float | None = None
     json: bool = False
     output: Path | None = None
 
     @property
     def one(self) -> bool:
         """Whether one orbit is wanted, and not that of every method."""
-        return self.method is not None or self.tol is not None
+        return any(q is not None for q in (self.method, self.tol, self.budget))
 
 
 def search(
     case: "Case", wanted: Wanted
 ) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
-    """Return what a tolerance chose, if there is one, and what was found by method.
+    """Return what a tolerance or a budget chose, and what was found by method.
 
     Raises
     ------
@@ -59,10 +60,10 @@ def search(
     scene = case.scene
     with as_problems():
         one = generic_method(scene, wanted.method or FIRST) if wanted.one else None
+    if wanted.tol is not None or wanted.budget is not None:
+        return _choose(case, None if wanted.method is None else one, wanted)
     names = in_order(methods(scene)) if one is None else (one,)
     found: dict[str, SceneOrbit | NoOrbit] = {}
-    if wanted.tol is not None:
-        return _choose(case, names[0], wanted)
     for name in names:
         count = (
             number_of_functions(case, name, wanted.functions)
@@ -88,24 +89,36 @@ def _solve(
 
 
 def _choose(
-    case: "Case", method: str, wanted: Wanted
+    case: "Case", method: str | None, wanted: Wanted
 ) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
-    from nonsmooth.solver.choice import NotCertifiedScene  # noqa: PLC0415
+    from nonsmooth.solver.budget import choose_within  # noqa: PLC0415
+    from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
+    from nonsmooth.solver.choice import NotCertifiedScene, TooSlow  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.tolerance import choose_order  # noqa: PLC0415
 
+    option = "--budget" if wanted.tol is None else "--tol"
     if wanted.order is not None:
-        raise Problem(f"--order: got {wanted.order} beside --tol, which chooses it")
-    assert wanted.tol is not None
+        raise Problem(f"--order: got {wanted.order} beside {option}, which chooses it")
+    if wanted.tol is not None and wanted.budget is not None:
+        raise Problem(f"--budget: got {wanted.budget:g} s beside --tol, expected one of them")
+    name = method or FIRST
     try:
-        with as_problems(), busy(f"{method} to {wanted.tol:g}"):
-            choice = choose_order(case, wanted.tol, method, wanted.functions)
+        if wanted.tol is None:
+            assert wanted.budget is not None
+            with as_problems(), busy(f"{method or 'all methods'} within {wanted.budget:g} s"):
+                choice = choose_within(case, wanted.budget, method, wanted.functions)
+        else:
+            with as_problems(), busy(f"{name} to {wanted.tol:g}"):
+                choice = choose_order(case, wanted.tol, name, wanted.functions)
     except NotCertifiedScene as finding:
         raise Problem(f"no orbit is certified: {finding}", 1) from finding
+    except TooSlow as finding:
+        raise Problem(str(finding), 1) from finding
     except NoOrbit as finding:
         tell(finding)
-        return None, {method: finding}
-    return choice, {method: choice.orbit}
+        return None, {name: finding}
+    return choice, {choice.orbit.method: choice.orbit}
 
 
 def tell(finding: "NoOrbit") -> None:

@@ -20,9 +20,10 @@ from ..scenes.paper import (
     solve_generic,
 )
 from ..scenes.wanted import Wanted
+from ..seconds import parse_seconds
 from .parameters import belt_from, caption, parameter_options
 from .precise import add_precise, check_digits, show_precise
-from .tolerance import choose, parse_seconds, why
+from .tolerance import choose, why
 
 if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
@@ -98,11 +99,11 @@ def solve(
             {
                 "--c1-terms": c1_terms if c1_terms != 1 else None,
                 "--tol-acceleration": tol_acceleration,
-                "--budget": budget,
                 "--digits": digits,
             }
         )
-        wanted = Wanted(method, order, functions, tol, json_, output)
+        seconds = None if budget is None else parse_seconds(budget)
+        wanted = Wanted(method, order, functions, tol, seconds, json_, output)
         return solve_generic(case, flags, wanted)
     from nonsmooth.solver.shortcuts.orbit.orbit import Orbit  # noqa: PLC0415
 

@@ -1,6 +1,5 @@
 """``nonsmooth solve --tol`` and ``--budget``: method and order by accuracy or by time."""
 
-import re
 from typing import TYPE_CHECKING
 
 import click
@@ -10,28 +9,6 @@ from ..problems import Problem
 if TYPE_CHECKING:
     from nonsmooth.solver.shortcuts.choice.choice import Choice
     from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
-
-UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
-
-
-def parse_seconds(text: str) -> float:
-    """Return a time in seconds.
-
-    Examples
-    --------
-    >>> parse_seconds("250us"), parse_seconds("1.5 ms"), parse_seconds("2s")
-    (0.00025, 0.0015, 2.0)
-
-    Raises
-    ------
-    Problem
-        If it is not a positive number and a unit.
-    """
-    found = re.fullmatch(r"(\d+(?:\.\d*)?(?:e-?\d+)?)\s*(us|ms|s)", text.strip())
-    value = float(found[1]) * UNITS[found[2]] if found else 0.0
-    if not 0 < value < float("inf"):
-        raise Problem(f"--budget: got {text!r}, expected a time like 200us, 1ms or 2s")
-    return value
 
 
 def choose(

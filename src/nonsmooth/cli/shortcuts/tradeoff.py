@@ -11,6 +11,7 @@ from nonsmooth.files.json_text import as_json
 from ..output import PICTURES, check_target, write_text, write_whole
 from ..problems import Problem
 from ..progress import progress
+from ..scenes.command import SceneCommand
 from .parameters import belt_from, caption, parameter_options
 
 if TYPE_CHECKING:
@@ -21,10 +22,11 @@ EPILOG = """\b
 Examples:
   nonsmooth tradeoff -o tradeoff.png
   nonsmooth tradeoff --belt-speed 0.2 --json
+  nonsmooth tradeoff impact --gap 0.2
 """
 
 
-@click.command(epilog=EPILOG)
+@click.command(cls=SceneCommand, module="tradeoff", epilog=EPILOG)
 @parameter_options
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 @click.option(

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.case.methods import about
 from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.orbit.notebook import instants, portrait
+from nonsmooth.solver.trade import EXACT as FLOW
 from nonsmooth.style import EXACT, SETTINGS, save
 
 from .captions import derivative
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.orbit.motion import SceneMotion
     from nonsmooth.solver.orbit.orbit import SceneOrbit
     from nonsmooth.solver.sweep import SceneSweep
+    from nonsmooth.solver.trade import Trade
 
 #: Least error that is drawn.
 LEAST = 1e-17
@@ -92,4 +94,30 @@ def convergence_figure(result: "SceneSweep") -> Figure:
             axes.semilogy(orders, errors, label=shown(scene, method), **look)
         axes.set(xlabel="order N", ylabel=title, title=title)
     _label(figure, both[0], result.case)
+    return figure
+
+
+def trade_picture(result: "Trade", target: Path) -> None:
+    """Write the figure of time against error as a picture."""
+    with mpl.rc_context(SETTINGS):
+        save(trade_figure(result), target)
+
+
+def trade_figure(result: "Trade") -> Figure:
+    """Draw error against time, each method a line, the front behind them."""
+    scene = result.case.scene
+    figure = Figure(figsize=(7, 4.5), layout="constrained")
+    axes = figure.subplots()
+    best = sorted((p.seconds, p.error) for p in result.points if p.front)
+    wide: dict[str, Any] = {"color": "0.8", "linewidth": 5, "zorder": 1}
+    axes.step(*zip(*best, strict=True), where="post", label="the front", **wide)
+    for method in dict.fromkeys(point.method for point in result.points):
+        points = [(p.seconds, p.error) for p in result.points if p.method == method]
+        look = {"color": "0.2", "marker": "*"} if method == FLOW else about(method).look
+        words = "exact flow" if method == FLOW else shown(scene, method)
+        times, errors = zip(*points, strict=True)
+        axes.plot(times, errors, label=words, markersize=5, zorder=2, **look)
+    axes.set(xscale="log", yscale="log", xlabel="time of one orbit [s]")
+    axes.set_ylabel("error of the times, as a part of the period")
+    _label(figure, axes, result.case)
     return figure

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit.motion import SceneMotion
     from nonsmooth.solver.sweep import SceneSweep
+    from nonsmooth.solver.trade import Trade
 
 Found = Mapping[str, "SceneOrbit | NoOrbit"]
 
@@ -91,6 +92,23 @@ def _in_full(orbit: SceneOrbit) -> str:
 
 def _forcing_period(case: "Case") -> float:
     return 2 * math.pi / float(case.values[str(case.scene.frequency)])
+
+
+def trade(result: "Trade") -> None:
+    """Print time against error, the front marked."""
+    scene = result.case.scene
+    table = _table("method", "N", "time [s]", "times", "estimate", "front")
+    for point in result.points:
+        exact = point.order is None
+        table.add_row(
+            shown(scene, point.method),
+            "" if exact else str(point.order),
+            f"{point.seconds:.1e}",
+            f"{point.error:.1e}",
+            "" if exact else f"{point.estimate:.1e}",
+            "*" if point.front else "",
+        )
+    _print(table)
 
 
 def convergence(result: "SceneSweep") -> None:

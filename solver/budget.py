@@ -1,0 +1,83 @@
+"""The best orbit of a case that is quick enough, timed on this machine."""
+
+import math
+
+from .case import registry
+from .case.case import Case
+from .case.methods import about, in_order
+from .case.parameters import is_number
+from .choice import SceneChoice, SceneTrial, TooSlow, size
+from .no_orbit import NoOrbit
+from .orbit.orbit import SceneOrbit
+from .solve import number_of_functions, solve_case
+from .timing import median_seconds
+from .trade import FACTOR_ORDERS, POWER_ORDERS
+
+
+def choose_within(
+    case: Case, budget: float, method: str | None = None, functions: int | None = None
+) -> SceneChoice:
+    """Return the orbit with the smallest estimated errors that is solved within a time.
+
+    Every candidate is solved and timed here, with its search from rough times and its checks;
+    a method is left at the first order that takes too long.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    budget : float
+        Seconds for one orbit.
+    method : str, optional
+        The method; without it whichever has the best orbit.
+    functions : int, optional
+        See `solve_case`.
+
+    Raises
+    ------
+    ValueError
+        If the budget is not a positive number of seconds, or there is no such method.
+    TooSlow
+        If nothing fits.
+    NoOrbit
+        If no order that was tried has an orbit.
+    """
+    if not (is_number(budget) and budget > 0):
+        raise ValueError(f"budget: got {budget!r}, expected a positive number of seconds")
+    scene = case.scene
+    names = in_order(registry.methods(scene)) if method is None else (method,)
+    trials: list[SceneTrial] = []
+    best: SceneOrbit | None = None
+    finding: NoOrbit | None = None
+    for name in (registry.generic_method(scene, name) for name in names):
+        count = number_of_functions(case, name, functions)
+        lowest = registry.kernel(scene, name, count).lowest
+        for order in POWER_ORDERS if about(name).power else FACTOR_ORDERS:
+            if order < lowest:
+                continue
+            try:
+                orbit, seconds = _timed(case, name, order, count)
+            except NoOrbit as found:
+                finding = found
+                trials.append(SceneTrial(name, order, None))
+                continue
+            trials.append(SceneTrial(name, order, orbit.estimate, seconds))
+            if seconds > budget:
+                break
+            if best is None or size(orbit.estimate) < size(best.estimate):
+                best = orbit
+    if best is not None:
+        return SceneChoice(best, tuple(trials))
+    times = [trial.seconds for trial in trials if trial.seconds is not None]
+    if finding is not None and not times:
+        raise finding
+    raise TooSlow(budget, min(times, default=math.inf))
+
+
+def _timed(
+    case: Case, method: str, order: int, functions: int | None
+) -> tuple[SceneOrbit, float]:
+    def solved() -> SceneOrbit:
+        return solve_case(case, method, order, functions)
+
+    return solved(), median_seconds(solved)

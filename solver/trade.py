@@ -1,0 +1,134 @@
+"""Time against error for a case: each method at some orders, and the exact flow, timed."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from .case import registry
+from .case.case import Case
+from .case.methods import about, in_order
+from .flow.exact import exact_orbit
+from .no_orbit import NoOrbit
+from .solve import number_of_functions, solve_case
+from .timing import median_seconds
+
+#: Orders of a method whose errors fall by a power of the order, and by a factor with each.
+POWER_ORDERS = (1, 2, 4, 8, 16, 32, 64)
+FACTOR_ORDERS = (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18, 20)
+
+#: An error below this is as good as any other in float64.
+ROUNDING = 2e-16
+
+#: What the way by the exact flow is called where methods are.
+EXACT = "exact"
+
+
+@dataclass(frozen=True)
+class TradePoint:
+    """One way to the orbit: what it takes, and how good it is.
+
+    Parameters
+    ----------
+    method : str
+        Generic name, or `EXACT`.
+    order, functions : int or None
+        None where the way has none.
+    seconds : float
+        Median time of one orbit, with its search from rough times and its checks.
+    error, estimate : float
+        Error of the times as a part of the period, not below rounding; and as estimated
+        without the exact orbit, 0 for the exact flow.
+    front : bool
+        Whether nothing measured is both faster and better, or as good.
+    """
+
+    method: str
+    order: int | None
+    functions: int | None
+    seconds: float
+    error: float
+    estimate: float
+    front: bool = False
+
+
+@dataclass(frozen=True)
+class Trade:
+    """What `trade` measured, in the order of the methods."""
+
+    case: Case
+    points: tuple[TradePoint, ...]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the points as the document that ``tradeoff --json`` writes."""
+        return {
+            "scene": self.case.scene.name,
+            "class": f"C{self.case.scene.k}",
+            "parameters": dict(self.case.values),
+            "points": [asdict(point) for point in self.points],
+        }
+
+
+def trade(case: Case, progress: Callable[[str], None] = lambda done: None) -> Trade:
+    """Measure time against error of the times by every method.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    progress : callable, optional
+        Called with what has just been measured, in words.
+
+    Raises
+    ------
+    NoOrbit
+        If there is no exact orbit to compare with, or none was found.
+    """
+    exact_orbit(case)
+    seconds = median_seconds(lambda: exact_orbit(case))
+    points = [TradePoint(EXACT, None, None, seconds, ROUNDING, 0.0)]
+    progress(EXACT)
+    for method, order in ways(case):
+        points += _measured(case, method, order)
+        progress(f"{method}, N = {order}")
+    chosen = front([(point.seconds, point.error) for point in points])
+    return Trade(case, tuple(replace(p, front=i in chosen) for i, p in enumerate(points)))
+
+
+def ways(case: Case) -> list[tuple[str, int]]:
+    """Return the methods and orders that `trade` measures."""
+    found = []
+    for method in in_order(registry.methods(case.scene)):
+        count = number_of_functions(case, method, None)
+        lowest = registry.kernel(case.scene, method, count).lowest
+        orders = POWER_ORDERS if about(method).power else FACTOR_ORDERS
+        found += [(method, order) for order in orders if order >= lowest]
+    return found
+
+
+def _measured(case: Case, method: str, order: int) -> Iterable[TradePoint]:
+    """Return the point of one method and order; none where it has no orbit to compare."""
+    try:
+        orbit = solve_case(case, method, order)
+    except NoOrbit:
+        return []
+    if orbit.errors is None:
+        return []
+    seconds = median_seconds(lambda: solve_case(case, method, order))
+    error, judged = max(orbit.errors.times, ROUNDING), orbit.estimate.times
+    return [TradePoint(method, order, orbit.functions, seconds, error, judged)]
+
+
+def front(points: Sequence[tuple[float, float]]) -> set[int]:
+    """Return which of some times and errors no other beats in both, or equals.
+
+    Examples
+    --------
+    >>> sorted(front([(3, 1e-9), (1, 1e-2), (2, 1e-2), (4, 1e-8)]))
+    [0, 1]
+    """
+    best, found = float("inf"), set()
+    for index in sorted(range(len(points)), key=lambda i: points[i]):
+        if points[index][1] < best:
+            best = points[index][1]
+            found.add(index)
+    return found

@@ -1,0 +1,82 @@
+"""``nonsmooth tradeoff SCENE``: time against error, measured on this machine for one case."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..output import PICTURES, check_target, write_text, write_whole
+from ..problems import Problem
+from ..progress import progress
+from .options import case_from, command_of
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.case.numbers import SceneNumbers
+
+HELP = """Measure time against error of the times: each method of {name}, and its exact flow.
+
+{title}. A time is that of a whole solve: from rough times, with its checks, and not the first.
+A point on the front (marked *) is the best in its time."""
+
+EPILOG = """\b
+Examples:
+  nonsmooth tradeoff {scene}
+  nonsmooth tradeoff {scene} --{flag} {value:g} -o tradeoff.png
+"""
+
+LEGEND = """times: largest error of a duration{and_phase}, as a part of T;
+estimate: the same, without the exact orbit; exact: by the flow of each phase."""
+
+
+def command(scene: "SceneNumbers", said: str) -> click.Command:
+    """Return ``nonsmooth tradeoff`` of a scene, which the user called so."""
+    options: list[click.Parameter] = [
+        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
+        click.Option(
+            ["-o", "--output"], type=click.Path(path_type=Path),
+            help="Write the points: .json, or a picture .png, .svg, .pdf.",
+        ),
+    ]  # fmt: skip
+
+    def callback(case: Path | None, json_: bool, output: Path | None, **flags: Any) -> int:
+        check_target(output, (".json", *PICTURES))
+        return run(case_from(scene, case, flags), json_, output)
+
+    last = scene.parameters[-1]
+    examples = {"flag": last.name.replace("_", "-"), "value": last.default}
+    words = {"name": scene.name, "title": scene.title.capitalize()}
+    epilog = EPILOG.format(scene=said, **examples)
+    return command_of(scene, callback, options, HELP.format(**words), epilog)
+
+
+def run(case: "Case", json_: bool, output: Path | None) -> int:
+    """Measure, show, write; the exit status."""
+    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
+    from nonsmooth.solver.trade import trade, ways  # noqa: PLC0415
+
+    from .shown import documents  # noqa: PLC0415
+
+    try:
+        with progress(1 + len(ways(case)), "tradeoff") as advance:
+            result = trade(case, advance)
+    except NoOrbit as finding:
+        raise Problem(str(finding), 1) from finding
+    methods = dict.fromkeys(method for method, _ in ways(case))
+    text = documents.text(case, result.as_dict(), methods)
+    if json_:
+        click.echo(text, nl=False)
+    else:
+        from .shown import captions, tables  # noqa: PLC0415
+
+        click.echo(captions.caption(case))
+        tables.trade(result)
+        also = " or of the phase of the forcing" if case.scene.frequency else ""
+        click.echo("\n" + LEGEND.format(and_phase=also))
+    if output is not None and output.suffix.lower() == ".json":
+        write_text(output, text)
+    elif output is not None:
+        from .shown.pictures import trade_picture  # noqa: PLC0415
+
+        write_whole(output, lambda target: trade_picture(result, target))
+    return 0

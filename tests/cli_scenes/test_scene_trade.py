@@ -1,0 +1,161 @@
+"""Time against error of a scene's methods, and the best orbit within a time."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+from matplotlib.figure import Figure
+
+import nonsmooth as ns
+from nonsmooth.cli.scenes.shown.pictures import trade_figure
+from nonsmooth.solver import budget as budgets
+from nonsmooth.solver import trade as trades
+from nonsmooth.solver.case.registry import load
+from nonsmooth.solver.choice import TooSlow
+from nonsmooth.solver.trade import EXACT, Trade, TradePoint, front, trade
+
+IMPACT = load("impact")
+
+
+@pytest.fixture(autouse=True)
+def few(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Try few orders, and let each take as long as its number of unknowns says."""
+    for module in (trades, budgets):
+        monkeypatch.setattr(module, "POWER_ORDERS", (2, 6))
+        monkeypatch.setattr(module, "FACTOR_ORDERS", (2, 4, 8))
+
+    def seconds(work) -> float:
+        orbit = work()
+        return 1e-6 * len(orbit.outcome.unknowns)
+
+    monkeypatch.setattr(trades, "median_seconds", seconds)
+    monkeypatch.setattr(budgets, "median_seconds", seconds)
+
+
+@pytest.fixture(scope="module")
+def case():
+    return IMPACT(gap=0.2)
+
+
+def test_every_method_has_its_points(case) -> None:
+    seen: list[str] = []
+    result = trade(case, seen.append)
+    ways = [(p.method, p.order) for p in result.points]
+    tried = [(EXACT, None), *trades.ways(case)]
+    assert len(seen) == len(tried) == 1 + 2 + 2 + 2 + 3  # ck begins above order 2
+    assert set(tried) - set(ways) == {("ck-tau", 2)}  # which has no orbit
+    for point in result.points[1:]:
+        orbit = ns.solve(case, point.method, point.order, functions=point.functions)
+        assert point.error == orbit.errors.times
+        assert point.estimate == pytest.approx(point.error, rel=0.1)
+    assert result.points[0].front  # four unknowns: nothing is faster
+
+
+def test_the_front_is_what_nothing_faster_matches() -> None:
+    points = [(3, 1e-9), (1, 1e-2), (2, 1e-2), (4, 1e-8), (5, 1e-12)]
+    assert front(points) == {0, 1, 4}
+
+
+def test_the_table_and_the_document_have_the_same_points(run, tmp_path: Path) -> None:
+    target = tmp_path / "trade.svg"
+    status, out, _ = run("tradeoff", "impact", "--gap", 0.2, "--json", "-o", target)
+    document = json.loads(out)
+    assert (status, document["scene"], document["class"]) == (0, "impact", "C0")
+    assert document["parameters"]["gap"] == 0.2
+    assert target.read_text("utf-8").startswith("<?xml")
+    status, out, _ = run("tradeoff", "impact", "--gap", 0.2)
+    rows = [line.split() for line in out.splitlines() if line.endswith("*") or "e-" in line]
+    assert len(rows) == len(document["points"])
+    for row, point in zip(rows, document["points"], strict=True):
+        name = point["method"].replace("ck", "c0")
+        order = [] if point["order"] is None else [str(point["order"])]
+        assert row[: 1 + len(order)] == [name, *order]
+        error = row[2 + len(order)]
+        assert float(error) == pytest.approx(point["error"], rel=0.05)
+        assert (row[-1] == "*") == point["front"]
+
+
+def test_where_there_is_no_exact_orbit_there_is_no_trade(run) -> None:
+    status, _, err = run("tradeoff", "impact", "--gap", 50)
+    assert status == 1
+    assert "no admissible exact orbit" in err
+
+
+def test_the_picture_has_a_line_a_method_through_its_points(case) -> None:
+    points = (
+        TradePoint(EXACT, None, None, 1e-3, 2e-16, 0.0, front=True),
+        TradePoint("hb", 2, None, 2e-3, 1e-1, 1e-1),
+        TradePoint("hb", 4, None, 3e-3, 5e-2, 5e-2),
+        TradePoint("ck-tau", 4, None, 4e-3, 1e-6, 1e-6),
+    )
+    figure = trade_figure(Trade(case, points))
+    assert isinstance(figure, Figure)
+    axes = figure.axes[0]
+    lines = {line.get_label(): line for line in axes.lines}
+    assert list(lines) == ["the front", "exact flow", "hb", "c0-tau"]
+    assert list(lines["hb"].get_xdata()) == [2e-3, 3e-3]
+    assert list(lines["hb"].get_ydata()) == [1e-1, 5e-2]
+    assert list(lines["the front"].get_ydata()) == [2e-16]
+    assert "error of the times" in axes.get_ylabel()
+    assert "time" in axes.get_xlabel()
+
+
+def test_the_best_within_a_budget(case) -> None:
+    with pytest.raises(TooSlow, match=r"the fastest orbit takes 8e-06 s here$"):
+        ns.solve(case, budget=7.5e-6)  # the harmonics of N = 2 have eight unknowns
+    orbit = ns.solve(case, budget=1.0)
+    assert (orbit.method, orbit.order) == ("ck-tau", 8)
+    assert ns.solve(case, "hb", budget=1.0).order == 6
+
+
+def test_no_orbit_beyond_the_budget_is_taken(case) -> None:
+    within = 1.2e-5
+    choice = budgets.choose_within(case, within)
+    fits = [t for t in choice.trials if t.seconds is not None and t.seconds <= within]
+    assert 0 < len(fits) < len(choice.trials)
+    best = min(fits, key=lambda t: max(t.estimate.times, t.estimate.period))
+    assert (choice.orbit.method, choice.orbit.order) == (best.method, best.order)
+    for name in {t.method for t in choice.trials}:
+        slow = [t for t in choice.trials if t.method == name and (t.seconds or 0) > within]
+        assert len(slow) <= 1  # it is left at the first that takes too long
+
+
+def test_a_budget_on_the_command_line(run) -> None:
+    status, out, _ = run("solve", "impact", "--budget", "1s", "--json")
+    document = json.loads(out)
+    assert (status, document["method"], document["order"]) == (0, "ck-tau", 8)
+    assert {t["method"] for t in document["trials"]} == {"hb", "hb-ck", "ck", "ck-tau"}
+    status, out, _ = run("solve", "impact", "--budget", "1s")
+    assert "ck-tau, N = 8: the smallest estimated error within 1 s, of hb, hb-ck" in out
+    status, _, err = run("solve", "impact", "--budget", "1us")
+    assert (status, "the fastest orbit takes" in err) == (1, True)
+    status, out, _ = run("solve", "--method", "c1-tau", "--budget", "1s", "--json")
+    assert json.loads(out)["order"] == 8
+
+
+@pytest.mark.parametrize("value", [0, -1.0, math.inf, math.nan, "1ms", True])
+def test_budgets_that_are_no_seconds(case, value: object) -> None:
+    with pytest.raises(ValueError, match="budget: got"):
+        ns.solve(case, budget=value)  # type: ignore[call-overload]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--budget", "1ms", "--tol", "1e-3"), "--budget"),
+        (("--budget", "1ms", "--order", "3"), "--order: got 3 beside --budget"),
+        (("--budget", "1"), "--budget: got '1'"),
+        (("--budget", "1ms", "--method", "c1"), "--method: got 'c1'"),
+    ],
+)
+def test_what_a_budget_excludes(run, arguments: tuple[str, ...], words: str) -> None:
+    status, _, err = run("solve", "impact", *arguments)
+    assert (status, words in err) == (2, True)
+
+
+def test_a_budget_beside_a_tolerance_or_an_order(case) -> None:
+    with pytest.raises(ValueError, match="beside a tolerance"):
+        ns.solve(case, budget=1.0, tol=1e-3)
+    with pytest.raises(ValueError, match="order: got 3 beside a budget"):
+        ns.solve(case, order=3, budget=1.0)
