@@ -8,6 +8,7 @@ import nonsmooth as ns
 
 #: Powers of kg, m and s in each unit.
 DIMENSIONS = {
+    "rad": (0, 0, 0),
     "1": (0, 0, 0),
     "kg": (1, 0, 0),
     "s": (0, 0, 1),
@@ -33,7 +34,13 @@ RESULTS = {"t1": "s", "period": "s", "amplitude": "m"}
 MOTION = {"t": "s", "displacement": "m", "velocity": "m/s", "acceleration": "m/s**2"}
 WALL_TIME = {"seconds": "s"}
 
-SCALARS = PARAMETERS | RESULTS | MOTION | {"slip": "s"}
+#: Of what the document of an orbit has as that of any scene.
+OF_ANY_SCENE = {
+    "duration": "s", "durations": "s", "forcing_phase": "rad", "displacement": "m",
+    "velocity": "m/s",
+}  # fmt: skip
+
+SCALARS = PARAMETERS | RESULTS | MOTION | OF_ANY_SCENE | {"slip": "s"}
 
 #: ``d[n]`` of Section 3.3 has a unit of its own for each ``n``.
 BY_NUMBER = "m/s**(n + 2)"

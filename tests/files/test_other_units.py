@@ -38,7 +38,8 @@ def unit_of(path: tuple[Any, ...], method: str) -> tuple[str, int]:
         return "1", number
     if "coefficients" in path:
         return COEFFICIENTS[method][path[path.index("coefficients") + 1]], number
-    return SCALARS.get(path[-1], "1"), number
+    name = next(part for part in reversed(path) if isinstance(part, str))
+    return SCALARS.get(name, "1"), number
 
 
 def assert_scaled(here: Any, there: Any, factor: float, other: Units, what: object) -> None:

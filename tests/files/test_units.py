@@ -37,14 +37,16 @@ def test_the_units_in_the_json_of_an_orbit(method: str, terms: int, tmp_path: Pa
     orbit = ns.solve(BELT, method, 7, c1_terms=terms)
     document = json.loads(saved(orbit, tmp_path, ".json").read_text())
     own = units.COEFFICIENTS[method]
-    assert document["units"] == DOCUMENT | {"coefficients": {method: own}}
+    assert document["units"] == DOCUMENT | units.OF_ANY_SCENE | {"coefficients": {method: own}}
     assert set(document["coefficients"]) <= set(own)
-    assert set(document["exact"]) == {"t1", "period"}
+    assert set(document["exact"]) == {"t1", "period", "forcing_phase", "durations"}
 
 
 def test_the_units_in_the_json_of_several_orbits(run) -> None:
     document = json.loads(run("solve", "--order", 5, "--json")[1])
-    assert document["units"] == DOCUMENT | {"coefficients": units.COEFFICIENTS}
+    assert document["units"] == DOCUMENT | units.OF_ANY_SCENE | {
+        "coefficients": units.COEFFICIENTS
+    }
 
 
 def test_the_units_in_the_json_of_a_sweep(tmp_path: Path) -> None:

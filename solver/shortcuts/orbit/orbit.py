@@ -11,6 +11,7 @@ from ..accuracy.estimate import Estimate, estimate
 from ..search.newton import Outcome
 from . import admissible
 from .amplitude import amplitude
+from .extremes import extremes
 from .methods import METHODS, Method, with_terms
 from .motion import Motion
 from .oscillator import StickSlip
@@ -67,6 +68,18 @@ class Orbit(Motion):
         """Half of the way between the two ends of the motion, in m."""
         method, belt = self._method, self.belt
         return belt.length_unit * amplitude(method, self.order, belt.alpha, self.unknowns)
+
+    @cached_property
+    def extremes(self) -> dict[str, tuple[float, float]]:
+        """Least and largest ``displacement`` in m and ``velocity`` in m/s over a period."""
+        method, belt = self._method, self.belt
+        ends = [extremes(method, self.order, belt.alpha, self.unknowns, j) for j in (0, 1)]
+        (left, right), (back, forth) = ends
+        centre, length, speed = belt.slip_centre, belt.length_unit, belt.belt_speed
+        return {
+            "displacement": (centre + length * left, centre + length * right),
+            "velocity": (speed * back, speed * forth),
+        }
 
     @property
     def converged(self) -> bool:

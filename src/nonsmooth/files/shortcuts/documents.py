@@ -18,6 +18,7 @@ from nonsmooth.solver.shortcuts.search.family_points import STATUS
 from nonsmooth.solver.shortcuts.search.newton import Outcome
 from nonsmooth.solver.shortcuts.search.sweep import Row, Sweep
 
+from . import as_any_scene
 from .origin import origin, units
 
 #: What `solve --json` has of an orbit that is an attribute of it.
@@ -29,22 +30,28 @@ def of_solution(
 ) -> dict[str, Any]:
     """Return one solution; with null for what an absent orbit lacks."""
     reference = exact(belt)
-    head = {"method": method, "order": order, "parameters": asdict(belt)}
-    tail = {"exact": {"t1": reference.t1, "period": reference.period}}
+    head = as_any_scene.head()
+    head |= {"method": method, "order": order, "parameters": asdict(belt)}
+    times = {"t1": reference.t1, "period": reference.period}
+    tail = as_any_scene.motion(found) | {"exact": times | as_any_scene.exact(reference)}
+    also = as_any_scene.errors(found, reference), as_any_scene.estimate(found)
     if isinstance(found, Orbit):
         result: dict[str, Any] = {"converged": found.converged, "iterations": found.iterations}
         result |= {name: getattr(found, name) for name in ATTRIBUTES}
         result |= {"admissible": found.admissible, "violations": list(found.violations)}
         result["transition_mismatch"] = found.transition_mismatch
-        judged = {"errors": asdict(found.errors), "estimate": asdict(found.estimate)}
+        judged = {
+            "errors": asdict(found.errors) | also[0],
+            "estimate": asdict(found.estimate) | also[1],
+        }
         more: dict[str, Any] = {"c1_terms": found.c1_terms} if found.c1_terms > 1 else {}
         outcome = vars(found.outcome) | {"unknowns": found.unknowns.tolist()}
         return head | result | tail | judged | more | {"outcome": outcome}
     result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(ATTRIBUTES)
     result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
     judged = {
-        "errors": dict.fromkeys(field.name for field in fields(Errors)),
-        "estimate": dict.fromkeys(field.name for field in fields(Estimate)),
+        "errors": dict.fromkeys(field.name for field in fields(Errors)) | also[0],
+        "estimate": dict.fromkeys(field.name for field in fields(Estimate)) | also[1],
     }
     return head | result | tail | judged | {"status": found.status}
 

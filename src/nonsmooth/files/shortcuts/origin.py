@@ -13,6 +13,15 @@ from ..json_text import SCHEMA
 
 #: Units of what is in a file, beside the parameters'; what is not here is a plain number.
 UNITS = {"t1": "s", "period": "s", "seconds": "s", "amplitude": "m"}
+
+#: Of what an orbit has as that of any scene.
+UNITS_OF_ORBIT = {
+    "duration": "s",
+    "durations": "s",
+    "forcing_phase": "rad",
+    "displacement": "m",
+    "velocity": "m/s",
+}
 COEFFICIENTS = {
     "hb": {"a0": "m", "a": "m", "b": "m"},
     "hb-c1": {"a0": "m", "a": "m", "b": "m", "c1": "m/s**4", "c": "m/s**2"},
@@ -49,7 +58,8 @@ def units(methods: Iterable[str] = ()) -> dict[str, Any]:
     found: dict[str, Any] = {name: unit or "1" for name, (unit, _) in PARAMETERS.items()}
     found |= UNITS
     coefficients = {method: COEFFICIENTS[method] for method in methods}
-    return found | ({"coefficients": coefficients} if coefficients else {})
+    more = UNITS_OF_ORBIT | {"coefficients": coefficients}
+    return found | (more if coefficients else {})
 
 
 def check_schema(path: Path, schema: object) -> None:

@@ -18,6 +18,9 @@ from .documents import of_orbits, of_sweep, to_orbit, to_sweep, with_origin
 from .origin import check_mathematics, check_schema, origin, units
 from .points import Head, Points, to_families
 
+#: What only the paper's methods have in the document of an orbit, beside all that others have.
+OF_THE_PAPER = "transition_mismatch"
+
 
 class Writable(Protocol):
     """What text can be written to."""
@@ -111,7 +114,7 @@ def _document(path: Path) -> dict[str, Any]:
 
 
 def _restored(path: Path, document: dict[str, Any]) -> Any:
-    if "scene" in document:
+    if "scene" in document and OF_THE_PAPER not in document:
         raise of_a_scene(path, document["scene"])
     if "vary" in document:
         return _families(path, document)
