@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .codegen import derive as equations
+    from .families import family
     from .files.api import load, save
     from .files.errors import FileError
     from .oscillators import exact, solve, sweep
@@ -30,13 +31,14 @@ if TYPE_CHECKING:
     from .solver.case.case import Case
     from .solver.case.parameters import ParameterError
     from .solver.case.registry import UnknownScene
+    from .solver.family import SceneFamily
     from .solver.flow.exact import ExactSceneOrbit
     from .solver.no_orbit import NoOrbit
     from .solver.orbit.orbit import SceneOrbit
     from .solver.shortcuts.orbit.motion import ExactOrbit
     from .solver.shortcuts.orbit.orbit import Orbit
     from .solver.shortcuts.orbit.oscillator import StickSlip
-    from .solver.shortcuts.search.family import Family, family
+    from .solver.shortcuts.search.family import Family
     from .solver.shortcuts.search.sweep import Row, Sweep
     from .solver.sweep import SceneSweep
 
@@ -55,6 +57,7 @@ _HOMES = {
     "Orbit": ("solver.shortcuts.orbit.orbit", "Orbit"),
     "ParameterError": ("solver.case.parameters", "ParameterError"),
     "Row": ("solver.shortcuts.search.sweep", "Row"),
+    "SceneFamily": ("solver.family", "SceneFamily"),
     "SceneFileError": ("scene_files.error", "SceneFileError"),
     "SceneOrbit": ("solver.orbit.orbit", "SceneOrbit"),
     "SceneSweep": ("solver.sweep", "SceneSweep"),
@@ -64,7 +67,7 @@ _HOMES = {
     "UnknownScene": ("solver.case.registry", "UnknownScene"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
-    "family": ("solver.shortcuts.search.family", "family"),
+    "family": ("families", "family"),
     "load": ("files.api", "load"),
     "save": ("files.api", "save"),
     "scenes": ("scene_files.find", "names"),
@@ -83,6 +86,7 @@ __all__ = [
     "Orbit",
     "ParameterError",
     "Row",
+    "SceneFamily",
     "SceneFileError",
     "SceneOrbit",
     "SceneSweep",

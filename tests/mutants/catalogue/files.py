@@ -197,14 +197,14 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "the last value of --vary is left to rounding",
-        f"{CLI}/shortcuts/families/vary.py",
+        f"{CLI}/vary.py",
         "        found[numbers == steps] = self.last\n",
         "",
         VARY,
     ),
     Mutant(
         "the last value of --vary is set in its place in a chunk",
-        f"{CLI}/shortcuts/families/vary.py",
+        f"{CLI}/vary.py",
         "found[numbers == steps] = self.last",
         "found[-1:] = self.last",
         VARY,

@@ -7,8 +7,10 @@ import click
 
 from ..orders import parse_orders
 from ..output import PICTURES, check_target, write_text, write_whole
+from ..problems import Problem
 from ..progress import progress
-from .options import case_from, command_of
+from . import family
+from .options import PREFIX, case_from, command_of
 from .solve import FUNCTIONS, method_names
 from .wanted import as_problems
 
@@ -32,6 +34,7 @@ Examples:
   nonsmooth sweep {scene}
   nonsmooth sweep {scene} --methods hb,{best} --orders 1-10,20,40 -o rows.csv
   nonsmooth sweep {scene} --orders 2-16 -o convergence.png
+  nonsmooth sweep {scene} --vary {flag}={low:g}:{high:g}:40 -o along.png
 """
 
 
@@ -44,6 +47,11 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
             ["--orders"], help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]"
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        click.Option(
+            ["--vary"], metavar="NAME=FROM:TO:POINTS",
+            help="Follow the orbit along a parameter instead, by one method at one order.",
+        ),
+        click.Option(["--log"], is_flag=True, help="Space the values by a constant factor."),
         click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
@@ -53,14 +61,25 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
     ]  # fmt: skip
 
     def callback(
-        methods: str | None, orders: str | None, functions: int | None, no_shortcuts: bool,
-        case: Path | None, json_: bool, output: Path | None, **flags: Any,
+        methods: str | None, orders: str | None, functions: int | None, vary: str | None,
+        log: bool, no_shortcuts: bool, case: Path | None, json_: bool, output: Path | None,
+        **flags: Any,
     ) -> int:  # fmt: skip
         check_target(output, SUFFIXES)
+        if vary is not None:
+            given = {name.removeprefix(PREFIX): value for name, value in flags.items()}
+            along = family.vary_of(scene, vary, log, given)
+            first = flags | {PREFIX + along.parameter: along.first}
+            found = case_from(scene, case, first)
+            return family.run(found, along, methods, orders, functions, json_, output)
+        if log:
+            raise Problem("--log: expected beside --vary")
         return run(case_from(scene, case, flags), methods, orders, functions, json_, output)
 
     words = {"name": scene.name, "title": scene.title.capitalize()}
-    epilog = EPILOG.format(scene=said, best=names[-1])
+    last = scene.parameters[-1]
+    along = {"low": last.default / 2, "high": last.default, "flag": last.name.replace("_", "-")}
+    epilog = EPILOG.format(scene=said, best=names[-1], **along)
     return command_of(scene, callback, options, HELP.format(**words), epilog)
 
 

@@ -3,12 +3,15 @@
 import textwrap
 from typing import TYPE_CHECKING
 
+from nonsmooth.solver.case.names import shown
+
 from ...shortcuts.parameters import CHOICE
 from ..command import DEFAULT
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.family import SceneFamily
 
 #: Columns of a table and of what stands above it.
 WIDTH = 80
@@ -22,6 +25,27 @@ def caption(case: "Case") -> str:
     if scene.name == DEFAULT and case == scene():
         lines.append(CHOICE)
     return "\n".join(lines) + "\n"
+
+
+def caption_of_family(result: "SceneFamily") -> str:
+    """Return the scene, what of its parameters varies, and how the orbits are computed."""
+    scene, values = result.case.scene, result["value"]
+    parameter = next(q for q in scene.parameters if q.name == result.parameter)
+    head = f"{scene.name}: {scene.title} (C{scene.k})"
+    along = f"{parameter.symbol} = {values[0]:g} to {values[-1]:g} {parameter.unit}".rstrip()
+    how = f"{shown(scene, result.method)}, N = {result.order}"
+    lines = [*textwrap.wrap(head, WIDTH), *_wrapped(others(result)), f"{along}; {how}"]
+    return "\n".join(lines) + "\n"
+
+
+def others(result: "SceneFamily") -> str:
+    """Return the parameters of a family that do not vary, in one line."""
+    parts = [
+        f"{q.symbol} = {result.case.values[q.name]:.4g} {q.unit}".rstrip()
+        for q in result.case.scene.parameters
+        if q.name != result.parameter
+    ]
+    return ", ".join(parts)
 
 
 def _wrapped(parameters: str) -> list[str]:

@@ -15,11 +15,15 @@ from .captions import WIDTH, derivative
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.family import SceneFamily
     from nonsmooth.solver.flow.exact import ExactSceneOrbit
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit.motion import SceneMotion
     from nonsmooth.solver.sweep import SceneSweep
     from nonsmooth.solver.trade import Trade
+
+#: Points of a printed family.
+ROWS = 25
 
 Found = Mapping[str, "SceneOrbit | NoOrbit"]
 
@@ -92,6 +96,42 @@ def _in_full(orbit: SceneOrbit) -> str:
 
 def _forcing_period(case: "Case") -> float:
     return 2 * math.pi / float(case.values[str(case.scene.frequency)])
+
+
+def family(result: "SceneFamily") -> None:
+    """Print some of the points along a parameter, and what holds for all."""
+    scene = result.case.scene
+    parameter = next(q for q in scene.parameters if q.name == result.parameter)
+    phases = scene.phases if len(scene.phases) > 1 else ()
+    heading = parameter.symbol + (f" [{parameter.unit}]" if parameter.unit else "")
+    table = _table(
+        heading, "T [s]", *(["phi [rad]"] if scene.frequency else []),
+        *(f"{phase} [s]" for phase in phases), "least x", "largest x", "estimate", "it",
+    )  # fmt: skip
+    count = len(result.rows)
+    chosen = sorted({round(i * (count - 1) / (ROWS - 1)) for i in range(ROWS)})
+    for row in (result.rows[i] for i in (chosen if count > ROWS else range(count))):
+        if row.durations is None or row.extremes is None or row.estimate is None:
+            table.add_row(f"{row.value:.6g}", row.status)
+            continue
+        table.add_row(
+            f"{row.value:.6g}",
+            f"{row.period:.9g}",
+            *([f"{row.forcing_phase:.7g}"] if scene.frequency else []),
+            *(f"{s:.6g}" for s in row.durations[: len(phases)]),
+            *(f"{end:.6g}" for end in row.extremes["displacement"]),
+            f"{row.estimate.times:.1e}",
+            str(row.iterations),
+        )
+    _print(table)
+    if count > ROWS:
+        click.echo(f"{ROWS} of {count} points; -o writes all of them")
+    statuses = [row.status for row in result.rows]
+    parts = [f"{statuses.count(status)} {status}" for status in dict.fromkeys(statuses)]
+    anew = sum(not row.followed for row in result.rows[1:] if row.status == "ok")
+    if anew:
+        parts.append(f"{anew} searched anew, not followed from the value before")
+    click.echo("; ".join(parts))
 
 
 def trade(result: "Trade") -> None:

@@ -1,20 +1,11 @@
-"""``--vary NAME=FROM:TO:POINTS``: the parameter of a sweep, and its values."""
+"""What a sweep over a parameter of the paper's oscillator has to say of it."""
 
-import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-from ...orders import is_whole
-from ...problems import Problem
+from ...vary import Vary
+from ...vary import parse_vary as parse
 from ..parameters import FLAGS
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.arrays import Vector
 
 #: Points of a sweep: days of computing, and a hundred gigabytes.
 MOST_POINTS = 1_000_000_000
-
-EXPECTED = "expected NAME=FROM:TO:POINTS, such as belt-speed=0.1:10:200"
 
 #: The paper's symbols.
 SYMBOLS = {
@@ -37,37 +28,6 @@ SCALES = {
 }
 
 
-@dataclass(frozen=True)
-class Vary:
-    """A parameter and its values, evenly spaced, or by a constant factor if `log`."""
-
-    parameter: str
-    first: float
-    last: float
-    count: int
-    log: bool
-
-    @property
-    def flag(self) -> str:
-        """The name of the parameter on the command line."""
-        return self.parameter.replace("_", "-")
-
-    def values(self, start: int, stop: int) -> "Vector":
-        """Return the values from number `start` up to, not including, number `stop`."""
-        import numpy as np  # noqa: PLC0415
-
-        numbers, steps = np.arange(start, stop), self.count - 1
-        part = numbers / steps
-        if not self.log:
-            found = self.first + numbers * ((self.last - self.first) / steps)
-        elif 0 < self.last / self.first < math.inf:
-            found = self.first * (self.last / self.first) ** part
-        else:
-            found = self.first ** (1 - part) * self.last**part
-        found[numbers == steps] = self.last
-        return np.asarray(found, dtype=np.float64)
-
-
 def parse_vary(text: str, log: bool) -> Vary:
     """Return what ``--vary`` asks for.
 
@@ -81,23 +41,4 @@ def parse_vary(text: str, log: bool) -> Vary:
     Problem
         If `text` is not of this form, or its numbers make no range.
     """
-    name, _, rest = text.partition("=")
-    parts = rest.split(":")
-    if len(parts) != 3:
-        raise Problem(f"--vary: got {text!r}, {EXPECTED}")
-    parameter = name.strip().replace("-", "_")
-    if parameter not in FLAGS:
-        names = ", ".join(flag.replace("_", "-") for flag in FLAGS)
-        raise Problem(f"--vary: unknown parameter {name!r}, expected one of {names}")
-    try:
-        first, last = float(parts[0]), float(parts[1])
-    except ValueError as error:
-        raise Problem(f"--vary: got {text!r}, {EXPECTED}") from error
-    if not (math.isfinite(first) and math.isfinite(last) and first != last):
-        raise Problem(f"--vary: got {text!r}, expected two different numbers as the ends")
-    if not is_whole(parts[2].strip()) or not 2 <= int(parts[2]) <= MOST_POINTS:
-        expected = f"a whole number from 2 to {MOST_POINTS}"
-        raise Problem(f"--vary: got {parts[2]!r} points, expected {expected}")
-    if log and not (first > 0 and last > 0):
-        raise Problem(f"--log: got an end of {text!r} that is not above 0")
-    return Vary(parameter, first, last, int(parts[2]), log)
+    return parse(text, log, tuple(FLAGS), MOST_POINTS, "belt-speed=0.1:10:200")

@@ -1,0 +1,214 @@
+"""Orbits of a case along one of its parameters: each found from the one before it.
+
+The times of an orbit start the search at the next value.  Where that leads to no orbit, the
+search is the one of `solve_case`, and the row says that the orbit was not followed.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .accuracy.errors import SceneErrors
+from .arrays import Vector
+from .case import registry
+from .case.case import Case
+from .case.kernel import SceneKernel
+from .case.methods import FIRST
+from .case.parameters import ParameterError
+from .iteration.attempt import attempt
+from .no_orbit import NoOrbit
+from .orbit.document import without_errors
+from .orbit.orbit import SceneOrbit
+from .solve import check_order, number_of_functions, solve_case
+
+#: Order at which the times of a smooth motion in each phase are at rounding.
+ORDER = 20
+
+#: Most values: more than a terminal or a file of rows is for.
+MOST_VALUES = 100_000
+
+
+@dataclass(frozen=True)
+class FamilyRow:
+    """The orbit at one value of the parameter, or why there is none.
+
+    Parameters
+    ----------
+    value : float
+        Of the parameter, in SI units.
+    status : {"ok", "no-orbit", "not-converged"}
+    period, forcing_phase : float or None
+        In s and rad; None without an orbit, the second also where nothing forces.
+    durations : tuple of float or None
+        Of the phases of one period, in s.
+    extremes : dict or None
+        Least and largest ``displacement`` and ``velocity``.
+    estimate : SceneErrors or None
+        Errors, as estimated.
+    iterations : int
+        Jacobians factorised.
+    followed : bool
+        Whether it was found from the orbit at the value before.
+    message : str
+        Why there is no orbit; empty if there is one.
+    """
+
+    value: float
+    status: str
+    period: float | None
+    forcing_phase: float | None
+    durations: tuple[float, ...] | None
+    extremes: dict[str, tuple[float, float]] | None
+    estimate: SceneErrors | None
+    iterations: int
+    followed: bool
+    message: str = ""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the row as JSON has it."""
+        estimate = without_errors() if self.estimate is None else asdict(self.estimate)
+        ends = self.extremes or dict.fromkeys(("displacement", "velocity"))
+        return asdict(self) | {"estimate": estimate, "extremes": ends}
+
+
+@dataclass(frozen=True)
+class SceneFamily:
+    """The orbits of a case along a parameter, in the order of its values.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator, with the first value.
+    parameter : str
+        The name of what varies.
+    method, order, functions : str, int, int or None
+        How each orbit was computed.
+    rows : tuple of FamilyRow
+        One a value.
+    """
+
+    case: Case
+    parameter: str
+    method: str
+    order: int
+    functions: int | None
+    rows: tuple[FamilyRow, ...]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __getitem__(self, name: str) -> Vector:
+        """Return ``"value"``, ``"period"`` or ``"forcing_phase"`` of all rows as an array."""
+        return np.array([getattr(row, name) for row in self.rows], dtype=float)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the family as the document that ``sweep --vary --json`` writes."""
+        return {
+            "scene": self.case.scene.name,
+            "class": f"C{self.case.scene.k}",
+            "method": self.method,
+            "order": self.order,
+            "functions": self.functions,
+            "parameters": dict(self.case.values),
+            "vary": {"parameter": self.parameter, "count": len(self.rows)},
+            "rows": [row.as_dict() for row in self.rows],
+        }
+
+
+def family_case(
+    case: Case,
+    parameter: str,
+    values: Iterable[float],
+    method: str = FIRST,
+    order: int = ORDER,
+    functions: int | None = None,
+    progress: Callable[[FamilyRow], None] = lambda row: None,
+) -> SceneFamily:
+    """Return the orbits of a case while one parameter takes each of some values.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator; its own value of the parameter does not matter.
+    parameter : str
+        One of the scene.
+    values : iterable of float
+        In SI units, in the order in which the orbit is to be followed.
+    method, order, functions : str, int, int
+        See `solve_case`.
+    progress : callable
+        Called with each row when it is done.
+
+    Raises
+    ------
+    ParameterError
+        If the scene has no such parameter, or a value cannot be one; before anything is
+        computed.
+    ValueError
+        If there are no values or too many, or a method or an order cannot be computed.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.case import registry
+    >>> case = registry.load(registry.names()[0])()
+    >>> name = case.scene.parameters[0].name
+    >>> [row.status for row in family_case(case, name, [1.0, 1.1], order=8).rows]
+    ['ok', 'ok']
+    """
+    scene = case.scene
+    cases = [_with_value(case, parameter, value) for value in values]
+    if not 1 <= len(cases) <= MOST_VALUES:
+        raise ValueError(f"values: got {len(cases)}, expected 1 to {MOST_VALUES}")
+    name = registry.generic_method(scene, method)
+    count = number_of_functions(case, name, None) if functions is None else functions
+    kernel = registry.kernel(scene, name, count)
+    number = check_order(kernel, order)
+    rows: list[FamilyRow] = []
+    orbit: SceneOrbit | None = None
+    for each in cases:
+        orbit, row = _next(kernel, each, number, count, orbit, each.values[parameter])
+        rows.append(row)
+        progress(row)
+    return SceneFamily(cases[0], parameter, name, number, count, tuple(rows))
+
+
+def _with_value(case: Case, parameter: str, value: object) -> Case:
+    names = [q.name for q in case.scene.parameters]
+    if parameter not in names:
+        expected = f"one of {', '.join(names)}"
+        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
+    return Case(case.scene, dict(case.values) | {parameter: value})
+
+
+def _next(
+    kernel: SceneKernel, case: Case, order: int, functions: int | None,
+    before: SceneOrbit | None, value: float,
+) -> tuple[SceneOrbit | None, FamilyRow]:  # fmt: skip
+    """Return the orbit of a case, from the one before if that can be, and its row."""
+    spent = 0
+    if before is not None:
+        times = kernel.times(before.unknowns).copy()
+        durations = slice(0, len(case.cell.phases))
+        times[durations] *= before.case.units.time / case.units.time
+        found = attempt(kernel, case, order, times, functions)
+        if found.converged and found.admissible:
+            return found, _row(found, value, followed=True)
+        spent = found.iterations
+    try:
+        found = solve_case(case, kernel.method, order, functions)
+    except NoOrbit as finding:
+        nothing = (None, None, None, None, None)
+        iterations = finding.iterations + spent
+        row = FamilyRow(value, finding.status, *nothing, iterations, False, str(finding))
+        return None, row
+    found = replace(found, iterations=found.iterations + spent)
+    return found, _row(found, value, followed=False)
+
+
+def _row(orbit: SceneOrbit, value: float, *, followed: bool) -> FamilyRow:
+    return FamilyRow(
+        value, "ok", orbit.period, orbit.forcing_phase, orbit.durations, orbit.extremes,
+        orbit.estimate, orbit.iterations, followed,
+    )  # fmt: skip

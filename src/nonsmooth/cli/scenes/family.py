@@ -1,0 +1,116 @@
+"""``nonsmooth sweep SCENE --vary``: the orbit of a scene along one of its parameters."""
+
+import csv
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..orders import is_whole
+from ..output import write_text, write_whole
+from ..problems import Problem
+from ..progress import progress
+from ..vary import Vary, parse_vary
+from .wanted import as_problems
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.family import FamilyRow, SceneFamily
+
+
+def vary_of(scene: "SceneNumbers", text: str, log: bool, given: dict[str, Any]) -> Vary:
+    """Return what ``--vary`` asks for, of a scene.
+
+    Raises
+    ------
+    Problem
+        If it cannot be computed, or a flag gives the parameter as well.
+    """
+    from nonsmooth.solver.family import MOST_VALUES  # noqa: PLC0415
+
+    names = [q.name for q in scene.parameters]
+    last = scene.parameters[-1]
+    example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default:g}:20"
+    vary = parse_vary(text, log, names, MOST_VALUES, example)
+    if given.get(vary.parameter) is not None:
+        raise Problem(f"--{vary.flag}: given beside --vary {vary.flag}, which sets it")
+    return vary
+
+
+def run(
+    case: "Case", vary: Vary, methods: str | None, orders: str | None, functions: int | None,
+    json_: bool, output: Path | None,
+) -> int:  # fmt: skip
+    """Follow the orbit, show it, write it; the exit status."""
+    from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
+    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
+    from nonsmooth.solver.family import ORDER, family_case  # noqa: PLC0415
+
+    from .shown import documents  # noqa: PLC0415
+
+    if orders is not None and not is_whole(orders):
+        raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
+    if methods is not None and "," in methods:
+        raise Problem(f"--methods: got {methods!r} beside --vary, expected one method")
+    order = ORDER if orders is None else int(orders)
+    values = vary.values(0, vary.count).tolist()
+    name = FIRST if methods is None else methods.strip()
+    with as_problems(plural=True), progress(vary.count, "sweep") as advance:
+
+        def done(row: "FamilyRow") -> None:
+            advance(f"{vary.flag} = {row.value:g}")
+
+        try:
+            result = family_case(case, vary.parameter, values, name, order, functions, done)
+        except ParameterError as error:
+            raise Problem(f"--vary: {error}") from error
+    text = documents.text(case, result.as_dict(), [result.method])
+    if json_:
+        click.echo(text, nl=False)
+    else:
+        from .shown import captions, tables  # noqa: PLC0415
+
+        click.echo(captions.caption_of_family(result))
+        tables.family(result)
+    if output is not None:
+        _write(output, text, result, vary.log)
+    return 0 if all(row.status == "ok" for row in result.rows) else 1
+
+
+def _write(output: Path, text: str, result: "SceneFamily", log: bool) -> None:
+    suffix = output.suffix.lower()
+    if suffix == ".json":
+        write_text(output, text)
+    elif suffix == ".csv":
+        write_whole(output, lambda target: write_table(result, target))
+    else:
+        from .shown.family_picture import family_picture  # noqa: PLC0415
+
+        write_whole(output, lambda target: family_picture(result, log, target))
+
+
+def write_table(result: "SceneFamily", target: Path) -> None:
+    """Write one line a value, with the scene and its other parameters behind it."""
+    fixed = {name: v for name, v in result.case.values.items() if name != result.parameter}
+    constants = {
+        "scene": result.case.scene.name,
+        "method": result.method,
+        "order": result.order,
+        "functions": result.functions,
+    } | fixed
+    with target.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        for index, row in enumerate(result.rows):
+            values = row.as_dict()
+            estimate, ends = values.pop("estimate"), values.pop("extremes")
+            values[result.parameter] = values.pop("value")
+            values["durations"] = " ".join(map(repr, values["durations"] or ()))
+            for name, pair in ends.items():
+                low, high = pair or (None, None)
+                values |= {f"least_{name}": low, f"largest_{name}": high}
+            values |= {f"estimate_{key}": value for key, value in estimate.items()}
+            values |= constants
+            if index == 0:
+                writer.writerow(values)
+            writer.writerow(values.values())

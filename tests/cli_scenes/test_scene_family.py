@@ -1,0 +1,179 @@
+"""An orbit of a scene along one of its parameters, from Python and on the command line."""
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.cli.scenes.shown.family_picture import family_figure
+from nonsmooth.solver import family as families
+from nonsmooth.solver.no_orbit import NoOrbit
+
+IMPACT = ns.scene("impact")
+ORDER = 8
+
+
+@pytest.fixture(scope="module")
+def along():
+    """Return a family whose last value has no orbit: the mass does not reach the stop."""
+    return ns.family(IMPACT(), "gap", [0.1, 0.2, 0.3, 50.0], order=ORDER)
+
+
+def test_each_orbit_is_what_solve_gives(along) -> None:
+    for row in along.rows[:-1]:
+        orbit = ns.solve(IMPACT(gap=row.value), order=ORDER)
+        assert row.status == "ok"
+        assert row.forcing_phase == pytest.approx(orbit.forcing_phase, rel=1e-12)
+        assert row.durations == pytest.approx(orbit.durations, rel=1e-13)
+        assert row.extremes["displacement"] == pytest.approx(
+            orbit.extremes["displacement"], rel=1e-9
+        )
+        assert row.estimate.times == pytest.approx(orbit.estimate.times, rel=0.01)
+    assert [row.followed for row in along.rows] == [False, True, True, False]
+    assert all(row.iterations < along.rows[0].iterations for row in along.rows[1:3])
+
+
+def test_where_there_is_none_the_row_says_why(along) -> None:
+    last = along.rows[-1]
+    assert (last.status, last.period, last.durations) == ("not-converged", None, None)
+    assert "no admissible orbit" in last.message
+    assert np.isnan(along["period"][-1])
+    assert last.as_dict()["estimate"] == {"period": None, "times": None, "discontinuous": None}
+
+
+def test_an_orbit_that_is_lost_is_searched_anew(monkeypatch) -> None:
+    monkeypatch.setattr(families, "attempt", lambda *found: families.solve_case(*found[1:2]))
+
+    class Refused:
+        converged = admissible = False
+        iterations = 5
+
+    monkeypatch.setattr(families, "attempt", lambda *found: Refused)
+    found = ns.family(IMPACT(), "gap", [0.1, 0.11], order=ORDER)
+    assert [row.followed for row in found.rows] == [False, False]
+    alone = ns.solve(IMPACT(gap=0.11), order=ORDER)
+    assert found.rows[1].iterations == alone.iterations + 5
+    assert found.rows[1].period == alone.period
+
+
+def test_durations_are_followed_in_their_units(monkeypatch) -> None:
+    case = ns.scene("stick-slip-damped")
+    starts: list[np.ndarray] = []
+
+    def noted(kernel, found, order, times, functions):
+        starts.append(times * found.units.time)
+        return attempt(kernel, found, order, times, functions)
+
+    attempt = families.attempt
+    monkeypatch.setattr(families, "attempt", noted)
+    found = ns.family(case(), "mass", [10.0, 12.0], order=ORDER)  # the unit of time is another
+    assert case(mass=10.0).units.time != case(mass=12.0).units.time
+    assert found.rows[1].followed
+    assert starts[0] == pytest.approx(found.rows[0].durations, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("gape", [0.1]), "parameter: got 'gape', expected one of mass"),
+        (("gap", []), "values: got 0"),
+        (("gap", [0.1, np.nan]), "gap: got nan"),
+        (("restitution", [0.5, 1.5]), "restitution: got 1.5"),
+        (("gap", ["a"]), "values: got"),
+        (("gap", [0.1], "c1"), "method: got 'c1'"),
+        (("gap", [0.1], "hb", 0), "order: got 0"),
+    ],
+)
+def test_what_cannot_be_followed(arguments, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        ns.family(IMPACT(), *arguments)
+    with pytest.raises(TypeError):
+        ns.family("impact", "gap", [0.1])
+
+
+def test_the_files_have_what_the_document_has(run, tmp_path: Path) -> None:
+    target = tmp_path / "along.csv"
+    flags = ("--vary", "gap=0.1:0.3:3", "--orders", ORDER, "--damping", 0.2)
+    status, out, _ = run("sweep", "impact", *flags, "--json", "-o", target)
+    document = json.loads(out)
+    assert (status, document["scene"], document["order"]) == (0, "impact", ORDER)
+    assert document["vary"] == {"parameter": "gap", "count": 3}
+    assert document["parameters"]["damping"] == 0.2
+    with target.open(newline="") as file:
+        lines = list(csv.DictReader(file))
+    for line, row in zip(lines, document["rows"], strict=True):
+        assert float(line["gap"]) == row["value"]
+        assert float(line["period"]) == row["period"]
+        assert float(line["largest_velocity"]) == row["extremes"]["velocity"][1]
+        assert [float(s) for s in line["durations"].split()] == row["durations"]
+        assert float(line["estimate_times"]) == row["estimate"]["times"]
+        assert (line["scene"], line["method"], line["damping"]) == ("impact", "ck-tau", "0.2")
+
+
+def test_the_table_shows_the_document(run) -> None:
+    flags = ("sweep", "impact", "--vary", "gap=0.2:0.1:2", "--orders", ORDER)
+    rows = json.loads(run(*flags, "--json")[1])["rows"]
+    _, out, _ = run(*flags)
+    shown = [line.split() for line in out.splitlines() if line[:3] in {"0.1", "0.2"}]
+    for cells, row in zip(shown, rows, strict=True):
+        assert float(cells[0]) == row["value"]
+        assert float(cells[1]) == pytest.approx(row["period"], rel=1e-8)
+        assert float(cells[2]) == pytest.approx(row["forcing_phase"], rel=1e-6)
+        assert float(cells[3]) == pytest.approx(row["extremes"]["displacement"][0], rel=1e-5)
+        assert float(cells[4]) == pytest.approx(row["extremes"]["displacement"][1], abs=1e-6)
+    assert "g = 0.2 to 0.1 m; c0-tau, N = 8" in out
+    assert out.splitlines()[-1] == "2 ok"
+
+
+def test_a_value_without_an_orbit_ends_with_status_1(run, tmp_path: Path) -> None:
+    target = tmp_path / "along.svg"
+    flags = ("--vary", "gap=0.1:50:2", "--log", "--orders", ORDER, "-o", target)
+    status, out, _ = run("sweep", "impact", *flags)
+    assert status == 1
+    assert "1 ok; 1 not-converged" in out
+    assert target.exists()
+
+
+def test_the_picture_has_the_ends_and_the_times(along) -> None:
+    panels = family_figure(along).axes
+    low, high = panels[0].lines
+    assert list(low.get_ydata()[:3]) == [r.extremes["displacement"][0] for r in along.rows[:3]]
+    assert list(high.get_ydata()[:3]) == [r.extremes["displacement"][1] for r in along.rows[:3]]
+    assert np.isnan(low.get_ydata()[3])
+    assert list(panels[2].lines[0].get_ydata()[:3]) == list(along["forcing_phase"][:3])
+    assert list(panels[3].lines[0].get_ydata()[:3]) == [
+        row.estimate.times for row in along.rows[:3]
+    ]
+    assert "gap g [m]" in panels[2].get_xlabel()
+    assert "displacement" in panels[0].get_ylabel()
+    assert "velocity" in panels[1].get_ylabel()
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        (("--vary", "gap=0.1"), "expected NAME=FROM:TO:POINTS, such as restitution=0.3:0.6:20"),
+        (("--vary", "gape=0:1:3"), "unknown parameter 'gape', expected one of mass"),
+        (("--vary", "gap=1:1:3"), "two different numbers"),
+        (("--vary", "gap=0:1:1"), "expected a whole number from 2 to 100000"),
+        (("--vary", "gap=0:1:3", "--log"), "--log: got an end"),
+        (("--vary", "gap=0:1:3", "--gap", "0.1"), "--gap: given beside --vary gap"),
+        (("--vary", "gap=0:1:3", "--orders", "1-3"), "expected one order"),
+        (("--vary", "gap=0:1:3", "--methods", "hb,ck"), "expected one method"),
+        (("--vary", "restitution=0.5:2:3"), "--vary: restitution: got 1.25"),
+        (("--log",), "--log: expected beside --vary"),
+    ],
+)
+def test_what_is_wrong_is_said(run, flags: tuple[str, ...], words: str) -> None:
+    status, _, err = run("sweep", "impact", *flags)
+    assert (status, words in err) == (2, True), err
+
+
+def test_no_orbit_at_the_first_value_does_not_end_the_sweep() -> None:
+    found = ns.family(IMPACT(), "gap", [50.0, 0.1], order=ORDER)
+    assert [row.status for row in found.rows] == ["not-converged", "ok"]
+    with pytest.raises(NoOrbit):
+        ns.solve(IMPACT(gap=50.0), order=ORDER)
