@@ -55,27 +55,38 @@ def difference(found: SceneMotion, reference: SceneMotion, waves: int) -> SceneE
     return SceneErrors(
         period=float(np.sum(here - there)) / total,
         times=times / (total * cell.cells),
-        discontinuous=_of_derivative(found, reference, waves),
+        discontinuous=_ofderivative(found, reference, waves),
     )
 
 
-def _of_derivative(found: SceneMotion, reference: SceneMotion, waves: int) -> float:
+def _ofderivative(found: SceneMotion, reference: SceneMotion, waves: int) -> float:
     u, weights = panels([], max(waves, 2))
-    derivative = found.case.cell.k + 1
+    order = found.case.cell.k + 1
     apart = size = 0.0
     for p, s in enumerate(reference.cell_durations):
-        expected = _derivative(reference, p, u, derivative)
-        off = _derivative(found, p, u, derivative) - expected
+        expected = derivative(reference, p, u, order)
+        off = derivative(found, p, u, order) - expected
         apart += float(s * (weights @ off**2))
         size += float(s * (weights @ expected**2))
     return math.sqrt(apart / size) if size else math.sqrt(apart)
 
 
-def _derivative(motion: SceneMotion, p: int, u: Vector, derivative: int) -> Vector:
-    """Return a derivative by time of any order on a phase, without units."""
-    if derivative <= 2:
-        return motion.part(p, u, derivative)
+def derivative(motion: SceneMotion, p: int, u: Vector, order: int) -> Vector:
+    """Return a derivative by time of any order on a phase, without units.
+
+    Parameters
+    ----------
+    motion : SceneMotion
+    p : int
+        The phase of the cell.
+    u : ndarray
+        Local times in [0, 1].
+    order : int
+        Of the derivative; of orders above 2 by interpolation of the acceleration.
+    """
+    if order <= 2:
+        return motion.part(p, u, order)
     parts = chebyshev.pieces(lambda w: motion.part(p, w, 2))
     duration = float(motion.cell_durations[p])
-    further = derivative - 2
+    further = order - 2
     return chebyshev.derivative_at(parts, u, further) / duration**further

@@ -109,8 +109,12 @@ def _equations() -> str:
         f'<a class="number" href="#eq-{n}">({n})</a></figure>'
         for n, (words, latex) in MEASURES.items()
     )
-    text = f"{derived}<h2>Section 4: Measure of the error</h2>{measures}"
-    text = re.sub(r' xmlns="[^"]*"', "", text)
+    return folded(f"{derived}<h2>Section 4: Measure of the error</h2>{measures}")
+
+
+def folded(equations: str) -> str:
+    """Return equations as a part of a page: lower headings, Jacobians folded away."""
+    text = re.sub(r' xmlns="[^"]*"', "", equations)
     folded = re.sub(
         r"<h2>(Jacobian .*?)</h2>(.*?)(?=<h2>|$)",
         r"<details><summary>\1</summary>\2</details>",

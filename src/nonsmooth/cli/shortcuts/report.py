@@ -8,16 +8,18 @@ from ..folders import check_folder, write_folder
 from ..output import need
 from ..problems import Problem
 from ..progress import progress
+from ..scenes.command import SceneCommand
 from .parameters import belt_from, parameter_options
 
 EPILOG = """\b
 Examples:
   nonsmooth report -o report
   nonsmooth report --normal-force 98.1 -o report
+  nonsmooth report impact --gap 0.2 -o impact
 """
 
 
-@click.command(epilog=EPILOG)
+@click.command(cls=SceneCommand, module="report", epilog=EPILOG)
 @parameter_options
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path), required=True,
@@ -28,7 +30,7 @@ def report(case: Path | None, output: Path, **flags: float | None) -> None:
 
     For the oscillator given: Figs. 2 to 6, the equations with their numbers, and the claims
     one by one, each with the normal forces for which it holds.  The page needs nothing from
-    outside.
+    outside.  Of another SCENE: how it moves, and how fast each expansion finds its orbit.
     """
     for library in ("matplotlib", "jinja2"):
         need(library, "report", "report")

@@ -1,0 +1,175 @@
+"""All numbers of the page on one oscillator: orbits, errors, rates, overshoots."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from nonsmooth.solver.accuracy.errors import derivative
+from nonsmooth.solver.arrays import Vector
+from nonsmooth.solver.case import registry
+from nonsmooth.solver.case.case import Case
+from nonsmooth.solver.case.methods import FIRST, about, in_order
+from nonsmooth.solver.case.names import shown
+from nonsmooth.solver.flow.exact import ExactSceneOrbit
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.motion import SceneMotion
+from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.solve import solve_case
+
+#: Order of the orbits that are drawn beside the exact one; of the series that rings.
+SMALL, RINGING = 5, 24
+
+#: Orders of the curves of convergence: of a power, where each is so much larger than the one
+#: before that roughness from one order to the next does not blur the slope; and of a factor.
+POWER_ORDERS, FACTOR_ORDERS = (4, 6, 8, 11, 16, 22, 32), tuple(range(3, 17))
+
+#: Part of a phase next to a switch in which a series rings highest, times the order.
+RING = 6.0
+
+
+@dataclass(frozen=True)
+class Way:
+    """A method, with its functions at each switch where it counts them.
+
+    Parameters
+    ----------
+    method : str
+        Generic name.
+    functions : int or None
+    name : str
+        As readers see it: with the class, and with the number of functions.
+    """
+
+    method: str
+    functions: int | None
+    name: str
+
+
+@dataclass(frozen=True)
+class Point:
+    """The errors of one orbit: of the times, and of the derivative that jumps."""
+
+    order: int
+    times: float
+    discontinuous: float
+
+
+@dataclass(frozen=True)
+class Collected:
+    """What the page on a case says, computed.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    exact : ExactSceneOrbit
+        Its exact orbit.
+    small : dict of str to SceneOrbit
+        Orbits of low order, by the names of their ways.
+    ringing : dict of str to SceneOrbit
+        Orbits of higher order, for the derivative that jumps.
+    curves : dict of Way to list of Point
+        Errors over the orders.
+    """
+
+    case: Case
+    exact: ExactSceneOrbit
+    small: dict[str, SceneOrbit]
+    ringing: dict[str, SceneOrbit]
+    curves: dict[Way, list[Point]]
+
+    @cached_property
+    def best(self) -> SceneOrbit:
+        """The orbit of the most accurate method at the highest order of its curve."""
+        return solve_case(self.case, FIRST, FACTOR_ORDERS[-1])
+
+
+def ways(case: Case) -> Iterator[Way]:
+    """Yield the methods of a scene, each with every number of functions that it may have."""
+    scene = case.scene
+    for method in in_order(registry.methods(scene)):
+        numbers = registry.functions(scene, method)
+        for number in numbers or (None,):
+            more = "" if number is None else f", K = {number}"
+            yield Way(method, number, shown(scene, method) + more)
+
+
+def steps(case: Case) -> int:
+    """Return how often `collect` tells its progress."""
+    return 2 + sum(1 for _ in ways(case))
+
+
+def collect(case: Case, exact: ExactSceneOrbit, done: Callable[[str], None]) -> Collected:
+    """Compute what the page says.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    exact : ExactSceneOrbit
+        Its exact orbit.
+    done : callable
+        Called `steps` times with what has just been done, in words.
+    """
+    found = list(ways(case))
+    usual = list({way.method: way for way in found if way.functions in (None, 1, 2)}.values())
+    small = dict(_orbits(case, usual, SMALL))
+    done("orbits of low order")
+    ringing = dict(_orbits(case, [q for q in usual if about(q.method).power], RINGING))
+    ringing |= dict(_orbits(case, [q for q in usual if not about(q.method).power], SMALL))
+    done("the derivative that jumps")
+    curves = {}
+    for way in found:
+        curves[way] = list(_curve(case, way))
+        done(way.name)
+    return Collected(case, exact, small, ringing, curves)
+
+
+def _orbit(case: Case, way: Way, order: int) -> SceneOrbit | None:
+    try:
+        return solve_case(case, way.method, order, way.functions)
+    except (NoOrbit, ValueError):  # there is none, or the order is below the lowest
+        return None
+
+
+def _orbits(case: Case, chosen: list[Way], order: int) -> Iterator[tuple[str, SceneOrbit]]:
+    for way in chosen:
+        orbit = _orbit(case, way, order)
+        if orbit is not None:
+            yield way.name, orbit
+
+
+def _curve(case: Case, way: Way) -> Iterator[Point]:
+    for order in POWER_ORDERS if about(way.method).power else FACTOR_ORDERS:
+        orbit = _orbit(case, way, order)
+        if orbit is not None and orbit.errors is not None:
+            yield Point(order, orbit.errors.times, orbit.errors.discontinuous)
+
+
+def jump(exact: SceneMotion, p: int) -> float:
+    """Return the jump of the derivative of order k + 1 at switch `p`, without units."""
+    cell = exact.case.cell
+    before, sign = (p - 1, 1) if p else (len(cell.phases) - 1, cell.sign)
+    order = cell.k + 1
+    left = derivative(exact, before, np.ones(1), order)[0]
+    return float(derivative(exact, p, np.zeros(1), order)[0] - sign * left)
+
+
+def overshoot(orbit: SceneOrbit, exact: SceneMotion) -> float:
+    """Return by how much the derivative that jumps goes beyond its jump, as a part of it.
+
+    At the largest jump, on the side where the phase begins: what the derivative exceeds the
+    exact one by, phase laid over phase.  Of a Fourier series it tends to 8.949 per cent
+    (Gibbs), of functions that jump themselves to nothing.
+    """
+    phases = range(len(exact.case.cell.phases))
+    sizes = [jump(exact, p) for p in phases]
+    p = int(np.argmax(np.abs(sizes)))
+    part = float(np.sum(orbit.cell_durations)) / float(orbit.cell_durations[p])
+    reach = min(0.5, RING * part / (2 * orbit.order + 1))
+    u: Vector = np.linspace(0.0, reach, 2001)[1:]
+    order = exact.case.cell.k + 1
+    beyond = derivative(orbit, p, u, order) - derivative(exact, p, u, order)
+    return float(np.max(beyond / sizes[p]))

@@ -1,0 +1,168 @@
+"""The figures of the page on one oscillator, each narrow enough for a telephone."""
+
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from nonsmooth.solver.accuracy.errors import derivative
+from nonsmooth.solver.arrays import Vector
+from nonsmooth.solver.case.methods import about
+from nonsmooth.solver.orbit.motion import SceneMotion
+from nonsmooth.solver.orbit.notebook import instants, portrait
+from nonsmooth.style import EXACT
+
+from .collected import Collected, Way
+from .sketches import SKETCHES, sketch
+from .theory import rate_of_jump, rate_of_times
+
+#: Inches, as the figures of the paper's page.
+SIZE = (4.8, 3.2)
+
+#: Points of a phase at which the derivative that jumps is drawn.
+POINTS = 800
+
+#: Least error that is drawn.
+LEAST = 1e-17
+
+Draw = Callable[[Any, Collected], None]
+
+
+def figure(draw: Draw, found: Collected) -> Figure:
+    """Return a figure with one pair of axes, drawn."""
+    made = Figure(figsize=SIZE, layout="constrained")
+    draw(made.subplots(), found)
+    return made
+
+
+def _legend(axes: Any, columns: int = 3) -> None:
+    place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}
+    axes.legend(ncols=columns, frameon=False, columnspacing=1.2, **place)
+
+
+def _line(method: str) -> dict[str, Any]:
+    look = about(method).look
+    return {"color": look["color"], "linestyle": look["linestyle"], "linewidth": 1.4}
+
+
+def drawing(axes: Any, found: Collected) -> None:
+    """Draw the oscillator."""
+    sketch(axes, found.case.scene.name)
+
+
+def plane(axes: Any, found: Collected) -> None:
+    """Draw the phase plane: the exact orbit, and orbits of low order."""
+    portrait(found.exact, axes, label="exact", **EXACT | {"linewidth": 1.6})
+    for name, orbit in found.small.items():
+        portrait(orbit, axes, label=f"{name}, N = {orbit.order}", **_line(orbit.method))
+    for phase in found.exact.phases:
+        axes.plot(phase.displacement, phase.velocity, "o", color="black", markersize=4)
+    _legend(axes, 2)
+
+
+def history(axes: Any, found: Collected) -> None:
+    """Draw displacement and velocity over a period, and the switches."""
+    exact, beside = found.exact, axes.twinx()
+    t = instants(exact)
+    axes.plot(t / exact.period, exact.displacement(t), label="displacement", color="0.2")
+    beside.plot(
+        t / exact.period, exact.velocity(t), label="velocity", color="#0072B2", linestyle="--"
+    )
+    switches = np.cumsum(exact.durations)[:-1] / exact.period
+    for place in switches:
+        axes.axvline(place, color="0.7", linewidth=0.8)
+    axes.set(xlabel="t/T", ylabel="displacement [m]")
+    beside.set_ylabel("velocity [m/s]")
+    beside.grid(visible=False)
+    handles = [axes.get_lines()[0], beside.get_lines()[0]]
+    axes.legend(
+        handles, ["displacement", "velocity"], loc="lower center", bbox_to_anchor=(0.5, 1.0),
+        ncols=2, frameon=False,
+    )  # fmt: skip
+
+
+def _whole_period(motion: SceneMotion, order: int) -> tuple[Vector, Vector]:
+    """Return ``t/T`` and a derivative in SI units over one period, gaps at the switches."""
+    cell, unit = motion.case.cell, motion.case.units
+    u = np.linspace(0.0, 1.0, POINTS)
+    ends = np.cumsum([0.0, *motion.durations]) / motion.period
+    scale = unit.length / unit.time**order
+    times, values = [], []
+    for index, (low, high) in enumerate(pairwise(ends)):
+        p, turned = index % len(cell.phases), index >= len(cell.phases)
+        sign = cell.sign if turned else 1
+        times.append(np.append(low + (high - low) * u, np.nan))
+        values.append(np.append(sign * scale * derivative(motion, p, u, order), np.nan))
+    return np.concatenate(times), np.concatenate(values)
+
+
+def jumping(axes: Any, found: Collected) -> None:
+    """Draw the first derivative that jumps: a Fourier series rings there, the others do not."""
+    order = found.case.cell.k + 1
+    axes.plot(*_whole_period(found.exact, order), label="exact", **EXACT | {"linewidth": 1.6})
+    for name, orbit in found.ringing.items():
+        words = f"{name}, N = {orbit.order}"
+        axes.plot(
+            *_whole_period(orbit, order), label=words, **_line(orbit.method) | {"linewidth": 1}
+        )
+    unit = "m/s" if order == 1 else f"m/s$^{order}$"
+    axes.set(xlabel="t/T", ylabel=f"$x^{{({order})}}$ [{unit}]")
+    _legend(axes, 2)
+
+
+def convergence(name: str) -> Draw:
+    """Return what draws one error against the order, with the slopes that theory has."""
+
+    def draw(axes: Any, found: Collected) -> None:
+        for way, points in found.curves.items():
+            orders = [point.order for point in points]
+            errors = [max(getattr(point, name), LEAST) for point in points]
+            axes.loglog(orders, errors, label=way.name, **_marked(way))
+            if about(way.method).power and points:
+                rate = theory(found, way, name)
+                slope = errors[0] * (np.array(orders) / orders[0]) ** -rate
+                axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
+        what = "times" if name == "times" else f"$x^{{({found.case.cell.k + 1})}}$"
+        axes.set(xlabel="order N", ylabel=f"error of the {what}".replace("the $", "$"))
+        axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
+        axes.minorticks_off()
+        _legend(axes, 3)
+
+    return draw
+
+
+def theory(found: Collected, way: Way, name: str) -> float:
+    """Return the power of 1/N with which an error of a series should fall."""
+    functions = way.functions or 0
+    if name == "times":
+        return rate_of_times(found.case.cell, functions)
+    return rate_of_jump(found.case.cell, functions)
+
+
+def _marked(way: Way) -> dict[str, Any]:
+    look: dict[str, Any] = about(way.method).look | {"markersize": 4, "linewidth": 0.9}
+    if (way.functions or 0) > 1:
+        look |= {"fillstyle": "none", "alpha": 1 - 0.25 * ((way.functions or 0) - 1)}
+    return look
+
+
+#: Figures by the names of their files, with what they show.
+FIGURES: Mapping[str, tuple[Draw, str]] = {
+    "sketch": (drawing, "the oscillator"),
+    "plane": (plane, "the orbit in the phase plane"),
+    "history": (history, "displacement and velocity over a period"),
+    "jump": (jumping, "the first derivative that jumps"),
+    "times": (convergence("times"), "error of the times against the order"),
+    "discontinuous": (
+        convergence("discontinuous"),
+        "error of the derivative that jumps against the order",
+    ),
+}
+
+
+def figures_of(found: Collected) -> dict[str, tuple[Draw, str]]:
+    """Return the figures that there are of a case: a sketch only of a shipped scene."""
+    drawn = found.case.scene.name in SKETCHES
+    return {name: entry for name, entry in FIGURES.items() if drawn or name != "sketch"}

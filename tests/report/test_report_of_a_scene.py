@@ -1,0 +1,145 @@
+"""The page on one oscillator: its numbers, its figures, and that it stands by itself."""
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.report.scenes import collected, figures
+from nonsmooth.report.scenes.collected import Collected, collect, overshoot
+from nonsmooth.report.scenes.page import GIBBS, page
+from nonsmooth.report.scenes.theory import rate_of_jump, rate_of_times
+
+CASE = ns.scene("impact")(gap=0.2)
+
+
+@pytest.fixture(scope="module")
+def found() -> Collected:
+    """Return the numbers of the page, from few orders."""
+    patch = pytest.MonkeyPatch()
+    patch.setattr(collected, "POWER_ORDERS", (4, 8, 16))
+    patch.setattr(collected, "FACTOR_ORDERS", (2, 4, 6, 8))
+    told: list[str] = []
+    result = collect(CASE, ns.exact(CASE), told.append)
+    patch.undo()
+    assert len(told) == collected.steps(CASE)
+    return result
+
+
+class Balanced(HTMLParser):
+    """Keeps the elements that are open."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs) -> None:
+        if tag not in {"meta", "br", "wbr", "hr"}:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def test_the_errors_are_those_of_the_orbits(found: Collected) -> None:
+    ways = {way.name: (way, points) for way, points in found.curves.items()}
+    assert list(ways) == [
+        "hb", "hb-c0, K = 1", "hb-c0, K = 2", "hb-c0, K = 3", "c0", "c0-tau"
+    ]  # fmt: skip
+    way, points = ways["hb-c0, K = 3"]
+    orbit = ns.solve(CASE, "hb-ck", 8, functions=3)
+    assert points[1].order == 8
+    assert points[1].times == orbit.errors.times
+    assert points[1].discontinuous == orbit.errors.discontinuous
+    assert [point.order for point in ways["c0-tau"][1]] == [4, 6, 8]  # none at 2
+    assert way.functions == 3
+
+
+def test_a_fourier_series_rings_by_the_constant_of_gibbs() -> None:
+    belt = ns.scene("stick-slip")()
+    exact = ns.exact(belt)
+    errors = [abs(overshoot(ns.solve(belt, "hb", N), exact) - GIBBS) for N in (20, 80)]
+    assert errors[1] < 2e-3
+    assert errors[1] < errors[0]
+    assert abs(overshoot(ns.solve(belt, "ck-tau", 12), exact)) < 1e-6
+
+
+def test_the_theory_is_that_of_the_references() -> None:
+    """Hold it against the measured rates of each class: K = 0, 1, 2, 3."""
+    expected = {"impact": [1, 1, 3, 3], "stick-slip": [1, 3, 3, 5]}
+    for name, rates in expected.items():
+        cell = ns.scene(name)().cell
+        assert [rate_of_times(cell, K) for K in range(4)] == rates
+    belt = ns.scene("stick-slip")().cell
+    assert [rate_of_jump(belt, K) for K in range(4)] == [0.5, 1.5, 2.5, 3.5]
+    assert rate_of_jump(ns.scene("impact")().cell, 1) == 1  # as slowly as the times
+
+
+def test_the_slopes_that_are_drawn_are_those_of_theory(found: Collected) -> None:
+    axes = figures.figure(figures.convergence("times"), found).axes[0]
+    drawn = {line.get_label(): line for line in axes.lines}
+    points = {way.name: points for way, points in found.curves.items()}
+    assert list(drawn["hb"].get_ydata()) == [point.times for point in points["hb"]]
+    grey = [line for line in axes.lines if line.get_color() == "0.75"]
+    slopes = [
+        -np.diff(np.log(line.get_ydata())) / np.diff(np.log(line.get_xdata())) for line in grey
+    ]
+    assert [round(float(slope[0]), 9) for slope in slopes] == [1, 1, 3, 3]
+    assert "error of the times" in axes.get_ylabel()
+
+
+def test_the_derivative_that_jumps_is_drawn_with_its_jump(found: Collected) -> None:
+    axes = figures.figure(figures.jumping, found).axes[0]
+    exact = next(line for line in axes.lines if line.get_label() == "exact")
+    values = exact.get_ydata()[~np.isnan(exact.get_ydata())]
+    phase = found.exact.phases[0]
+    assert values[0] == pytest.approx(phase.velocity, rel=1e-12)  # C0: the velocity jumps
+    assert values[-1] == pytest.approx(-phase.velocity / CASE.values["restitution"], rel=1e-9)
+    assert "m/s" in axes.get_ylabel()
+
+
+def test_the_page_says_the_numbers(found: Collected) -> None:
+    pictures = {name: '<svg viewBox="0 0 1 1"></svg>' for name in figures.figures_of(found)}
+    text = page(found, pictures, "<h3>equations</h3>")
+    parser = Balanced()
+    parser.feed(text)
+    assert parser.open == []
+    assert not re.search(r'(?:src|href)="(?!#)', text)
+    assert f"{found.exact.period:.12g}" in text
+    assert f"{found.exact.forcing_phase:.12g}" in text
+    assert "0.2 m" in text
+    points = next(points for way, points in found.curves.items() if way.name == "c0-tau")
+    assert f"{points[-1].times:.1e} at N = {points[-1].order}" in text
+    for name, orbit in found.ringing.items():
+        percent = 100 * max(0.0, overshoot(orbit, found.exact))
+        assert f"{name}, N = {orbit.order}: {percent:.2g} %" in text
+    assert text.count('role="img"') == len(pictures)
+
+
+def test_a_scene_of_the_user_s_own_has_no_sketch(found: Collected) -> None:
+    assert "sketch" in figures.figures_of(found)
+    assert set(figures.SKETCHES) >= set(ns.scenes())
+
+
+def test_the_command_writes_a_folder(run, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr(collected, "POWER_ORDERS", (4,))
+    monkeypatch.setattr(collected, "FACTOR_ORDERS", (4, 6))
+    target = tmp_path / "page"
+    status, _, _ = run("report", "impact", "--gap", 0.2, "-o", target)
+    assert status == 0
+    names = {path.name for path in target.iterdir()}
+    assert names == {"index.html"} | {
+        name + suffix for name in figures.FIGURES for suffix in (".svg", ".pdf")
+    }
+    text = (target / "index.html").read_text("utf-8")
+    assert "a driven mass that bounces off a stop" in text
+    assert 'id="sketch-' in text
+
+
+def test_without_an_orbit_there_is_no_page(run, tmp_path: Path) -> None:
+    status, _, err = run("report", "impact", "--gap", 50, "-o", tmp_path / "page")
+    assert (status, "no admissible exact orbit" in err) == (1, True)
+    assert not (tmp_path / "page").exists()
