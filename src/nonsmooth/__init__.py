@@ -51,7 +51,7 @@ _HOMES = {
     "Family": ("solver.shortcuts.search.family", "Family"),
     "FileError": ("files.errors", "FileError"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
-    "NotCertified": ("solver.shortcuts.choice.choice", "NotCertified"),
+    "NotCertified": ("solver.not_certified", "NotCertified"),
     "Orbit": ("solver.shortcuts.orbit.orbit", "Orbit"),
     "ParameterError": ("solver.case.parameters", "ParameterError"),
     "Row": ("solver.shortcuts.search.sweep", "Row"),

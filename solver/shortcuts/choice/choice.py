@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from ...no_orbit import NoOrbit
+from ...not_certified import MARGIN, NotCertified
 from ..accuracy.estimate import ACCELERATION_ROUNDING, ROUNDING, Estimate
 from ..orbit.orbit import Orbit
 from ..orbit.oscillator import StickSlip
@@ -10,9 +11,6 @@ from ..search.solve import solve
 
 #: Below these no estimate goes: rounding.
 LEAST = {"period": ROUNDING, "acceleration": ACCELERATION_ROUNDING}
-
-#: Part of the tolerance that an estimate may use up; it is itself off by a few per cent.
-MARGIN = 0.9
 
 
 @dataclass(frozen=True)
@@ -51,8 +49,8 @@ class Choice:
     trials: tuple[Trial, ...]
 
 
-class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
-    """No orbit in float64 is as accurate as asked for, as far as the estimate can say.
+class NotCertifiedOrbit(NotCertified):
+    """No method, order by order, is as accurate as asked for.
 
     Parameters
     ----------
