@@ -11,6 +11,7 @@ With ``P_{-1} = -P_0`` and ``P_{-2} = -P_1`` the first holds for ``n = 0`` as we
 
 import sympy as sp
 
+from ...functions import ShiftedLegendre, TwiceIntegrated
 from ...system import ClosedForm, Equation, require_zero
 from .inner_product import N
 from .oscillator import T, dimensionless, t, t1
@@ -21,18 +22,6 @@ s = sp.Symbol("s", positive=True)
 u = sp.Symbol("u", nonnegative=True)
 p = sp.IndexedBase("p", real=True)
 p0, p1 = sp.symbols("p0 p1", real=True)
-
-
-class ShiftedLegendre(sp.Function):  # type: ignore[misc]
-    """``P_n*(u) = P_n(2 u - 1)``, unevaluated, for printing."""
-
-    nargs = 2
-
-
-class TwiceIntegrated(sp.Function):  # type: ignore[misc]
-    """``Q_n(u)``, unevaluated, for printing."""
-
-    nargs = 2
 
 
 #: A combination of ``P_{n+shift}*``, by `shift`.

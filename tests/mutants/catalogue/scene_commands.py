@@ -14,6 +14,11 @@ def command(what: str, file: str, old: str, new: str) -> Mutant:
     return Mutant(what, f"src/nonsmooth/cli/scenes/{file}", old, new, COMMANDS)
 
 
+def by_scene(what: str, old: str, new: str) -> Mutant:
+    """Return a mistake in what of the default scene goes the way of any scene."""
+    return Mutant(what, "src/nonsmooth/cli/shortcuts/by_scene.py", old, new, COMMANDS)
+
+
 def user(what: str, file: str, old: str, new: str, tests: tuple[str, ...] = USERS) -> Mutant:
     """Return a mistake in what becomes of a user's scene."""
     return Mutant(what, f"src/nonsmooth/scene_files/{file}", old, new, tests)
@@ -73,15 +78,13 @@ MUTANTS: tuple[Mutant, ...] = (
         "f\"{'-' if minus else ''}{term}\"",
         "term",
     ),
-    command(
+    by_scene(
         "the shortcuts of the default scene are taken although they are not wanted",
-        "paper.py",
         "return no_shortcuts or functions is not None or method in MORE",
         "return functions is not None or method in MORE",
     ),
-    command(
+    by_scene(
         "methods of both kinds in one sweep",
-        "paper.py",
         "if more and len(more) < len(names):",
         "if False:",
     ),

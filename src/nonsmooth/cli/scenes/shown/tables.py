@@ -10,7 +10,7 @@ import click
 from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.orbit.orbit import SceneOrbit
 
-from ...shortcuts.tables import MORE_DIGITS, _print, _table, certain_digits
+from ...columns import MORE_DIGITS, certain_digits, print_table, table_of
 from .captions import WIDTH, derivative
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
     """Print the orbit by each method, below the exact one."""
     scene = case.scene
     phases = scene.phases if len(scene.phases) > 1 else ()
-    table = _table(
+    table = table_of(
         "method", "N", "T [s]", *(["phi [rad]"] if scene.frequency else []),
         *(f"{phase} [s]" for phase in phases),
         "times", derivative(scene), "estimate", "it",
@@ -46,7 +46,7 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
             f"{orbit.estimate.times:.1e}",
             str(orbit.iterations),
         )
-    _print(table)
+    print_table(table)
     for orbit in found.values():
         if isinstance(orbit, SceneOrbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
@@ -97,7 +97,7 @@ def convergence(result: "SceneSweep") -> None:
     """Print one row a method and order, and how fast each method converges."""
     scene = result.case.scene
     forced = scene.frequency is not None
-    table = _table(
+    table = table_of(
         "method", "N", "T [s]", *(["phi [rad]"] if forced else []),
         "times", derivative(scene), "estimate", "it",
     )  # fmt: skip
@@ -115,10 +115,10 @@ def convergence(result: "SceneSweep") -> None:
             f"{row.estimate.times:.1e}",
             str(row.iterations),
         )
-    _print(table)
+    print_table(table)
     click.echo("\nConvergence, fitted to the logarithms of all errors above rounding:\n")
-    rates = _table("method", "times", derivative(scene))
+    rates = table_of("method", "times", derivative(scene))
     for method, rate in result.rates().items():
         rates.add_row(shown(scene, method), rate.text("times"), rate.text("discontinuous"))
-    _print(rates)
+    print_table(rates)
     click.echo()
