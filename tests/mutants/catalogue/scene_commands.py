@@ -196,13 +196,13 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     python(
         "the belt's own parameters are lost on the way to the generic kernels",
-        "src/nonsmooth/oscillators.py",
-        "return load(PAPER)(**asdict(case))",
-        "return load(PAPER)()",
+        "solver/shortcuts/entrance.py",
+        "return load(SCENE)(**asdict(belt))",
+        "return load(SCENE)()",
     ),
     python(
         "the paper's method goes by the generic kernels",
-        "src/nonsmooth/oscillators.py",
+        "solver/shortcuts/names.py",
         '"hb-ck": "hb-c1", "ck": "c1"}',
         '"hb-ck": "hb-c1"}',
     ),
