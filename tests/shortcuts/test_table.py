@@ -16,7 +16,7 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 ALPHAS = (0.1, 1.0, 20.0)
 
 #: Orders, of which a shortcut has those that it fits; the highest is for what is matrix-free.
-ORDERS = (8, 13, 300)
+ORDERS = (11, 14, 300)
 
 #: Order above which the whole system takes seconds: it is solved for one case.
 DENSE = 100
