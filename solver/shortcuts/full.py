@@ -13,6 +13,7 @@ from ..accuracy.quadrature import panels
 from ..arrays import Vector
 from ..case import registry
 from ..case.case import Case
+from ..compiling import PLAIN_ORDER
 from ..no_orbit import NoOrbit
 from ..shortcut import Full
 from ..solve import solve_case
@@ -39,7 +40,9 @@ def of_every_scene(method: str) -> Full:
 
     def residual(case: Case, order: int, functions: int | None, z: Vector) -> Vector:
         R = np.empty(len(z))
-        registry.kernel(case.scene, method, functions).residual(case.numbers, z, R)
+        many = order > PLAIN_ORDER
+        kernel = registry.kernel(case.scene, method, functions, compile_it=many)
+        kernel.residual(case.numbers, z, R)
         return R
 
     def times(case: Case, order: int, functions: int | None) -> Vector | None:

@@ -77,10 +77,10 @@ def _verbs() -> Iterable[click.Command]:
     if own is not None:
         commands: Iterable[click.Command] = own.COMMANDS
         return commands
-    names = ("solve", "sweep")
+    generic = {"solve": "Compute periodic orbits.", "sweep": "Compute them for many orders."}
     return [
-        scene_command.SceneCommand(name, module=name, own=False, help=f"{name.capitalize()}.")
-        for name in names
+        scene_command.SceneCommand(name, module=name, own=False, help=help_)
+        for name, help_ in generic.items()
     ]
 
 
