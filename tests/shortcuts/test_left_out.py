@@ -16,7 +16,16 @@ LEFT_OUT = (
 )  # fmt: skip
 
 #: What the copy is made of.
-KEPT = ("codegen", "generated", "solver", "src", "tests", "pyproject.toml")
+KEPT = (
+    "codegen",
+    "generated",
+    "solver",
+    "src",
+    "tests",
+    "docs",
+    "README.md",
+    "CONTRIBUTING.md",
+)
 
 #: Tests of scenes and expansions, a few of them and all.
 SOME = (
@@ -58,6 +67,8 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
         source = ROOT / name
         if source.is_dir():
             shutil.copytree(source, copy / name, symlinks=True, ignore=ignored)
+        else:
+            shutil.copy(source, copy / name)
     rows = (ROOT / "pyproject.toml").read_text("utf-8").splitlines(keepends=True)
     kept = [row for row in rows if not (row.startswith('  "nonsmooth.') and "shortcuts" in row)]
     (copy / "pyproject.toml").write_text("".join(kept), "utf-8")
