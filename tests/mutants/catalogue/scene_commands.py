@@ -14,11 +14,6 @@ def command(what: str, file: str, old: str, new: str) -> Mutant:
     return Mutant(what, f"src/nonsmooth/cli/scenes/{file}", old, new, COMMANDS)
 
 
-def by_scene(what: str, old: str, new: str) -> Mutant:
-    """Return a mistake in what of the default scene goes the way of any scene."""
-    return Mutant(what, "src/nonsmooth/cli/shortcuts/by_scene.py", old, new, COMMANDS)
-
-
 def user(what: str, file: str, old: str, new: str, tests: tuple[str, ...] = USERS) -> Mutant:
     """Return a mistake in what becomes of a user's scene."""
     return Mutant(what, f"src/nonsmooth/scene_files/{file}", old, new, tests)
@@ -77,16 +72,6 @@ MUTANTS: tuple[Mutant, ...] = (
         "shown/formulas.py",
         "f\"{'-' if minus else ''}{term}\"",
         "term",
-    ),
-    by_scene(
-        "the shortcuts of the default scene are taken although they are not wanted",
-        "return no_shortcuts or functions is not None or method in MORE",
-        "return functions is not None or method in MORE",
-    ),
-    by_scene(
-        "methods of both kinds in one sweep",
-        "if more and len(more) < len(names):",
-        "if False:",
     ),
     command(
         "the displacement for the velocity in a file of the motion",
@@ -193,17 +178,5 @@ MUTANTS: tuple[Mutant, ...] = (
         "solver/accuracy/rates.py",
         "if FLOORS[name] < abs(found[name]) < math.inf",
         "if 0 < abs(found[name]) < math.inf",
-    ),
-    python(
-        "the belt's own parameters are lost on the way to the generic kernels",
-        "solver/shortcuts/entrance.py",
-        "return load(SCENE)(**asdict(belt))",
-        "return load(SCENE)()",
-    ),
-    python(
-        "the paper's method goes by the generic kernels",
-        "solver/shortcuts/names.py",
-        '"hb-ck": "hb-c1", "ck": "c1"}',
-        '"hb-ck": "hb-c1"}',
     ),
 )  # fmt: skip
