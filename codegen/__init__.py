@@ -16,15 +16,26 @@ Stages, a folder each, in the order in which a derivation runs through them:
 Nothing else in the package imports SymPy.
 """
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-from .printing import side_by_side as alongside
-from .printing.side_by_side import SideBySide
-from .shortcuts.methods import METHODS, SOLVED, of_the_paper
+from . import readers as readers  # the records are read by what it names
 from .system import DerivationError, Equation, GalerkinSystem
 
 if TYPE_CHECKING:
     from .scene import Scene
+    from .shortcuts.methods import METHODS, SOLVED
+    from .shortcuts.side_by_side import SideBySide
+
+#: Public names of the paper's own methods, and where they live: imported when asked for.
+_OF_THE_PAPER = {"METHODS": "methods", "SOLVED": "methods", "SideBySide": "side_by_side"}
+
+
+def __getattr__(name: str) -> Any:
+    """Return a public name that the paper's own methods have."""
+    if name not in _OF_THE_PAPER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f".shortcuts.{_OF_THE_PAPER[name]}", __package__), name)
 
 
 def derive(
@@ -61,6 +72,8 @@ def derive(
     'functions of class `C^0`, tested with Legendre polynomials'
     """
     if scene is None:
+        from .shortcuts.methods import of_the_paper  # noqa: PLC0415  (left out, scenes still are)
+
         return of_the_paper(method)
     from .show import derive_scene  # noqa: PLC0415  (its sections are those of this package)
 
@@ -74,7 +87,7 @@ def derive_scene(
     return derive(method, name_or_scene, functions)
 
 
-def side_by_side(method: str) -> tuple[SideBySide, ...]:
+def side_by_side(method: str) -> "tuple[SideBySide, ...]":
     """Return each equation of a method with its LaTeX and its generated code.
 
     Parameters
@@ -98,7 +111,9 @@ def side_by_side(method: str) -> tuple[SideBySide, ...]:
     >>> shown["20"].source.splitlines()[0]
     'def velocity_gain(p0, s):'
     """
-    return alongside.side_by_side(derive(method))
+    from .shortcuts.side_by_side import side_by_side as alongside  # noqa: PLC0415
+
+    return alongside(derive(method))
 
 
 __all__ = [

@@ -8,24 +8,21 @@ scene has, and a folder for each scene.
 import os
 import tempfile
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 
 from . import scenes
 from .emission import kernel, methods, scene_numbers
 from .expansions import kernels
 from .scene import Scene
-from .shortcuts.emit import module_source
-from .shortcuts.methods import METHODS, SOLVED, of_the_paper
 
 #: The folder of the generated modules, beside the folder of this file.
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
 
 INIT = '"""Kernels, a folder for each scene, written by ``nonsmooth generate``."""\n'
 
-#: The folder of the paper's own methods, and its first file.
+#: The room of what is derived beside the scenes, here and in ``generated/``.
 SHORTCUTS = "shortcuts"
-SHORTCUTS_INIT = '"""Kernels of the paper\'s methods; written by ``nonsmooth generate``."""\n'
-
 
 #: Of the folder of a scene.
 SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."""\n'
@@ -34,9 +31,10 @@ SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."
 def sources() -> dict[str, str]:
     """Derive everything and return the text of each generated file, by its place."""
     files = {"__init__.py": INIT, "methods.py": methods.methods_source()}
-    files[f"{SHORTCUTS}/__init__.py"] = SHORTCUTS_INIT
-    for system in map(of_the_paper, (*METHODS, *SOLVED)):
-        files[f"{SHORTCUTS}/{system.method.replace('-', '_')}.py"] = module_source(system)
+    if find_spec(f"{__package__}.{SHORTCUTS}") is not None:
+        from .shortcuts.emit import modules  # noqa: PLC0415  (left out, scenes still are)
+
+        files |= {f"{SHORTCUTS}/{name}": text for name, text in modules()}
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
         files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}

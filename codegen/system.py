@@ -5,11 +5,15 @@ paper's notation, with its numbers) and the closed forms of which a kernel is ma
 (dimensionless).  It is frozen; nothing downstream of it derives anything.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
+
+#: What the methods of a record call to be read: `readers` fills it, of stages that import this
+#: one.  A record itself holds no printer and knows of none.
+READERS: dict[str, Callable[..., Any]] = {}
 
 
 class DerivationError(Exception):
@@ -61,15 +65,11 @@ class Equation:
 
     def latex(self) -> str:
         """Return the equation as displayed LaTeX, with its number as the tag."""
-        from .printing.latex import displayed  # noqa: PLC0415  (printing is a later stage)
-
-        return displayed(self)
+        return str(READERS["latex"](self))
 
     def text(self, unicode: bool = True) -> str:
         """Return the equation as text for a terminal, in Unicode or in plain ASCII."""
-        from .printing.text import equation_text  # noqa: PLC0415
-
-        return equation_text(self, unicode)
+        return str(READERS["text"](self, unicode))
 
     def __str__(self) -> str:
         return self.text()
@@ -160,9 +160,7 @@ class GalerkinSystem:
 
     def latex(self) -> str:
         """Return the equations as LaTeX, numbered as in the paper, without a preamble."""
-        from .printing.latex import equation_latex  # noqa: PLC0415
-
-        return "\n".join(map(equation_latex, self.equations))
+        return str(READERS["all latex"](self.equations))
 
     def text(self, unicode: bool = True) -> str:
         """Return the equations as text for a terminal, in Unicode or in plain ASCII."""
@@ -172,9 +170,7 @@ class GalerkinSystem:
         return self.text()
 
     def _repr_latex_(self) -> str:
-        from .printing.latex import in_notebook  # noqa: PLC0415
-
-        return in_notebook(self.equations)
+        return str(READERS["notebook"](self.equations))
 
     def unknown_symbols(self, order: int) -> tuple[sp.Expr, ...]:
         """Return the unknowns at one order: the paper's coefficients, ``t1`` and ``T``.
@@ -185,9 +181,8 @@ class GalerkinSystem:
         >>> ns.equations("hb").unknown_symbols(2)
         (a0, a[1], a[2], b[1], b[2], t1, T)
         """
-        from .printing.written_out import check_order, unknowns  # noqa: PLC0415
-
-        return unknowns(self, check_order(order))
+        found: tuple[sp.Expr, ...] = READERS["unknowns"](self, order)
+        return found
 
     def expanded(self, order: int) -> tuple[sp.Eq, ...]:
         """Return the conditions at one order, every sum carried out, as SymPy equations.
@@ -216,9 +211,8 @@ class GalerkinSystem:
         >>> f(-1.0, 0.5, 2.0, 6.0)
         0.0
         """
-        from .printing.written_out import expanded  # noqa: PLC0415
-
-        return expanded(self, order)
+        found: tuple[sp.Eq, ...] = READERS["expanded"](self, order)
+        return found
 
     def form(self, name: str) -> ClosedForm:
         """Return the closed form that becomes the function `name` of the kernel."""

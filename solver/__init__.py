@@ -1,11 +1,12 @@
-"""The numeric stage: from the generated kernels to orbits.
+"""The numeric stage: from the generated kernels to orbits of any scene.
 
-In the order in which a solution runs through them: `belt` (parameters), `kernels` (the
-generated equations), `start` (first guess), `search` (ways to an orbit), `newton`,
-`admissible` (is it an orbit?), `orbit` (the result, a `motion` in SI units), `errors`
-(against `exact`); `solve` joins them, `sweep` does so for many orders.  `fourier` and
-`polynomial` know how the unknowns of a method make a motion; `c1_roots` lists all solutions
-of Section 3.3, isolated by `real_roots`; `batch` solves it for many alpha at once.
+In the order in which a solution runs through them: `case` (parameters, the scene in numbers,
+its kernels), `iteration` (starts, Newton's method), `orbit` (the result, and whether it is
+one), `flow` (the exact orbit), `accuracy` (errors and their estimate); `solve`, `sweep` and
+`tolerance` join them.
+
+`shortcut` finds what is quicker for one scene: the table in `shortcuts`, and the paper's own
+oscillator with all that is known of it alone.  Without that room the rest works the same.
 
 Never imports SymPy or `codegen`.
 """

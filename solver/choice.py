@@ -5,10 +5,8 @@ from dataclasses import dataclass
 
 from .accuracy.errors import SceneErrors
 from .accuracy.estimate import ROUNDING
+from .not_certified import MARGIN, NotCertified
 from .orbit.orbit import SceneOrbit
-from .shortcuts.choice.choice import MARGIN, NotCertified, TooSlow
-
-__all__ = ["NotCertifiedScene", "SceneChoice", "SceneTrial", "TooSlow", "size"]
 
 
 @dataclass(frozen=True)
@@ -42,8 +40,7 @@ class NotCertifiedScene(NotCertified):
     """No order of a method is as accurate as asked for, as far as the estimate can say."""
 
     def __init__(self, tol: float, trials: tuple[SceneTrial, ...], needed: float) -> None:
-        super().__init__({"times": tol}, (), {})
-        self.args = (tol, trials, needed)
+        super().__init__(tol, trials, needed)
         self.tol, self.tried, self.needed = tol, trials, needed
 
     def __str__(self) -> str:

@@ -11,11 +11,11 @@ from .case import registry
 from .case.case import Case
 from .case.kernel import SceneKernel
 from .case.methods import FIRST
+from .compiling import PLAIN_ORDER
 from .iteration.attempt import attempt
 from .iteration.start import rough_times
 from .no_orbit import NoOrbit
 from .orbit.orbit import SceneOrbit
-from .shortcuts.search.kernels import PLAIN_ORDER
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
 #: the first, and where a motion has too many waves for that, at the second.

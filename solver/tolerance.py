@@ -14,8 +14,8 @@ from .case.names import shown
 from .case.parameters import is_number
 from .choice import NotCertifiedScene, SceneChoice, SceneTrial, size
 from .no_orbit import NoOrbit
+from .not_certified import MARGIN
 from .orbit.orbit import SceneOrbit
-from .shortcuts.choice.choice import MARGIN
 from .solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case
 
 #: Up to here every order is tried; beyond, each is larger than the last by a part of it.

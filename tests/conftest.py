@@ -15,7 +15,6 @@ from hypothesis import settings
 
 import nonsmooth as ns
 from nonsmooth.cli import main
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 # The same examples in every run: a change that fails is a change, not a throw of dice.
 settings.register_profile("fixed", deadline=None, derandomize=True)
@@ -56,7 +55,9 @@ def interruptible() -> Callable[..., "subprocess.Popen[str]"]:
 
 
 @pytest.fixture
-def belt() -> ns.StickSlip:
+def belt() -> "ns.StickSlip":
+    from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+
     return DEFAULT
 
 

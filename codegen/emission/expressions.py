@@ -5,7 +5,7 @@ import re
 
 import sympy as sp
 
-from ..shortcuts.emit import NumericPrinter
+from .printer import NumericPrinter
 
 
 class KernelPrinter(NumericPrinter):

@@ -8,9 +8,9 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks
-from ..shortcuts.emit import digest
 from .expressions import math_names, python
 from .loops import Writer, per_order, places, size
+from .printer import digest
 from .runtime import breaks as broken
 from .runtime import harmonics, moments, phases, unknowns
 from .used import with_used

@@ -3,7 +3,7 @@
 from types import ModuleType
 
 from .. import expansions
-from ..shortcuts.emit import digest
+from .printer import digest
 
 HEADER = '''"""The methods that every scene has: what tables, fits and pictures know of them.
 

@@ -8,8 +8,8 @@ from ..scene import Parameter, Phase, Scene, linear_phase, state_row, switches, 
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
 from ..scene.units import dimension_of
-from ..shortcuts.emit import digest
 from .expressions import math_names, python
+from .printer import digest
 
 HEADER = '''"""{name}: {title} (C{k}), in numbers.
 

@@ -11,7 +11,7 @@ from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
-from ..shortcuts.paper.c1_legendre import ShiftedLegendre, TwiceIntegrated
+from ..functions import ShiftedLegendre, TwiceIntegrated
 from ..system import Inner
 
 SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")

@@ -15,7 +15,7 @@ from ..system import Equation
 from .drawing import drawn
 from .latex import latex_piece, width
 from .pieces import pieces
-from .sections import Section, sections
+from .sections import Section
 from .words import words_and_mathematics
 
 #: A term that is wider, in characters of the drawing, is cut at its brackets: for a phone.
@@ -59,8 +59,6 @@ method for non-smooth dynamic systems, <cite>Journal of Sound and Vibration</cit
 {body}</body>
 </html>
 """
-
-TITLE = "Harmonic balance and Galerkin equations of the stick-slip oscillator"
 
 
 def mathml(mathematics: str) -> str:
@@ -123,24 +121,10 @@ def _section(section: Section, seen: Counter[str]) -> str:
     return "".join(parts)
 
 
-def equations_html(methods: Iterable[str], order: int | None = None) -> str:
-    """Return headings and equations of `methods` as a fragment; see `sections`.
-
-    Its page has `STYLE` in a ``style`` element.  Equation (14) has the anchor ``eq-14``; the
-    second of the same number, in another phase or method, ``eq-14-2``.
-    """
-    return fragment_of(sections(methods, order))
-
-
 def fragment_of(shown: Iterable[Section]) -> str:
     """Return sections as a fragment of a page."""
     seen: Counter[str] = Counter()
     return "\n".join(_section(section, seen) for section in shown)
-
-
-def html_document(methods: Iterable[str], order: int | None = None) -> str:
-    """Return a page, complete, with the equations of `methods`; see `sections`."""
-    return page_of(sections(methods, order), TITLE)
 
 
 def page_of(shown: Iterable[Section], title: str) -> str:

@@ -12,7 +12,7 @@ from sympy.printing.pretty.stringpict import prettyForm
 from ..system import Equation
 from .drawing import drawn, with_word
 from .pieces import Piece, filled, pieces, signed
-from .sections import Section, sections
+from .sections import Section
 from .typeset import latex
 from .words import words_and_mathematics
 
@@ -38,7 +38,6 @@ Vibration} 261 (2003) 213--224.  What has no number there has none here.
 """
 
 #: Of the equations of the paper.
-TITLE = "Harmonic balance and Galerkin equations of the stick--slip oscillator"
 
 FRAGMENT = r"""% Needs \usepackage{amsmath,amssymb} in the preamble; long equations may break
 % across pages with \allowdisplaybreaks.  Numbers are those of Kim and Perkins (2003),
@@ -155,16 +154,6 @@ def _body(shown: Iterable[Section]) -> str:
             parts.append(f"{_prose(section.note)}\n")
         parts.extend(map(equation_latex, section.equations))
     return "\n".join(parts)
-
-
-def latex_document(methods: Iterable[str], order: int | None = None) -> str:
-    """Return a LaTeX document, complete, with the equations of `methods`; see `sections`."""
-    return document_of(sections(methods, order), TITLE)
-
-
-def latex_fragment(methods: Iterable[str], order: int | None = None) -> str:
-    r"""Return the same without a preamble, for another document to ``\input``."""
-    return fragment_of(sections(methods, order))
 
 
 def document_of(shown: Iterable[Section], title: str) -> str:

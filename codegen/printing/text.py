@@ -13,7 +13,7 @@ from sympy.printing.pretty.stringpict import prettyForm, stringPict
 from ..system import Equation
 from .drawing import drawn
 from .pieces import Piece, filled, pieces, signed
-from .sections import Section, sections
+from .sections import Section
 from .words import KEPT, spoken
 
 #: Columns for the mathematics, and of the margin left of it.
@@ -123,13 +123,6 @@ def equation_text(equation: Equation, unicode: bool = True) -> str:
 def _filled(words: str, indent: str = "") -> str:
     """Return words as lines that do not break within mathematics."""
     return fill(words, COLUMNS + MARGIN, subsequent_indent=indent).replace(KEPT, " ")
-
-
-def text_document(
-    methods: Iterable[str], order: int | None = None, *, unicode: bool = True
-) -> str:
-    """Return the equations of `methods` as text for a terminal; see `sections`."""
-    return text_of(sections(methods, order), unicode)
 
 
 def text_of(shown: Iterable[Section], unicode: bool = True) -> str:

@@ -8,7 +8,7 @@ import re
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from ..shortcuts.paper.c1_legendre import ShiftedLegendre, TwiceIntegrated
+from ..functions import ShiftedLegendre, TwiceIntegrated
 from .drawing import with_word
 
 

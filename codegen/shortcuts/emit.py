@@ -5,16 +5,14 @@ Output: one module a method, self-contained: closed forms as `lambdify` writes t
 the loops over the indices.  The text depends on the mathematics alone.
 """
 
-import hashlib
 import inspect
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 import sympy as sp
-from sympy.printing.precedence import PRECEDENCE
-from sympy.printing.pycode import PythonCodePrinter
 
+from ..emission.printer import NumericPrinter, digest
 from ..system import ClosedForm, GalerkinSystem
 from .loops.c1 import C1_LOOPS
 from .loops.c1_bands import C1_BAND_LOOPS
@@ -23,6 +21,10 @@ from .loops.c1_reduced import C1_REDUCED_LOOPS
 from .loops.fourier import FOURIER_TABLES, HB_LOOPS
 from .loops.hb_c1 import HB_C1_LOOPS
 from .loops.symmetric import SYMMETRIC_LOOPS
+from .methods import METHODS, SOLVED, of_the_paper
+
+#: The first file of their folder.
+INIT = '"""Kernels of the paper\'s methods; written by ``nonsmooth generate``."""\n'
 
 LOOPS: Mapping[str, str] = MappingProxyType(
     {
@@ -72,35 +74,6 @@ CONTENTS_SYMMETRIC = """Unknowns ``z``: {unknowns}.
 OTHER_CONTENTS = {"c1-reduced": CONTENTS_REDUCED, "hb-symmetric": CONTENTS_SYMMETRIC}
 
 
-def _is_negative(expression: sp.Expr) -> bool:
-    return bool(expression.as_coeff_Mul()[0].is_negative)
-
-
-class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
-    """Print small powers as products, and a fraction as one division.
-
-    With products, plain and compiled code round alike; with ``s/2`` for ``(1/2)*s``, the
-    functions keep the digits of exact numbers, too.
-    """
-
-    def _print_Mul(self, expr: sp.Mul) -> str:
-        numerator, denominator = sp.fraction(expr)
-        if denominator == 1:
-            return str(super()._print_Mul(expr))
-        sign, numerator = ("-", -numerator) if _is_negative(numerator) else ("", numerator)
-        above = self.parenthesize(numerator, PRECEDENCE["Mul"])
-        below = self.parenthesize(denominator, PRECEDENCE["Pow"], strict=False)
-        return f"{sign}{above}/{below}"
-
-    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
-        base, exponent = expr.as_base_exp()
-        if exponent.is_Integer and 2 <= abs(int(exponent)) <= 6:
-            text = self.parenthesize(base, 100)
-            product = "*".join([text] * abs(int(exponent)))
-            return f"({product})" if exponent > 0 else f"1/({product})"
-        return str(super()._print_Pow(expr, rational=rational))
-
-
 def _expression_source(form: ClosedForm, value: sp.Expr) -> str:
     """Return what `sympy.lambdify` writes behind ``return`` for one value of `form`."""
     settings = {"fully_qualified_modules": False, "allow_unknown_functions": True}
@@ -118,11 +91,6 @@ def function_source(form: ClosedForm) -> str:
     else:
         result = "(\n" + "".join(f"        {value},\n" for value in values) + "    )"
     return f'def {form.name}({arguments}):\n    """{form.summary}"""\n    return {result}\n'
-
-
-def digest(text: str) -> str:
-    """Return the SHA-256 of `text`, in hexadecimal."""
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def mathematics(system: GalerkinSystem) -> str:
@@ -153,3 +121,10 @@ def module_source(system: GalerkinSystem) -> str:
         f'BODY = "{digest(body)}"  # of the text below\n\n\n'
     )
     return header + _imports(body) + hashes + body
+
+
+def modules() -> Iterator[tuple[str, str]]:
+    """Derive the paper's methods and yield name and text of each file of their folder."""
+    yield "__init__.py", INIT
+    for system in map(of_the_paper, (*METHODS, *SOLVED)):
+        yield f"{system.method.replace('-', '_')}.py", module_source(system)

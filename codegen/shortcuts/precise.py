@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..shortcuts.methods import of_the_paper as derive
-from .emit import LOOPS, NumericPrinter
+from ..emission.printer import NumericPrinter
+from .emit import LOOPS
+from .methods import of_the_paper as derive
 
 
 class ExactPrinter(NumericPrinter):

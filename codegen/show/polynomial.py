@@ -5,12 +5,12 @@ from importlib import import_module
 
 import sympy as sp
 
+from ..functions import ShiftedLegendre, TwiceIntegrated
 from ..galerkin import Condition, GalerkinConditions
 from ..galerkin.legendre import n, repeated_integral
 from ..galerkin.polynomials import Test, series
 from ..galerkin.tables import Table, by_time, l
 from ..scene import linear_phase
-from ..shortcuts.paper.c1_legendre import ShiftedLegendre, TwiceIntegrated
 from ..system import Equation, Inner
 from .functions import R, Rate, member, t, u, x
 from .joining import statements

@@ -11,7 +11,7 @@ import numpy as np
 from ..arrays import Vector
 from ..orbit import chebyshev
 from ..orbit.motion import SceneMotion
-from ..shortcuts.accuracy.quadrature import panels
+from .quadrature import panels
 
 
 @dataclass(frozen=True)

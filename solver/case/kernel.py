@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from ..arrays import Matrix, Vector
+from ..compiling import jit, rebuilt
 from ..iteration import iteration, linear
 from ..iteration.iteration import Iteration
-from ..shortcuts.search.kernels import _jit, _rebuilt
 
 #: Functions that are compiled with a kernel, callers after what they call.
 DRIVER: tuple[Any, ...] = (
@@ -90,7 +90,7 @@ def linked(
         "FORCED": forced,
     }
     for function in DRIVER:
-        namespace[function.__name__] = _rebuilt(function, namespace)
+        namespace[function.__name__] = rebuilt(function, namespace)
     iterate: Iteration = namespace["iterate_scene"]
     return iterate
 
@@ -113,9 +113,9 @@ def compiled(module: types.ModuleType) -> SceneKernel:
     ]
     key = fingerprint(module)
     for function in (*own, *DRIVER):
-        clone = _rebuilt(function, namespace)
+        clone = rebuilt(function, namespace)
         clone.__qualname__ = f"{function.__name__}_{key}"
-        namespace[function.__name__] = _jit(clone)
+        namespace[function.__name__] = jit(clone)
     return _kernel(module, namespace, namespace["iterate_scene"])
 
 

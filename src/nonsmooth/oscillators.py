@@ -1,27 +1,23 @@
 """`solve`, `sweep` and `exact` for any oscillator: the paper's, or a case of any scene."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, overload
-
-from .solver.shortcuts.orbit.oscillator import StickSlip
 
 if TYPE_CHECKING:
     from .solver.case.case import Case
     from .solver.flow.exact import ExactSceneOrbit
     from .solver.orbit.orbit import SceneOrbit
+    from .solver.shortcut import Entrance
     from .solver.shortcuts.orbit.motion import ExactOrbit
     from .solver.shortcuts.orbit.orbit import Orbit
+    from .solver.shortcuts.orbit.oscillator import StickSlip
     from .solver.shortcuts.search.sweep import Sweep
     from .solver.sweep import SceneSweep
-
-#: The scene that a `StickSlip` is a case of.
-PAPER = "stick-slip"
 
 
 @overload
 def solve(
-    case: StickSlip,
+    case: "StickSlip",
     method: str | None = None,
     order: int | None = None,
     *,
@@ -43,6 +39,7 @@ def solve(
     functions: int | None = None,
     tol: float | None = None,
     budget: float | None = None,
+    shortcuts: bool = True,
 ) -> "SceneOrbit": ...
 
 
@@ -54,7 +51,8 @@ def solve(
     functions: int | None = None,
     tol: float | None = None,
     budget: float | None = None,
-    **paper: Any,
+    shortcuts: bool = True,
+    **own: Any,
 ) -> "Orbit | SceneOrbit":
     """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
 
@@ -82,6 +80,9 @@ def solve(
     budget : float, optional
         Seconds for one orbit: the best that fits, timed on this machine, by this method or
         by any.  It chooses the order, and excludes a tolerance.
+    shortcuts : bool
+        Whether a `StickSlip` is solved the paper's way where it has one; without, by the
+        kernels that every scene has.
     c1_terms, tol_acceleration, many : optional
         Of a `StickSlip` by the paper's methods, as for the function `solve` of the shortcuts.
 
@@ -112,14 +113,14 @@ def solve(
     >>> print(f"{ns.solve(belt, 'c1', 7).period:.9f}, {ns.solve(belt, 'c1-tau', 7).period:.9f}")
     0.671238381, 0.671238898
     """
-    generic = _generic(case, method, functions)
-    if generic is None:
-        from .solver.shortcuts.search import solve as paper_solve  # noqa: PLC0415  (it loads parts of SciPy)
-
-        name: Any = paper_name(method)
-        return paper_solve.solve(case, name, order, tol=tol, budget=budget, **paper)  # type: ignore[arg-type]
-    if paper:
-        option, value = next(iter(paper.items()))
+    generic, entrance = _way(case, [method], functions, shortcuts)
+    if entrance is not None:
+        if budget is not None:
+            own["budget"] = budget
+        orbit: Orbit = entrance.solve(case, entrance.own_name(method), order, tol=tol, **own)
+        return orbit
+    if own:
+        option, value = next(iter(own.items()))
         raise ValueError(f"{option}: got {value!r}, expected it for the paper's methods only")
     from .solver.case.methods import FIRST  # noqa: PLC0415
     from .solver.solve import solve_case  # noqa: PLC0415
@@ -148,6 +149,7 @@ def sweep(
     *,
     c1_terms: int = 1,
     functions: int | None = None,
+    shortcuts: bool = True,
     progress: Callable[[Any], None] = lambda row: None,
 ) -> "Sweep | SceneSweep":
     """Solve for each method and order, and compare with the exact orbit.
@@ -165,6 +167,8 @@ def sweep(
         C1 functions of ``"hb-c1"`` of a `StickSlip`, 1 to 6; the paper has one.
     functions : int, optional
         Functions of ``"hb-ck"`` at each switch of a `Case`; see `solve`.
+    shortcuts : bool
+        See `solve`.
     progress : callable, optional
         Called with each row when it is done.
 
@@ -192,25 +196,12 @@ def sweep(
     c0-tau      8      3.490658504   1.97e-09   7.97e-05   2.0e-09
     """
     named = [methods] if isinstance(methods, str) or methods is None else [*methods]
-    found = [_generic(case, name, functions) for name in named]
-    generic = found[0] if found else _generic(case, None, functions)
-    for name, each in zip(named, found, strict=True):
-        if (each is None) != (generic is None):
-            raise ValueError(
-                f"methods: got {name!r} beside {named[0]!r}, expected either the paper's or "
-                "those of every scene; a case of ns.scene('stick-slip') has all by the latter"
-            )
-    if generic is None:
-        from .solver.shortcuts.search import sweep as paper_sweep  # noqa: PLC0415  (it loads parts of SciPy)
-
+    generic, entrance = _way(case, named, functions, shortcuts)
+    if entrance is not None:
         numbers = range(1, 41) if orders is None else orders
-        return paper_sweep.sweep(
-            case,  # type: ignore[arg-type]
-            None if methods is None else [str(paper_name(name)) for name in named],
-            numbers,
-            c1_terms=c1_terms,
-            progress=progress,
-        )
+        names = None if methods is None else [entrance.own_name(name) for name in named]
+        rows: Sweep = entrance.sweep(case, names, numbers, c1_terms=c1_terms, progress=progress)
+        return rows
     if c1_terms != 1:
         raise ValueError(f"c1_terms: got {c1_terms!r}, expected functions for these methods")
     from .solver.sweep import sweep_case  # noqa: PLC0415
@@ -220,7 +211,7 @@ def sweep(
 
 
 @overload
-def exact(case: StickSlip) -> "ExactOrbit": ...
+def exact(case: "StickSlip") -> "ExactOrbit": ...
 
 
 @overload
@@ -257,61 +248,43 @@ def exact(case: "StickSlip | Case") -> "ExactOrbit | ExactSceneOrbit":
     >>> print(f"{ns.exact(ns.scene('impact')()).forcing_phase:.10f} rad")
     0.9296439860 rad
     """
-    generic = _generic(case, None, None)
-    if generic is None:
-        from .solver.shortcuts.orbit import motion  # noqa: PLC0415  (only where it is needed)
-
-        return motion.exact(case)  # type: ignore[arg-type]
+    generic, entrance = _way(case, [None], None, shortcuts=True)
+    if entrance is not None:
+        found: ExactOrbit = entrance.exact(case)
+        return found
     from .solver.flow.exact import exact_orbit  # noqa: PLC0415
 
     return exact_orbit(generic)
 
 
-def _generic(case: object, method: object, functions: int | None) -> "Case | None":
-    """Return the case that the kernels of every scene solve; None if the paper's way is meant.
+def _way(
+    oscillator: object, methods: Sequence[object], functions: int | None, shortcuts: bool
+) -> "tuple[Case, None] | tuple[Any, Entrance]":
+    """Return the case that the kernels of every scene solve, or the entrance that is meant.
 
-    What is neither a case nor a `StickSlip` goes the paper's way, and is refused there.
+    Raises
+    ------
+    TypeError
+        If it is not an oscillator.
+    ValueError
+        If some methods are of every scene, and others are not.
     """
-    if isinstance(case, StickSlip):
-        if functions is None and not of_every_scene(method):
-            return None
-        from .solver.case.registry import load  # noqa: PLC0415
-
-        return load(PAPER)(**asdict(case))
     from .solver.case.case import Case  # noqa: PLC0415
 
-    return case if isinstance(case, Case) else None
+    if isinstance(oscillator, Case):
+        return oscillator, None
+    from .solver.shortcut import entrance_of  # noqa: PLC0415
 
-
-def paper_name(method: object) -> object:
-    """Return the paper's name of a method that is named as in every scene.
-
-    Examples
-    --------
-    >>> paper_name("hb-ck"), paper_name("ck-tau")
-    ('hb-c1', 'ck-tau')
-    """
-    return (
-        {"hb-ck": "hb-c1", "ck": "c1"}.get(method, method)
-        if isinstance(method, str)
-        else method
-    )
-
-
-def of_every_scene(method: object) -> bool:
-    """Whether a method of the paper's oscillator is one of every scene, and not the paper's.
-
-    Examples
-    --------
-    >>> of_every_scene("c1-tau"), of_every_scene("c1"), of_every_scene("no method")
-    (True, False, False)
-    """
-    from .solver.case.registry import UnknownScene, generic_method, load  # noqa: PLC0415
-
-    if not isinstance(method, str) or paper_name(method) in ("hb", "hb-c1", "c1"):
-        return False
-    try:
-        generic_method(load(PAPER), method)
-    except UnknownScene:
-        return False
-    return True
+    entrance = entrance_of(oscillator)
+    if functions is not None or not shortcuts:
+        return entrance.case(oscillator), None
+    of_every_scene = [entrance.is_of_every_scene(method) for method in methods]
+    for method, each in zip(methods, of_every_scene, strict=True):
+        if each != of_every_scene[0]:
+            raise ValueError(
+                f"methods: got {method!r} beside {methods[0]!r}, expected either the paper's "
+                "or those of every scene; with shortcuts=False all are solved by the latter"
+            )
+    if of_every_scene and of_every_scene[0]:
+        return entrance.case(oscillator), None
+    return oscillator, entrance

@@ -3,7 +3,7 @@
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.shortcuts.choice.choice import MARGIN
+from nonsmooth.solver.not_certified import MARGIN
 from nonsmooth.solver.shortcuts.choice.tolerance import _spread, within
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 

@@ -1,7 +1,5 @@
 """Scenes from Python: one `solve`, `sweep` and `exact` for every oscillator."""
 
-from dataclasses import asdict
-
 import numpy as np
 import pytest
 
@@ -11,7 +9,6 @@ from nonsmooth.solver.accuracy.rates import FLOORS, rate
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.choice import NotCertifiedScene
 from nonsmooth.solver.flow.exact import exact_orbit
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.sweep import sweep_case
 
@@ -110,26 +107,7 @@ def test_what_is_no_oscillator(what) -> None:
             call()
 
 
-def test_the_belt_by_the_kernels_of_every_scene() -> None:
-    belt = ns.StickSlip(**(asdict(DEFAULT) | {"mass": 12}))
-    orbit = ns.solve(belt, method="c1-tau", order=10)
-    assert isinstance(orbit, ns.SceneOrbit)
-    assert dict(orbit.case.values) == asdict(belt)
-    assert orbit.period == pytest.approx(ns.exact(belt).period, rel=1e-12)
-    assert ns.solve(belt, "ck", 7).coefficients == ns.solve(belt, "c1", 7).coefficients
-    assert isinstance(ns.solve(belt, "hb-ck", 5), ns.Orbit)
-    assert isinstance(ns.solve(belt, "hb-c1", 5, functions=2), ns.SceneOrbit)
-    assert isinstance(ns.solve(belt, "c1-tau", tol=1e-4), ns.SceneOrbit)
-    assert isinstance(ns.sweep(belt, ["c1-tau"], [3]), ns.SceneSweep)
-    assert isinstance(ns.sweep(belt, "hb-ck", [3]), ns.Sweep)
-    with pytest.raises(ValueError, match="either the paper's or those of every scene"):
-        ns.sweep(belt, ["c1", "c1-tau"], [3])
-    with pytest.raises(ValueError, match="c1_terms"):
-        ns.sweep(belt, ["c1-tau"], [3], c1_terms=2)
-
-
 def test_exact_orbits() -> None:
-    assert isinstance(ns.exact(DEFAULT), ns.ExactOrbit)
     case = IMPACT()
     assert isinstance(ns.exact(case), ns.ExactSceneOrbit)
     assert ns.exact(case).forcing_phase == exact_orbit(case).forcing_phase

@@ -12,7 +12,7 @@ from nonsmooth.cli.scenes.shown.pictures import trade_figure
 from nonsmooth.solver import budget as budgets
 from nonsmooth.solver import trade as trades
 from nonsmooth.solver.case.registry import load
-from nonsmooth.solver.choice import TooSlow
+from nonsmooth.solver.not_certified import TooSlow
 from nonsmooth.solver.trade import EXACT, Trade, TradePoint, front, trade
 
 IMPACT = load("impact")

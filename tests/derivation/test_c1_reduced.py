@@ -50,7 +50,8 @@ def test_scalar_equation_is_the_elimination_of_the_coefficients(order: int) -> N
 
 
 def test_a_wrong_series_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(c1_reduced, "RATIO_AT_0", -c1_reduced.RATIO_AT_0)
+    wrong = -c1_reduced.ratio_at_0()
+    monkeypatch.setattr(c1_reduced, "ratio_at_0", lambda: wrong)
     with pytest.raises(DerivationError, match="elimination at order 1"):
         c1_reduced.check_elimination()
 

@@ -2,9 +2,7 @@
 
 from collections.abc import Iterator
 
-from nonsmooth.codegen.printing.html import html_document
-from nonsmooth.codegen.printing.latex import latex_document
-from nonsmooth.codegen.printing.text import text_document
+from nonsmooth.codegen.shortcuts.document import html_document, latex_document, text_document
 
 METHODS = ("hb", "hb-c1", "c1", "hb-symmetric", "c1-reduced")
 

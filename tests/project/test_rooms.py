@@ -4,6 +4,7 @@ The words are those of the scenes' own records: names of scenes, phases and para
 symbols that stand for them in the paper, less those that any mechanical system has.
 """
 
+import ast
 import io
 import re
 import tokenize
@@ -14,7 +15,9 @@ from pathlib import Path
 import pytest
 from shown import ROOT
 
-from nonsmooth.codegen import scenes
+from nonsmooth.codegen import SOLVED, scenes
+from nonsmooth.generated.methods import METHODS as GENERIC_METHODS
+from nonsmooth.solver.shortcuts.names import METHODS, SCENE
 
 #: What the generic interface itself speaks of.
 GENERAL = frozenset({"mass", "damping", "stiffness", "force", "frequency", "speed", "damped"})
@@ -23,7 +26,16 @@ GENERAL = frozenset({"mass", "damping", "stiffness", "force", "frequency", "spee
 PAPER = frozenset({"belt", "alpha", "t1", "backlash"})
 
 #: Rooms that may name a scene.
-OWN = re.compile(r"/(scenes|expansions|shortcuts|generated|report)/")
+OWN = re.compile(r"/(shortcuts|report)/|^(codegen/(scenes|expansions)|generated)/")
+
+#: Generic places whose text has such a name, and why.
+MAY_SAY = {
+    "src/nonsmooth/cli/scenes/default.py": {SCENE},  # the choice of the default scene
+    "src/nonsmooth/style.py": {"hb-c1"},  # one style for a method in all pictures
+}
+
+#: A paper's method that is also the name of a coefficient.
+COEFFICIENT = "c1"
 
 MOST_FILES = 16
 
@@ -65,12 +77,29 @@ def test_the_words_come_from_the_records() -> None:
     assert named(ROOT / "codegen" / "scenes" / "impact.py")
 
 
-@pytest.mark.parametrize(
-    "path", [q for q in sources() if not OWN.search(f"/{q.relative_to(ROOT)}")],
-    ids=lambda q: str(q.relative_to(ROOT)),
-)  # fmt: skip
+def literals(path: Path) -> set[str]:
+    """Return the texts of a file's code: its string literals."""
+    tree = ast.parse(path.read_text("utf-8"))
+    nodes = (q.value for q in ast.walk(tree) if isinstance(q, ast.Constant))
+    return {value for value in nodes if isinstance(value, str)}
+
+
+GENERIC = [q for q in sources() if not OWN.search(str(q.relative_to(ROOT)))]
+
+
+@pytest.mark.parametrize("path", GENERIC, ids=lambda q: str(q.relative_to(ROOT)))
 def test_a_generic_file_names_no_scene(path: Path) -> None:
     assert named(path) == set()
+
+
+@pytest.mark.parametrize("path", GENERIC, ids=lambda q: str(q.relative_to(ROOT)))
+def test_no_text_of_a_generic_file_is_the_name_of_a_scene_or_of_a_paper_s_method(
+    path: Path,
+) -> None:
+    own = set(METHODS.values()) - {*GENERIC_METHODS, COEFFICIENT}
+    names = {spelled for name in scenes.names() for spelled in (name, name.replace("-", "_"))}
+    allowed = MAY_SAY.get(str(path.relative_to(ROOT)), set())
+    assert literals(path) & (names | own | set(SOLVED)) == allowed
 
 
 def test_no_folder_has_more_files_than_one_can_look_through() -> None:

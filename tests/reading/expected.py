@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from functools import cache
 
 from nonsmooth.codegen import METHODS, SOLVED, derive
-from nonsmooth.codegen.printing.written_out import abbreviations, conditions
 from nonsmooth.codegen.shortcuts.paper import section2
+from nonsmooth.codegen.shortcuts.written_out import abbreviations, conditions
 from nonsmooth.codegen.system import Equation
 
 #: The records that are shown for any order; those of the paper are written out for one, too.

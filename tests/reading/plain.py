@@ -11,7 +11,7 @@ from functools import cache
 
 import sympy as sp
 
-from nonsmooth.codegen.shortcuts.paper.c1_legendre import ShiftedLegendre, TwiceIntegrated
+from nonsmooth.codegen.functions import ShiftedLegendre, TwiceIntegrated
 from nonsmooth.codegen.system import Inner
 
 

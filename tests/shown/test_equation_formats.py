@@ -13,11 +13,16 @@ import sympy as sp
 from nonsmooth.cli import tex
 from nonsmooth.codegen import METHODS
 from nonsmooth.codegen.printing.drawing import drawn
-from nonsmooth.codegen.printing.html import STYLE, equations_html, html_document
-from nonsmooth.codegen.printing.latex import latex_document, latex_fragment
+from nonsmooth.codegen.printing.html import STYLE
 from nonsmooth.codegen.printing.pieces import pieces, signed
-from nonsmooth.codegen.printing.sections import sections
-from nonsmooth.codegen.printing.text import text_document
+from nonsmooth.codegen.shortcuts.document import (
+    equations_html,
+    html_document,
+    latex_document,
+    latex_fragment,
+    sections,
+    text_document,
+)
 
 #: Without a number, the equations for any N; the widest are those of the highest order.
 ORDERS = (None, pytest.param(5, marks=pytest.mark.long))
@@ -185,10 +190,10 @@ def test_a_pdf_that_fails_shows_the_first_error_and_leaves_the_file(
 ) -> None:
     if shutil.which("pdflatex") is None:
         pytest.skip("pdflatex is not installed")
-    from nonsmooth.codegen.printing import latex
+    from nonsmooth.codegen.shortcuts import document
 
     wrong = "\\documentclass{article}\n\\begin{document}\n\\wrong\n\\end{document}\n"
-    monkeypatch.setattr(latex, "latex_document", lambda methods, order: wrong)
+    monkeypatch.setattr(document, "latex_document", lambda methods, order: wrong)
     target = tmp_path / "c1.pdf"
     target.write_text("before")
     status, _, err = run("equations", "-o", target)

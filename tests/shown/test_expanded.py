@@ -9,7 +9,7 @@ from numpy.polynomial.legendre import poly2leg
 
 import nonsmooth as ns
 from nonsmooth.codegen import derive
-from nonsmooth.codegen.printing import written_out as expansion
+from nonsmooth.codegen.shortcuts import written_out as expansion
 from nonsmooth.codegen.shortcuts.paper.oscillator import V, omega_n, x_0, x_s
 from nonsmooth.solver.shortcuts.orbit.methods import METHODS
 from nonsmooth.solver.shortcuts.search import kernels

@@ -8,7 +8,7 @@ from reading.compare import differences
 from reading.expected import methods, notes, rows
 from reading.prose import bare
 
-from nonsmooth.codegen.printing.html import equations_html, html_document
+from nonsmooth.codegen.shortcuts.document import equations_html, html_document
 
 
 @pytest.mark.parametrize("order", [None, 1, pytest.param(3, marks=pytest.mark.long)])

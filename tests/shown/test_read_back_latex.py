@@ -9,7 +9,7 @@ from reading.expected import RECORDS, methods, notes, rows
 from reading.prose import bare, mathematics_in
 
 from nonsmooth.codegen import derive
-from nonsmooth.codegen.printing.latex import latex_document, latex_fragment
+from nonsmooth.codegen.shortcuts.document import latex_document, latex_fragment
 
 
 @pytest.mark.parametrize("order", [None, 1, 2, pytest.param(4, marks=pytest.mark.long)])

@@ -6,7 +6,7 @@ from reading.compare import differences
 from reading.expected import methods, notes, rows
 
 from nonsmooth.codegen import derive
-from nonsmooth.codegen.printing.text import text_document
+from nonsmooth.codegen.shortcuts.document import text_document
 
 #: Without a number, the equations for any N; ASCII differs in the characters alone.
 CASES = [

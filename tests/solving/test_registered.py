@@ -12,7 +12,7 @@ from shown import README
 
 import nonsmooth as ns
 from nonsmooth import codegen, style
-from nonsmooth.cli import equations
+from nonsmooth.cli.shortcuts import equations
 from nonsmooth.codegen.shortcuts import emit
 from nonsmooth.files.shortcuts import origin
 from nonsmooth.report import figures, page
@@ -29,7 +29,7 @@ LISTS: dict[str, Iterable[str]] = {
     "src/nonsmooth/shortcuts/tradeoff.py: ORDERS": dict.fromkeys(
         name for name, _ in tradeoff.ORDERS if name in codegen.METHODS
     ),
-    "src/nonsmooth/cli/equations.py: METHODS": equations.METHODS,
+    "src/nonsmooth/cli/shortcuts/equations.py: METHODS": equations.METHODS,
     "src/nonsmooth/style.py: STYLES": style.STYLES,
     "src/nonsmooth/style.py: LABELS": style.LABELS,
     "src/nonsmooth/report/figures.py: NAMES": figures.NAMES,

@@ -10,6 +10,7 @@ are banded.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -37,8 +38,17 @@ def integrate(rate: sp.Expr) -> sp.Expr:
     return sp.factor(sp.integrate(rate.subs(tau, _inner), (_inner, 0, tau)))
 
 
-VELOCITY = integrate(MONOMIAL)
-TRIAL = integrate(VELOCITY)
+@cache
+def term_velocity() -> sp.Expr:
+    """Return the velocity of a term of (16)."""
+    return integrate(MONOMIAL)
+
+
+@cache
+def trial() -> sp.Expr:
+    """Return a term of (16)."""
+    return integrate(term_velocity())
+
 
 #: Displacement (16): a line, and in slip the series besides.
 LINE = e0 * t + e1
@@ -55,10 +65,10 @@ def check_c1() -> None:
     """
     require_zero(
         [
-            ("displacement at t1", TRIAL.subs(tau, 0)),
-            ("velocity at t1", VELOCITY.subs(tau, 0)),
-            ("velocity of (16)", TRIAL.diff(tau) - VELOCITY),
-            ("acceleration of (16)", VELOCITY.diff(tau) - MONOMIAL),
+            ("displacement at t1", trial().subs(tau, 0)),
+            ("velocity at t1", term_velocity().subs(tau, 0)),
+            ("velocity of (16)", trial().diff(tau) - term_velocity()),
+            ("acceleration of (16)", term_velocity().diff(tau) - MONOMIAL),
             ("residual of the line in stick", STICK.residual(LINE)),
         ]
     )
@@ -71,7 +81,7 @@ def _slip_residual() -> tuple[sp.Expr, sp.Expr]:
     at ``t1``.
     """
     force = SLIP.residual(sp.Integer(0))
-    factor = sp.expand(SLIP.residual(TRIAL.subs(tau, t)) - force).subs(t, tau)
+    factor = sp.expand(SLIP.residual(trial().subs(tau, t)) - force).subs(t, tau)
     terms = (sp.powsimp(sp.factor(term)) for term in sp.Add.make_args(factor))
     return sp.Add(*terms), SLIP.residual(LINE)
 
@@ -125,17 +135,17 @@ class Condition:
 def conditions() -> tuple[Condition, Condition, Condition]:
     """Return (18) for the test function of index ``k``, (19) and (20), in closed form.
 
-    The test function is `TRIAL` of index ``k``: a constant times ``tau**(k + 2)``.
+    The test function is `trial` of index ``k``: a constant times ``tau**(k + 2)``.
     """
     factor, rest = _slip_residual()
     power = tau ** (k + 2)
-    weight = TRIAL.subs(n, k) / power
+    weight = trial().subs(n, k) / power
     load = _over_slip(rest.subs(t, t1 + tau).subs(START) * power)
     one = sp.Integer(1)
     return (
         Condition("18", sp.powsimp(weight), _over_slip(factor * power), load),
-        Condition("19", one, TRIAL.subs(tau, s), START[e0] * T),
-        Condition("20", one, VELOCITY.subs(tau, s), sp.Integer(0)),
+        Condition("19", one, trial().subs(tau, s), START[e0] * T),
+        Condition("20", one, term_velocity().subs(tau, s), sp.Integer(0)),
     )
 
 
@@ -147,13 +157,13 @@ def _equations() -> tuple[Equation, ...]:
     """Return (15) to (20) as the paper has them, with (18) in closed form."""
     factor, rest = _slip_residual()
     shifted = {tau: t - t1}
-    series = sp.Sum(d[n] * TRIAL.subs(shifted), (n, 0, N))
+    series = sp.Sum(d[n] * trial().subs(shifted), (n, 0, N))
     acceleration = sp.Sum(d[n] * MONOMIAL.subs(shifted), (n, 0, N))
     slip = sp.Sum(d[n] * factor.subs(shifted), (n, 0, N)) + rest
     orthogonality, displacement, velocity = conditions()
     zero = sp.Integer(0)
     x_T, v_T = (f(t + T) - f(t) for f in (x, sp.Function("xdot")))
-    test = Inner(R3, H * TRIAL.subs(shifted).subs(n, k))
+    test = Inner(R3, H * trial().subs(shifted).subs(n, k))
     stick_t, slip_t = (f"{q.start} <= t < {q.end} ({q.name})" for q in PHASES)
     return (
         Equation("15", "acceleration", (x(t).diff(t, 2), H * acceleration)),

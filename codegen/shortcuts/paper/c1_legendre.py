@@ -9,8 +9,13 @@ Two facts suffice, both with a symbolic index: ``P_n*`` integrates to
 With ``P_{-1} = -P_0`` and ``P_{-2} = -P_1`` the first holds for ``n = 0`` as well.
 """
 
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+
 import sympy as sp
 
+from ...functions import ShiftedLegendre, TwiceIntegrated
 from ...system import ClosedForm, Equation, require_zero
 from .inner_product import N
 from .oscillator import T, dimensionless, t, t1
@@ -21,18 +26,6 @@ s = sp.Symbol("s", positive=True)
 u = sp.Symbol("u", nonnegative=True)
 p = sp.IndexedBase("p", real=True)
 p0, p1 = sp.symbols("p0 p1", real=True)
-
-
-class ShiftedLegendre(sp.Function):  # type: ignore[misc]
-    """``P_n*(u) = P_n(2 u - 1)``, unevaluated, for printing."""
-
-    nargs = 2
-
-
-class TwiceIntegrated(sp.Function):  # type: ignore[misc]
-    """``Q_n(u)``, unevaluated, for printing."""
-
-    nargs = 2
 
 
 #: A combination of ``P_{n+shift}*``, by `shift`.
@@ -54,11 +47,11 @@ def _reciprocal(value: sp.Expr) -> sp.Expr:
     return 1 / sp.expand(1 / sp.factor(value))
 
 
-#: ``Q_n``: the polynomial whose second derivative is ``P_n*``, zero with its slope at 0.
-TWICE = {
-    shift: _reciprocal(value)
-    for shift, value in integrate(integrate({0: sp.Integer(1)})).items()
-}
+@cache
+def twice() -> Mapping[int, sp.Expr]:
+    """Return ``Q_n``: its second derivative is ``P_n*``, and it is zero with its slope at 0."""
+    found = integrate(integrate({0: sp.Integer(1)}))
+    return MappingProxyType({shift: _reciprocal(value) for shift, value in found.items()})
 
 
 def reflected(index: int) -> tuple[int, int]:
@@ -67,16 +60,16 @@ def reflected(index: int) -> tuple[int, int]:
 
 
 def twice_integrated(degree: int) -> sp.Expr:
-    """Return ``Q_degree(u)`` from `TWICE`, as a polynomial."""
+    """Return ``Q_degree(u)`` from `twice`, as a polynomial."""
     total = sp.Integer(0)
-    for shift, value in TWICE.items():
+    for shift, value in twice().items():
         sign, index = reflected(degree + shift)
         total += sign * value.subs(n, degree) * sp.legendre(index, 2 * u - 1)
     return sp.expand(total)
 
 
 def check_integrals() -> None:
-    """Check `TWICE` against SymPy's own polynomials, the first two and a few besides.
+    """Check `twice` against SymPy's own polynomials, the first two and a few besides.
 
     Raises
     ------
@@ -94,7 +87,7 @@ def check_integrals() -> None:
                 (f"slope of {name} at t1", Q.diff(u).subs(u, 0)),
             ]
         )
-    end = sp.Add(*TWICE.values())
+    end = sp.Add(*twice().values())
     require_zero([("Q_n(1) for n >= 2", end)])
 
 
@@ -128,7 +121,7 @@ def closed_forms(line: sp.Expr) -> tuple[ClosedForm, ...]:
             "twice_integrated",
             "P_n* integrated twice: its parts P_{n-2}*, P_n*, P_{n+2}*.",
             (n,),
-            tuple(TWICE[shift] for shift in (-2, 0, 2)),
+            tuple(twice()[shift] for shift in (-2, 0, 2)),
         ),
         ClosedForm(
             "norm",
@@ -185,7 +178,7 @@ def equations(d: sp.IndexedBase, line: sp.Expr) -> tuple[Equation, ...]:
     Q0, Q1 = end_displacement()
     monomials = sp.Sum(d[n] * (t - t1) ** n, (n, 0, N))
     title = "dimensionless, in Legendre polynomials"
-    parts = sum(TWICE[shift] * P(n + shift, u) for shift in (-2, 0, 2))
+    parts = sum(twice()[shift] * P(n + shift, u) for shift in (-2, 0, 2))
     projected = sp.Sum(q(k, l) * rho[l] / (2 * l + 1), (l, sp.Max(0, k - 2), k + 2))
     return (
         Equation("", "change of basis", (monomials, sp.Sum(p[n] * P(n, u), (n, 0, N)))),

@@ -6,14 +6,17 @@ conditions (5), (6), (7) of a Fourier series, the closure (9), (10), their deriv
 and the closed forms that the kernels are made of.
 """
 
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+
 import sympy as sp
 
 from ...system import ClosedForm, Equation
 from .inner_product import (
     FREQUENCY,
-    SLIP_COSINE,
-    SLIP_SINE,
     C,
+    Entry,
     N,
     S,
     SlipIntegral,
@@ -25,6 +28,8 @@ from .inner_product import (
     n,
     omega_0,
     sin_k,
+    slip_cosine,
+    slip_sine,
 )
 from .oscillator import INITIAL_STATE, SLIP, STICK, T, dimensionless, t, t1
 
@@ -42,8 +47,11 @@ SERIES = a0 * CONSTANT + sp.Sum(a[n] * SINE + b[n] * COSINE, (n, 1, N))
 #: Test functions of (5), (6), (7).
 TEST = {"5": sp.Integer(1), "6": SINE.subs(n, j), "7": COSINE.subs(n, j)}
 
-#: What friction contributes to the residual in slip, ``-mu_k F_N / M``.
-FORCING = SLIP.residual(sp.Integer(0))
+
+@cache
+def forcing() -> sp.Expr:
+    """Return what friction contributes to the residual in slip, ``-mu_k F_N / M``."""
+    return SLIP.residual(sp.Integer(0))
 
 
 def homogeneous(phi: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
@@ -51,15 +59,20 @@ def homogeneous(phi: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
     Only what is proportional to `phi`: the spring force has cancelled in stick.
     """
-    return STICK.residual(phi), sp.expand(SLIP.residual(phi) - FORCING)
+    return STICK.residual(phi), sp.expand(SLIP.residual(phi) - forcing())
 
 
-#: Inner products of the residual of each basis function with each test function.
-ENTRIES = {
-    (name, number): entry(*homogeneous(phi), test)
-    for name, phi in (("a0", CONSTANT), ("a", SINE), ("b", COSINE))
-    for number, test in TEST.items()
-}
+@cache
+def entries() -> Mapping[tuple[str, str], Entry]:
+    """Return the inner products of each basis function's residual with each test function."""
+    return MappingProxyType(
+        {
+            (name, number): entry(*homogeneous(phi), test)
+            for name, phi in (("a0", CONSTANT), ("a", SINE), ("b", COSINE))
+            for number, test in TEST.items()
+        }
+    )
+
 
 #: What the kernel calls them.
 NAMES = {
@@ -74,15 +87,17 @@ NAMES = {
     ("b", "7"): "cosine_by_cosine",
 }
 
-#: ``-(j omega_0)**2 T/2``, what the acceleration adds on the diagonal.
-PERIOD_TERM = ENTRIES["a", "6"].diagonal_term
+
+def period_term() -> sp.Expr:
+    """Return ``-(j omega_0)**2 T/2``, what the acceleration adds on the diagonal."""
+    return entries()["a", "6"].diagonal_term
 
 
 def orthogonality(number: str) -> sp.Expr:
     """Return the left side of (5), (6) or (7) in closed form, dimensional."""
-    constant, sine, cosine = (ENTRIES[name, number] for name in ("a0", "a", "b"))
+    constant, sine, cosine = (entries()[name, number] for name in ("a0", "a", "b"))
     total = sp.Sum(a[n] * sine.generic + b[n] * cosine.generic, (n, 1, N))
-    total += a0 * constant.generic + inner_product(sp.Integer(0), FORCING, TEST[number])
+    total += a0 * constant.generic + inner_product(sp.Integer(0), forcing(), TEST[number])
     if number != "5":
         total += a[j] * sine.diagonal_term + b[j] * cosine.diagonal_term
     return total
@@ -94,16 +109,25 @@ def functions(number: str) -> tuple[str, ...]:
     return (*entries, *(() if number == "5" else ("period_term",)), "fourier_product")
 
 
-#: Left sides of (9) and (10): displacement and velocity of the series at ``t = 0``.
+#: Left side of (9): displacement of the series at ``t = 0``.
 DISPLACEMENT_AT_0 = a0 / 2 + sp.Sum(b[n], (n, 1, N))
-VELOCITY_WEIGHT = SINE.diff(t).subs(t, 0)
-VELOCITY_AT_0 = sp.Sum(a[n] * VELOCITY_WEIGHT, (n, 1, N))
+
+
+@cache
+def velocity_weight() -> sp.Expr:
+    """Return the velocity of a sine at ``t = 0``."""
+    return SINE.diff(t).subs(t, 0)
+
+
+def velocity_at_0() -> sp.Expr:
+    """Return the left side of (10): velocity of the series at ``t = 0``."""
+    return sp.Sum(a[n] * velocity_weight(), (n, 1, N))
 
 
 def definitions() -> tuple[Equation, ...]:
     """Return ``C_k`` and ``S_k``: the slip integrals that every condition refers to."""
     rows = []
-    for integral, function in ((SLIP_COSINE, "slip_cosine"), (SLIP_SINE, "slip_sine")):
+    for integral, function in ((slip_cosine(), "slip_cosine"), (slip_sine(), "slip_sine")):
         symbol, name = integral.table[k], integral.table.label
         unevaluated = sp.Integral(integral.harmonic, (t, t1, T))
         sides = (symbol, unevaluated, integral.generic)
@@ -122,7 +146,7 @@ def jacobian() -> tuple[Equation, ...]:
     and ``T`` are the same sums over the derivatives of ``C_k``, ``S_k``.
     """
     rows = []
-    for (name, number), value in ENTRIES.items():
+    for (name, number), value in entries().items():
         unknown = {"a0": a0, "a": a[n], "b": b[n]}[name]
         label = sp.Derivative(sp.Symbol(f"R_{number}"), unknown, evaluate=False)
         where = "" if name == "a0" or number == "5" else "n != j"
@@ -132,12 +156,12 @@ def jacobian() -> tuple[Equation, ...]:
             rows.append(
                 Equation("", f"({number}) by {name}, diagonal", (label, value.diagonal))
             )
-    for integral in (SLIP_COSINE, SLIP_SINE):
+    for integral in (slip_cosine(), slip_sine()):
         for time in (t1, T):
             label = sp.Derivative(integral.table[k], time, evaluate=False)
             rows.append(Equation("", "time derivative", (label, integral.generic.diff(time))))
     for time in (t1, T):
-        term = PERIOD_TERM.subs(FREQUENCY)
+        term = period_term().subs(FREQUENCY)
         label = sp.Derivative(term, time, evaluate=False)
         rows.append(Equation("", "diagonal term", (label, term.diff(time))))
     return tuple(rows)
@@ -154,7 +178,7 @@ def closure_jacobian(velocity: sp.Expr) -> tuple[Equation, ...]:
     derivatives = {
         ("9", a0): DISPLACEMENT_AT_0.diff(a0),
         ("9", b[n]): COSINE.subs(t, 0),
-        ("10", a[n]): VELOCITY_WEIGHT,
+        ("10", a[n]): velocity_weight(),
         ("10", t1): velocity.subs(FREQUENCY).diff(t1),
         ("10", T): velocity.subs(FREQUENCY).diff(T),
     }
@@ -190,7 +214,7 @@ def _zero_form(integral: SlipIntegral, name: str) -> ClosedForm:
 
 
 def _entry_form(name: str, key: tuple[str, str]) -> ClosedForm:
-    value = dimensionless(ENTRIES[key].generic)
+    value = dimensionless(entries()[key].generic)
     tables = tuple(table for table in (C, S) if value.has(table))
     indices = tuple(index for index in (j, n) if value.has(index))
     unknown = {"a0": "a0", "a": "a_n", "b": "b_n"}[key[0]]
@@ -201,24 +225,24 @@ def _entry_form(name: str, key: tuple[str, str]) -> ClosedForm:
 
 def closed_forms() -> tuple[ClosedForm, ...]:
     """Return the dimensionless closed forms of a Fourier series, for emission."""
-    period_term = PERIOD_TERM.subs(FREQUENCY)
-    velocity = VELOCITY_WEIGHT.subs(FREQUENCY)
+    diagonal = period_term().subs(FREQUENCY)
+    velocity = velocity_weight().subs(FREQUENCY)
     return (
-        _zero_form(SLIP_COSINE, "slip_cosine_zero"),
-        _zero_form(SLIP_SINE, "slip_sine_zero"),
+        _zero_form(slip_cosine(), "slip_cosine_zero"),
+        _zero_form(slip_sine(), "slip_sine_zero"),
         ClosedForm(
             "angle",
             "Angle omega_0 t of the fundamental harmonic at time t.",
             (T, t),
             ((omega_0 * t).subs(FREQUENCY),),
         ),
-        _integral_form(SLIP_COSINE, "slip_cosine"),
-        _integral_form(SLIP_SINE, "slip_sine"),
+        _integral_form(slip_cosine(), "slip_cosine"),
+        _integral_form(slip_sine(), "slip_sine"),
         ClosedForm(
             "period_term",
             "Acceleration on the diagonal of (6), (7), and its derivative by T.",
             (T, j),
-            (period_term, period_term.diff(T)),
+            (diagonal, diagonal.diff(T)),
         ),
         *(_entry_form(name, key) for key, name in NAMES.items()),
         ClosedForm(

@@ -13,6 +13,10 @@ by a tail of order ``N**(-5/2)`` only, and with ``G`` itself the equations are n
 dependent.
 """
 
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+
 import sympy as sp
 
 from ...system import ClosedForm, DerivationError, require_zero
@@ -73,10 +77,16 @@ def _in_u(expression: sp.Expr) -> sp.Expr:
     return sp.expand(expression.subs(t, t1 + s * u).subs(t1, T - s))
 
 
-G_IN_SLIP = _in_u(G_SLIP)
+@cache
+def g_in_slip() -> sp.Expr:
+    """Return ``G`` in slip as a polynomial in ``u``."""
+    return _in_u(G_SLIP)
 
-#: ``G'' + omega_n**2 G`` in slip, a cubic in ``u``; in stick it is zero.
-THROUGH_MOTION = sp.collect(_in_u(SLIP.residual(G_SLIP) - fourier.FORCING), u)
+
+@cache
+def through_motion() -> sp.Expr:
+    """Return ``G'' + omega_n**2 G`` in slip, a cubic in ``u``; in stick it is zero."""
+    return sp.collect(_in_u(SLIP.residual(G_SLIP) - fourier.forcing()), u)
 
 
 def slip_integral(polynomial: sp.Expr) -> sp.Expr:
@@ -86,7 +96,7 @@ def slip_integral(polynomial: sp.Expr) -> sp.Expr:
 
 def _by_harmonic(table: int) -> sp.Expr:
     """Return ``int_slip (G'' + omega_n**2 G) f(j omega_0 t) dt``, f cos (0) or sin (1)."""
-    coefficients = legendre_coefficients(THROUGH_MOTION, u)
+    coefficients = legendre_coefficients(through_motion(), u)
     if not coefficients.keys() <= TABLES.keys():
         degrees = ", ".join(map(str, sorted(coefficients.keys() - TABLES.keys())))
         raise DerivationError(
@@ -95,11 +105,28 @@ def _by_harmonic(table: int) -> sp.Expr:
     return sp.Add(*(c * TABLES[l][table][j] for l, c in coefficients.items()))
 
 
-#: Inner products of `THROUGH_MOTION` with each test function, in closed form.
-BY_ONE = slip_integral(THROUGH_MOTION)
-BY_SINE = _by_harmonic(1)
-BY_COSINE = _by_harmonic(0)
-BY_G1 = slip_integral(THROUGH_MOTION * G_IN_SLIP)
+@cache
+def by_one() -> sp.Expr:
+    """Return the inner product of `through_motion` with 1."""
+    return slip_integral(through_motion())
+
+
+@cache
+def by_sine() -> sp.Expr:
+    """Return the inner product of `through_motion` with the sine ``j``."""
+    return _by_harmonic(1)
+
+
+@cache
+def by_cosine() -> sp.Expr:
+    """Return the inner product of `through_motion` with the cosine ``j``."""
+    return _by_harmonic(0)
+
+
+@cache
+def by_g1() -> sp.Expr:
+    """Return the inner product of `through_motion` with ``G``."""
+    return slip_integral(through_motion() * g_in_slip())
 
 
 def check_symmetry() -> None:
@@ -113,7 +140,7 @@ def check_symmetry() -> None:
     DerivationError
         If a coefficient of (14) differs from the coefficient of ``c1`` in (6) or (7).
     """
-    through = SLIP.residual(G_SLIP) - fourier.FORCING
+    through = SLIP.residual(G_SLIP) - fourier.forcing()
     for name, wave in (("sines", fourier.SINE), ("cosines", fourier.COSINE)):
         stick, slip = (part.subs(FREQUENCY) for part in fourier.homogeneous(wave))
         row = sp.integrate(sp.expand(stick * G_STICK), (t, 0, t1))
@@ -122,32 +149,47 @@ def check_symmetry() -> None:
         require_zero([(f"coefficient of the {name} in (14)", row - column)])
 
 
-#: Harmonics of ``G``, twice its mean over the period each: the tail is ``G`` without them.
-#: ``G`` has acceleration in slip alone, ``(6 - 12 u)/s**2``; integrating it by parts twice
-#: over the period, ``<G, f> = -<G'', f>/(j omega_0)**2``.
-ACCELERATION = legendre_coefficients(_in_u(G_SLIP.diff(t, 2)), u)
-_IN_STICK = sp.integrate(G_STICK, (t, 0, t1)).subs(t1, T - s)
-MEAN = sp.expand(2 / T * (_IN_STICK + slip_integral(G_IN_SLIP)))
+@cache
+def acceleration_of_g() -> Mapping[int, sp.Expr]:
+    """Return the acceleration ``(6 - 12 u)/s**2``, of slip alone, in Legendre polynomials."""
+    return MappingProxyType(legendre_coefficients(_in_u(G_SLIP.diff(t, 2)), u))
+
+
+@cache
+def mean() -> sp.Expr:
+    """Return twice the mean of ``G`` over the period, its constant harmonic."""
+    in_stick = sp.integrate(G_STICK, (t, 0, t1)).subs(t1, T - s)
+    return sp.expand(2 / T * (in_stick + slip_integral(g_in_slip())))
 
 
 def _harmonic_of_g1(table: int) -> sp.Expr:
-    by_parts = sp.Add(*(c * TABLES[l][table][j] for l, c in ACCELERATION.items()))
+    """Return a harmonic by parts, twice over the period: ``-2/T <G'', f>/(j omega_0)**2``."""
+    parts = acceleration_of_g().items()
+    by_parts = sp.Add(*(c * TABLES[l][table][j] for l, c in parts))
     return sp.expand(-2 / T * by_parts / (j * omega_0).subs(FREQUENCY) ** 2)
 
 
-SINE_OF_G1 = _harmonic_of_g1(1)
-COSINE_OF_G1 = _harmonic_of_g1(0)
+@cache
+def sine_of_g1() -> sp.Expr:
+    """Return the sine harmonic ``j`` of ``G``."""
+    return _harmonic_of_g1(1)
+
+
+@cache
+def cosine_of_g1() -> sp.Expr:
+    """Return the cosine harmonic ``j`` of ``G``."""
+    return _harmonic_of_g1(0)
 
 
 def check_harmonics() -> None:
-    """Check `SINE_OF_G1`, `COSINE_OF_G1` against the integrals over both phases.
+    """Check `sine_of_g1`, `cosine_of_g1` against the integrals over both phases.
 
     Raises
     ------
     DerivationError
         If a harmonic of ``G`` differs from ``2/T <G, f>``.
     """
-    for name, table, harmonic in (("sine", 1, SINE_OF_G1), ("cosine", 0, COSINE_OF_G1)):
+    for name, table, harmonic in (("sine", 1, sine_of_g1()), ("cosine", 0, cosine_of_g1())):
         wave = (fourier.SINE, fourier.COSINE)[1 - table].subs(n, j).subs(FREQUENCY)
         direct = sp.integrate(G_STICK * wave, (t, 0, t1))
         direct += sp.integrate(sp.expand(G_SLIP * wave), (t, t1, T))
@@ -222,13 +264,13 @@ def closed_forms() -> tuple[ClosedForm, ...]:
     return (
         *bessel_forms(),
         *moment_forms(),
-        _form("g1_by_one", f"Coefficient of c1 in (5), {by}", dimensionless(BY_ONE)),
-        _form("g1_by_sine", f"Coefficient of c1 in (6), {by}", dimensionless(BY_SINE)),
-        _form("g1_by_cosine", f"Coefficient of c1 in (7), {by}", dimensionless(BY_COSINE)),
-        _form("g1_by_g1", f"Coefficient of c1 in (14), {by}", dimensionless(BY_G1)),
+        _form("g1_by_one", f"Coefficient of c1 in (5), {by}", dimensionless(by_one())),
+        _form("g1_by_sine", f"Coefficient of c1 in (6), {by}", dimensionless(by_sine())),
+        _form("g1_by_cosine", f"Coefficient of c1 in (7), {by}", dimensionless(by_cosine())),
+        _form("g1_by_g1", f"Coefficient of c1 in (14), {by}", dimensionless(by_g1())),
         _form("g1_velocity", f"Velocity of G at t = 0, {by}", G_STICK.diff(t)),
-        _form("mean_of_g1", f"Twice the mean of G, {by}", MEAN),
-        _form("sine_of_g1", f"Sine harmonic of G, {by}", SINE_OF_G1),
-        _form("cosine_of_g1", f"Cosine harmonic of G, {by}", COSINE_OF_G1),
+        _form("mean_of_g1", f"Twice the mean of G, {by}", mean()),
+        _form("sine_of_g1", f"Sine harmonic of G, {by}", sine_of_g1()),
+        _form("cosine_of_g1", f"Cosine harmonic of G, {by}", cosine_of_g1()),
         *_pointwise_forms(),
     )

@@ -12,10 +12,14 @@ from .oscillator import INITIAL_STATE, PHASES, t
 
 x = sp.Function("x")
 R1 = sp.Function("R1")(t)
-v0 = x(t).diff(t).subs(t, 0)
+v0 = sp.Derivative(x(t), t).subs(t, 0)
 
-FREQUENCY_ROW = Equation("", "frequency", (omega_0, FREQUENCY[omega_0]), functions=("angle",))
 COEFFICIENTS = (fourier.a0, fourier.a[n], fourier.b[n])
+
+
+def frequency_row() -> Equation:
+    """Return what ``omega_0`` is."""
+    return Equation("", "frequency", (omega_0, FREQUENCY[omega_0]), functions=("angle",))
 
 
 def residual() -> tuple[Equation, ...]:
@@ -66,7 +70,7 @@ def derive() -> GalerkinSystem:
         coefficients=COEFFICIENTS,
         equations=(
             Equation("3", "expansion", (x(t), fourier.SERIES)),
-            FREQUENCY_ROW,
+            frequency_row(),
             *residual(),
             *(_orthogonality(number) for number in ("5", "6", "7")),
             Equation(
@@ -82,10 +86,10 @@ def derive() -> GalerkinSystem:
             Equation(
                 "10",
                 "velocity at t = 0",
-                (v0, fourier.VELOCITY_AT_0, INITIAL_STATE[1]),
+                (v0, fourier.velocity_at_0(), INITIAL_STATE[1]),
                 functions=("velocity_weight", "initial_state", "initial_residual"),
             ),
         ),
-        jacobian=(*fourier.jacobian(), *fourier.closure_jacobian(fourier.VELOCITY_AT_0)),
+        jacobian=(*fourier.jacobian(), *fourier.closure_jacobian(fourier.velocity_at_0())),
         forms=fourier.closed_forms(),
     )

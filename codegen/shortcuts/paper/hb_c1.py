@@ -10,13 +10,13 @@ from ...system import Equation, GalerkinSystem, Inner, require_zero
 from . import fourier, hb
 from . import g1 as smooth
 from .g1 import (
-    BY_COSINE,
-    BY_G1,
-    BY_ONE,
-    BY_SINE,
     SCALE,
     SCALE_S,
     SMOOTHSTEP,
+    by_cosine,
+    by_g1,
+    by_one,
+    by_sine,
     through_tables,
     u,
 )
@@ -30,7 +30,7 @@ g1 = sp.Function("g1")(t)
 R2 = sp.Function("R2")(t)
 
 #: ``g1`` put through the left side of (1).
-through_g1 = g1.diff(t, 2) + omega_n**2 * g1
+through_g1 = sp.Derivative(g1, (t, 2)) + omega_n**2 * g1
 
 #: ``H_0``, ``H^s_j``, ``H^c_j``, ``H_g``: the residual of ``g1``, which is zero in stick,
 #: tested by each function.
@@ -42,19 +42,27 @@ Hs, Hc = sp.IndexedBase("H^s"), sp.IndexedBase("H^c")
 COLUMNS = {H0: "one", Hs[j]: "sine", Hc[j]: "cosine", Hg: "g1"}
 
 
-#: What ``c1`` adds to (9) and (10).
+#: What ``c1`` adds to (9).
 G1_AT_0 = smooth.G1_STICK.subs(t, 0)
-VELOCITY_OF_G1 = smooth.G1_STICK.diff(t)
 
-#: Left sides of (9) and (10).
+#: Left side of (9).
 DISPLACEMENT_AT_0 = fourier.DISPLACEMENT_AT_0 + c1 * G1_AT_0
-VELOCITY_AT_0 = fourier.VELOCITY_AT_0 + c1 * VELOCITY_OF_G1
+
+
+def velocity_of_g1() -> sp.Expr:
+    """Return what ``c1`` adds to (10)."""
+    return smooth.G1_STICK.diff(t)
+
+
+def velocity_at_0() -> sp.Expr:
+    """Return the left side of (10)."""
+    return fourier.velocity_at_0() + c1 * velocity_of_g1()
 
 
 def _jacobian() -> tuple[Equation, ...]:
     """Return the derivatives that ``c1`` and (14) add to those of the Fourier series."""
     rows = []
-    columns = {"5": H0, "6": Hs[j], "7": Hc[j], "14": Hg, "10": VELOCITY_OF_G1}
+    columns = {"5": H0, "6": Hs[j], "7": Hc[j], "14": Hg, "10": velocity_of_g1()}
     for number, column in columns.items():
         label = sp.Derivative(sp.Symbol(f"R_{number}"), c1, evaluate=False)
         rows.append(Equation("", f"({number}) by c1", (label, column)))
@@ -68,7 +76,12 @@ def _jacobian() -> tuple[Equation, ...]:
             for time, derivative in zip((t1, T), with_derivatives(value)[1:], strict=True):
                 label = sp.Derivative(table[k], time, evaluate=False)
                 rows.append(Equation("", "time derivative", (label, derivative)))
-    for name, value in ((H0, BY_ONE), (Hs[j], BY_SINE), (Hc[j], BY_COSINE), (Hg, BY_G1)):
+    for name, value in (
+        (H0, by_one()),
+        (Hs[j], by_sine()),
+        (Hc[j], by_cosine()),
+        (Hg, by_g1()),
+    ):
         scale = SCALE_S**2 if name is Hg else SCALE_S
         for time in (t1, T):
             label = sp.Derivative(name, time, evaluate=False)
@@ -84,10 +97,10 @@ def _over_slip(test: sp.Expr) -> sp.Expr:
 def _definitions() -> tuple[Equation, ...]:
     """Return the inner products of the residual of ``g1``: integrals over slip alone."""
     moments = {
-        H0: (_over_slip(sp.Integer(1)), sp.factor(SCALE_S * BY_ONE)),
-        Hs[j]: (_over_slip(fourier.TEST["6"]), SCALE_S * BY_SINE),
-        Hc[j]: (_over_slip(fourier.TEST["7"]), SCALE_S * BY_COSINE),
-        Hg: (_over_slip(g1), SCALE_S**2 * BY_G1),
+        H0: (_over_slip(sp.Integer(1)), sp.factor(SCALE_S * by_one())),
+        Hs[j]: (_over_slip(fourier.TEST["6"]), SCALE_S * by_sine()),
+        Hc[j]: (_over_slip(fourier.TEST["7"]), SCALE_S * by_cosine()),
+        Hg: (_over_slip(g1), SCALE_S**2 * by_g1()),
     }
     title = "residual of g1, which is zero in stick"
     names = {h: (f"g1_by_{test}", "g1_column") for h, test in COLUMNS.items()}
@@ -100,9 +113,9 @@ def _tail() -> tuple[Equation, ...]:
     sines, cosines = sp.IndexedBase("gamma^s"), sp.IndexedBase("gamma^c")
     title, after = "harmonic of g1/(T s**3), which the kernel takes away", "harmonics_of_g1"
     return (
-        Equation("", title, (a0_of_g1, smooth.MEAN), "", ("mean_of_g1", after)),
-        Equation("", title, (sines[j], smooth.SINE_OF_G1), "", ("sine_of_g1", after)),
-        Equation("", title, (cosines[j], smooth.COSINE_OF_G1), "", ("cosine_of_g1", after)),
+        Equation("", title, (a0_of_g1, smooth.mean()), "", ("mean_of_g1", after)),
+        Equation("", title, (sines[j], smooth.sine_of_g1()), "", ("sine_of_g1", after)),
+        Equation("", title, (cosines[j], smooth.cosine_of_g1()), "", ("cosine_of_g1", after)),
     )
 
 
@@ -120,8 +133,8 @@ def orthogonality() -> tuple[Equation, ...]:
         title = f"({number}) for R2"
         functions = (*fourier.functions(number), f"g1_by_{COLUMNS[column]}", *TAIL)
         rows.append(Equation(number, title, (*sides, sp.Integer(0)), where, functions))
-    forcing = fourier.FORCING * smooth.slip_integral(smooth.G_IN_SLIP)
-    require_zero([("forcing of (14)", forcing + x_s * BY_ONE)])
+    forcing = fourier.forcing() * smooth.slip_integral(smooth.g_in_slip())
+    require_zero([("forcing of (14)", forcing + x_s * by_one())])
     series = sp.Sum(fourier.a[n] * Hs[n] + fourier.b[n] * Hc[n], (n, 1, N))
     closed = fourier.a0 * H0 / 2 + series + c1 * Hg - x_s * H0
     last = (Inner(R2, g1), closed, sp.Integer(0))
@@ -161,7 +174,7 @@ def derive() -> GalerkinSystem:
         coefficients=(*hb.COEFFICIENTS, c1),
         equations=(
             Equation("11", "expansion", (hb.x(t), fourier.SERIES + c1 * g1)),
-            hb.FREQUENCY_ROW,
+            hb.frequency_row(),
             Equation(
                 "12",
                 "g1 in stick",
@@ -193,7 +206,7 @@ def derive() -> GalerkinSystem:
             Equation(
                 "10",
                 "velocity at t = 0",
-                (hb.v0, VELOCITY_AT_0, INITIAL_STATE[1]),
+                (hb.v0, velocity_at_0(), INITIAL_STATE[1]),
                 functions=(
                     "velocity_weight",
                     "g1_velocity",
@@ -203,6 +216,10 @@ def derive() -> GalerkinSystem:
                 ),
             ),
         ),
-        jacobian=(*fourier.jacobian(), *fourier.closure_jacobian(VELOCITY_AT_0), *_jacobian()),
+        jacobian=(
+            *fourier.jacobian(),
+            *fourier.closure_jacobian(velocity_at_0()),
+            *_jacobian(),
+        ),
         forms=(*fourier.closed_forms(), *smooth.closed_forms()),
     )

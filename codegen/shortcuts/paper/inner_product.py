@@ -11,6 +11,7 @@ operations.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 from sympy.simplify.fu import TR8
@@ -47,8 +48,16 @@ def _slip_integral(table: sp.IndexedBase, function: type[sp.Function]) -> SlipIn
     return SlipIntegral(table, harmonic, sp.expand(generic), zero)
 
 
-SLIP_COSINE = _slip_integral(C, sp.cos)
-SLIP_SINE = _slip_integral(S, sp.sin)
+@cache
+def slip_cosine() -> SlipIntegral:
+    """Return ``C_k``."""
+    return _slip_integral(C, sp.cos)
+
+
+@cache
+def slip_sine() -> SlipIntegral:
+    """Return ``S_k``."""
+    return _slip_integral(S, sp.sin)
 
 
 @dataclass(frozen=True)
@@ -62,7 +71,7 @@ class Entry:
     def diagonal_term(self) -> sp.Expr:
         """What the diagonal has beside the generic form at ``n = j`` (``S_0 = 0``)."""
         difference = self.diagonal - self.generic.subs(n, j)
-        return sp.expand(difference).subs(S[0], SLIP_SINE.zero)
+        return sp.expand(difference).subs(S[0], slip_sine().zero)
 
 
 def _harmonics(integrand: sp.Expr) -> Iterator[tuple[sp.Expr, type, sp.Expr]]:

@@ -16,6 +16,7 @@ series in ``i s``, which neither overflow nor cancel.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -45,9 +46,16 @@ def _ratio(values: sp.Expr) -> sp.Expr:
     return sp.factor(sp.simplify(ratio))
 
 
-#: In ``sum_j c_j (-i s)**j`` at u = 1 and ``sum_j c_j (i s)**j`` at u = 0: ``c_{j+1}/c_j``.
-RATIO_AT_1 = _ratio(AT_1)
-RATIO_AT_0 = -_ratio(AT_0)
+@cache
+def ratio_at_1() -> sp.Expr:
+    """Return ``c_{j+1}/c_j`` of ``sum_j c_j (-i s)**j`` at u = 1."""
+    return _ratio(AT_1)
+
+
+@cache
+def ratio_at_0() -> sp.Expr:
+    """Return ``c_{j+1}/c_j`` of ``sum_j c_j (i s)**j`` at u = 0."""
+    return -_ratio(AT_0)
 
 
 @dataclass(frozen=True)
@@ -117,8 +125,8 @@ def series(degree: int) -> dict[sp.Symbol, sp.Expr]:
     ends = EVEN if degree % 2 == 0 else ODD
     parts = {ends.even_1: 0, ends.odd_1: 0, ends.even_0: 0, ends.odd_0: 0}
     for ratio, targets in (
-        (RATIO_AT_1, (ends.even_1, ends.odd_1)),
-        (RATIO_AT_0, (ends.even_0, ends.odd_0)),
+        (ratio_at_1(), (ends.even_1, ends.odd_1)),
+        (ratio_at_0(), (ends.even_0, ends.odd_0)),
     ):
         c = sp.Integer(1)
         for term in range(degree + 1):
@@ -200,13 +208,13 @@ def closed_forms() -> tuple[ClosedForm, ...]:
             "ratio_at_1",
             "Coefficient j + 1 over coefficient j at u = 1.",
             (j, n),
-            (RATIO_AT_1,),
+            (ratio_at_1(),),
         ),
         ClosedForm(
             "ratio_at_0",
             "Coefficient j + 1 over coefficient j at u = 0.",
             (j, n),
-            (RATIO_AT_0,),
+            (ratio_at_0(),),
         ),
         ClosedForm(
             "scalar_equation",
@@ -239,7 +247,7 @@ def derive() -> GalerkinSystem:
         section="3.3",
         title="C1 expansion, reduced to one scalar equation",
         unknowns="s = T - t1",
-        equations=equations((RATIO_AT_1, RATIO_AT_0), alpha * D + M, stick_duration()),
+        equations=equations((ratio_at_1(), ratio_at_0()), alpha * D + M, stick_duration()),
         jacobian=(),
         forms=closed_forms(),
     )

@@ -10,7 +10,7 @@ At given ``s``, (18) and (20) are linear in ``p_1/s .. p_N/s`` and ``y(t1)/s``; 
 
 import sympy as sp
 
-from ..paper.c1_legendre import TWICE, n, reflected, s, twice_integrated, u
+from ..paper.c1_legendre import n, reflected, s, twice, twice_integrated, u
 
 square = sp.Symbol("sigma", positive=True)
 
@@ -18,7 +18,7 @@ square = sp.Symbol("sigma", positive=True)
 def _parts(degree: int) -> dict[int, sp.Expr]:
     """Return ``Q_degree`` by parts in ``P_l*``."""
     parts: dict[int, sp.Expr] = {}
-    for shift, value in TWICE.items():
+    for shift, value in twice().items():
         sign, index = reflected(degree + shift)
         parts[index] = parts.get(index, sp.Integer(0)) + sign * value.subs(n, degree)
     return parts

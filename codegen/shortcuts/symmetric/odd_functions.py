@@ -16,12 +16,14 @@ derivative K + 2.  In (9) and (10) it is one of displacement or of velocity by t
 period converges like ``N**-1`` (K = 0), ``N**-3`` (1, 2), ``N**-5`` (3, 4), ``N**-7`` (5, 6).
 """
 
+from functools import cache
+
 import sympy as sp
 
 from ...system import ClosedForm, require_zero
 from ..paper import g1
-from ..paper.c1_legendre import TWICE
 from ..paper.c1_legendre import n as degree
+from ..paper.c1_legendre import twice
 from ..paper.inner_product import FREQUENCY, j, k, omega_0
 from ..paper.oscillator import T, t, t1
 from ..paper.slip_moments import about_mid_slip, s, with_derivatives, z
@@ -38,10 +40,26 @@ MOMENT = sign * s * here
 #: The derivative of ``j_l(z)``.
 BESSEL_SLOPE = below - (l + 1) * here / z
 
-#: ``q_{l-2}``, ``q_l``, ``q_{l+2}`` of ``g_l``; for ``l = 1`` there is no ``q_{l-2}``.
-Q_BELOW, Q_HERE, Q_ABOVE = (
-    sp.factor(s**2 * TWICE[shift].subs(degree, l)) for shift in (-2, 0, 2)
-)
+
+@cache
+def _part(shift: int) -> sp.Expr:
+    return sp.factor(s**2 * twice()[shift].subs(degree, l))
+
+
+def q_below() -> sp.Expr:
+    """Return ``q_{l-2}`` of ``g_l``; for ``l = 1`` there is none."""
+    return _part(-2)
+
+
+def q_here() -> sp.Expr:
+    """Return ``q_l`` of ``g_l``."""
+    return _part(0)
+
+
+def q_above() -> sp.Expr:
+    """Return ``q_{l+2}`` of ``g_l``."""
+    return _part(2)
+
 
 #: Slope of ``g_1`` in stick, and what it adds to ``q_1``.
 DRIFT = s**2 / (6 * T)
@@ -62,12 +80,16 @@ HARMONIC = -2 / T * M_j / (j * omega_0).subs(FREQUENCY) ** 2
 #: ``g_l'' + g_l`` in slip tested by harmonic ``j``: by parts for ``l >= 3``, where nothing
 #: is left at the ends; through ``M_1`` and ``M_3`` for ``l = 1``, where that would cancel.
 THROUGH = M_j * (1 - 1 / (j * omega_0).subs(FREQUENCY) ** 2)
-THROUGH_1 = M_j * (1 + Q_HERE.subs(l, 1) + Q_OF_DRIFT) + M3_j * Q_ABOVE.subs(l, 1)
+
+
+def through_1() -> sp.Expr:
+    """Return the same for ``l = 1``."""
+    return M_j * (1 + q_here().subs(l, 1) + Q_OF_DRIFT) + M3_j * q_above().subs(l, 1)
 
 
 def in_slip(index: int) -> sp.Expr:
     """Return ``g_index`` in slip as a polynomial in ``v = 2 (tau - T/2)/s``."""
-    parts = {index - 2: Q_BELOW, index: Q_HERE, index + 2: Q_ABOVE}
+    parts = {index - 2: q_below(), index: q_here(), index + 2: q_above()}
     total = sum(q.subs(l, index) * sp.legendre(d, v) for d, q in parts.items() if d > 0)
     return sp.expand(total + (Q_OF_DRIFT * v if index == 1 else 0))
 
@@ -162,13 +184,18 @@ def closed_forms() -> tuple[ClosedForm, ...]:
             "through_motion_1",
             f"Coefficient of c_1 in (6), {by}",
             (M, M3, T, s),
-            _with_moments(THROUGH_1),
+            _with_moments(through_1()),
         ),
         ClosedForm(
             "in_legendre",
             "q_{l-2}, q_l, q_{l+2} of g_l, and their derivatives by s.",
             (l, s),
-            (Q_BELOW, Q_HERE, Q_ABOVE, *(sp.diff(q, s) for q in (Q_BELOW, Q_HERE, Q_ABOVE))),
+            (
+                q_below(),
+                q_here(),
+                q_above(),
+                *(sp.diff(q, s) for q in (q_below(), q_here(), q_above())),
+            ),
         ),
         ClosedForm("drift", f"Slope of g_1 in stick, {by}", (T, s), with_derivatives(DRIFT)),
         ClosedForm(

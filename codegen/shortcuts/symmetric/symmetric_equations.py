@@ -9,12 +9,12 @@ import sympy as sp
 
 from ...system import Equation, Inner
 from ..paper import fourier
-from ..paper.hb import FREQUENCY_ROW
+from ..paper.hb import frequency_row
 from ..paper.inner_product import C, N, j, k, n, omega_0
 from ..paper.oscillator import T, V, omega_n, t, t1, x_s
 from ..paper.slip_moments import s
 from . import symmetry
-from .odd_functions import DRIFT, Q_ABOVE, Q_BELOW, Q_HERE, in_slip, l, v
+from .odd_functions import DRIFT, in_slip, l, q_above, q_below, q_here, v
 from .symmetry import tau
 
 i, K = sp.symbols("i K", integer=True, positive=True)
@@ -30,15 +30,19 @@ g, A, f = (sp.IndexedBase(name) for name in "gAf")
 
 END = t1 / 2
 
-#: A sine and its derivative at the end of stick.
+#: A sine at the end of stick.
 WAVE_AT_END = symmetry.SINE.subs(tau, END)
-RATE_AT_END = symmetry.SINE.diff(tau).subs(tau, END)
 
 STICK_T, SLIP_T = "0 <= t < t1 (stick)", "t1 <= t < T (slip)"
 EACH = "i = 1, ..., K"
 
 #: Coefficients of the C1 functions in (6).
 FORCE = ("through_motion_1", "through_motion")
+
+
+def rate_at_end() -> sp.Expr:
+    """Return the derivative of a sine at the end of stick."""
+    return symmetry.SINE.diff(tau).subs(tau, END)
 
 
 def _series(wave: sp.Expr, tail: sp.Expr) -> sp.Expr:
@@ -55,7 +59,7 @@ def _functions() -> tuple[Equation, ...]:
     """Return the C1 functions, their harmonics and their tails."""
     shape = (N + 1) ** (i - 1) * v * (1 - v**2) ** (i - 1)
     odd, parts = 2 * m + 1, (m, 0, i - 1)
-    integrated = Q_BELOW * P[l - 2] + Q_HERE * P[l] + Q_ABOVE * P[l + 2]
+    integrated = q_below() * P[l - 2] + q_here() * P[l] + q_above() * P[l + 2]
     moment = sp.Integral(P[l] * sp.sin(k * omega_0 * tau), (t, t1, T))
     bessel = (-1) ** (k + m) * s * sp.Function("j_l")(Z[k])
     harmonic = -2 / T * sp.Sum(a[i, m] * M[odd, j], parts) / (j * omega_0) ** 2
@@ -123,7 +127,7 @@ def _functions() -> tuple[Equation, ...]:
         Equation(
             "",
             "the velocity of its tail at t1",
-            (psi[i], _tail(a[i, 0] * DRIFT, RATE_AT_END)),
+            (psi[i], _tail(a[i, 0] * DRIFT, rate_at_end())),
             "",
             at_end,
         ),
@@ -147,7 +151,7 @@ def _conditions() -> tuple[Equation, ...]:
         Equation(
             "6",
             "orthogonality",
-            (Inner(R(tau), symmetry.TEST), fourier.PERIOD_TERM * b[j] + force, zero),
+            (Inner(R(tau), symmetry.TEST), fourier.period_term() * b[j] + force, zero),
             "j = 1, ..., N",
             (
                 *FORCE,
@@ -175,14 +179,14 @@ def _conditions() -> tuple[Equation, ...]:
         Equation(
             "10",
             "velocity at t1, as at t = 0",
-            (sp.Subs(y(tau).diff(tau), tau, END), _series(RATE_AT_END, psi[i]), velocity),
+            (sp.Subs(y(tau).diff(tau), tau, END), _series(rate_at_end(), psi[i]), velocity),
             "",
             ("velocity_weight", "initial_state"),
         ),
         Equation(
             "",
             "(6) solved for b_j, as the kernel puts it into (9) and (10)",
-            (b[j], -force / fourier.PERIOD_TERM),
+            (b[j], -force / fourier.period_term()),
             "",
             ("residual",),
         ),
@@ -196,7 +200,7 @@ def equations() -> tuple[Equation, ...]:
     return (
         Equation("", "dimensionless displacement", (y(tau), omega_n * (x(t) - x_s) / V)),
         Equation("", "time since mid-stick, in 1/omega_n as all times", (tau, t - END)),
-        FREQUENCY_ROW,
+        frequency_row(),
         Equation("", "slip duration", (s, T - t1)),
         Equation("", "time in slip, from -1 to 1", (v, (2 * tau - T) / s)),
         Equation(

@@ -94,7 +94,7 @@ def check_symmetry() -> None:
         function does not vanish.
     """
     claims = []
-    for phase, forcing in ((STICK, sp.Integer(0)), (SLIP, fourier.FORCING)):
+    for phase, forcing in ((STICK, sp.Integer(0)), (SLIP, fourier.forcing())):
         through = phase.residual(SINE.subs(tau, t)) - forcing
         claims.append((f"residual of a sine in {phase.name}", through + through.subs(t, -t)))
     for even in (sp.Integer(1), sp.cos(j * omega_0 * tau)):

@@ -8,11 +8,12 @@ rules with enough panels for the highest harmonic.
 import math
 from dataclasses import dataclass
 
+from ...accuracy.quadrature import panels
 from ...arrays import Vector
 from ..orbit import exact
 from ..orbit.methods import Method
 from ..series.spectral_errors import spectral_errors
-from .quadrature import Shape, acceleration_difference, panels
+from .quadrature import Shape, acceleration_difference
 
 #: Harmonics above which sums over them replace quadrature, whose cost is their square.
 MANY_HARMONICS = 200

@@ -15,6 +15,7 @@ from functools import lru_cache
 import numpy as np
 
 from ...arrays import Vector
+from ...compiling import PLAIN_ORDER
 from ..orbit.methods import METHODS, Method
 from ..search import kernels
 from ..search.newton import Outcome, newton
@@ -58,7 +59,7 @@ def _c1_orbit(alpha: float, order: int) -> Vector | None:
     """Return the unknowns of the C1 series from the rough start, if they are an orbit's."""
     if order > METHODS["c1"].highest_order:
         return None
-    load = kernels.plain if order <= kernels.PLAIN_ORDER else kernels.compiled
+    load = kernels.plain if order <= PLAIN_ORDER else kernels.compiled
     kernel = load("c1")
     start = with_coefficients(kernel, alpha, order, *rough_times(alpha))
     outcome = newton(kernel.iterate, alpha, start)

@@ -1,38 +1,11 @@
-"""Gauss rules for functions that jump and oscillate, and the measure (22) by them."""
+"""The measure (22) by a Gauss rule."""
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
 
-import numpy as np
-
+from ...accuracy.quadrature import panels
 from ...arrays import Vector
-
-#: Nodes of the Gauss rule in each panel; a panel holds at most one wave.
-NODES = 20
-
-
-def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
-    """Return nodes and weights of a composite Gauss rule on ``(0, 1)``.
-
-    Parameters
-    ----------
-    breaks : list of float
-        Where an integrand may jump, besides 0 and 1.
-    waves : int
-        Waves of the highest harmonic on ``(0, 1)``; at least one panel each.
-    """
-    x, w = np.polynomial.legendre.leggauss(NODES)
-    edges = np.array(sorted({0.0, *breaks, 1.0}))
-    points, weights = [], []
-    for left, right in pairwise(edges):
-        count = max(1, math.ceil(waves * (right - left)))
-        ends = np.linspace(left, right, count + 1)
-        half = np.diff(ends)[:, None] / 2
-        points.append((ends[:-1, None] + half * (1 + x)).ravel())
-        weights.append((half * w).ravel())
-    return np.concatenate(points), np.concatenate(weights)
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,13 @@ import math
 from collections.abc import Sequence
 
 from ...case.parameters import is_number
+from ...not_certified import TooSlow
 from ...timing import median_seconds
 from ..orbit.methods import METHODS, check_belt, check_method
 from ..orbit.orbit import Orbit
 from ..orbit.oscillator import StickSlip
 from ..search.solve import solve
-from .choice import Choice, TooSlow, Trial, attempt
+from .choice import Choice, Trial, attempt
 
 #: Orders among which a budget chooses.
 _DOUBLING = (1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096, 16_384, 65_536, 262_144, 1_000_000)

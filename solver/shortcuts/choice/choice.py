@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from ...no_orbit import NoOrbit
+from ...not_certified import MARGIN, NotCertified
 from ..accuracy.estimate import ACCELERATION_ROUNDING, ROUNDING, Estimate
 from ..orbit.orbit import Orbit
 from ..orbit.oscillator import StickSlip
@@ -10,9 +11,6 @@ from ..search.solve import solve
 
 #: Below these no estimate goes: rounding.
 LEAST = {"period": ROUNDING, "acceleration": ACCELERATION_ROUNDING}
-
-#: Part of the tolerance that an estimate may use up; it is itself off by a few per cent.
-MARGIN = 0.9
 
 
 @dataclass(frozen=True)
@@ -51,8 +49,8 @@ class Choice:
     trials: tuple[Trial, ...]
 
 
-class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
-    """No orbit in float64 is as accurate as asked for, as far as the estimate can say.
+class NotCertifiedOrbit(NotCertified):
+    """No method, order by order, is as accurate as asked for.
 
     Parameters
     ----------
@@ -85,28 +83,6 @@ class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
             parts.append(f"the best tried was {value:.1e} by {best.method}, N = {best.order}")
         parts += [f"{name} would need N of about {N:.0e}" for name, N in self.foretold.items()]
         return "; ".join(parts)
-
-
-class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
-    """No orbit is computed within the budget.
-
-    Parameters
-    ----------
-    budget, fastest : float
-        Seconds.
-    hint : str
-        What to do instead, if something.
-    """
-
-    def __init__(self, budget: float, fastest: float, hint: str = "") -> None:
-        super().__init__(budget, fastest, hint)
-        self.budget = budget
-        self.fastest = fastest
-        self.hint = hint
-
-    def __str__(self) -> str:
-        found = f"a budget of {self.budget:.2g} s: the fastest orbit takes {self.fastest:.2g} s"
-        return f"{found} here{self.hint and '; '}{self.hint}"
 
 
 def attempt(belt: StickSlip, method: str, order: int, many: bool) -> Orbit | None:

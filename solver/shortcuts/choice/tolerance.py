@@ -4,11 +4,12 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ...case.parameters import is_number
+from ...not_certified import MARGIN
 from ..accuracy.estimate import Estimate
 from ..orbit.methods import METHODS, check_belt, check_method
 from ..orbit.oscillator import StickSlip
 from ..search.search import MOST_DENSE
-from .choice import LEAST, MARGIN, Choice, NotCertified, Trial, attempt
+from .choice import LEAST, Choice, NotCertifiedOrbit, Trial, attempt
 
 #: How the errors fall with the order, ``N**-rate`` (make sweep); for 3.2 their envelope.
 RATES = {
@@ -83,7 +84,7 @@ def within(
     ------
     ValueError
         If a tolerance is not between 0 and 1, none is given, or a method is unknown.
-    NotCertified
+    NotCertifiedOrbit
         If float64 cannot, or the estimate cannot say so.
 
     Examples
@@ -118,7 +119,7 @@ def within(
             return Choice(orbit, tuple(trials))
         lowest[name] = _foretold(name, order, estimate, wanted)
     beyond = {name: N for name, N in lowest.items() if METHODS[name].highest_order < N}
-    raise NotCertified(wanted, tuple(trials), beyond)
+    raise NotCertifiedOrbit(wanted, tuple(trials), beyond)
 
 
 def _candidates(methods: Sequence[str]) -> Iterator[tuple[str, int]]:

@@ -67,7 +67,7 @@ def points(
         found[name] = np.nan
     found["value"], found["alpha"] = values, alpha_of(given, np.sqrt)
     if method.c1_terms is None:
-        found["t1"], found["period"], found["amplitude"] = _c1_orbits(found["alpha"], order)
+        found["t1"], found["period"], found["amplitude"] = by_bands(found["alpha"], order)
     correction = np.zeros(len(values))
     for i in np.flatnonzero(np.isnan(found["period"])):
         one = with_value(belt, parameter, float(values[i]))
@@ -84,7 +84,13 @@ def points(
     return found
 
 
-def _c1_orbits(alpha: Vector, order: int) -> tuple[Vector, Vector, Vector]:
+def fits_bands(alpha: Vector, order: int) -> npt.NDArray[np.bool_]:
+    """Return whether the bands keep the last digits of t1, for each alpha."""
+    least = LEAST_BY_BANDS if order <= FEW_FUNCTIONS else LEAST_BY_WIDE_BANDS
+    return np.asarray((alpha >= least) & (order <= MOST_BY_BANDS))
+
+
+def by_bands(alpha: Vector, order: int) -> tuple[Vector, Vector, Vector]:
     """Return t1, T, amplitude of many C1 orbits, dimensionless; NaN where not found."""
     if order > MOST_BY_BANDS:
         nothing = np.full((3, len(alpha)), np.nan)
@@ -95,8 +101,8 @@ def _c1_orbits(alpha: Vector, order: int) -> tuple[Vector, Vector, Vector]:
     functions = kernels.compiled_functions("c1")
     tables = functions["band_tables"](order)
     functions["orbits"](first.alpha, *tables, t1, T, amplitude, status)
-    least = LEAST_BY_BANDS if order <= FEW_FUNCTIONS else LEAST_BY_WIDE_BANDS
-    same = (status == OK) & (np.abs(T - first.T) <= SAME_ORBIT * T) & (alpha >= least)
+    same = (status == OK) & (np.abs(T - first.T) <= SAME_ORBIT * T)
+    same &= fits_bands(alpha, order)
     for column in (t1, T, amplitude):
         column[~same] = np.nan
     return t1, T, amplitude
@@ -125,11 +131,11 @@ def _estimate(
     alpha, t1, T = found["alpha"], found["t1"], found["period"]
     if method.c1_terms is None:
         up, down = order + STEPS[0], order + STEPS[-1]
-        near_t1, near_T, _ = _c1_orbits(alpha, up if up <= method.highest_order else down)
+        near_t1, near_T, _ = by_bands(alpha, up if up <= method.highest_order else down)
         doubt_t1 = doubt_T = np.zeros(len(alpha))
     else:
-        near_t1, near_T, _ = _c1_orbits(alpha, CONVERGED_ORDER)
-        beyond_t1, beyond_T, _ = _c1_orbits(alpha, CONVERGED_ORDER + STEPS[0])
+        near_t1, near_T, _ = by_bands(alpha, CONVERGED_ORDER)
+        beyond_t1, beyond_T, _ = by_bands(alpha, CONVERGED_ORDER + STEPS[0])
         doubt_t1, doubt_T = np.abs(beyond_t1 - near_t1), np.abs(beyond_T - near_T)
     rounding = (ROUNDING + CORRECTIONS * correction) * near_T
     found["estimate_t1"] = (np.abs(t1 - near_t1) + doubt_t1 + rounding) / near_t1

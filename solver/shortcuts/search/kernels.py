@@ -16,11 +16,9 @@ from pathlib import Path
 from typing import Any
 
 from ...arrays import Matrix, Vector
+from ...compiling import PLAIN_ORDER, jit, rebuilt
 from ...iteration import linear
 from . import newton
-
-#: Up to this order one orbit in plain Python is quicker than starting numba.
-PLAIN_ORDER = 48
 
 #: Modules of ``generated/``.
 MODULES = {
@@ -79,7 +77,7 @@ def plain_iteration(
         functions = compiled_functions("c1")
         names = ("largest", "factorise", "solve_factorised")
         namespace |= {name: functions[name] for name in names}
-    iterate: newton.Iteration = _rebuilt(newton.iterate, namespace)
+    iterate: newton.Iteration = rebuilt(newton.iterate, namespace)
     return iterate
 
 
@@ -162,28 +160,7 @@ def compile_functions(source: types.ModuleType) -> dict[str, Any]:
     functions: tuple[Any, ...] = (*own, *DRIVER)
     key = fingerprint(source)
     for function in functions:
-        clone = _rebuilt(function, namespace)
+        clone = rebuilt(function, namespace)
         clone.__qualname__ = f"{function.__name__}_{key}"
-        namespace[function.__name__] = _jit(clone)
+        namespace[function.__name__] = jit(clone)
     return namespace
-
-
-def _rebuilt(function: Any, namespace: dict[str, Any]) -> Any:
-    """Return the same function over another namespace, where it finds what it calls."""
-    clone = types.FunctionType(function.__code__, namespace, function.__name__)
-    clone.__module__ = function.__module__
-    return clone
-
-
-def _jit(function: types.FunctionType) -> Any:
-    """Return `function` compiled; uncached where no folder for the cache is writable."""
-    import numba  # noqa: PLC0415  (750 ms, for compiled kernels only)
-
-    options: dict[str, Any] = {
-        "error_model": "numpy",
-        "parallel": "prange" in function.__code__.co_names,
-    }
-    try:
-        return numba.njit(cache=True, **options)(function)
-    except RuntimeError:
-        return numba.njit(**options)(function)

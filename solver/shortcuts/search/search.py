@@ -140,19 +140,30 @@ def _from_fewer_functions(search: Search) -> Outcome:
 
 def _from_root(search: Search) -> Outcome:
     """Start 3.3 from the admissible one of all its real solutions; see `c1_roots`."""
-    order, belt = search.order, search.belt
+    start = admissible_root(search.belt, search.order)
+    return search.newton(search.load("c1"), search.belt.alpha, start)
+
+
+def admissible_root(belt: StickSlip, order: int) -> Vector:
+    """Return the unknowns of 3.3 at the one of all its real solutions that is an orbit.
+
+    Raises
+    ------
+    NoOrbit
+        If none of them is one, which is then proven; or if they cannot be isolated.
+    """
     try:
         found = c1_roots.solutions(order, belt.alpha)
     except (ArithmeticError, np.linalg.LinAlgError) as error:
         raise NoOrbit(str(error), proven=False, tried=()) from error
-    good = [root for root in found if not violations(search.method, order, belt, root)]
+    good = [root for root in found if not violations(METHODS["c1"], order, belt, root)]
     if not good:
         reason = (
             f"all {len(found)} real solutions of (18)-(20) at order {order} and "
             f"alpha = {belt.alpha:.6g} were isolated; none is an orbit"
         )
         raise NoOrbit(reason, proven=True, tried=())
-    return search.newton(search.load("c1"), belt.alpha, good[0])
+    return good[0]
 
 
 #: A way to an orbit, and its name.

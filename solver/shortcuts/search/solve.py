@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 
+from ...compiling import PLAIN_ORDER
 from ...no_orbit import NoOrbit
 from ..orbit.methods import check_belt, check_method, check_order, with_terms
 from ..orbit.orbit import Orbit
 from ..orbit.oscillator import StickSlip
 from . import kernels
-from .kernels import PLAIN_ORDER, Kernel
+from .kernels import Kernel
 from .search import Search, starts
 
 

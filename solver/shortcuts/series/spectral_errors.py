@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...accuracy.quadrature import panels
 from ...arrays import Vector
-from ..accuracy.quadrature import Shape, panels
+from ..accuracy.quadrature import Shape
 from ..orbit import exact
 from ..orbit.samples import sines_about_mid_stick
 from . import fourier

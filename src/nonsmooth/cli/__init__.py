@@ -8,15 +8,17 @@ interrupted.
 import contextlib
 import os
 import sys
+from collections.abc import Iterable
 from typing import Any, NoReturn
 
 import click
+
+from nonsmooth.room import room
 
 from . import equations, generate
 from .problems import Problem
 from .scenes import command as scene_command
 from .scenes.shown import listing
-from .shortcuts import report, roots, solve, stability, sweep, tradeoff
 from .version import show_version
 
 EXAMPLES = """\b
@@ -69,17 +71,24 @@ def cli() -> None:
     """
 
 
-for command in (
-    listing.scenes,
-    generate.generate,
-    equations.equations,
-    solve.solve,
-    sweep.sweep,
-    roots.roots,
-    stability.stability,
-    tradeoff.tradeoff,
-    report.report,
-):
+def _verbs() -> Iterable[click.Command]:
+    """Return the commands of the default scene; those of any where they are left out."""
+    own = room(__name__, "commands")
+    if own is not None:
+        commands: Iterable[click.Command] = own.COMMANDS
+        return commands
+    generic = {
+        "solve": "Compute periodic orbits.",
+        "sweep": "Compute them for many orders.",
+        "tradeoff": "Measure time against error.",
+    }
+    return [
+        scene_command.SceneCommand(name, module=name, own=False, help=help_)
+        for name, help_ in generic.items()
+    ]
+
+
+for command in (listing.scenes, generate.generate, equations.equations, *_verbs()):
     cli.add_command(command)
 
 

@@ -2,27 +2,25 @@
 
 import os
 import sys
-from collections.abc import Callable, Iterable
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 import click
 
+from nonsmooth.room import room
 from nonsmooth.scene_files.error import SceneFileError
 
 from . import tex
 from .output import check_target, write_bytes, write_text
 from .problems import Problem
 from .progress import busy
+from .scenes.default import DEFAULT
 
-METHODS = ("hb", "hb-c1", "c1")
+#: The equations of the default scene as its source has them, where they are not left out.
+OWN = room(__package__, "equations")
 
-#: What is solved in place of the first two and of the third.
-SOLVED = ("hb-symmetric", "c1-reduced")
-
-#: The scene of the paper, whose methods these are.
-SCENE = "stick-slip"
+#: The methods that these have.
+OF_OWN: tuple[str, ...] = () if OWN is None else (*OWN.METHODS, *OWN.SOLVED)
 
 #: What the suffix of a file says about its format.
 SUFFIXES = {".txt": "text", ".tex": "latex", ".html": "html", ".pdf": "pdf"}
@@ -47,15 +45,21 @@ class _Method(click.Choice[str]):
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> Any:
         scene = ctx.params.get("scene") if ctx else None
-        ours = isinstance(scene, str) and not (scene == SCENE and value in self.choices)
-        return value if ours else super().convert(value, param, ctx)
+        return value if _of_any_scene(scene, value) else super().convert(value, param, ctx)
+
+
+def _of_any_scene(scene: object, method: str | None) -> bool:
+    """Whether a scene in an expansion is meant, and not the equations of its source."""
+    if OWN is None:
+        return True
+    return isinstance(scene, str) and not (scene == DEFAULT and method in (None, *OF_OWN))
 
 
 @click.command(epilog=EPILOG)
 @click.argument("scene", required=False, is_eager=True)
 @click.option(
     "--method",
-    type=_Method((*METHODS, *SOLVED)),
+    type=_Method(OF_OWN),
     help="Section 3.1, 3.2 or 3.3, without it all; or what is solved in place of the first "
     "two, about mid-stick, and of the third in batches, as one equation.  With a SCENE: hb, "
     "hb-ck, ck or ck-tau, also spelled with its class, as c0-tau.",
@@ -92,20 +96,20 @@ def equations(
     chosen = _format(format_, output)
     if fragment and chosen != "latex":
         raise Problem(f"--fragment: got format {chosen}, expected latex")
-    ours = scene is not None and not (scene == SCENE and method in (None, *METHODS, *SOLVED))
-    if functions is not None and not ours:
+    of_any = _of_any_scene(scene, method)
+    if functions is not None and not of_any:
         raise Problem(f"--functions: got {functions}, expected a SCENE and hb-ck with it")
-    if order is not None and ours:
+    if order is not None and of_any:
         raise Problem(
             f"--expand: got {order}, expected no SCENE: only the paper's are written out"
         )
     try:
         with busy("deriving the equations"):
-            if ours and scene is not None:
-                text = _of_scene(scene, method, functions, chosen, fragment, output is not None)
+            unicode = output is not None or _terminal_has_unicode()
+            if of_any or OWN is None:
+                text = _of_scene(scene or DEFAULT, method, functions, chosen, fragment, unicode)
             else:
-                document = _document(chosen, fragment, output is not None)
-                text = document([method] if method else METHODS, order)
+                text = OWN.document(method, order, chosen, fragment, unicode)
     except SceneFileError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
@@ -145,26 +149,9 @@ def _format(format_: str | None, output: Path | None) -> str:
     return chosen
 
 
-def _document(
-    format_: str, fragment: bool, to_file: bool
-) -> Callable[[Iterable[str], int | None], str]:
-    """Return what makes the document of this format."""
-    if format_ == "html":
-        from nonsmooth.codegen.printing.html import html_document  # noqa: PLC0415
-
-        return html_document
-    if format_ == "text":
-        from nonsmooth.codegen.printing.text import text_document  # noqa: PLC0415
-
-        return partial(text_document, unicode=to_file or _terminal_has_unicode())
-    from nonsmooth.codegen.printing import latex  # noqa: PLC0415
-
-    return latex.latex_fragment if fragment else latex.latex_document
-
-
 def _of_scene(
     scene: str, method: str | None, functions: int | None, format_: str, fragment: bool,
-    to_file: bool,
+    unicode: bool,
 ) -> str:  # fmt: skip
     """Return the document of a scene."""
     from nonsmooth.codegen import show  # noqa: PLC0415
@@ -175,7 +162,7 @@ def _of_scene(
     if format_ == "html":
         return html.page_of(shown, title)
     if format_ == "text":
-        return text.text_of(shown, to_file or _terminal_has_unicode())
+        return text.text_of(shown, unicode)
     return latex.fragment_of(shown) if fragment else latex.document_of(shown, title)
 
 

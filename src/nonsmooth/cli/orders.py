@@ -1,8 +1,7 @@
-"""Lists of methods and orders on the command line."""
+"""Lists of orders on the command line."""
 
 from collections.abc import Iterable
 
-from .equations import METHODS
 from .problems import Problem
 
 #: Most figures of a whole number.
@@ -72,19 +71,3 @@ def _range(part: str, text: str) -> Iterable[int]:
     if high - low >= 10**6:
         raise Problem(f"--orders: got {text!r}, expected less than a million orders")
     return range(low, high + 1)
-
-
-def parse_methods(text: str) -> list[str]:
-    """Return the methods that `text` names, in its order, each once.
-
-    Raises
-    ------
-    Problem
-        If one of them is unknown.
-    """
-    names = list(dict.fromkeys(part.strip() for part in text.split(",")))
-    for name in names:
-        if name not in METHODS:
-            known = ", ".join(METHODS)
-            raise Problem(f"--methods: got {name!r}, expected some of {known}")
-    return names

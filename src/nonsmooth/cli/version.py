@@ -13,10 +13,11 @@ def show_version(context: Context, _: Parameter, wanted: bool) -> None:
         return
     from importlib.metadata import version  # noqa: PLC0415  (it takes 10 ms)
 
-    from nonsmooth.files.shortcuts.origin import mathematics  # noqa: PLC0415
-    from nonsmooth.solver.shortcuts.orbit.methods import METHODS  # noqa: PLC0415
+    from nonsmooth.room import room  # noqa: PLC0415
 
-    click.echo(f"nonsmooth {version('nonsmooth')}, mathematics {mathematics(METHODS)}")
+    origin = room("nonsmooth.files", "origin")
+    mathematics = "" if origin is None else f", mathematics {origin.of_all_methods()}"
+    click.echo(f"nonsmooth {version('nonsmooth')}{mathematics}")
     click.echo(
         f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
         f"{os.cpu_count()} cores"

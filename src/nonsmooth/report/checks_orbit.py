@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from nonsmooth.solver.shortcuts.accuracy.quadrature import panels
+from nonsmooth.solver.accuracy.quadrature import panels
 from nonsmooth.solver.shortcuts.orbit import exact
 from nonsmooth.solver.shortcuts.series.fourier import smoothstep
 

@@ -8,7 +8,8 @@ from importlib.metadata import version
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from nonsmooth.codegen.printing.html import STYLE, equations_html, mathml
+from nonsmooth.codegen.printing.html import STYLE, mathml
+from nonsmooth.codegen.shortcuts.document import equations_html
 from nonsmooth.solver.shortcuts.orbit.methods import METHODS
 from nonsmooth.solver.shortcuts.orbit.motion import exact
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip

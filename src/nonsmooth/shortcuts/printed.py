@@ -81,7 +81,7 @@ def _with_times(expression: sp.Expr, *arguments: Any) -> Callable[..., list[Any]
 @cache
 def _g1_forms() -> dict[str, Callable[..., list[Any]]]:
     """Integrate (12) as printed, by parts, against each test function."""
-    through = SLIP.residual(g1.G1_SLIP) - fourier.FORCING
+    through = SLIP.residual(g1.G1_SLIP) - fourier.forcing()
     tests = {"one": sp.Integer(1), "sine": fourier.TEST["6"], "cosine": fourier.TEST["7"]}
     forms = {}
     for name, test in (tests | {"g1": g1.G1_SLIP}).items():

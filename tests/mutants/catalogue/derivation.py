@@ -38,22 +38,22 @@ MUTANTS = (
     _derived(
         "(10): the velocity of a sine with the other sign",
         "paper/fourier",
-        "VELOCITY_WEIGHT = SINE.diff(t).subs(t, 0)",
-        "VELOCITY_WEIGHT = -SINE.diff(t).subs(t, 0)",
+        "return SINE.diff(t).subs(t, 0)",
+        "return -SINE.diff(t).subs(t, 0)",
         KERNELS,
     ),
     _derived(
         "(14): the mean of g1 without its part in stick",
         "paper/g1",
-        "(_IN_STICK + slip_integral(G_IN_SLIP))",
-        "slip_integral(G_IN_SLIP)",
+        "(in_stick + slip_integral(g_in_slip()))",
+        "slip_integral(g_in_slip())",
         KERNELS,
     ),
     _derived(
         "(14): the inner product of g1 with the residual of another function",
         "paper/g1",
-        "BY_G1 = slip_integral(THROUGH_MOTION * G_IN_SLIP)",
-        "BY_G1 = slip_integral(THROUGH_MOTION * SMOOTHSTEP)",
+        "return slip_integral(through_motion() * g_in_slip())",
+        "return slip_integral(through_motion() * SMOOTHSTEP)",
         KERNELS,
     ),
     _derived(
@@ -87,8 +87,8 @@ MUTANTS = (
     _derived(
         "(19): the belt moves for the time of stick alone",
         "paper/c1",
-        "TRIAL.subs(tau, s), START[e0] * T)",
-        "TRIAL.subs(tau, s), START[e0] * t1)",
+        "trial().subs(tau, s), START[e0] * T)",
+        "trial().subs(tau, s), START[e0] * t1)",
         SHOWN,
     ),
     _derived(
@@ -122,8 +122,8 @@ MUTANTS = (
     _derived(
         "reduced: the series at u = 0 with the signs of u = 1",
         "reduced/c1_reduced",
-        "RATIO_AT_0 = -_ratio(AT_0)",
-        "RATIO_AT_0 = _ratio(AT_0)",
+        "return -_ratio(AT_0)",
+        "return _ratio(AT_0)",
         HALVED,
     ),
     _derived(

@@ -74,18 +74,6 @@ MUTANTS: tuple[Mutant, ...] = (
         "term",
     ),
     command(
-        "the shortcuts of the default scene are taken although they are not wanted",
-        "paper.py",
-        "return no_shortcuts or functions is not None or method in MORE",
-        "return functions is not None or method in MORE",
-    ),
-    command(
-        "methods of both kinds in one sweep",
-        "paper.py",
-        "if more and len(more) < len(names):",
-        "if False:",
-    ),
-    command(
         "the displacement for the velocity in a file of the motion",
         "motion.py",
         "orbit.displacement(t), orbit.velocity(t), orbit.acceleration(t)",
@@ -190,17 +178,5 @@ MUTANTS: tuple[Mutant, ...] = (
         "solver/accuracy/rates.py",
         "if FLOORS[name] < abs(found[name]) < math.inf",
         "if 0 < abs(found[name]) < math.inf",
-    ),
-    python(
-        "the belt's own parameters are lost on the way to the generic kernels",
-        "src/nonsmooth/oscillators.py",
-        "return load(PAPER)(**asdict(case))",
-        "return load(PAPER)()",
-    ),
-    python(
-        "the paper's method goes by the generic kernels",
-        "src/nonsmooth/oscillators.py",
-        '"hb-ck": "hb-c1", "ck": "c1"}',
-        '"hb-ck": "hb-c1"}',
     ),
 )  # fmt: skip

@@ -101,7 +101,7 @@ MUTANTS = (
     ),
     Mutant(
         "any root of the C1 series is started from",
-        "solver/shortcuts/search/search.py", "if not violations(search.method, order, belt, root)]", "if True]",
+        "solver/shortcuts/search/search.py", "if not violations(METHODS[\"c1\"], order, belt, root)]", "if True]",
         ("tests/solving/test_orbits.py",),
     ),
     Mutant(

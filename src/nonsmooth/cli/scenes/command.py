@@ -8,12 +8,10 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
+from ..case_files import read_toml
 from ..problems import Problem
-from ..shortcuts.parameters import TABLE, read_toml
+from .default import DEFAULT
 from .named import known, scene_named
-
-#: The scene of a command without one.
-DEFAULT = "stick-slip"
 
 
 class SceneCommand(click.Command):
@@ -25,13 +23,16 @@ class SceneCommand(click.Command):
         Of this package: its ``command(scene, said)`` makes the command of another scene.
     all_without : bool
         Whether the command without a scene is about all of them, and not the default one.
+    own : bool
+        Whether this is itself the command of the default scene, with more than others have.
     """
 
     def __init__(
-        self, *arguments: Any, module: str, all_without: bool = False, **options: Any
-    ) -> None:
+        self, *arguments: Any, module: str, all_without: bool = False, own: bool = True,
+        **options: Any,
+    ) -> None:  # fmt: skip
         super().__init__(*arguments, **options)
-        self.module, self.all_without = module, all_without
+        self.module, self.all_without, self.own = module, all_without, own
 
     def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
         """Return the command that arguments mean, the scene as it is named, and the rest.
@@ -46,13 +47,14 @@ class SceneCommand(click.Command):
         named = bool(arguments) and not arguments[0].startswith("-")
         scene = arguments[0] if named else _of_case_file(arguments)
         rest = arguments[1:] if named else arguments
-        if scene is None:
+        if scene is None and (self.own or self.all_without):
             return self, "", rest
-        if scene.replace("_", "-") == DEFAULT and not self.all_without:
+        name = DEFAULT if scene is None else scene
+        if self.own and not self.all_without and name.replace("_", "-") == DEFAULT:
             return self, DEFAULT if named else "", rest
         build = import_module(f".{self.module}", __package__).command
-        command: click.Command = build(scene_named(scene), scene)
-        return command, scene, rest
+        command: click.Command = build(scene_named(name), name)
+        return command, scene or "", rest
 
     def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
         """Return what the usage line has behind the name of the command."""
@@ -106,6 +108,6 @@ def _of_case_file(arguments: Sequence[str]) -> str | None:
         content = read_toml(Path(path))
     except Problem:
         return None
-    tables = {str(key).replace("_", "-") for key in content} - {TABLE.replace("_", "-")}
+    tables = {str(key).replace("_", "-") for key in content} - {DEFAULT}
     found = sorted(tables & set(known()))
     return found[0] if found and len(content) == 1 else None

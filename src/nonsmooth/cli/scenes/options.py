@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..case_files import read_case
 from ..problems import Problem
-from ..shortcuts.parameters import read_case
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case

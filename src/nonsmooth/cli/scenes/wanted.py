@@ -93,8 +93,9 @@ def _choose(
 ) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
     from nonsmooth.solver.budget import choose_within  # noqa: PLC0415
     from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
-    from nonsmooth.solver.choice import NotCertifiedScene, TooSlow  # noqa: PLC0415
+    from nonsmooth.solver.choice import NotCertifiedScene  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
+    from nonsmooth.solver.not_certified import TooSlow  # noqa: PLC0415
     from nonsmooth.solver.tolerance import choose_order  # noqa: PLC0415
 
     option = "--budget" if wanted.tol is None else "--tol"

@@ -1,13 +1,13 @@
 """The oscillator from a case file, from flags, or both; flags override the file."""
 
-import tomllib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..case_files import read_case
 from ..problems import Problem
 
 if TYPE_CHECKING:
@@ -39,44 +39,6 @@ def parameter_options(command: Callable[..., Any]) -> Callable[..., Any]:
         command = click.option(flag, name, type=float, help=help_)(command)
     help_ = "Case file with a table [stick_slip]; flags override it."
     return click.option("--case", type=click.Path(path_type=Path), help=help_)(command)
-
-
-def read_case(path: Path, tables: Sequence[str] = (TABLE,)) -> dict[str, object]:
-    """Return the table ``[stick_slip]`` of a case file, or another under one of its names.
-
-    Raises
-    ------
-    Problem
-        If the file cannot be read, is not TOML, or has no such table.
-    """
-    content = read_toml(path)
-    name = next((each for each in tables if each in content), tables[0])
-    table = content.get(name)
-    if not isinstance(table, dict):
-        raise Problem(f"--case: {path} has no table [{name}]")
-    others = sorted(content.keys() - {name})
-    if others:
-        raise Problem(f"--case: {path}: unknown {others[0]!r}, expected only [{name}]")
-    return table
-
-
-def read_toml(path: Path) -> dict[str, object]:
-    """Return the content of a case file.
-
-    Raises
-    ------
-    Problem
-        If it cannot be read, or is not TOML.
-    """
-    try:
-        text = path.read_bytes().decode("utf-8-sig")  # editors on Windows write a mark first
-        return tomllib.loads(text)
-    except OSError as error:
-        raise Problem(f"--case: cannot read {path}: {error.strerror}") from error
-    except UnicodeDecodeError as error:
-        raise Problem(f"--case: {path} is not a text file; expected TOML") from error
-    except (ValueError, RecursionError) as error:
-        raise Problem(f"--case: {path} is not TOML: {error}") from error
 
 
 def _case_errors(table: Mapping[str, object], given: Mapping[str, object]) -> list[str]:
@@ -114,7 +76,7 @@ def belt_from(case: Path | None, flags: Mapping[str, float | None]) -> "StickSli
         parameters: dict[str, Any] = asdict(DEFAULT) | given
         structure: list[str] = []
     else:
-        table = read_case(case)
+        table = read_case(case, (TABLE,))
         structure = _case_errors(table, given)
         parameters = {key: value for key, value in table.items() if key in FLAGS} | given
     errors = structure + parameter_errors(parameters)

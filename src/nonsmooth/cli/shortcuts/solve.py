@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..equations import METHODS
 from ..output import DATA, PICTURES, check_target, write_file, write_text, write_whole
 from ..problems import Problem
 from ..progress import busy
 from ..scenes.command import SceneCommand
-from ..scenes.paper import (
+from ..scenes.wanted import Wanted
+from ..seconds import parse_seconds
+from .by_scene import (
     FUNCTIONS,
     NO_SHORTCUTS,
     MethodOfPaper,
@@ -19,8 +20,7 @@ from ..scenes.paper import (
     refuse_beside_generic,
     solve_generic,
 )
-from ..scenes.wanted import Wanted
-from ..seconds import parse_seconds
+from .equations import METHODS
 from .parameters import belt_from, caption, parameter_options
 from .precise import add_precise, check_digits, show_precise
 from .tolerance import choose, why

@@ -5,20 +5,20 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ..equations import METHODS
-from ..orders import parse_methods, parse_orders
+from ..orders import parse_orders
 from ..output import DATA, PICTURES, check_target, write_file, write_whole
 from ..problems import Problem, about_option
 from ..progress import progress
 from ..scenes.command import SceneCommand
-from ..scenes.paper import (
+from .by_scene import (
     FUNCTIONS,
     NO_SHORTCUTS,
     are_generic,
-    names_as_in_paper,
+    parse_methods,
     refuse_beside_generic,
     sweep_generic,
 )
+from .equations import METHODS
 from .families import family
 from .parameters import belt_from, caption, parameter_options
 
@@ -89,7 +89,7 @@ def sweep(
             }
         )
         return sweep_generic(case, flags, methods, orders, functions, json_, output)
-    names = None if methods is None else parse_methods(names_as_in_paper(methods))
+    names = None if methods is None else parse_methods(methods)
     if vary is not None:
         belt = belt_from(case, flags)
         job = family.job_from(vary, log, belt, flags, names, orders, c1_terms)

@@ -1,19 +1,17 @@
 """Tables for people, on stdout, at most 80 columns wide."""
 
-import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import click
 import numpy.typing as npt
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
 from nonsmooth.solver.shortcuts.orbit.methods import name_with_terms
 from nonsmooth.solver.shortcuts.orbit.motion import exact
 from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
 from nonsmooth.solver.shortcuts.search.family_points import STATUS
+
+from ..columns import MORE_DIGITS, certain_digits, print_table, table_of
 
 if TYPE_CHECKING:
     from nonsmooth.shortcuts.stability import Cell, Form
@@ -21,45 +19,6 @@ if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
     from nonsmooth.solver.shortcuts.search.sweep import Sweep
-
-
-#: Estimated error of the period below which the digits of a column are not all.
-MORE_DIGITS = 1e-9
-
-#: Columns beyond which the gaps of a table are one column and not two.
-WIDE = 80
-
-#: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
-WIDEST = 200
-
-
-class _Console(Console):
-    """A console that hands a broken pipe on, and does not exit with 1."""
-
-    def on_broken_pipe(self) -> None:
-        raise BrokenPipeError
-
-
-def _print(table: Table) -> None:
-    """Print a table; where stdout is no terminal, plain and as wide as it is.
-
-    On a narrow terminal a cell goes on in the next line: no digit is left out.
-    """
-    console = _Console()
-    if not console.is_terminal:
-        console = _Console(width=WIDEST)
-        if console.measure(table).maximum > WIDE:
-            table.padding = (0, 1, 0, 0)
-    console.print(table)
-
-
-def _table(*columns: str) -> Table:
-    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False)
-    for index, column in enumerate(columns):
-        table.add_column(
-            Text(column), justify="left" if index == 0 else "right", overflow="fold"
-        )
-    return table
 
 
 def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None:
@@ -76,7 +35,7 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
         "estimate",
         "it",
     )
-    table = _table(*columns)
+    table = table_of(*columns)
     table.add_row("exact", "", f"{reference.period:.9g}", "", f"{reference.t1:.7g}")
     for method, orbit in found.items():
         if not isinstance(orbit, Orbit):
@@ -93,7 +52,7 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
             f"{orbit.estimate.period:.1e}",
             str(orbit.iterations),
         )
-    _print(table)
+    print_table(table)
     for orbit in found.values():
         if isinstance(orbit, Orbit) and orbit.estimate.period < MORE_DIGITS:
             period = certain_digits(orbit.period, orbit.estimate.period)
@@ -102,21 +61,9 @@ def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None
             click.echo(f"{name}, N = {orbit.order}: T = {period} s, t1 = {t1} s")
 
 
-def certain_digits(value: float, error: float) -> str:
-    """Return a number by the digits that a relative error leaves.
-
-    Examples
-    --------
-    >>> certain_digits(0.1999999999876, 3e-10), certain_digits(2e-20, 0.0)
-    ('0.200000000', '2.000000000000000e-20')
-    """
-    digits = min(16, max(1, math.floor(-math.log10(error)))) if error > 0 else 16
-    return f"{value:#.{digits}g}"
-
-
 def convergence(result: "Sweep") -> None:
     """Print one row a method and order."""
-    table = _table("method", "N", "T [s]", "T/T_ex-1", "t1/t1_ex-1", "(22)", "estimate", "it")
+    table = table_of("method", "N", "T [s]", "T/T_ex-1", "t1/t1_ex-1", "(22)", "estimate", "it")
     for row in result.rows:
         head = (row.method, str(row.order))
         if row.errors is None or row.period is None or row.estimate is None:
@@ -132,7 +79,7 @@ def convergence(result: "Sweep") -> None:
             f"{row.estimate.period:.1e}",
             str(row.iterations),
         )
-    _print(table)
+    print_table(table)
 
 
 def rates(result: "Sweep") -> None:
@@ -141,16 +88,16 @@ def rates(result: "Sweep") -> None:
     if not found:
         return
     click.echo("Convergence, fitted to the upper half of the orders above rounding:\n")
-    table = _table("method", "T", "t1", "(22)")
+    table = table_of("method", "T", "t1", "(22)")
     for name, rate in found.items():
         table.add_row(name, *(rate.text(error) for error in ("period", "t1", "acceleration")))
-    _print(table)
+    print_table(table)
 
 
 def family_points(heading: str, order: int, found: "Mapping[str, npt.NDArray[Any]]") -> None:
     """Print points along a parameter."""
     columns = ("method", "N", heading, "alpha", "T [s]", "amp. [m]", "stick/T", "estimate")
-    table = _table(*columns)
+    table = table_of(*columns)
     for method, points in found.items():
         for point in points:
             head = (method, str(order), f"{point['value']:.6g}", f"{point['alpha']:.4g}")
@@ -164,12 +111,12 @@ def family_points(heading: str, order: int, found: "Mapping[str, npt.NDArray[Any
                 f"{point['stick_fraction']:.5f}",
                 f"{point['estimate_period']:.1e}",
             )
-    _print(table)
+    print_table(table)
 
 
 def trade(points: "list[Point]") -> None:
     """Print time against error, the front marked."""
-    table = _table("method", "N", "digits", "time [s]", "T/T_ex-1", "estimate", "front")
+    table = table_of("method", "N", "digits", "time [s]", "T/T_ex-1", "estimate", "front")
     for point in points:
         table.add_row(
             name_with_terms(point.method, point.c1_terms),
@@ -180,18 +127,18 @@ def trade(points: "list[Point]") -> None:
             "" if point.estimate is None else f"{point.estimate:.1e}",
             "*" if point.front else "",
         )
-    _print(table)
+    print_table(table)
 
 
 def all_roots(rows: list[dict[str, Any]]) -> None:
     """Print one row a solution of the C1 series."""
-    table = _table("slip [s]", "t1 [s]", "T [s]", "mismatch", "verdict")
+    table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch", "verdict")
     for row in rows:
         numbers = (f"{row[name]:.6g}" for name in ("slip", "t1", "period"))
         verdict = "the orbit" if row["admissible"] else row["violations"][0].split(":")[0]
         mismatch = f"{row['transition_mismatch']:.1e}"
         table.add_row(*numbers, mismatch, _shortened(verdict))
-    _print(table)
+    print_table(table)
 
 
 def _shortened(text: str, width: int = 34) -> str:
@@ -201,7 +148,7 @@ def _shortened(text: str, width: int = 34) -> str:
 
 def digits(cells: "list[Cell]") -> None:
     """Print one row a cell: digits, condition and iterations of both forms."""
-    table = _table(
+    table = table_of(
         "method", "alpha", "N", "digits", "cond", "it", "as printed", "cond", "it", "met"
     )
     for cell in cells:
@@ -209,7 +156,7 @@ def digits(cells: "list[Cell]") -> None:
         table.add_row(
             *head, *_form(cell.stable), *_form(cell.printed), "yes" if cell.met else "NO"
         )
-    _print(table)
+    print_table(table)
     met = sum(cell.met for cell in cells)
     print(f"{met} of {len(cells)} cells meet their target")
 

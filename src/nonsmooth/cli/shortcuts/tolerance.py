@@ -28,7 +28,7 @@ def choose(
         cannot meet it, or nothing is quick enough.
     """
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.shortcuts.choice.choice import NotCertified, TooSlow  # noqa: PLC0415
+    from nonsmooth.solver.not_certified import NotCertified, TooSlow  # noqa: PLC0415
     from nonsmooth.solver.shortcuts.choice.choose import choose as find  # noqa: PLC0415
 
     try:

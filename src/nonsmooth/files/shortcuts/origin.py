@@ -42,6 +42,11 @@ def mathematics(methods: Iterable[str]) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
+def of_all_methods() -> str:
+    """Return the hash for all methods of the paper."""
+    return mathematics(COEFFICIENTS)
+
+
 def _modules(method: str) -> tuple[str, str]:
     return (method, "c1-reduced" if method == "c1" else "hb-symmetric")
 

@@ -3,10 +3,10 @@
 import textwrap
 from typing import TYPE_CHECKING
 
+from nonsmooth.room import room
 from nonsmooth.solver.case.names import shown
 
-from ...shortcuts.parameters import CHOICE
-from ..command import DEFAULT
+from ..default import DEFAULT
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
@@ -22,8 +22,9 @@ def caption(case: "Case") -> str:
     scene = case.scene
     head = f"{scene.name}: {scene.title} (C{scene.k})"
     lines = [*textwrap.wrap(head, WIDTH), *_wrapped(case.description)]
-    if scene.name == DEFAULT and case == scene():
-        lines.append(CHOICE)
+    own = room("nonsmooth.cli", "parameters")
+    if own is not None and scene.name == DEFAULT and case == scene():
+        lines.append(own.CHOICE)
     return "\n".join(lines) + "\n"
 
 

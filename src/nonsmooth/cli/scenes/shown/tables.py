@@ -10,7 +10,7 @@ import click
 from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.orbit.orbit import SceneOrbit
 
-from ...shortcuts.tables import MORE_DIGITS, _print, _table, certain_digits
+from ...columns import MORE_DIGITS, certain_digits, print_table, table_of
 from .captions import WIDTH, derivative
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
     """Print the orbit by each method, below the exact one."""
     scene = case.scene
     phases = scene.phases if len(scene.phases) > 1 else ()
-    table = _table(
+    table = table_of(
         "method", "N", "T [s]", *(["phi [rad]"] if scene.frequency else []),
         *(f"{phase} [s]" for phase in phases),
         "times", derivative(scene), "estimate", "it",
@@ -51,7 +51,7 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
             f"{orbit.estimate.times:.1e}",
             str(orbit.iterations),
         )
-    _print(table)
+    print_table(table)
     for orbit in found.values():
         if isinstance(orbit, SceneOrbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
@@ -104,7 +104,7 @@ def family(result: "SceneFamily") -> None:
     parameter = next(q for q in scene.parameters if q.name == result.parameter)
     phases = scene.phases if len(scene.phases) > 1 else ()
     heading = parameter.symbol + (f" [{parameter.unit}]" if parameter.unit else "")
-    table = _table(
+    table = table_of(
         heading, "T [s]", *(["phi [rad]"] if scene.frequency else []),
         *(f"{phase} [s]" for phase in phases), "least x", "largest x", "estimate", "it",
     )  # fmt: skip
@@ -123,7 +123,7 @@ def family(result: "SceneFamily") -> None:
             f"{row.estimate.times:.1e}",
             str(row.iterations),
         )
-    _print(table)
+    print_table(table)
     if count > ROWS:
         click.echo(f"{ROWS} of {count} points; -o writes all of them")
     statuses = [row.status for row in result.rows]
@@ -137,7 +137,7 @@ def family(result: "SceneFamily") -> None:
 def trade(result: "Trade") -> None:
     """Print time against error, the front marked."""
     scene = result.case.scene
-    table = _table("method", "N", "time [s]", "times", "estimate", "front")
+    table = table_of("method", "N", "time [s]", "times", "estimate", "front")
     for point in result.points:
         exact = point.order is None
         table.add_row(
@@ -148,14 +148,14 @@ def trade(result: "Trade") -> None:
             "" if exact else f"{point.estimate:.1e}",
             "*" if point.front else "",
         )
-    _print(table)
+    print_table(table)
 
 
 def convergence(result: "SceneSweep") -> None:
     """Print one row a method and order, and how fast each method converges."""
     scene = result.case.scene
     forced = scene.frequency is not None
-    table = _table(
+    table = table_of(
         "method", "N", "T [s]", *(["phi [rad]"] if forced else []),
         "times", derivative(scene), "estimate", "it",
     )  # fmt: skip
@@ -173,10 +173,10 @@ def convergence(result: "SceneSweep") -> None:
             f"{row.estimate.times:.1e}",
             str(row.iterations),
         )
-    _print(table)
+    print_table(table)
     click.echo("\nConvergence, fitted to the logarithms of all errors above rounding:\n")
-    rates = _table("method", "times", derivative(scene))
+    rates = table_of("method", "times", derivative(scene))
     for method, rate in result.rates().items():
         rates.add_row(shown(scene, method), rate.text("times"), rate.text("discontinuous"))
-    _print(rates)
+    print_table(rates)
     click.echo()

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from ..shortcuts.paper.inner_product import C, N, S
-from ..shortcuts.paper.oscillator import UNKNOWN_TIMES
 from ..system import Equation, GalerkinSystem
+from .paper.inner_product import C, N, S
+from .paper.oscillator import UNKNOWN_TIMES
 
 #: Beyond, nobody reads it: (6) and (7) alone are 2 N equations of 2 N + 3 terms or more.
 HIGHEST_ORDER = 5

@@ -10,15 +10,17 @@ from typing import Any
 
 import click
 
+from nonsmooth.solver.shortcuts.names import METHODS
+
 from ..output import PICTURES, check_target
 from ..problems import Problem
-from .command import DEFAULT
-from .named import scene_named
-from .options import PREFIX, case_from
-from .wanted import Wanted
+from ..scenes.default import DEFAULT
+from ..scenes.named import scene_named
+from ..scenes.options import PREFIX, case_from
+from ..scenes.wanted import Wanted
 
 #: Methods as they are named in every scene, and the paper's that are meant.
-AS_IN_PAPER = {"hb-ck": "hb-c1", "ck": "c1"}
+AS_IN_PAPER = {name: own for name, own in METHODS.items() if name != own}
 
 #: The method that the default scene has beside the paper's, by its two names.
 MORE = {"c1-tau": "c1-tau", "ck-tau": "c1-tau"}
@@ -67,9 +69,21 @@ def are_generic(methods: str | None, functions: int | None, no_shortcuts: bool) 
     return bool(more)
 
 
-def names_as_in_paper(methods: str) -> str:
-    """Return a list of methods by the paper's names."""
-    return ",".join(AS_IN_PAPER.get(name.strip(), name) for name in methods.split(","))
+def parse_methods(text: str) -> list[str]:
+    """Return the paper's methods that `text` names, in its order, each once.
+
+    Raises
+    ------
+    Problem
+        If one of them is unknown.
+    """
+    given = (part.strip() for part in text.split(","))
+    names = list(dict.fromkeys(AS_IN_PAPER.get(name, name) for name in given))
+    for name in names:
+        if name not in METHODS.values():
+            known = ", ".join(METHODS.values())
+            raise Problem(f"--methods: got {name!r}, expected some of {known}")
+    return names
 
 
 def refuse_beside_generic(options: Mapping[str, object]) -> None:
@@ -87,7 +101,7 @@ def refuse_beside_generic(options: Mapping[str, object]) -> None:
 
 def solve_generic(case: Path | None, flags: Mapping[str, Any], wanted: Wanted) -> int:
     """Solve the default scene as any other; the exit status."""
-    from .solve import SUFFIXES, run  # noqa: PLC0415
+    from ..scenes.solve import SUFFIXES, run  # noqa: PLC0415
 
     check_target(wanted.output, SUFFIXES)
     return run(_case(case, flags), wanted)
@@ -99,7 +113,7 @@ def sweep_generic(
 ) -> int:  # fmt: skip
     """Sweep over the default scene as over any other; the exit status."""
     check_target(output, (".json", ".csv", *PICTURES))
-    from .sweep import run  # noqa: PLC0415
+    from ..scenes.sweep import run  # noqa: PLC0415
 
     return run(_case(case, flags), methods, orders, functions, json_, output)
 

@@ -1,0 +1,45 @@
+"""Case files: the parameters of an oscillator in a table of TOML."""
+
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+
+from .problems import Problem
+
+
+def read_case(path: Path, tables: Sequence[str]) -> dict[str, object]:
+    """Return the one table of a case file, under one of its names.
+
+    Raises
+    ------
+    Problem
+        If the file cannot be read, is not TOML, or has no such table.
+    """
+    content = read_toml(path)
+    name = next((each for each in tables if each in content), tables[0])
+    table = content.get(name)
+    if not isinstance(table, dict):
+        raise Problem(f"--case: {path} has no table [{name}]")
+    others = sorted(content.keys() - {name})
+    if others:
+        raise Problem(f"--case: {path}: unknown {others[0]!r}, expected only [{name}]")
+    return table
+
+
+def read_toml(path: Path) -> dict[str, object]:
+    """Return the content of a case file.
+
+    Raises
+    ------
+    Problem
+        If it cannot be read, or is not TOML.
+    """
+    try:
+        text = path.read_bytes().decode("utf-8-sig")  # editors on Windows write a mark first
+        return tomllib.loads(text)
+    except OSError as error:
+        raise Problem(f"--case: cannot read {path}: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise Problem(f"--case: {path} is not a text file; expected TOML") from error
+    except (ValueError, RecursionError) as error:
+        raise Problem(f"--case: {path} is not TOML: {error}") from error

@@ -1,0 +1,58 @@
+"""What every table on stdout has in common: columns, width, digits."""
+
+import math
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+#: Estimated error of the period below which the digits of a column are not all.
+MORE_DIGITS = 1e-9
+
+#: Columns beyond which the gaps of a table are one column and not two.
+WIDE = 80
+
+#: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
+WIDEST = 200
+
+
+class _Console(Console):
+    """A console that hands a broken pipe on, and does not exit with 1."""
+
+    def on_broken_pipe(self) -> None:
+        raise BrokenPipeError
+
+
+def print_table(table: Table) -> None:
+    """Print a table; where stdout is no terminal, plain and as wide as it is.
+
+    On a narrow terminal a cell goes on in the next line: no digit is left out.
+    """
+    console = _Console()
+    if not console.is_terminal:
+        console = _Console(width=WIDEST)
+        if console.measure(table).maximum > WIDE:
+            table.padding = (0, 1, 0, 0)
+    console.print(table)
+
+
+def table_of(*columns: str) -> Table:
+    """Return a table with these headings: words to the left, numbers to the right."""
+    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False)
+    for index, column in enumerate(columns):
+        table.add_column(
+            Text(column), justify="left" if index == 0 else "right", overflow="fold"
+        )
+    return table
+
+
+def certain_digits(value: float, error: float) -> str:
+    """Return a number by the digits that a relative error leaves.
+
+    Examples
+    --------
+    >>> certain_digits(0.1999999999876, 3e-10), certain_digits(2e-20, 0.0)
+    ('0.200000000', '2.000000000000000e-20')
+    """
+    digits = min(16, max(1, math.floor(-math.log10(error)))) if error > 0 else 16
+    return f"{value:#.{digits}g}"
