@@ -139,6 +139,23 @@ def test_the_trivial_multiplier_is_off_as_the_duration_of_slip_is() -> None:
     assert orbit.stable is True
 
 
+@pytest.mark.parametrize("force", [200.0, 400.0, 900.0])
+def test_the_paper_s_orbits_have_them_in_closed_form(force) -> None:
+    belt = ns.StickSlip(
+        mass=10, stiffness=1000, belt_speed=1, mu_s=0.5, mu_k=0.25, normal_force=force
+    )
+    exact, orbit = ns.exact(belt), ns.solve(belt, "c1", 12)
+    assert exact.multipliers.tolist() == orbit.multipliers.tolist() == [0.0]
+    assert exact.stable
+    assert exact.trivial_multiplier == pytest.approx(1, abs=1e-13)
+    generic = ns.solve(belt, "c1-tau", 5)
+    s = float(generic.cell_durations[1])
+    expected = math.cos(s) - belt.alpha * math.sin(s)
+    assert generic.trivial_multiplier == pytest.approx(expected, abs=1e-7)
+    off = orbit.period - orbit.t1 - (exact.period - exact.t1)  # times the slope -sin - a cos
+    assert orbit.trivial_multiplier - 1 == pytest.approx(off / belt.time_unit, rel=0.05)
+
+
 def test_one_of_a_continuum_of_orbits_is_neither() -> None:
     # dry friction without damping at half the natural frequency: x0 and x0 - e both close
     orbit = exact_orbit(friction(0.5, 0.2)(), (2 * math.pi,), 0.1)

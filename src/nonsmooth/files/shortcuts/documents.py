@@ -36,12 +36,17 @@ def of_solution(
         result |= {name: getattr(found, name) for name in ATTRIBUTES}
         result |= {"admissible": found.admissible, "violations": list(found.violations)}
         result["transition_mismatch"] = found.transition_mismatch
+        result["multipliers"] = [
+            {"re": q.real, "im": q.imag} for q in found.multipliers.tolist()
+        ]
+        result["stable"] = found.stable
         judged = {"errors": asdict(found.errors), "estimate": asdict(found.estimate)}
         more: dict[str, Any] = {"c1_terms": found.c1_terms} if found.c1_terms > 1 else {}
         outcome = vars(found.outcome) | {"unknowns": found.unknowns.tolist()}
         return head | result | tail | judged | more | {"outcome": outcome}
     result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(ATTRIBUTES)
-    result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
+    result |= {"admissible": False, "violations": [str(found)]}
+    result |= dict.fromkeys(("transition_mismatch", "multipliers", "stable"))
     judged = {
         "errors": dict.fromkeys(field.name for field in fields(Errors)),
         "estimate": dict.fromkeys(field.name for field in fields(Estimate)),

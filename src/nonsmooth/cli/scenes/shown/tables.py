@@ -9,6 +9,7 @@ import click
 
 from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.stability.words import in_words
 
 from ...shortcuts.tables import MORE_DIGITS, _print, _table, certain_digits
 from .captions import WIDTH, derivative
@@ -47,6 +48,12 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
             str(orbit.iterations),
         )
     _print(table)
+    orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
+    for motion, words in [(exact, "exact"), *((q, name_of(q)) for q in orbits)]:
+        if motion is not None:
+            line = f"{words}: {in_words(motion)}"
+            click.echo(textwrap.fill(line, WIDTH, subsequent_indent="  "))
+            break
     for orbit in found.values():
         if isinstance(orbit, SceneOrbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
