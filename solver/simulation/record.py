@@ -1,5 +1,6 @@
 """A simulated motion in SI units: its phases, and the motion at any time within it."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -11,6 +12,7 @@ from ..arrays import Vector
 from ..case.case import Case
 from ..case.cell import Phase
 from ..flow import flow
+from .bounds import window
 
 #: Of the document's keys and their meaning.
 SCHEMA = 1
@@ -144,23 +146,31 @@ class Simulation:
         values = np.empty(len(local))
         for index in np.unique(which):
             q, here = self.segments[index], which == index
-            s = np.clip(local[here] - q.t, 0.0, q.s)
-            start, omega = np.array([q.x, q.v]), self.case.cell.omega
-            values[here] = flow.motion(q.phase, start, q.angle, omega, s, derivative)
+            values[here] = self._of(q, np.clip(local[here] - q.t, 0.0, q.s), derivative)
         return np.asarray(values * self.case.units.of_motion(derivative)).reshape(times.shape)
 
-    def instants(self, points: int = 40) -> Vector:
-        """Return times in s for a picture: both ends of each phase, and some between."""
-        part = np.linspace(0.0, 1.0, points)
-        parts = [q.start + q.duration * part for q in self.phases]
-        for times, (low, high) in zip(parts, self._ends, strict=True):
-            times[0], times[-1] = low, np.nextafter(high, low)
-        return np.concatenate(parts)
+    def samples(self, points: int = 100) -> list[tuple[Vector, Vector, Vector, Vector]]:
+        """Return times, displacements, velocities and accelerations of each phase, in SI units.
 
-    @cached_property
-    def _ends(self) -> list[tuple[float, float]]:
-        starts = [q.start for q in self.phases]
-        return list(zip(starts, [*starts[1:], self.time], strict=True))
+        Parameters
+        ----------
+        points : int
+            About how many for each wave of the motion.  The start and the end of a phase are
+            always among them: the values at an end are those before the switch.
+        """
+        units, found = self.case.units, []
+        factors = [units.of_motion(j) for j in (0, 1, 2)]
+        for q in self.segments:
+            wave = math.pi * window(q.phase, self.case.cell.omega)
+            count = 3 + math.ceil(points * q.s / wave)
+            s = q.s * np.linspace(0.0, 1.0, count)
+            x, v, a = (self._of(q, s, j) * factor for j, factor in enumerate(factors))
+            found.append(((q.t + s) * units.time, x, v, a))
+        return found
+
+    def _of(self, q: Segment, s: Vector, derivative: int) -> Vector:
+        start, omega = np.array([q.x, q.v]), self.case.cell.omega
+        return flow.motion(q.phase, start, q.angle, omega, s, derivative)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the motion as the document that ``simulate --json`` writes."""
@@ -197,8 +207,8 @@ class Simulation:
             import matplotlib.pyplot as plt  # noqa: PLC0415  (an extra)
 
             ax = plt.subplots()[1]
-        times = self.instants()
-        ax.plot(times, self.displacement(times), **style)
+        times, x, *_ = map(np.concatenate, zip(*self.samples(), strict=True))
+        ax.plot(times, x, **style)
         ax.set(xlabel="t [s]", ylabel="displacement [m]")
         return ax
 

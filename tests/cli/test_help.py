@@ -10,8 +10,8 @@ import pytest
 from nonsmooth.cli import cli
 
 COMMANDS = (
-    "scenes", "generate", "equations", "solve", "sweep", "roots", "stability", "tradeoff",
-    "report",
+    "scenes", "generate", "equations", "solve", "sweep", "simulate", "roots", "stability",
+    "tradeoff", "report",
 )  # fmt: skip
 
 

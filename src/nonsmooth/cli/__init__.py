@@ -15,6 +15,7 @@ import click
 from . import equations, generate
 from .problems import Problem
 from .scenes import command as scene_command
+from .scenes import simulate as simulation
 from .scenes.shown import listing
 from .shortcuts import report, roots, solve, stability, sweep, tradeoff
 from .version import show_version
@@ -69,12 +70,20 @@ def cli() -> None:
     """
 
 
+#: Its command line is that of the scene, the default one too; this is what documentation shows.
+simulate = scene_command.SceneCommand(
+    "simulate", module="simulate", always=True, params=simulation.options(),
+    help=simulation.HELP.format(name="a scene", title="Stick-slip without SCENE"),
+    epilog=simulation.EPILOG.format(scene="impact", flag="gap", value=0.2),
+)  # fmt: skip
+
 for command in (
     listing.scenes,
     generate.generate,
     equations.equations,
     solve.solve,
     sweep.sweep,
+    simulate,
     roots.roots,
     stability.stability,
     tradeoff.tradeoff,

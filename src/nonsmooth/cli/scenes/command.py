@@ -25,13 +25,16 @@ class SceneCommand(click.Command):
         Of this package: its ``command(scene, said)`` makes the command of another scene.
     all_without : bool
         Whether the command without a scene is about all of them, and not the default one.
+    always : bool
+        Whether the command of the default scene is made as that of any other.
     """
 
     def __init__(
-        self, *arguments: Any, module: str, all_without: bool = False, **options: Any
-    ) -> None:
+        self, *arguments: Any, module: str, all_without: bool = False, always: bool = False,
+        **options: Any,
+    ) -> None:  # fmt: skip
         super().__init__(*arguments, **options)
-        self.module, self.all_without = module, all_without
+        self.module, self.all_without, self.always = module, all_without, always
 
     def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
         """Return the command that arguments mean, the scene as it is named, and the rest.
@@ -46,11 +49,14 @@ class SceneCommand(click.Command):
         named = bool(arguments) and not arguments[0].startswith("-")
         scene = arguments[0] if named else _of_case_file(arguments)
         rest = arguments[1:] if named else arguments
+        build = import_module(f".{self.module}", __package__).command
+        if self.always:
+            said = scene or DEFAULT
+            return build(scene_named(said), said if named else ""), scene or "", rest
         if scene is None:
             return self, "", rest
         if scene.replace("_", "-") == DEFAULT and not self.all_without:
             return self, DEFAULT if named else "", rest
-        build = import_module(f".{self.module}", __package__).command
         command: click.Command = build(scene_named(scene), scene)
         return command, scene, rest
 
