@@ -17,7 +17,7 @@ from .problems import Problem
 from .scenes import command as scene_command
 from .scenes import simulate as simulation
 from .scenes.shown import listing
-from .shortcuts import report, roots, solve, stability, sweep, tradeoff
+from .shortcuts import digits, report, roots, solve, sweep, tradeoff
 from .version import show_version
 
 EXAMPLES = """\b
@@ -85,7 +85,8 @@ for command in (
     sweep.sweep,
     simulate,
     roots.roots,
-    stability.stability,
+    digits.digits,
+    digits.stability,
     tradeoff.tradeoff,
     report.report,
 ):

@@ -16,7 +16,7 @@ from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
 from nonsmooth.solver.shortcuts.search.family_points import STATUS
 
 if TYPE_CHECKING:
-    from nonsmooth.shortcuts.stability import Cell, Form
+    from nonsmooth.shortcuts.digits import Cell, Form
     from nonsmooth.shortcuts.tradeoff import Point
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
