@@ -78,17 +78,23 @@ def simulate(
     duration = _duration(case, cycles, time)
     machine = Machine.of(case.cell)
     if state is None:
-        start = _at_rest(machine, turn)
+        start = at_rest(machine, turn)
         if start is None:
             raise ValueError("state: no displacement at rest is admitted, expected one")
     else:
         start = _given(case, state, turn)
-    node = machine.first(start)
-    if node is None:
+    if machine.first(start) is None:
         raise ValueError(
             f"state: got {tuple(state or ())!r}, expected one that a phase of "
             f"{case.scene.name} takes; {machine.unmet(start)}"
         )
+    return follow(case, machine, start, duration)
+
+
+def follow(case: Case, machine: Machine, start: State, duration: float) -> Simulation:
+    """Return the motion of a case from a state that a phase takes, all without units."""
+    node = machine.first(start)
+    assert node is not None
     segments, ended = _run(case, machine, node, start, duration)
     return Simulation(case, tuple(segments), ended)
 
@@ -119,7 +125,10 @@ def _run(
         form = forms[end.form]
         rho, d = machine.law(node, form)
         still = form if form[1] == 0 or (rho, d) == (1, 0) else None
-        state = State(end.x, rho * end.v + d, state.angle + omega * end.s, still)
+        angle = math.fmod(
+            state.angle + omega * end.s, 2 * math.pi
+        )  # a small one has its digits
+        state = State(end.x, rho * end.v + d, angle, still)
         short = short + 1 if end.s < SHORT else 0
         if short == CHATTER:
             return segments, f"chatter: {_chatter(case, segments)}"
@@ -142,12 +151,12 @@ def _chatter(case: Case, segments: list[Segment]) -> str:
         t += last * last / (before - last)
     name, unit = segments[-1].phase.name, case.units.time
     return (
-        f"{name} ends ever sooner, the switches accumulate at t = {t * unit:.15g} s, and the "
+        f"{name} ends ever sooner, the switches accumulate at t = {t * unit:.9g} s, and the "
         "scene does not say what follows"
     )
 
 
-def _at_rest(machine: Machine, angle: float) -> State | None:
+def at_rest(machine: Machine, angle: float) -> State | None:
     """Return the admissible state at rest that is nearest to 0."""
     cosine = math.cos(angle)
     places = [0.0]
