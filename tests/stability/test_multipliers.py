@@ -129,6 +129,20 @@ def test_stick_forgets_the_velocity() -> None:
         assert orbit.margin == 1.0
 
 
+def test_stick_between_other_phases_gives_an_exact_zero_too() -> None:
+    # the cell begins in the midst of slip, where x passes 0
+    scene = made(
+        [(1, 0, 1, 0, 0), (1, 0, 0, 0, 0), (1, 0, 1, 0, 0)],
+        [(0, 1, 0, -1), (1, 0, 0, -1), (1, 0, 0, 0)],
+        held=(None, 1.0, None),
+    )
+    orbit = exact_orbit(scene(), (2.3, 2.1, 2.4))
+    assert orbit.durations == pytest.approx([3 * math.pi / 4, 2, 3 * math.pi / 4])
+    assert orbit.multipliers.tolist() == [0.0]
+    assert orbit.trivial_multiplier == pytest.approx(1, abs=1e-13)
+    assert np.abs(np.linalg.eigvals(monodromy(orbit).matrix)).min() > 0  # if it were computed
+
+
 def test_the_trivial_multiplier_is_off_as_the_duration_of_slip_is() -> None:
     case = registry.load("stick-slip")()
     orbit = ns.solve(case, "ck-tau", 5)
@@ -152,8 +166,9 @@ def test_the_paper_s_orbits_have_them_in_closed_form(force) -> None:
     s = float(generic.cell_durations[1])
     expected = math.cos(s) - belt.alpha * math.sin(s)
     assert generic.trivial_multiplier == pytest.approx(expected, abs=1e-7)
-    off = orbit.period - orbit.t1 - (exact.period - exact.t1)  # times the slope -sin - a cos
-    assert orbit.trivial_multiplier - 1 == pytest.approx(off / belt.time_unit, rel=0.05)
+    off = (orbit.period - orbit.t1 - (exact.period - exact.t1)) / belt.time_unit
+    # the slope of the closed form by s is -sin(s) - alpha cos(s) = alpha, where it is 1
+    assert orbit.trivial_multiplier - 1 == pytest.approx(belt.alpha * off, rel=0.05)
 
 
 def test_one_of_a_continuum_of_orbits_is_neither() -> None:
