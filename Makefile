@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 OUTPUT := output
 
 .DEFAULT_GOAL := help
-.PHONY: help solve sweep stability test test-long mutants bench bench-kernels generate equations report docs lint dist lowest clean
+.PHONY: help solve sweep digits stability test test-long mutants bench bench-kernels generate equations report docs lint dist lowest clean
 
 help:  ## list the targets
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
@@ -19,9 +19,11 @@ sweep: $(VENV)/ready  ## convergence over the orders 1 to 40, and a picture
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth sweep --orders 1-40 -o $(OUTPUT)/convergence.png
 
-stability: $(VENV)/ready  ## digits kept at the extremes, against high precision, and a picture
+digits: $(VENV)/ready  ## digits kept at the extremes, against high precision, and a picture
 	@mkdir -p $(OUTPUT)
-	@$(BIN)/nonsmooth stability -o $(OUTPUT)/stability.png
+	@$(BIN)/nonsmooth digits -o $(OUTPUT)/digits.png
+
+stability: digits  # its old name
 
 test: $(VENV)/ready  ## the tests, in two processes
 	@$(BIN)/python -m pytest -n 2 --dist loadgroup -m 'not long'

@@ -2,7 +2,7 @@
 
     python -m benchmarks.interrupted
 
-Each run of `nonsmooth stability --quick` starts with an empty cache of kernels and is struck
+Each run of `nonsmooth digits --quick` starts with an empty cache of kernels and is struck
 once, or twice in quick succession, within its first six seconds.
 """
 
@@ -25,7 +25,7 @@ BETWEEN = (0.0, 0.001, 0.01, 0.05)
 def end(number: int) -> tuple[int, str, float]:
     """Return status, last line of stderr and seconds from the first strike to the end."""
     rng = random.Random(number)
-    command = [sys.executable, "-m", "nonsmooth", "stability", "--quick"]
+    command = [sys.executable, "-m", "nonsmooth", "digits", "--quick"]
     pipe = subprocess.PIPE
     with tempfile.TemporaryDirectory() as folder:
         environment = os.environ | {"NUMBA_CACHE_DIR": folder}

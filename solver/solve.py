@@ -16,6 +16,7 @@ from .iteration.attempt import attempt
 from .iteration.start import rough_times
 from .no_orbit import NoOrbit
 from .orbit.orbit import SceneOrbit
+from .simulation.settle import rough_times_by_simulation
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
 #: the first, and where a motion has too many waves for that, at the second.
@@ -108,7 +109,10 @@ class _Search:
         return found
 
     def starts(self) -> Iterator[Vector]:
-        """Yield times to start from: those of a coarse orbit, or rough ones if none can be."""
+        """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
+
+        Then those on which a simulation settles, or why there are none.
+        """
         scene = self.case.scene
         coarse = registry.kernel(scene, FIRST) if FIRST in registry.methods(scene) else None
         for order in COARSE if coarse else COARSE[:1]:
@@ -122,6 +126,13 @@ class _Search:
                 found = self.note(attempt(coarse, self.case, order, times))
                 if found.converged and found.admissible:
                     yield coarse.times(found.unknowns)
+        for settled in rough_times_by_simulation(self.case):
+            self.words = settled.words
+            if settled.times is None:
+                self.tried.append(settled.words)
+            else:
+                angle = (settled.times.angle,) if self.kernel.forced else ()
+                yield np.array([*settled.times.durations, *angle])
 
 
 def check_order(kernel: SceneKernel, value: object) -> int:

@@ -10,6 +10,7 @@ Nothing here knows an expansion, and nothing names an oscillator.
 from .data import Event, Parameter, Phase, Scene
 from .error import SceneError
 from .linear import LinearPhase, State, linear_phase, state_row
+from .saltation import Saltation, saltations
 from .smoothness import Switch, switches
 from .symbols import a, forcing, t, v, x
 
@@ -18,6 +19,7 @@ __all__ = [
     "LinearPhase",
     "Parameter",
     "Phase",
+    "Saltation",
     "Scene",
     "SceneError",
     "State",
@@ -25,6 +27,7 @@ __all__ = [
     "a",
     "forcing",
     "linear_phase",
+    "saltations",
     "state_row",
     "switches",
     "t",

@@ -10,8 +10,9 @@ from .error import SceneError
 TAKEN = frozenset(
     (
         *("budget", "c1_terms", "case", "cycles", "digits", "expand", "format", "fragment"),
-        *("functions", "help", "json", "log", "method", "methods", "motion", "order", "orders"),
-        *("output", "quick", "shortcuts", "tol", "tol_acceleration", "vary"),
+        *("forcing_phase", "functions", "help", "json", "log", "method", "methods", "motion"),
+        *("order", "orders", "output", "quick", "shortcuts", "state", "time", "tol"),
+        *("tol_acceleration", "vary"),
     )
 )
 

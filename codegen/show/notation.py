@@ -1,11 +1,12 @@
 """When a scene's phases begin and end, in the paper's symbols: ``0, t1, ..., T``."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 
 from ..galerkin import Times
-from ..scene import Scene, Switch, switches
+from ..scene import Saltation, Scene, Switch, saltations, switches
 from .functions import T, omega_0, state
 
 
@@ -29,6 +30,11 @@ class Notation:
     def of(cls, scene: Scene) -> "Notation":
         """Return the notation of a scene."""
         return cls(scene, Times.of(scene), switches(scene))
+
+    @cached_property
+    def saltations(self) -> tuple[Saltation, ...]:
+        """What the switch at the end of each phase makes of small perturbations."""
+        return saltations(self.scene)
 
     @property
     def k(self) -> int:

@@ -1,4 +1,4 @@
-"""A scene for the reader: motion, events, jumps, demands, class at each switch, scales."""
+"""A scene for the reader: motion, events, jumps, demands, class, perturbations, scales."""
 
 import re
 from collections.abc import Iterator
@@ -11,7 +11,7 @@ from ..system import Equation
 from .functions import T, state, t, x
 from .motion import balanced, during, equation_of_motion, not_negative
 from .notation import Notation
-from .switching import event, jump, law
+from .switching import event, jump, law, perturbations
 
 ORDINAL = {1: "first", 2: "second", 3: "third"}
 
@@ -69,6 +69,9 @@ def _switches(notation: Notation) -> Iterator[Equation]:
         order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
         words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "
         yield Equation("", f"{words}derivative jumps", jump(notation, p))
+    for p, phase in enumerate(notation.scene.phases):
+        for words, sides in perturbations(notation, p):
+            yield Equation("", f"small perturbation {words} where {phase.name} ends", sides)
 
 
 def _whole(notation: Notation) -> Iterator[Equation]:

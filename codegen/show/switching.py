@@ -1,13 +1,21 @@
-"""What happens at the switches: events, laws of the velocity, the derivative that jumps."""
+"""What happens at the switches: events, laws, what jumps, what becomes of perturbations."""
+
+from collections.abc import Iterator
 
 import sympy as sp
 
-from ..scene import forcing, v, x
+from ..scene import forcing, saltation, v, x
 from ..scene.linear import state_row
 from ..scene.smoothness import generator
 from .functions import state
 from .motion import at_state
 from .notation import Notation
+
+#: A small perturbation of each state, and what the state is called.
+PERTURBATIONS = (
+    ("displacement", sp.Function("xi")),
+    ("velocity", sp.Function("eta")),
+)
 
 
 def event(notation: Notation, p: int) -> sp.Expr:
@@ -64,3 +72,25 @@ def _size(notation: Notation, p: int, order: int) -> sp.Expr:
     waves = {turning: sp.sin(notation.times.angle(time))}
     found = sp.factor(sp.expand(size.subs(values, simultaneous=True)))
     return at_state(found, lambda q: state(q, time), notation.times.forcing(time)).subs(waves)
+
+
+def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Expr, ...]]]:
+    """Yield words and sides: what becomes of a perturbation where phase `p` ends."""
+    found = notation.saltations[p]
+    sides = {side: notation.side(p + 1, side) for side in "+-"}
+    angle = notation.times.angle(notation.at(p + 1))
+    frequency = notation.scene.frequency
+    values = {
+        v: state(1, sides["-"]),
+        saltation.before: state(2, sides["-"]),
+        saltation.after: state(2, sides["+"]),
+    }
+    if frequency is not None:
+        values[saltation.turning] = -frequency * sp.sin(angle)
+    matrix = found.matrix.subs(values, simultaneous=True)
+    rows = zip(PERTURBATIONS, matrix.tolist(), strict=True)
+    for (name, perturbation), row in rows:
+        terms = (
+            entry * q(sides["-"]) for entry, (_, q) in zip(row, PERTURBATIONS, strict=True)
+        )
+        yield f"`{perturbation}` of the {name}", (perturbation(sides["+"]), sp.Add(*terms))

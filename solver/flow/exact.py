@@ -1,6 +1,6 @@
 """The exact orbit of a scene of linear phases: the reference of every error."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -75,7 +75,7 @@ def exact_orbit(
         The oscillator.
     durations : sequence of float
         Rough durations of the phases of one cell in s, to start from; without them, the
-        scene's guess and equal durations.
+        scene's guess, equal durations, and at last those on which a simulation settles.
     forcing_phase : float
         Rough phase of the forcing, with them.
 
@@ -89,7 +89,7 @@ def exact_orbit(
     given = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
-    for start in [given] if given else rough_times(case.cell):
+    for start in [given] if given else _starts(case, tried):
         orbit = _from(case, start)
         iterations += orbit.outcome.iterations
         if not orbit.outcome.converged:
@@ -102,6 +102,18 @@ def exact_orbit(
     error = NoOrbit(f"{name}: no admissible exact orbit was found", False, tuple(tried))
     error.iterations = iterations
     raise error
+
+
+def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
+    """Yield rough times, then those on which a simulation settles; why not goes to `tried`."""
+    from ..simulation.settle import rough_times_by_simulation  # noqa: PLC0415  (by this flow)
+
+    yield from rough_times(case.cell)
+    for settled in rough_times_by_simulation(case):
+        if settled.times is None:
+            tried.append(settled.words)
+        else:
+            yield settled.times
 
 
 def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes | None:

@@ -4,6 +4,8 @@ import math
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from ..stability import words as stability
+
 if TYPE_CHECKING:
     from ..case.case import Case
     from ..flow.exact import ExactSceneOrbit
@@ -46,6 +48,7 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
         "exact": _of_exact(exact),
         "errors": asdict(errors) if errors else without_errors(),
         "estimate": asdict(orbit.estimate),
+        **stability.document(orbit),
     }
     return {name: _finite(value) for name, value in content.items()}
 
@@ -81,6 +84,7 @@ def document_without_orbit(
         "exact": _of_exact(exact),
         "errors": without_errors(),
         "estimate": without_errors(),
+        **stability.without_multipliers(),
         "status": finding.status,
     }
     return {name: _finite(value) for name, value in content.items()}

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +11,9 @@ import numpy.typing as npt
 from ..arrays import Vector
 from ..case.case import Case
 from .extremes import extremes
+
+if TYPE_CHECKING:
+    from ..stability.stability import Complex, Stability
 
 
 @dataclass(frozen=True)
@@ -147,3 +151,39 @@ class SceneMotion:
             name: extremes(self, derivative)
             for derivative, name in enumerate(("displacement", "velocity"))
         }
+
+    @cached_property
+    def stability(self) -> "Stability":
+        """What a period makes of small perturbations, with the rounding of that.
+
+        Raises
+        ------
+        NoMultipliersError
+            If an event is touched and not crossed, or a check of the computation failed.
+        """
+        from ..stability.stability import stability  # noqa: PLC0415  (it reads this type)
+
+        return stability(self)
+
+    @property
+    def multipliers(self) -> "Complex":
+        """The Floquet multipliers of a whole period, the largest first; see `stability`.
+
+        Without forcing, that of a shift in time is left out: it is `trivial_multiplier`.
+        """
+        return self.stability.multipliers
+
+    @property
+    def trivial_multiplier(self) -> float | None:
+        """The multiplier of a shift in time, 1 but for errors; None where something forces."""
+        return self.stability.trivial_multiplier
+
+    @property
+    def stable(self) -> bool | None:
+        """Whether small perturbations die out; None where that cannot be told."""
+        return self.stability.stable
+
+    @property
+    def margin(self) -> float:
+        """1 less the largest modulus of the multipliers: positive if the orbit is stable."""
+        return self.stability.margin

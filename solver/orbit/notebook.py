@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arrays import Vector
 from ..case.names import shown
+from ..stability.words import in_words
 
 if TYPE_CHECKING:
     from .motion import SceneMotion
@@ -60,6 +61,7 @@ def table(orbit: "SceneOrbit") -> str:
         "period": f"{orbit.period:.10g} s",
         "phases": ", ".join(f"{p.name} {p.duration:.8g} s" for p in orbit.phases),
         "phase of the forcing": "" if turn is None else f"{turn:.8g} rad",
+        "stability": in_words(orbit),
         "estimated error of the times": f"{orbit.estimate.times:.1e}",
     }
     cells = (

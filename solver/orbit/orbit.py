@@ -130,6 +130,16 @@ class SceneOrbit(SceneMotion):
 
         return estimate(self)
 
+    @property
+    def stable(self) -> bool | None:
+        """Whether small perturbations die out; None where that cannot be told.
+
+        It cannot at the boundary, nor where the exact orbit next to this one says otherwise:
+        then the order is too low to tell.
+        """
+        own = self.stability.stable
+        return own if self.exact is None or self.exact.stable == own else None
+
     def as_dict(self) -> dict[str, Any]:
         """Return the orbit as the document that ``solve --json`` writes."""
         return document(self)

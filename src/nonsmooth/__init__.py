@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .families import family
     from .files.api import load, save
     from .files.errors import FileError
-    from .oscillators import exact, solve, sweep
+    from .oscillators import exact, simulate, solve, sweep
     from .scene import find as scene
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from .solver.shortcuts.orbit.oscillator import StickSlip
     from .solver.shortcuts.search.family import Family
     from .solver.shortcuts.search.sweep import Row, Sweep
+    from .solver.simulation.record import Simulation
     from .solver.sweep import SceneSweep
 
     __version__: str
@@ -61,6 +62,7 @@ _HOMES = {
     "SceneFileError": ("scene_files.error", "SceneFileError"),
     "SceneOrbit": ("solver.orbit.orbit", "SceneOrbit"),
     "SceneSweep": ("solver.sweep", "SceneSweep"),
+    "Simulation": ("solver.simulation.record", "Simulation"),
     "StickSlip": ("solver.shortcuts.orbit.oscillator", "StickSlip"),
     "Sweep": ("solver.shortcuts.search.sweep", "Sweep"),
     "TooSlow": ("solver.not_certified", "TooSlow"),
@@ -71,6 +73,7 @@ _HOMES = {
     "load": ("files.api", "load"),
     "save": ("files.api", "save"),
     "scenes": ("scene_files.find", "names"),
+    "simulate": ("oscillators", "simulate"),
     "solve": ("oscillators", "solve"),
     "sweep": ("oscillators", "sweep"),
 }
@@ -90,6 +93,7 @@ __all__ = [
     "SceneFileError",
     "SceneOrbit",
     "SceneSweep",
+    "Simulation",
     "StickSlip",
     "Sweep",
     "TooSlow",
@@ -102,6 +106,7 @@ __all__ = [
     "save",
     "scene",
     "scenes",
+    "simulate",
     "solve",
     "sweep",
 ]

@@ -1,4 +1,4 @@
-"""`solve`, `sweep` and `exact` for any oscillator: the paper's, or a case of any scene."""
+"""`solve`, `sweep`, `exact` and `simulate` of any oscillator: the paper's, or of any scene."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, overload
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from .solver.shortcuts.orbit.orbit import Orbit
     from .solver.shortcuts.orbit.oscillator import StickSlip
     from .solver.shortcuts.search.sweep import Sweep
+    from .solver.simulation.record import Simulation
     from .solver.sweep import SceneSweep
 
 
@@ -255,6 +256,62 @@ def exact(case: "StickSlip | Case") -> "ExactOrbit | ExactSceneOrbit":
     from .solver.flow.exact import exact_orbit  # noqa: PLC0415
 
     return exact_orbit(generic)
+
+
+def simulate(
+    case: "StickSlip | Case",
+    state: Sequence[float] | None = None,
+    cycles: float | None = None,
+    *,
+    time: float | None = None,
+    forcing_phase: float = 0.0,
+) -> "Simulation":
+    """Return the motion of an oscillator from a given state, from event to event.
+
+    Each phase is the exact flow of its equation, and no event can be stepped over.
+
+    Parameters
+    ----------
+    case : StickSlip or Case
+        The oscillator.
+    state : (float, float), optional
+        Displacement in m and velocity in m/s at the start; without it at rest at 0 or, if
+        the scene does not admit that, at or next to the nearest limit.
+    cycles : float, optional
+        How many periods of the forcing or, where nothing forces, how many times 2 pi of the
+        scene's unit of time; 20 without it.
+    time : float, optional
+        How long in s, in place of `cycles`.
+    forcing_phase : float
+        Phase of the forcing at the start, in rad.
+
+    Returns
+    -------
+    Simulation
+        Its phases, the motion at any time, and why it ended where it did so early.
+
+    Raises
+    ------
+    TypeError
+        If `case` is neither.
+    ValueError
+        If a number is not one that can be simulated, or no phase takes the state at the start.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> motion = ns.simulate(ns.scene("impact")(), cycles=3)
+    >>> motion
+    <impact simulated for 10.472 s: 4 phases>
+    >>> [round(phase.start, 6) for phase in motion.phases]
+    [0.0, 0.468885, 4.237267, 7.641]
+    >>> print(motion.displacement([0, 1, 2]).round(6))
+    [ 0.       -0.346003 -1.378577]
+    """
+    from .solver.simulation.simulate import simulate as simulated  # noqa: PLC0415
+
+    generic, _ = _way(case, [None], None, shortcuts=False)
+    return simulated(generic, state, cycles, time=time, forcing_phase=forcing_phase)
 
 
 def _way(

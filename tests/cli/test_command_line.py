@@ -23,6 +23,8 @@ KEYS = [
     "admissible",
     "violations",
     "transition_mismatch",
+    "multipliers",
+    "stable",
     "exact",
     "errors",
     "estimate",

@@ -1,4 +1,4 @@
-"""The heat maps of `nonsmooth stability`, read back: cells, words, ticks, titles."""
+"""The heat maps of `nonsmooth digits`, read back: cells, words, ticks, titles."""
 
 from collections.abc import Iterator
 
@@ -10,7 +10,7 @@ pytest.importorskip("matplotlib")
 from matplotlib.collections import QuadMesh
 
 from nonsmooth.cli.shortcuts.heat_maps import heat_maps
-from nonsmooth.shortcuts.stability import Cell, Form
+from nonsmooth.shortcuts.digits import Cell, Form
 
 NONE = Form("no-orbit", None, None, 3)
 LOST = Form("not-converged", None, 1e9, 40)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from printed_table import Columns, Document, compare, read
 
-from nonsmooth.shortcuts import stability, tradeoff
+from nonsmooth.shortcuts import digits, tradeoff
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_the_table_of_time_against_error(run, tmp_path: Path, monkeypatch) -> No
     assert json.loads(run("tradeoff", "--json")[1]) == document
 
 
-def digits(form: str) -> tuple[Callable[[Document], str], str]:
+def digits_of(form: str) -> tuple[Callable[[Document], str], str]:
     def shown(row: Document) -> str:
         found = row[form]
         text = found["status"] if found["digits"] is None else f"{found['digits']:.1f}"
@@ -90,26 +90,26 @@ def digits(form: str) -> tuple[Callable[[Document], str], str]:
 
 def test_the_table_of_digits(run, tmp_path: Path, monkeypatch) -> None:
     pytest.importorskip("flint")
-    none, lost = (stability.Form(s, None, None, 3) for s in ("no-orbit", "not-converged"))
-    kept, helped = stability.Form("ok", 2e-15, 3e4, 5), stability.Form("helped", 4e-9, 7e11, 8)
+    none, lost = (digits.Form(s, None, None, 3) for s in ("no-orbit", "not-converged"))
+    kept, helped = digits.Form("ok", 2e-15, 3e4, 5), digits.Form("helped", 4e-9, 7e11, 8)
     cells = [
-        stability.Cell("hb", 0.25, 10, kept, helped),
-        stability.Cell("hb-c1", 3.0, 20, kept, lost),
-        stability.Cell("c1", 1e-6, 60, none, none),
-        stability.Cell("c1", 30.0, 7, helped, kept),  # the target is missed
+        digits.Cell("hb", 0.25, 10, kept, helped),
+        digits.Cell("hb-c1", 3.0, 20, kept, lost),
+        digits.Cell("c1", 1e-6, 60, none, none),
+        digits.Cell("c1", 30.0, 7, helped, kept),  # the target is missed
     ]
-    monkeypatch.setattr(stability, "measure", lambda grid, progress: cells)
-    path = tmp_path / "stability.json"
-    status, out, _ = run("stability", "-o", path)
+    monkeypatch.setattr(digits, "measure", lambda grid, progress: cells)
+    path = tmp_path / "digits.json"
+    status, out, _ = run("digits", "-o", path)
     document = json.loads(path.read_text())
     columns: Columns = {
         "method": (lambda row: row["method"], ""),
         "alpha": (lambda row: row["alpha"], "g"),
         "N": (lambda row: row["order"], ""),
-        "digits": digits("stable"),
+        "digits": digits_of("stable"),
         "cond": (lambda row: row["stable"]["condition"], ".0e"),
         "it": (lambda row: row["stable"]["iterations"], ""),
-        "as printed": digits("printed"),
+        "as printed": digits_of("printed"),
         "cond'": (lambda row: row["printed"]["condition"], ".0e"),
         "it'": (lambda row: row["printed"]["iterations"], ""),
         "met": (lambda row: "yes" if row["met"] else "NO", ""),
@@ -118,4 +118,4 @@ def test_the_table_of_digits(run, tmp_path: Path, monkeypatch) -> None:
     assert [row["met"] for row in document["rows"]] == [True, True, True, False]
     assert status == 1
     assert "3 of 4 cells meet their target" in out
-    assert json.loads(run("stability", "--json")[1]) == document
+    assert json.loads(run("digits", "--json")[1]) == document

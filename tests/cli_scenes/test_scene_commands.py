@@ -18,7 +18,8 @@ from nonsmooth.solver.solve import solve_case
 KEYS = [
     "schema", "scene", "class", "motion", "method", "order", "functions", "parameters",
     "converged", "iterations", "residual_norm", "phases", "period", "forcing_phase", "extremes",
-    "coefficients", "admissible", "violations", "exact", "errors", "estimate", "units",
+    "coefficients", "admissible", "violations", "exact", "errors", "estimate",
+    "multipliers", "stable", "units",
     "version", "mathematics", "sha256",
 ]  # fmt: skip
 
@@ -101,6 +102,7 @@ def test_solve_of_a_scene_shows_every_method_below_the_exact_orbit(run) -> None:
         errors = (orbit.errors.times, orbit.errors.discontinuous, orbit.estimate.times)
         expected = (6, orbit.period, orbit.forcing_phase, *errors, orbit.iterations)
         assert [float(q) for q in found[shown]] == pytest.approx(expected, rel=6e-2), shown
+    assert "exact: multipliers 0.45284 +- 0.22105i of modulus 0.50391: stable" in out
     for heading in ("T:", "phi:", "times:", "x':", "estimate:", "it:"):
         assert heading in out
 
@@ -126,6 +128,9 @@ def test_a_document_has_the_fixed_keys_and_the_numbers_of_the_solver(run) -> Non
     assert document["errors"]["times"] == orbit.errors.times
     assert document["units"]["gap"] == "m"
     assert document["phases"][0]["start"]["velocity"] == orbit.phases[0].velocity
+    found = [complex(q["re"], q["im"]) for q in document["multipliers"]]
+    assert found == orbit.multipliers.tolist()
+    assert document["stable"] is True
     several = json.loads(run("solve", "impact", "--order", 4, "--json")[1])
     assert several["scene"] == "impact"
     assert [q["method"] for q in several["orbits"]] == ["hb", "hb-ck", "ck", "ck-tau"]

@@ -35,7 +35,8 @@ def cost(*arguments: str) -> float:
 @pytest.mark.parametrize(
     "arguments",
     [("--help",), ("scenes",), ("scenes", "impact"), ("solve", "impact", "--help"),
-     ("solve", "--help"), ("scenes", "--json")],
+     ("solve", "--help"), ("scenes", "--json"), ("simulate", "--help"),
+     ("simulate", "impact", "--help")],
 )  # fmt: skip
 def test_lists_and_help_import_nothing_heavy(arguments) -> None:
     done = subprocess.run(

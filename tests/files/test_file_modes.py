@@ -22,7 +22,7 @@ EVERY = [
     *((command, name) for command in (SOLVE, SWEEP, VARY) for name in DATA),
     *((SOLVE, "orbit.png"), (SWEEP, "sweep.svg"), (VARY, "family.pdf"), (VARY, "family.png")),
     *((EQUATIONS, f"equations.{suffix}") for suffix in ("txt", "tex", "html", "pdf")),
-    (("stability",), "digits.json"),
+    (("digits",), "digits.json"),
     (("tradeoff",), "times.json"),
 ]
 
@@ -51,7 +51,7 @@ def without_work(monkeypatch) -> None:
     """Replace what is written by what is quick."""
     monkeypatch.setattr(tex, "engine", lambda: "pdflatex")
     monkeypatch.setattr(tex, "pdf", lambda text: b"%PDF")
-    for name in ("stability", "tradeoff"):
+    for name in ("digits", "tradeoff"):
         monkeypatch.setattr(
             f"nonsmooth.shortcuts.{name}.measure", lambda *arguments, **named: []
         )
@@ -67,7 +67,7 @@ def test_every_file_has_the_mode_of_a_new_file(
 ) -> None:
     needs(name)
     target = tmp_path / name
-    if command == ("stability",):
+    if command == ("digits",):
         pytest.importorskip("flint")
     assert run(*command, "-o", target)[0] == 0
     assert [path.name for path in tmp_path.iterdir()] == [name]

@@ -8,16 +8,19 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import nonsmooth as ns
+from nonsmooth.cli.shortcuts.digits import document as digits
 from nonsmooth.cli.shortcuts.roots import _rows as roots
-from nonsmooth.cli.shortcuts.stability import document as digits
 from nonsmooth.files.shortcuts.documents import of_solution, of_sweep
-from nonsmooth.shortcuts.stability import cells, measure
+from nonsmooth.shortcuts.digits import cells, measure
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 METHODS = ("hb", "hb-c1", "c1")
 ALPHAS = (0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0)
 ORDERS = (1, 3, 7, 12, 20, 40)
+
+#: What is the same for every orbit: stick forgets perturbations.
+CONSTANT = ("multipliers", "stable")
 
 Row = dict[str, Any]
 
@@ -39,7 +42,8 @@ def _solution(belt: ns.StickSlip, method: str, order: int, **options: Any) -> Ro
         found: ns.Orbit | NoOrbit = ns.solve(belt, method, order, **options)
     except NoOrbit as finding:
         found = finding
-    return of_solution(belt, method, order, found)
+    row = of_solution(belt, method, order, found)
+    return {name: value for name, value in row.items() if name not in CONSTANT}
 
 
 def solved() -> Iterator[Row]:
@@ -100,7 +104,7 @@ def all_roots() -> Iterator[Row]:
 
 
 def digits_kept() -> Iterator[Row]:
-    """Yield `stability --quick`."""
+    """Yield `digits --quick`."""
     yield digits(measure(cells(quick=True), lambda _: None))
 
 

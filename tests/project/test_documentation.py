@@ -111,6 +111,7 @@ DOCUMENTS = (
     "solve stick-slip-damped --tol 1e-3",
     "solve impact --gap 5 --method ck",
     "sweep impact --orders 4 --methods ck",
+    "simulate impact --cycles 2",
     "scenes",
     "scenes stick-slip-damped",
 )

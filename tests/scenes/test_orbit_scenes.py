@@ -198,8 +198,10 @@ def test_no_orbit_is_raised_with_every_start() -> None:
     with pytest.raises(NoOrbit) as caught:
         solve_case(IMPACT(gap=50), "hb", 7)
     assert "hb, N = 7" in caught.value.reason
-    assert len(caught.value.tried) == 24
-    assert all(line.startswith("from equal durations") for line in caught.value.tried)
+    *starts, simulated = caught.value.tried
+    assert len(starts) == 24
+    assert all(line.startswith("from equal durations") for line in starts)
+    assert simulated == "a simulation comes to a motion without switches"
     assert caught.value.iterations > 24
 
 

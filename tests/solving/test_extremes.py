@@ -19,7 +19,7 @@ from nonsmooth.solver.shortcuts.orbit import exact
 
 pytest.importorskip("flint")
 
-from nonsmooth.shortcuts.stability import MOST_ITERATIONS, TARGETS, lowest_order
+from nonsmooth.shortcuts.digits import MOST_ITERATIONS, TARGETS, lowest_order
 from nonsmooth.shortcuts.twin import refine
 
 EXAMPLES = int(os.environ.get("EXAMPLES", "500"))

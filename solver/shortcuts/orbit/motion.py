@@ -32,6 +32,30 @@ class Motion:
         """Half of the way between the two ends of the motion, in m."""
         raise NotImplementedError
 
+    @property
+    def multipliers(self) -> npt.NDArray[np.complex128]:
+        """The Floquet multipliers but that of a shift in time: 0, since stick forgets all."""
+        return np.zeros(1, dtype=complex)
+
+    @property
+    def trivial_multiplier(self) -> float:
+        """The multiplier of a shift in time: ``cos s - alpha sin s``, s the duration of slip.
+
+        It is 1 where that duration is exact, and what it is off says how far.
+        """
+        t1, T, _ = self._dimensionless()
+        return math.cos(T - t1) - self.belt.alpha * math.sin(T - t1)
+
+    @property
+    def stable(self) -> bool:
+        """Whether small perturbations die out: at the end of the slip in which they happen."""
+        return True
+
+    @property
+    def margin(self) -> float:
+        """1 less the largest modulus of the multipliers: 1."""
+        return 1.0
+
     def _dimensionless(self) -> tuple[float, float, Callable[[Vector, int], Vector]]:
         """Return ``t1``, ``T`` and ``evaluate(t, derivative)`` on ``[0, T)``, dimensionless."""
         raise NotImplementedError

@@ -18,6 +18,7 @@ from nonsmooth.room import room
 from . import equations, generate
 from .problems import Problem
 from .scenes import command as scene_command
+from .scenes import simulate as simulation
 from .scenes.shown import listing
 from .version import show_version
 
@@ -88,7 +89,14 @@ def _verbs() -> Iterable[click.Command]:
     ]
 
 
-for command in (listing.scenes, generate.generate, equations.equations, *_verbs()):
+#: Its command line is that of the scene, the default one too; this is what documentation shows.
+simulate = scene_command.SceneCommand(
+    "simulate", module="simulate", own=False, params=simulation.options(),
+    help=simulation.HELP.format(name="a scene", title="Stick-slip without SCENE"),
+    epilog=simulation.EPILOG.format(scene="impact", flag="gap", value=0.2),
+)  # fmt: skip
+
+for command in (listing.scenes, generate.generate, equations.equations, *_verbs(), simulate):
     cli.add_command(command)
 
 

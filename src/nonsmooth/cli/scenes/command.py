@@ -53,7 +53,7 @@ class SceneCommand(click.Command):
         if self.own and not self.all_without and name.replace("_", "-") == DEFAULT:
             return self, DEFAULT if named else "", rest
         build = import_module(f".{self.module}", __package__).command
-        command: click.Command = build(scene_named(name), name)
+        command: click.Command = build(scene_named(name), "" if scene is None else name)
         return command, scene or "", rest
 
     def collect_usage_pieces(self, ctx: click.Context) -> list[str]:

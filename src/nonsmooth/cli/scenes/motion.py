@@ -1,4 +1,4 @@
-"""The motion of orbits of a scene over one period as CSV, for other programs."""
+"""The motion of orbits of a scene, and simulated motion, as CSV for other programs."""
 
 import csv
 from collections.abc import Iterable
@@ -13,6 +13,7 @@ from ..output import write_whole
 
 if TYPE_CHECKING:
     from nonsmooth.solver.orbit.orbit import SceneOrbit
+    from nonsmooth.solver.simulation.record import Simulation
     from nonsmooth.solver.sweep import SceneSweep
 
 #: Times over one period at which a motion is written.
@@ -34,6 +35,20 @@ def write_motion(orbits: "Iterable[SceneOrbit]", path: Path) -> None:
                 name = shown(orbit.case.scene, orbit.method)
                 rows = zip(*(column.tolist() for column in motion), strict=True)
                 writer.writerows((name, *row) for row in rows)
+
+    write_whole(path, write)
+
+
+def write_transient(motion: "Simulation", path: Path) -> None:
+    """Write a simulated motion, each phase from its start to its end."""
+
+    def write(target: Path) -> None:
+        with target.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(("phase", *COLUMNS[1:]))
+            for phase, samples in zip(motion.phases, motion.samples(), strict=True):
+                rows = zip(*(column.tolist() for column in samples), strict=True)
+                writer.writerows((phase.name, *row) for row in rows)
 
     write_whole(path, write)
 

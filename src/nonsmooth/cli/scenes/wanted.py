@@ -21,9 +21,6 @@ if TYPE_CHECKING:
 #: N without ``--order``.
 ORDER = 10
 
-#: Starts of a vain search that are told on stderr; a JSON document has all.
-TOLD = 2
-
 
 @dataclass(frozen=True)
 class Wanted:
@@ -123,12 +120,10 @@ def _choose(
 
 
 def tell(finding: "NoOrbit") -> None:
-    """Say on stderr why there is no orbit, with the first of the starts."""
-    more = len(finding.tried) - TOLD
-    parts = [finding.reason, *finding.tried[:TOLD]]
-    if more > 0:
-        parts.append(f"and {more} more starts")
-    click.echo(f"nonsmooth: {'; '.join(parts)}", err=True)
+    """Say on stderr why there is no orbit, with the first and the last of the starts."""
+    first, middle, last = finding.tried[:1], finding.tried[1:-1], finding.tried[1:][-1:]
+    more = [f"and {len(middle)} more starts"] if middle else []
+    click.echo(f"nonsmooth: {'; '.join([finding.reason, *first, *more, *last])}", err=True)
 
 
 @contextmanager

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from nonsmooth.style import LABELS, SETTINGS, save
 
 if TYPE_CHECKING:
-    from nonsmooth.shortcuts.stability import Cell
+    from nonsmooth.shortcuts.digits import Cell
 
 #: Digits at the two ends of the colour scale, which is as readable in grey.
 SCALE = (0, 16)
@@ -19,7 +19,7 @@ COLOURS = "cividis"
 FORMS = {"stable": "stable forms (the kernels)", "printed": "as printed, SI units"}
 
 
-def stability_picture(found: "list[Cell]", target: Path) -> None:
+def digits_picture(found: "list[Cell]", target: Path) -> None:
     """Write the heat maps as a picture."""
     with mpl.rc_context(SETTINGS | {"axes.grid": False}):
         save(heat_maps(found), target)

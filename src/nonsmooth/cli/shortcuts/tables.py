@@ -14,7 +14,7 @@ from nonsmooth.solver.shortcuts.search.family_points import STATUS
 from ..columns import MORE_DIGITS, certain_digits, print_table, table_of
 
 if TYPE_CHECKING:
-    from nonsmooth.shortcuts.stability import Cell, Form
+    from nonsmooth.shortcuts.digits import Cell, Form
     from nonsmooth.shortcuts.tradeoff import Point
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip

@@ -40,6 +40,10 @@ def of_solution(
         result |= {name: getattr(found, name) for name in ATTRIBUTES}
         result |= {"admissible": found.admissible, "violations": list(found.violations)}
         result["transition_mismatch"] = found.transition_mismatch
+        result["multipliers"] = [
+            {"re": q.real, "im": q.imag} for q in found.multipliers.tolist()
+        ]
+        result["stable"] = found.stable
         judged = {
             "errors": asdict(found.errors) | also[0],
             "estimate": asdict(found.estimate) | also[1],
@@ -48,7 +52,8 @@ def of_solution(
         outcome = vars(found.outcome) | {"unknowns": found.unknowns.tolist()}
         return head | result | tail | judged | more | {"outcome": outcome}
     result = {"converged": False, "iterations": found.iterations} | dict.fromkeys(ATTRIBUTES)
-    result |= {"admissible": False, "violations": [str(found)], "transition_mismatch": None}
+    result |= {"admissible": False, "violations": [str(found)]}
+    result |= dict.fromkeys(("transition_mismatch", "multipliers", "stable"))
     judged = {
         "errors": dict.fromkeys(field.name for field in fields(Errors)) | also[0],
         "estimate": dict.fromkeys(field.name for field in fields(Estimate)) | also[1],

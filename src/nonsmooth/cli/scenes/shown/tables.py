@@ -9,6 +9,7 @@ import click
 
 from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.stability.words import in_words
 
 from ...columns import MORE_DIGITS, certain_digits, print_table, table_of
 from .captions import WIDTH, derivative
@@ -52,6 +53,12 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
             str(orbit.iterations),
         )
     print_table(table)
+    orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
+    for motion, words in [(exact, "exact"), *((q, name_of(q)) for q in orbits)]:
+        if motion is not None:
+            line = f"{words}: {in_words(motion)}"
+            click.echo(textwrap.fill(line, WIDTH, subsequent_indent="  "))
+            break
     for orbit in found.values():
         if isinstance(orbit, SceneOrbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"

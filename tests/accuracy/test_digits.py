@@ -1,4 +1,4 @@
-"""What `nonsmooth stability` measures: the printed forms are the same equations."""
+"""What `nonsmooth digits` measures: the printed forms are the same equations."""
 
 import json
 from pathlib import Path
@@ -12,7 +12,7 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 pytest.importorskip("flint")
 
-from nonsmooth.shortcuts import stability
+from nonsmooth.shortcuts import digits
 
 OTHER = ns.StickSlip(
     mass=0.3, stiffness=40.0, belt_speed=0.7, mu_s=0.6, mu_k=0.25, normal_force=6.0
@@ -55,12 +55,12 @@ def test_printed_jacobian_is_the_derivative(method: str, order: int) -> None:
 
 def test_scaled_condition_of_a_badly_scaled_identity_is_one() -> None:
     J = np.diag([1e-12, 1.0, 1e9])
-    assert stability.scaled_condition(J) == pytest.approx(1)
+    assert digits.scaled_condition(J) == pytest.approx(1)
 
 
 def test_the_grid_reaches_the_extremes() -> None:
-    grid = stability.cells()
-    alphas = {method: [a for m, a, _ in grid if m == method] for method in stability.TARGETS}
+    grid = digits.cells()
+    alphas = {method: [a for m, a, _ in grid if m == method] for method in digits.TARGETS}
     assert (min(alphas["c1"]), max(alphas["c1"])) == (1e-6, 1e6)
     for method in ("hb", "hb-c1"):
         assert (min(alphas[method]), max(alphas[method])) == (0.01, 30)
@@ -70,7 +70,7 @@ def test_the_grid_reaches_the_extremes() -> None:
 
 def test_a_cell_compares_both_forms() -> None:
     cells = [("hb-c1", 1.0, 16), ("c1", 1.0, 7), ("c1", 0.25, 4)]
-    series, polynomial, none = stability.measure(cells)
+    series, polynomial, none = digits.measure(cells)
     assert series.met
     assert series.stable.digits > 15
     assert polynomial.stable.digits > 15
@@ -81,32 +81,41 @@ def test_a_cell_compares_both_forms() -> None:
 
 
 def test_a_missed_target_is_not_met() -> None:
-    good = stability.Form("ok", 1e-15, 10.0, 5)
-    assert stability.Cell("c1", 1.0, 5, good, good).met
+    good = digits.Form("ok", 1e-15, 10.0, 5)
+    assert digits.Cell("c1", 1.0, 5, good, good).met
     for bad in (
-        stability.Form("ok", 2e-13, 10.0, 5),
-        stability.Form("ok", 1e-15, 10.0, 13),
-        stability.Form("not-converged", None, None, 40),
+        digits.Form("ok", 2e-13, 10.0, 5),
+        digits.Form("ok", 1e-15, 10.0, 13),
+        digits.Form("not-converged", None, None, 40),
     ):
-        assert not stability.Cell("c1", 1.0, 5, bad, good).met
+        assert not digits.Cell("c1", 1.0, 5, bad, good).met
 
 
 def test_the_command_prints_a_table_and_writes_json_and_picture(
     run, tmp_path: Path, monkeypatch
 ) -> None:
     grid = [("hb", 1.0, 10), ("c1", 1.0, 5), ("c1", 0.25, 4), ("c1", 1.0, 20)]
-    monkeypatch.setattr(stability, "cells", lambda quick: grid)
-    status, out, err = run("stability", "-o", tmp_path / "stability.json")
+    monkeypatch.setattr(digits, "cells", lambda quick: grid)
+    status, out, err = run("digits", "-o", tmp_path / "digits.json")
     assert status == 0
     assert "4 of 4 cells meet their target" in out
     assert max(map(len, out.splitlines())) <= 80
-    assert "stability: 4 of 4 done" in err
-    status, out, _ = run("stability", "--json", "-o", tmp_path / "stability.png")
+    assert "digits: 4 of 4 done" in err
+    status, out, _ = run("digits", "--json", "-o", tmp_path / "digits.png")
     document = json.loads(out)
     assert document["schema"] == 1
     assert document["met"] is True
     assert [row["method"] for row in document["rows"]] == ["hb", "c1", "c1", "c1"]
     assert document["rows"][0]["stable"]["digits"] > 14
     assert document["rows"][3]["printed"]["status"] == "not-converged"
-    assert json.loads((tmp_path / "stability.json").read_text())["rows"] == document["rows"]
-    assert (tmp_path / "stability.png").read_bytes().startswith(b"\x89PNG")
+    assert json.loads((tmp_path / "digits.json").read_text())["rows"] == document["rows"]
+    assert (tmp_path / "digits.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_old_name_still_works_and_says_the_new_one(run, monkeypatch) -> None:
+    grid = [("c1", 1.0, 5)]
+    monkeypatch.setattr(digits, "cells", lambda quick: grid)
+    status, out, err = run("stability", "--json")
+    assert (status, json.loads(out)["rows"][0]["order"]) == (0, 5)
+    assert err.startswith("nonsmooth: stability: it is now `nonsmooth digits`; ")
+    assert "stability" not in run("--help")[1].replace("Stability", "")

@@ -1,4 +1,4 @@
-"""``nonsmooth stability``: digits kept at the extremes, by the stable and the printed forms."""
+"""``nonsmooth digits``: digits kept at the extremes, by the stable and the printed forms."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -13,12 +13,12 @@ from ..progress import progress
 from .precise import need_flint
 
 if TYPE_CHECKING:
-    from nonsmooth.shortcuts.stability import Cell, Form
+    from nonsmooth.shortcuts.digits import Cell, Form
 
 EPILOG = """\b
 Examples:
-  nonsmooth stability --quick
-  nonsmooth stability -o stability.png
+  nonsmooth digits --quick
+  nonsmooth digits -o digits.png
 """
 
 
@@ -29,35 +29,49 @@ Examples:
     "-o", "--output", type=click.Path(path_type=Path),
     help="Write the cells: .json, or a picture .png, .svg, .pdf.",
 )  # fmt: skip
-def stability(quick: bool, json_: bool, output: Path | None) -> int:
+def digits(quick: bool, json_: bool, output: Path | None) -> int:
     """Measure the digits of t1 and T against high precision, on this machine.
 
     The stable forms that the kernels use stand beside the equations as the paper prints
     them: raw g1, monomials, SI units, no scaling.
     """
     check_target(output, (".json", *PICTURES))
-    need_flint("stability")
-    from nonsmooth.shortcuts.stability import cells, measure  # noqa: PLC0415
+    need_flint("digits")
+    from nonsmooth.shortcuts.digits import cells, measure  # noqa: PLC0415
 
     grid = cells(quick)
-    with progress(len(grid), "stability") as advance:
+    with progress(len(grid), "digits") as advance:
         found = measure(
             grid, lambda c: advance(f"{c.method}, alpha = {c.alpha:g}, N = {c.order}")
         )
     if json_:
         click.echo(as_json(document(found)))
     else:
-        from .tables import digits  # noqa: PLC0415
+        from . import tables  # noqa: PLC0415
 
-        digits(found)
+        tables.digits(found)
     if output is not None:
         _write(output, found)
     return 0 if all(cell.met for cell in found) else 1
 
 
+def _old_name(**options: Any) -> int:
+    words = "it is now `nonsmooth digits`; whether an orbit is stable is said by `solve`"
+    click.echo(f"nonsmooth: stability: {words}", err=True)
+    status: int = digits.callback(**options)  # type: ignore[misc]
+    return status
+
+
+#: What the command was called before orbits had multipliers.
+stability = click.Command(
+    "stability", params=digits.params, callback=_old_name, epilog=digits.epilog, hidden=True,
+    help="The old name of `nonsmooth digits`.",
+)  # fmt: skip
+
+
 def document(found: "list[Cell]") -> dict[str, Any]:
     """Return the measurements as JSON has them."""
-    from nonsmooth.shortcuts.stability import MOST_ITERATIONS, TARGETS  # noqa: PLC0415
+    from nonsmooth.shortcuts.digits import MOST_ITERATIONS, TARGETS  # noqa: PLC0415
 
     rows = [
         {"method": cell.method, "alpha": cell.alpha, "order": cell.order, "met": cell.met}
@@ -80,6 +94,6 @@ def _write(output: Path, found: "list[Cell]") -> None:
     if output.suffix.lower() == ".json":
         write_text(output, as_json(document(found)) + "\n")
         return
-    from .heat_maps import stability_picture  # noqa: PLC0415
+    from .heat_maps import digits_picture  # noqa: PLC0415
 
-    write_whole(output, lambda target: stability_picture(found, target))
+    write_whole(output, lambda target: digits_picture(found, target))

@@ -1,0 +1,115 @@
+"""What a switch makes of a small perturbation of the motion: the saltation matrix.
+
+A perturbed motion reaches the event a little earlier or later than the orbit.  Two motions are
+compared at one time, so that what they differ by behind a switch is made of three parts: the
+difference before it, the delay of the event, and in that delay the difference of the motions
+before and after it.  The delay is solved for from the event, and the law of the switch is
+differentiated: nothing of the result is typed.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .data import Phase, Scene
+from .linear import state_row
+from .smoothness import switches
+from .symbols import forcing, v, x
+
+#: The state whose perturbations a switch maps.
+STATE = (x, v)
+
+#: Accelerations on both sides of a switch, and the derivative of ``forcing`` by time there.
+before, after, turning = sp.symbols("a_before a_after turning", real=True)
+
+
+@dataclass(frozen=True)
+class Saltation:
+    """The map of small perturbations of the state at one switch.
+
+    Parameters
+    ----------
+    ends, begins : str
+        The phases on both sides.
+    matrix : Matrix
+        In the state before the switch, `x` and `v`, the accelerations `before` and `after`,
+        and `turning`, the derivative of the forcing by time.
+    """
+
+    ends: str
+    begins: str
+    matrix: sp.Matrix
+
+    @property
+    def determinant(self) -> sp.Expr:
+        """How the switch changes areas in the plane of the state."""
+        return sp.factor(self.matrix.det())
+
+
+def saltations(scene: Scene) -> tuple[Saltation, ...]:
+    """Return the saltation at the end of each phase of a cell.
+
+    Where the last phase leads into the mirror image of the first, it is the state of the motion
+    itself that is meant on both sides, before it is mirrored.
+
+    Examples
+    --------
+    >>> from ..scenes.impact import SCENE
+    >>> saltations(SCENE)[0].matrix
+    Matrix([
+    [                      -r,  0],
+    [(a_after + a_before*r)/v, -r]])
+    """
+    found, phases = switches(scene), scene.phases
+    count = len(phases)
+    return tuple(
+        Saltation(
+            left.name,
+            phases[(p + 1) % count].name,
+            saltation(left, phases[(p + 1) % count], found[(p + 1) % count].k),
+        )
+        for p, left in enumerate(phases)
+    )
+
+
+def saltation(left: Phase, right: Phase, k: int) -> sp.Matrix:
+    """Return the derivative of the state behind a switch by that before it, at one time.
+
+    Parameters
+    ----------
+    left, right : Phase
+        On both sides.
+    k : int
+        Class of the motion at the switch: from 2 on the acceleration is continuous.
+    """
+    rates_before = sp.Matrix([v, before])
+    law = sp.Matrix([x, sp.sympify(left.ends.jump.get(v, v))])
+    rates_after = sp.Matrix([law[1], after])
+    perturbation = sp.Matrix(sp.symbols(f"d_:{len(STATE)}"))
+    delay = sp.Dummy("delay")
+
+    # to first order: where the perturbed motion meets the event, and how much later
+    moved = perturbation + rates_before * delay
+    zero = sp.sympify(left.ends.zero)
+    change = sum(sp.diff(zero, q) * step for q, step in zip(STATE, moved, strict=True))
+    (late,) = sp.solve(change + sp.diff(zero, forcing) * turning * delay, delay)
+
+    # the law of the switch there, and back to the time at which the orbit passed it
+    behind = law.jacobian(STATE) * moved - rates_after * delay
+    matrix = behind.subs(delay, late).jacobian(perturbation)
+    return matrix.subs(_known(left, right, k)).applyfunc(sp.factor)
+
+
+def _known(left: Phase, right: Phase, k: int) -> dict[sp.Symbol, sp.Expr]:
+    """Return what constraints and the class of the motion say of both sides of a switch."""
+    values: dict[sp.Symbol, sp.Expr] = {}
+    if k >= 2:
+        values[after] = before if left.held is None else sp.Integer(0)
+    if left.held is not None:
+        values |= {before: sp.Integer(0), v: sp.sympify(left.held)}
+    if right.held is not None:
+        values[after] = sp.Integer(0)
+        row = state_row(left.ends.zero, f"phase {left.name}: ends")
+        if row.x == 0 and row.cos == 0:
+            values[v] = sp.simplify(-row.constant / row.v)
+    return values

@@ -1,0 +1,181 @@
+"""Which phase follows an event: one whose demands hold just after it.
+
+The phases of a scene are those of its cell and, where the other half of its period is the
+mirror image of the cell, their mirror images.  A phase ends where its event happens or one of
+its demands would be violated next.  The law of the switch is that of the event; a demand that
+ends where the event of another phase of the same equation happens has the law of that.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..case.cell import Cell, Form, Phase
+from .bounds import local
+from .locate import sign_after
+
+#: How far from the velocity at which a phase is held a motion may enter it, without units.
+NEAR = 1e-9
+
+
+@dataclass(frozen=True)
+class Node:
+    """One phase that a motion can be in.
+
+    Parameters
+    ----------
+    phase : Phase
+        In the coordinates of the motion.
+    index : int
+        Its place in the cell.
+    mirrored : bool
+        Whether it is the mirror image of a phase of the cell.
+    """
+
+    phase: Phase
+    index: int
+    mirrored: bool
+
+
+def mirror(phase: Phase) -> Phase:
+    """Return the mirror image of a phase: the motion ``-x`` half a period of the forcing on."""
+    return replace(
+        phase,
+        f=-phase.f,
+        speed=-phase.speed,
+        event=_mirrored(phase.event),
+        d=-phase.d,
+        demands=tuple((words, _mirrored(form)) for words, form in phase.demands),
+    )
+
+
+def _mirrored(form: Form) -> Form:
+    x, v, cos, constant = form
+    return -x, -v, -cos, constant
+
+
+def nodes(cell: Cell) -> tuple[Node, ...]:
+    """Return the phases that a motion of a cell can be in."""
+    own = tuple(Node(phase, p, False) for p, phase in enumerate(cell.phases))
+    if cell.sign > 0:
+        return own
+    return own + tuple(Node(mirror(q.phase), q.index, True) for q in own)
+
+
+@dataclass(frozen=True)
+class State:
+    """Displacement, velocity and angle of the forcing, without units.
+
+    Parameters
+    ----------
+    x, v, angle : float
+    zero : Form or None
+        A form that is known to vanish there: that of the event that has just happened.
+    """
+
+    x: float
+    v: float
+    angle: float
+    zero: Form | None = None
+
+    def has(self, form: Form) -> bool:
+        """Whether a form is known to vanish there."""
+        return self.zero is not None and same(form, self.zero)
+
+
+@dataclass(frozen=True)
+class Machine:
+    """The phases of a cell, and the rules by which one follows another."""
+
+    cell: Cell
+    nodes: tuple[Node, ...]
+
+    @classmethod
+    def of(cls, cell: Cell) -> "Machine":
+        """Return the machine of a cell."""
+        return cls(cell, nodes(cell))
+
+    def first(self, state: State) -> Node | None:
+        """Return the phase in which a motion from a state begins; None if it is in none."""
+        return next((q for q in self._held_first(None) if self.admits(q, state)), None)
+
+    def watched(self, node: Node, state: State) -> list[Form]:
+        """Return the forms that end a phase where they vanish: not negative at its start."""
+        forms = [form for _, form in node.phase.demands]
+        event = node.phase.event
+        if not any(same(form, event) for form in forms):
+            forms.append(event if self._sign(node, event, state) >= 0 else _negative(event))
+        return forms
+
+    def _sign(self, node: Node, form: Form, state: State) -> int:
+        at = local(node.phase, state.x, state.v, self.cell.omega, state.angle)
+        return sign_after(at, form, state.has(form))
+
+    def law(self, node: Node, form: Form) -> tuple[float, float]:
+        """Return rho and d of the switch where a form that ends a phase vanishes."""
+        own = node.phase
+        equation = (own.m, own.c, own.k, own.f, own.g, own.held)
+        for other in (node, *self.nodes):
+            q = other.phase
+            alike = (q.m, q.c, q.k, q.f, q.g, q.held) == equation
+            if alike and same(q.event, form):
+                return q.rho, q.d
+        return 1.0, 0.0
+
+    def next(self, node: Node, form: Form, state: State) -> Node | None:
+        """Return the phase that follows where a form vanished, the law of the switch done."""
+        declared = self._declared(node) if same(form, node.phase.event) else None
+        found = self._held_first(declared)
+        return next((q for q in found if self.admits(q, state)), None)
+
+    def _declared(self, node: Node) -> Node:
+        after = (node.index + 1) % len(self.cell.phases)
+        mirrored = node.mirrored != (after == 0 and self.cell.sign < 0)
+        return next(q for q in self.nodes if (q.index, q.mirrored) == (after, mirrored))
+
+    def _held_first(self, declared: Node | None) -> Iterator[Node]:
+        """Yield phases as they are tried in turn: constraints hold while they can."""
+        yield from (q for q in self.nodes if q.phase.held and q.phase.demands)
+        if declared is not None:
+            yield declared
+        yield from self.nodes
+
+    def admits(self, node: Node, state: State) -> bool:
+        """Whether the demands of a phase hold just after a state."""
+        phase = node.phase
+        if phase.held and abs(state.v - phase.speed) > NEAR * max(1.0, abs(phase.speed)):
+            return False
+        return all(self._sign(node, form, state) >= 0 for _, form in phase.demands)
+
+    def unmet(self, state: State) -> str:
+        """Return in words why no phase takes a state."""
+        found = []
+        for q in self.nodes:
+            words = [words for words, form in q.phase.demands if self._sign(q, form, state) < 0]
+            if words:
+                found.append(f"in {q.phase.name} not true that {words[0]}")
+            elif q.phase.held:
+                found.append(f"the velocity is not that of {q.phase.name}")
+        return "; ".join(dict.fromkeys(found))
+
+
+def same(one: Form, other: Form) -> bool:
+    """Whether two forms vanish at the same states.
+
+    Examples
+    --------
+    >>> same((1.0, 0.0, 0.0, -0.5), (-2.0, 0.0, 0.0, 1.0))
+    True
+    >>> same((1.0, 0.0, 0.0, -0.5), (1.0, 0.0, 0.0, 0.5))
+    False
+    """
+    a, b = np.array(one), np.array(other)
+    sizes = math.sqrt(float(a @ a) * float(b @ b))
+    return bool(sizes > 0 and sizes - abs(float(a @ b)) <= 1e-12 * sizes)
+
+
+def _negative(form: Form) -> Form:
+    x, v, cos, constant = form
+    return -x, -v, -cos, -constant

@@ -1,0 +1,220 @@
+"""A simulated motion in SI units: its phases, and the motion at any time within it."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..arrays import Vector
+from ..case.case import Case
+from ..case.cell import Phase
+from ..flow import flow
+from .bounds import window
+
+#: Of the document's keys and their meaning.
+SCHEMA = 1
+
+
+@dataclass(frozen=True)
+class Segment:
+    """One phase of a simulated motion, without units.
+
+    Parameters
+    ----------
+    phase : Phase
+        In the coordinates of the motion.
+    index : int
+        Its place in the cell.
+    mirrored : bool
+        Whether it is the mirror image of a phase of the cell.
+    t, angle : float
+        When it starts, and the angle of the forcing there.
+    x, v : float
+        The state in which it starts, after the switch.
+    s : float
+        How long it lasts.
+    """
+
+    phase: Phase
+    index: int
+    mirrored: bool
+    t: float
+    angle: float
+    x: float
+    v: float
+    s: float
+
+
+@dataclass(frozen=True)
+class SimulatedPhase:
+    """One phase of a simulated motion, in SI units.
+
+    Parameters
+    ----------
+    name : str
+        Of the scene.
+    mirrored : bool
+        Whether it is the mirror image of that phase.
+    start, duration : float
+        In s.
+    displacement, velocity : float
+        Where it starts, in m and m/s, after the switch.
+    """
+
+    name: str
+    mirrored: bool
+    start: float
+    duration: float
+    displacement: float
+    velocity: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Simulation:
+    """A motion of a case from a given state.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    segments : tuple of Segment
+        Its phases without units.
+    ended : str
+        Why it ended before the time that was asked for; empty if it did not.
+    """
+
+    case: Case
+    segments: tuple[Segment, ...]
+    ended: str = ""
+
+    @cached_property
+    def phases(self) -> tuple[SimulatedPhase, ...]:
+        """The phases, in order, in SI units."""
+        units = self.case.units
+        return tuple(
+            SimulatedPhase(
+                q.phase.name, q.mirrored, q.t * units.time, q.s * units.time,
+                q.x * units.length, q.v * units.of_motion(1),
+            )
+            for q in self.segments
+        )  # fmt: skip
+
+    @property
+    def time(self) -> float:
+        """How long the motion is, in s."""
+        last = self.segments[-1]
+        return (last.t + last.s) * self.case.units.time
+
+    @property
+    def forcing_phase(self) -> float | None:
+        """Phase of the forcing at the start, in rad; None where nothing forces."""
+        return self.segments[0].angle if self.case.cell.forced else None
+
+    def displacement(self, t: npt.ArrayLike) -> Vector:
+        """Return ``x(t)`` in m.
+
+        Parameters
+        ----------
+        t : array_like of float, any shape
+            Times in s, from 0 to `time`.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside of the motion, or not a number.
+        """
+        return self._at(t, 0)
+
+    def velocity(self, t: npt.ArrayLike) -> Vector:
+        """Return the velocity in m/s at times `t`; at a switch, that after it."""
+        return self._at(t, 1)
+
+    def acceleration(self, t: npt.ArrayLike) -> Vector:
+        """Return the acceleration in m/s**2 at times `t`; at a switch, that after it."""
+        return self._at(t, 2)
+
+    def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
+        times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
+        if not ((times >= 0) & (times <= self.time)).all():
+            raise ValueError(f"t: got {t!r:.80}, expected times from 0 to {self.time:.6g} s")
+        local = times.ravel() / self.case.units.time
+        starts = np.array([q.t for q in self.segments])
+        which = np.searchsorted(starts, local, side="right") - 1
+        values = np.empty(len(local))
+        for index in np.unique(which):
+            q, here = self.segments[index], which == index
+            values[here] = self._of(q, np.clip(local[here] - q.t, 0.0, q.s), derivative)
+        return np.asarray(values * self.case.units.of_motion(derivative)).reshape(times.shape)
+
+    def samples(self, points: int = 100) -> list[tuple[Vector, Vector, Vector, Vector]]:
+        """Return times, displacements, velocities and accelerations of each phase, in SI units.
+
+        Parameters
+        ----------
+        points : int
+            About how many for each wave of the motion.  The start and the end of a phase are
+            always among them: the values at an end are those before the switch.
+        """
+        units, found = self.case.units, []
+        factors = [units.of_motion(j) for j in (0, 1, 2)]
+        for q in self.segments:
+            wave = math.pi * window(q.phase, self.case.cell.omega)
+            count = 3 + math.ceil(points * q.s / wave)
+            s = q.s * np.linspace(0.0, 1.0, count)
+            x, v, a = (self._of(q, s, j) * factor for j, factor in enumerate(factors))
+            found.append(((q.t + s) * units.time, x, v, a))
+        return found
+
+    def _of(self, q: Segment, s: Vector, derivative: int) -> Vector:
+        start, omega = np.array([q.x, q.v]), self.case.cell.omega
+        return flow.motion(q.phase, start, q.angle, omega, s, derivative)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the motion as the document that ``simulate --json`` writes."""
+        return {
+            "schema": SCHEMA,
+            "scene": self.case.scene.name,
+            "parameters": dict(self.case.values),
+            "forcing_phase": self.forcing_phase,
+            "time": self.time,
+            "ended": self.ended or None,
+            "phases": [
+                {
+                    "name": q.name,
+                    "mirrored": q.mirrored,
+                    "time": q.start,
+                    "duration": q.duration,
+                    "start": {"displacement": q.displacement, "velocity": q.velocity},
+                }
+                for q in self.phases
+            ],
+        }
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the displacement against time and return the axes; needs matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones without it.
+        **style
+            Of the line.
+        """
+        if ax is None:
+            import matplotlib.pyplot as plt  # noqa: PLC0415  (an extra)
+
+            ax = plt.subplots()[1]
+        times, x, *_ = map(np.concatenate, zip(*self.samples(), strict=True))
+        ax.plot(times, x, **style)
+        ax.set(xlabel="t [s]", ylabel="displacement [m]")
+        return ax
+
+    def __repr__(self) -> str:
+        count = len(self.segments)
+        words = f"; ended: {self.ended}" if self.ended else ""
+        s = "s" if count > 1 else ""
+        name = self.case.scene.name
+        return f"<{name} simulated for {self.time:.6g} s: {count} phase{s}{words}>"

@@ -1,0 +1,216 @@
+"""Motion of a case from a given state, from event to event by the exact flow of each phase."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..case.case import Case
+from ..case.cell import Cell
+from .locate import first_event
+from .machine import Machine, Node, State
+from .record import Segment, Simulation
+
+#: Cycles that are simulated where neither cycles nor a time is given.
+CYCLES = 20
+
+#: Phases in a row, each shorter than this without units, that are called chatter.
+CHATTER, SHORT = 12, 1e-6
+
+#: How far from a limit a mass that is pressed against it is put, in units of length.
+ASIDE = 0.1
+
+#: Most phases of one motion.
+MOST_PHASES = 100_000
+
+
+def simulate(
+    case: Case,
+    state: Sequence[float] | None = None,
+    cycles: float | None = None,
+    *,
+    time: float | None = None,
+    forcing_phase: float = 0.0,
+) -> Simulation:
+    """Return the motion of a case from a given state.
+
+    Events are located so that none can be stepped over: see `locate`.  Which phase follows is
+    decided by the demands of the scene's phases.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    state : (float, float), optional
+        Displacement in m and velocity in m/s at the start; without it at rest at 0 or, if
+        the scene does not admit that, at or next to the nearest limit.
+    cycles : float, optional
+        How many periods of the forcing or, where nothing forces, how many times 2 pi of the
+        scene's unit of time; 20 without it and without `time`.
+    time : float, optional
+        How long in s, in place of `cycles`.
+    forcing_phase : float
+        Phase of the forcing at the start, in rad.
+
+    Returns
+    -------
+    Simulation
+        Its `ended` says why where it ends before its time: chatter, or a state that no phase of
+        the scene takes.
+
+    Raises
+    ------
+    TypeError
+        If `case` is not a `Case`.
+    ValueError
+        If a number is not one that can be simulated, or no phase takes the state at the start.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.case import registry
+    >>> motion = simulate(registry.load("impact")(), cycles=3)
+    >>> [f"{phase.start:.6f}" for phase in motion.phases]
+    ['0.000000', '0.468885', '4.237267', '7.641000']
+    """
+    if not isinstance(case, Case):
+        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    turn = _number("forcing_phase", forcing_phase, "a finite number of rad")
+    duration = _duration(case, cycles, time)
+    machine = Machine.of(case.cell)
+    if state is None:
+        start = at_rest(machine, turn)
+        if start is None:
+            raise ValueError("state: no displacement at rest is admitted, expected one")
+    else:
+        start = _given(case, state, turn)
+    if machine.first(start) is None:
+        raise ValueError(
+            f"state: got {tuple(state or ())!r}, expected one that a phase of "
+            f"{case.scene.name} takes; {machine.unmet(start)}"
+        )
+    return follow(case, machine, start, duration)
+
+
+def follow(case: Case, machine: Machine, start: State, duration: float) -> Simulation:
+    """Return the motion of a case from a state that a phase takes, all without units."""
+    node = machine.first(start)
+    assert node is not None
+    segments, ended = _run(case, machine, node, start, duration)
+    return Simulation(case, tuple(segments), ended)
+
+
+def _run(
+    case: Case, machine: Machine, node: Node, state: State, duration: float
+) -> tuple[list[Segment], str]:
+    """Return the phases of a motion, and why it ended before its time."""
+    omega, t, short = case.cell.omega, 0.0, 0
+    segments: list[Segment] = []
+    while True:
+        phase = node.phase
+        start = np.array([state.x, phase.speed if phase.held else state.v])
+        forms = machine.watched(node, state)
+        try:
+            end = first_event(
+                phase, start, omega, state.angle, forms, duration - t,
+                [index for index, form in enumerate(forms) if state.has(form)],
+            )  # fmt: skip
+        except ArithmeticError as error:
+            return segments, str(error)
+        x, v = map(float, start)
+        place = (phase, node.index, node.mirrored)
+        segments.append(Segment(*place, t, state.angle, x, v, end.s))
+        t += end.s
+        if end.form is None:
+            return segments, ""
+        form = forms[end.form]
+        rho, d = machine.law(node, form)
+        still = form if form[1] == 0 or (rho, d) == (1, 0) else None
+        angle = math.fmod(
+            state.angle + omega * end.s, 2 * math.pi
+        )  # a small one has its digits
+        state = State(end.x, rho * end.v + d, angle, still)
+        short = short + 1 if end.s < SHORT else 0
+        if short == CHATTER:
+            return segments, f"chatter: {_chatter(case, segments)}"
+        if len(segments) == MOST_PHASES:
+            return segments, f"{MOST_PHASES} phases are the most that one motion may have"
+        after = machine.next(node, form, state)
+        if after is None:
+            return segments, (
+                f"no phase of the scene takes the state at t = {t * case.units.time:.6g} s, "
+                f"where {phase.name} ends; {machine.unmet(state)}"
+            )
+        node = after
+
+
+def _chatter(case: Case, segments: list[Segment]) -> str:
+    """Return in words where the switches accumulate."""
+    before, last = segments[-2].s, segments[-1].s
+    t = segments[-1].t + last
+    if 0 < last < before:  # as a geometric series
+        t += last * last / (before - last)
+    name, unit = segments[-1].phase.name, case.units.time
+    return (
+        f"{name} ends ever sooner, the switches accumulate at t = {t * unit:.9g} s, and the "
+        "scene does not say what follows"
+    )
+
+
+def at_rest(machine: Machine, angle: float) -> State | None:
+    """Return the admissible state at rest that is nearest to 0."""
+    cosine = math.cos(angle)
+    places = [0.0]
+    for node in machine.nodes:
+        for x, _, cos, constant in (form for _, form in node.phase.demands):
+            if x:
+                limit = -(constant + cos * cosine) / x
+                places += [limit, limit - ASIDE, limit + ASIDE]
+    speeds = [0.0, *(q.phase.speed for q in machine.nodes if q.phase.held)]
+    for speed in speeds:
+        for place in sorted(places, key=abs):
+            state = State(place, speed, angle)
+            if machine.first(state) is not None:
+                return state
+    return None
+
+
+def _given(case: Case, state: Sequence[float], angle: float) -> State:
+    try:
+        x, v = state
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"state: got {state!r:.80}, expected displacement and velocity"
+        ) from None
+    place = _number("state", x, "a finite displacement in m")
+    speed = _number("state", v, "a finite velocity in m/s")
+    units = case.units
+    return State(place / units.length, speed / units.of_motion(1), angle)
+
+
+def _duration(case: Case, cycles: float | None, time: float | None) -> float:
+    """Return how long a motion is to be, without units."""
+    if cycles is not None and time is not None:
+        raise ValueError(f"time: got {time!r} beside cycles, expected one of them")
+    if time is not None:
+        found = _number("time", time, "a positive number of s") / case.units.time
+        name, value = "time", time
+    else:
+        wanted = CYCLES if cycles is None else cycles
+        found = _number("cycles", wanted, "a positive number") * cycle(case.cell)
+        name, value = "cycles", wanted
+    if not 0 < found < math.inf:
+        raise ValueError(f"{name}: got {value!r}, expected a positive number")
+    return found
+
+
+def cycle(cell: Cell) -> float:
+    """Return the duration that is called a cycle, without units: a period of the forcing."""
+    return 2 * math.pi / (cell.omega or 1.0)
+
+
+def _number(name: str, value: object, expected: str) -> float:
+    from ..case.parameters import is_number  # noqa: PLC0415
+
+    if not is_number(value):
+        raise ValueError(f"{name}: got {value!r:.80}, expected {expected}")
+    return float(value)  # type: ignore[arg-type]

@@ -1,0 +1,141 @@
+"""The monodromy of one cell of an orbit, at the orbit's own times and states, and its checks.
+
+It is the product over the phases of the flow's derivative and of the saltation at the switch
+that ends the phase.  Neither Hill's determinant nor the Jacobian of an expansion gives it as
+well: the first converges slowly or to a wrong limit where a derivative jumps, the second has
+the error of the motion between the switches, which is larger than that of the times.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..case.cell import Phase
+from ..flow import flow
+from ..orbit.motion import SceneMotion
+from .linear_maps import Switch, contraction, determinant, rates, saltation, transition
+
+#: Rounding that a check allows, as a part of the size of what it adds.
+ROUNDING = 1e-10
+
+#: Least rate at which an event is crossed, as a part of the size of its terms.
+TOUCH = 1e-12
+
+
+class NoMultipliersError(ArithmeticError):
+    """There are no multipliers: an event is touched and not crossed, or a check has failed."""
+
+
+@dataclass(frozen=True)
+class Monodromy:
+    """What one cell makes of small perturbations of the state at its first switch.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (n, n)
+        Of the cell, before its motion is mirrored.
+    size : ndarray, shape (n, n)
+        The same product of absolute values: rounding errors are parts of it.
+    singular : bool
+        Whether a phase holds the velocity, so that one multiplier is exactly 0.
+    """
+
+    matrix: Matrix
+    size: Matrix
+    singular: bool
+
+
+def monodromy(motion: SceneMotion) -> Monodromy:
+    """Return the monodromy of a cell of an orbit, checked.
+
+    Raises
+    ------
+    NoMultipliersError
+        If an event is touched and not crossed, or if a factor fails a check: the formula for
+        the determinant or, without forcing, that the rate of the motion is mapped to itself.
+    """
+    cell = motion.case.cell
+    starts, ends = _states(motion)
+    matrix, size, expected = np.eye(2), np.eye(2), 1.0
+    for p, phase in enumerate(cell.phases):
+        s = float(motion.cell_durations[p])
+        switch = _switch(motion, p, starts, ends)
+        if not abs(switch.crossing) > TOUCH * switch.size:
+            raise NoMultipliersError(
+                f"the event that ends {phase.name} is touched, not crossed: "
+                "perturbations are not mapped linearly"
+            )
+        slow = min(1.0, abs(switch.crossing) / switch.size)
+        along, across = transition(phase, s), saltation(switch)
+        matrix = across @ along @ matrix
+        size = np.abs(across) @ np.abs(along) @ size / slow
+        expected *= contraction(phase, s) * determinant(switch)
+        if not cell.forced:
+            _check_rates(phase, starts[p], s, along, across, switch)
+    _check_determinant(matrix, size, expected)
+    return Monodromy(matrix, size, any(phase.held for phase in cell.phases))
+
+
+def _states(motion: SceneMotion) -> tuple[Matrix, Matrix]:
+    """Return displacement and velocity at the start and at the end of each phase."""
+    both = np.array([0.0, 1.0])
+    phases = range(len(motion.case.cell.phases))
+    found = np.array([[motion.part(p, both, j) for j in (0, 1)] for p in phases])
+    return found[:, :, 0], found[:, :, 1]
+
+
+def _switch(motion: SceneMotion, p: int, starts: Matrix, ends: Matrix) -> Switch:
+    """Return the switch at the end of a phase; the motion after it is not yet mirrored."""
+    cell = motion.case.cell
+    phase, after = cell.phases[p], (p + 1) % len(cell.phases)
+    sign = cell.sign if after == 0 else 1
+    angle = motion.angle + cell.omega * float(np.sum(motion.cell_durations[: p + 1]))
+    cosine, sine = np.cos(angle), np.sin(angle)
+    ex, ev, ec, _ = phase.event
+    speed = float(np.abs(motion.part(p, np.linspace(0.0, 1.0, 17), 1)).max())
+    return Switch(
+        rates_before=rates(phase, ends[p], cosine),
+        rates_after=sign * rates(cell.phases[after], starts[after], sign * cosine),
+        law=np.diag([1.0, phase.rho]),
+        gradient=np.array([ex, ev]),
+        drift=float(-ec * cell.omega * sine),
+        size=abs(ex) * speed + abs(ev) * _force(phase, ends[p]) + abs(ec) * cell.omega,
+    )
+
+
+def _force(phase: Phase, state: Vector) -> float:
+    """Return the size of the acceleration of a phase: of its terms, added without sign."""
+    x, v = np.abs(state)
+    parts = abs(phase.f) + abs(phase.g) + abs(phase.c) * v + abs(phase.k) * x
+    return 0.0 if phase.held else float(parts / phase.m)
+
+
+def _check_rates(
+    phase: Phase, start: Vector, s: float, along: Matrix, across: Matrix, switch: Switch
+) -> None:
+    """Check that phase and switch map the rate of the motion to that behind them: M F = F."""
+    reached = flow.end(phase, start, 0.0, 0.0, s).state
+    pairs = (
+        (along, rates(phase, start, 1.0), rates(phase, reached, 1.0)),
+        (across, switch.rates_before, switch.rates_after),
+    )
+    for matrix, rate, expected in pairs:
+        off = np.abs(matrix @ rate - expected)
+        allowed = ROUNDING * (np.abs(matrix) @ np.abs(rate) + np.abs(expected))
+        if not (off <= allowed + ROUNDING * _force(phase, start)).all():
+            raise NoMultipliersError(
+                f"a check failed: the rate of the motion is not mapped to itself where "
+                f"{phase.name} ends"
+            )
+
+
+def _check_determinant(matrix: Matrix, size: Matrix, expected: float) -> None:
+    """Check the determinant against its formula: ``prod det S exp(-sum c s/m)``."""
+    found = float(np.linalg.det(matrix))
+    largest = float(size[0, 0] * size[1, 1] + size[0, 1] * size[1, 0])
+    if not abs(found - expected) <= ROUNDING * largest:
+        raise NoMultipliersError(
+            f"a check failed: the determinant of the monodromy is {found:.6g}, expected "
+            f"{expected:.6g} by its formula"
+        )

@@ -1,0 +1,51 @@
+"""The stability of an orbit in words and as a document."""
+
+from typing import Any
+
+from ..orbit.motion import SceneMotion
+from .monodromy import NoMultipliersError
+
+#: What `stable` means.
+VERDICTS = {True: "stable", False: "unstable", None: "neither stable nor unstable to rounding"}
+
+
+def in_words(motion: SceneMotion) -> str:
+    """Return the multipliers of an orbit and whether it is stable, in one line.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.case import registry
+    >>> from nonsmooth.solver.flow.exact import exact_orbit
+    >>> in_words(exact_orbit(registry.load("impact")()))
+    'multipliers 0.42775 +- 0.26638i of modulus 0.50391: stable'
+    >>> in_words(exact_orbit(registry.load("stick-slip")()))
+    'multiplier 0: stable'
+    """
+    try:
+        values, stable = motion.multipliers, motion.stable
+    except NoMultipliersError as error:
+        return f"no multipliers: {error}"
+    name = "multiplier" if len(values) == 1 else "multipliers"
+    return f"{name} {_numbers([complex(value) for value in values])}: {VERDICTS[stable]}"
+
+
+def _numbers(values: list[complex]) -> str:
+    if len(values) == 2 and values[0].imag:
+        value = values[0]
+        return f"{value.real:.5g} +- {abs(value.imag):.5g}i of modulus {abs(value):.5g}"
+    return ", ".join(f"{value.real:.5g}" for value in values)
+
+
+def document(motion: SceneMotion) -> dict[str, Any]:
+    """Return the multipliers of an orbit and its verdict; None for what there is not."""
+    try:
+        values, stable = motion.multipliers, motion.stable
+    except NoMultipliersError:
+        return without_multipliers()
+    parts = [{"re": float(value.real), "im": float(value.imag)} for value in values]
+    return {"multipliers": parts, "stable": stable}
+
+
+def without_multipliers() -> dict[str, None]:
+    """Return the same of an orbit that is not there."""
+    return {"multipliers": None, "stable": None}

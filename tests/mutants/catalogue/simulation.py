@@ -1,0 +1,138 @@
+"""Mistakes in simulated motion: events, what follows them, records, the command."""
+
+from ..mutant import Mutant
+
+LOCATE = ("tests/simulation/test_locate.py",)
+MOTION = ("tests/simulation/test_simulate.py",)
+SETTLE = ("tests/simulation/test_settle.py",)
+COMMAND = ("tests/cli_scenes/test_simulate_command.py",)
+
+
+def mistake(what: str, file: str, old: str, new: str, tests: tuple[str, ...]) -> Mutant:
+    """Return a mistake in the simulation."""
+    return Mutant(what, f"solver/simulation/{file}", old, new, tests)
+
+
+MUTANTS: tuple[Mutant, ...] = (
+    mistake(
+        "the bound is for a window of half the length",
+        "bounds.py",
+        "largest = (norm + forced * s)",
+        "largest = 0.5 * norm",
+        LOCATE,
+    ),
+    mistake(
+        "negative damping is not bounded",
+        "bounds.py",
+        "growth = max(0.0, -damping)",
+        "growth = 0.0",
+        LOCATE,
+    ),
+    mistake(
+        "the polynomial is not lowered by the bound",
+        "locate.py",
+        "powers[TERMS] = -rest * scale",
+        "powers[TERMS] = rest * scale",
+        LOCATE,
+    ),
+    mistake(
+        "the second half of an interval is looked at first",
+        "zeros.py",
+        "        waiting.append((right @ coefficients, start + half, half, depth + 1))\n"
+        "        waiting.append((left @ coefficients, start, half, depth + 1))\n",
+        "        waiting.append((left @ coefficients, start, half, depth + 1))\n"
+        "        waiting.append((right @ coefficients, start + half, half, depth + 1))\n",
+        LOCATE,
+    ),
+    mistake(
+        "any of two events is taken",
+        "locate.py",
+        "            if safe < step:\n",
+        "            if safe < step and nearest is None:\n",
+        LOCATE,
+    ),
+    mistake(
+        "a form that begins at zero is its own event",
+        "locate.py",
+        "leading = _leading(values, sizes, zero)\n    if leading == TERMS:",
+        "leading = 0\n    if leading == TERMS:",
+        LOCATE,
+    ),
+    mistake(
+        "the impulse is not mirrored",
+        "machine.py",
+        "        event=_mirrored(phase.event),\n",
+        "        event=phase.event,\n",
+        MOTION,
+    ),
+    mistake(
+        "a constraint does not come first",
+        "machine.py",
+        "yield from (q for q in self.nodes if q.phase.held and q.phase.demands)",
+        "yield from ()",
+        SETTLE,
+    ),
+    mistake(
+        "a phase may be entered with any velocity",
+        "machine.py",
+        "if phase.held and abs(state.v - phase.speed) > NEAR * max(1.0, abs(phase.speed)):",
+        "if False:",
+        MOTION,
+    ),
+    mistake(
+        "the law of a stop on the other side is not that of its event",
+        "machine.py",
+        "for other in (node, *self.nodes):",
+        "for other in (node,):",
+        MOTION,
+    ),
+    mistake(
+        "chatter goes on",
+        "simulate.py",
+        "if short == CHATTER:",
+        "if short == -1:",
+        MOTION,
+    ),
+    mistake(
+        "the velocity does not jump",
+        "simulate.py",
+        "State(end.x, rho * end.v + d, angle, still)",
+        "State(end.x, end.v + d, angle, still)",
+        MOTION,
+    ),
+    mistake(
+        "the velocity in units of length",
+        "simulate.py",
+        "speed / units.of_motion(1), angle)",
+        "speed / units.length, angle)",
+        MOTION,
+    ),
+    mistake(
+        "times of a cell of another duration",
+        "settle.py",
+        "return not cell.forced or abs(sum(q.s for q in found) - cell.duration) <= NEAR",
+        "return True",
+        SETTLE,
+    ),
+    mistake(
+        "what has not settled is a start",
+        "settle.py",
+        "abs(one.s - two.s) <= NEAR and abs(one.x - two.x) <= NEAR",
+        "True",
+        SETTLE,
+    ),
+    Mutant(
+        "a motion that ended early is status 0",
+        "src/nonsmooth/cli/scenes/simulate.py",
+        "return 1 if motion.ended else 0",
+        "return 0",
+        COMMAND,
+    ),
+    Mutant(
+        "displacement and velocity swapped in a picture",
+        "src/nonsmooth/cli/scenes/shown/transient.py",
+        "times, x, v, _ = map(",
+        "times, v, x, _ = map(",
+        COMMAND,
+    ),
+)

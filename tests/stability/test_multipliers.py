@@ -1,0 +1,235 @@
+"""Multipliers against proved references, closed forms, and what they must be exactly."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from made_scenes import made
+
+import nonsmooth as ns
+from nonsmooth.solver.case import registry
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.stability import monodromy as module
+from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
+
+IMPACT = registry.load("impact")
+UNIT = {"damping": 0, "gap": 0, "restitution": 0.8}
+
+
+def mirrored(x, v, cos, constant):
+    return (-x, -v, -cos, constant)
+
+
+def friction(omega, mu, damping=0.0):
+    """Return a mass that slides down for half a period against dry friction."""
+    equation, event = (1, damping, 1, mu, 1), mirrored(0, 1, 0, 0)
+    return made([equation], [event], omega=omega, half=True)
+
+
+def stopping(omega, mu):
+    return made(
+        [(1, 0, 1, mu, 1), (1, 0, 0, 0, 0)],
+        [(0, 1, 0, 0), mirrored(1, 0, -1, -mu)],
+        omega=omega,
+        half=True,
+        held=(None, 0.0),
+    )
+
+
+def bilinear(omega, stiffness, damping):
+    springs = [(1, damping, stiffness, 0, 1), (1, damping, 1, 0, 1)]
+    return made(springs, [(1, 0, 0, 0), (1, 0, 0, 0)], omega=omega)
+
+
+def backlash(omega, damping):
+    equations = [(1, damping, 1, 1, 1), (1, damping, 0, 0, 1)]
+    events = [(1, 0, 0, -1), mirrored(1, 0, 0, -1)]
+    return made(equations, events, omega=omega, half=True)
+
+
+def pair(real, imaginary):
+    return [complex(real, imaginary), complex(real, -imaginary)]
+
+
+#: Case; rough durations of a cell, rough phase of the forcing; multipliers, each proved to
+#: these digits with ball arithmetic by another program; stable or not.
+PROVED = {
+    "impact, unstable": (
+        IMPACT(**UNIT, frequency=2.8), (2.2439,), 3.06,
+        [-2.958095066993599516067997, -0.2163554535961723300505215], False,
+    ),
+    "impact, stable": (
+        IMPACT(**UNIT, frequency=2.1), (2.992,), 2.53,
+        pair(0.7602142860965303903929311, 0.2491470232909529271925145), True,
+    ),
+    "friction": (
+        friction(0.7, 0.2)(), (4.488,), 0.18,
+        pair(-0.5830889919300008381584406, 0.2884512249739852819891529), True,
+    ),
+    "friction with stops": (
+        stopping(0.4, 0.4)(), (5.3769, 2.47714), 0.78,
+        [0.3802275662581503612051452, 0.0], True,
+    ),
+    "bilinear": (
+        bilinear(0.8, 4, 0.1)(), (1.97135, 5.88263), 5.53,
+        pair(-0.6721901320645979260514246, 0.06401995096042042332487247), True,
+    ),
+    "backlash": (
+        backlash(0.6, 0.1)(), (4.10754, 1.12845), 5.267,
+        pair(-0.5773129605589840809410903, 0.1327763260111977135562074), True,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PROVED)
+def test_proved_multipliers(name) -> None:
+    case, durations, angle, expected, stable = PROVED[name]
+    orbit = exact_orbit(case, durations, angle)
+    assert orbit.multipliers.dtype == complex
+    assert orbit.multipliers == pytest.approx(np.array(expected), rel=1e-12, abs=1e-15)
+    assert orbit.stable is stable
+    assert orbit.margin == pytest.approx(1 - abs(expected[0]), rel=1e-11)
+    assert orbit.trivial_multiplier is None
+    assert orbit.stability.rounding < 1e-9
+    if expected[1] == 0.0:
+        assert orbit.multipliers[1] == 0.0  # set, not computed
+
+
+@given(omega=st.floats(1.3, 3.8), gap=st.floats(-0.3, 0.5), restitution=st.floats(0.2, 1.0))
+@settings(max_examples=40)
+def test_the_closed_form_of_one_impact_a_period(omega, gap, restitution) -> None:
+    case = IMPACT(damping=0, gap=gap, restitution=restitution, frequency=omega)
+    try:
+        orbit = exact_orbit(case)
+    except NoOrbit:
+        return
+    T = 2 * math.pi / omega
+    r, g, cot = restitution, 1 / (1 - omega**2), 1 / math.tan(math.pi / omega)
+    v = -orbit.phases[0].velocity / r
+    q = (1 + r) / 2 * cot
+    cosine = (gap + q * v) / g
+    trace = -2 * r * math.cos(T) + (1 + r) * (cosine - gap) * math.sin(T) / v
+    size = max(1.0, abs(trace))
+    assert complex(orbit.multipliers.sum()) == pytest.approx(trace, abs=1e-9 * size)
+    assert complex(orbit.multipliers.prod()) == pytest.approx(r**2, abs=1e-9 * size)
+    edge = 1 + r**2 - abs(trace)  # |tr M| < 1 + det M
+    if r < 0.999 and abs(edge) > 1e-6:
+        assert orbit.stable is bool(edge > 0)
+
+
+def test_stick_forgets_the_velocity() -> None:
+    for scene in ("stick-slip", "stick-slip-damped"):
+        orbit = exact_orbit(registry.load(scene)())
+        assert orbit.multipliers.tolist() == [0.0]
+        assert orbit.trivial_multiplier == pytest.approx(1, abs=1e-13)
+        assert orbit.stable is True
+        assert orbit.margin == 1.0
+
+
+def test_stick_between_other_phases_gives_an_exact_zero_too() -> None:
+    # the cell begins in the midst of slip, where x passes 0
+    scene = made(
+        [(1, 0, 1, 0, 0), (1, 0, 0, 0, 0), (1, 0, 1, 0, 0)],
+        [(0, 1, 0, -1), (1, 0, 0, -1), (1, 0, 0, 0)],
+        held=(None, 1.0, None),
+    )
+    orbit = exact_orbit(scene(), (2.3, 2.1, 2.4))
+    assert orbit.durations == pytest.approx([3 * math.pi / 4, 2, 3 * math.pi / 4])
+    assert orbit.multipliers.tolist() == [0.0]
+    assert orbit.trivial_multiplier == pytest.approx(1, abs=1e-13)
+    assert np.abs(np.linalg.eigvals(monodromy(orbit).matrix)).min() > 0  # if it were computed
+
+
+def test_the_trivial_multiplier_is_off_as_the_duration_of_slip_is() -> None:
+    case = registry.load("stick-slip")()
+    orbit = ns.solve(case, "ck-tau", 5)
+    # without units, where alpha is 1: cos(s) - sin(s), s the duration of slip
+    s = float(orbit.cell_durations[1])
+    assert orbit.trivial_multiplier == pytest.approx(math.cos(s) - math.sin(s), abs=1e-6)
+    assert 1e-9 < abs(orbit.trivial_multiplier - 1) < 1e-3
+    assert orbit.stable is True
+
+
+@pytest.mark.parametrize("force", [200.0, 400.0, 900.0])
+def test_the_paper_s_orbits_have_them_in_closed_form(force) -> None:
+    belt = ns.StickSlip(
+        mass=10, stiffness=1000, belt_speed=1, mu_s=0.5, mu_k=0.25, normal_force=force
+    )
+    exact, orbit = ns.exact(belt), ns.solve(belt, "c1", 12)
+    assert exact.multipliers.tolist() == orbit.multipliers.tolist() == [0.0]
+    assert exact.stable
+    assert exact.trivial_multiplier == pytest.approx(1, abs=1e-13)
+    generic = ns.solve(belt, "c1-tau", 5)
+    s = float(generic.cell_durations[1])
+    expected = math.cos(s) - belt.alpha * math.sin(s)
+    assert generic.trivial_multiplier == pytest.approx(expected, abs=1e-7)
+    off = (orbit.period - orbit.t1 - (exact.period - exact.t1)) / belt.time_unit
+    # the slope of the closed form by s is -sin(s) - alpha cos(s) = alpha, where it is 1
+    assert orbit.trivial_multiplier - 1 == pytest.approx(belt.alpha * off, rel=0.05)
+
+
+def test_one_of_a_continuum_of_orbits_is_neither() -> None:
+    # dry friction without damping at half the natural frequency: x0 and x0 - e both close
+    orbit = exact_orbit(friction(0.5, 0.2)(), (2 * math.pi,), 0.1)
+    assert abs(orbit.multipliers[0]) == pytest.approx(1, abs=1e-14)
+    assert orbit.stable is None
+
+
+def test_without_damping_a_clearance_is_on_the_unit_circle() -> None:
+    scene = made([(1, 0, 5, 2, 1), (1, 0, 1, 0, 1)], [(1, 0, 0, -0.5)] * 2, omega=1.3)
+    orbit = exact_orbit(scene(), (1.39, 3.45), 0.35)
+    assert np.abs(orbit.multipliers) == pytest.approx(1, abs=1e-13)
+    assert abs(orbit.multipliers[0].imag) > 0.1
+    assert orbit.stable is None
+    damped = made([(1, 1e-6, 5, 2, 1), (1, 1e-6, 1, 0, 1)], [(1, 0, 0, -0.5)] * 2, omega=1.3)
+    assert exact_orbit(damped(), (1.39, 3.45), 0.35).stable is True
+
+
+@pytest.mark.parametrize(("method", "order", "off"), [("ck-tau", 8, 1e-6), ("hb", 40, 5e-2)])
+def test_an_expansion_gives_multipliers_as_good_as_its_times(method, order, off) -> None:
+    orbit = ns.solve(IMPACT(**UNIT, frequency=2.1), method, order)
+    expected = PROVED["impact, stable"][3]
+    assert orbit.multipliers == pytest.approx(np.array(expected), abs=off)
+    assert orbit.stable is True
+
+
+def test_an_order_that_is_too_low_to_tell_does_not_tell() -> None:
+    # the flip is at 2.6533..., and four harmonics have the times to some per cent
+    case = IMPACT(**UNIT, frequency=2.64)
+    orbit = ns.solve(case, "hb", 4)
+    assert ns.exact(case).stable is True
+    assert orbit.stability.stable is False
+    assert orbit.stable is None
+
+
+def test_what_an_event_that_is_touched_comes_to() -> None:
+    # the speed of the impact vanishes at the grazing of the closed form, sqrt(3)
+    case = IMPACT(damping=0, gap=0.5, restitution=0.8, frequency=math.sqrt(3) * (1 + 1e-7))
+    orbit = exact_orbit(case, (2 * math.pi / float(case.values["frequency"]),), math.pi)
+    assert abs(orbit.multipliers[0]) > 1e3  # it grows as 1 over the speed
+    grazing = orbit.part
+
+    def at_rest(p, u, derivative):
+        return grazing(p, u, derivative) * (0.0 if derivative == 1 else 1.0)
+
+    object.__setattr__(orbit, "part", at_rest)
+    with pytest.raises(NoMultipliersError, match="flight is touched, not crossed"):
+        monodromy(orbit)
+
+
+def test_a_wrong_factor_fails_a_check(monkeypatch) -> None:
+    right = module.saltation
+
+    def wrong(switch):
+        found = right(switch)
+        found[1, 0] *= -1
+        return found * 1.1
+
+    monkeypatch.setattr(module, "saltation", wrong)
+    with pytest.raises(NoMultipliersError, match="a check failed: the determinant"):
+        monodromy(exact_orbit(IMPACT()))
+    with pytest.raises(NoMultipliersError, match="rate of the motion is not mapped to itself"):
+        monodromy(exact_orbit(registry.load("stick-slip-damped")()))
