@@ -4,7 +4,10 @@ from ..mutant import Mutant
 
 TABLE = ("tests/shortcuts/test_table.py",)
 DEFAULT = ("tests/shortcuts/test_default_scene.py",)
-LEFT_OUT = ("tests/shortcuts/test_left_out.py",)
+LEFT_OUT = (
+    "tests/shortcuts/test_left_out.py::test_every_scene_is_solved_from_python",
+    "tests/shortcuts/test_left_out.py::test_the_default_scene_is_solved_as_any_other",
+)
 ROOMS = ("tests/project/test_rooms.py",)
 IMPORTS = ("tests/project/test_imports_of_rooms.py",)
 DERIVED = ("tests/project/test_nothing_derived.py",)
