@@ -25,7 +25,7 @@ DENSE = 100
 MOVED = 1e-7
 
 #: At these orders the times are so near to the exact ones, as a part of the period.
-NEAR_EXACT = 0.1
+NEAR_EXACT = 0.15
 
 #: Least digits of the times: those of the whole system and of the shortcut, either rounded.
 SAME_TIMES = 2e-13
