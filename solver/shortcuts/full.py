@@ -93,7 +93,7 @@ def by_quadrature(case: Case, order: int, functions: int | None, z: Vector) -> V
     weighted = T * weights * (acceleration + np.where(t < t1, 0.0, y))
     angles = 2 * math.pi * np.outer(np.arange(order + 1), u)
     rows = [np.cos(angles) @ weighted, np.sin(angles[1:]) @ weighted]
-    for i in range(2 * order + 1, len(z) - 2):
+    for i in range(2 * order + 1, 2 * order + 1 + (functions or 1)):
         one = np.zeros(len(z))
         one[i], one[-2:] = 1.0, z[-2:]
         function = fourier.c1_functions(one, order, t, 0)

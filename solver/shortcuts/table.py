@@ -17,7 +17,13 @@ from ..shortcut import Shortcut
 from .entrance import alpha_of_case, belt_of
 from .full import WITH_SEVERAL, of_every_scene, of_the_paper, parts, parts_of_cell
 from .names import SCENE
-from .orbit.methods import LARGEST_ALPHA, METHODS, MOST_TERMS, SMALLEST_ALPHA
+from .orbit.methods import (
+    LARGEST_ALPHA,
+    METHODS,
+    MOST_HARMONICS_BESIDE,
+    MOST_TERMS,
+    SMALLEST_ALPHA,
+)
 from .polynomials.batch import c1_times
 from .search.family_points import by_bands, fits_bands
 from .search.search import MOST_DENSE, admissible_root
@@ -62,9 +68,15 @@ def _roots(cases: Sequence[Case], order: int, functions: int | None) -> list[Vec
     return [admissible_root(belt_of(case), order) for case in cases]
 
 
-def fits_scalar(case: Case, order: int) -> bool:
-    """Whether the scalar equation tells the orbit from pure slip, ``2 alpha`` away."""
-    return 1e-5 <= alpha_of_case(case) <= LARGEST_ALPHA and order <= METHODS["c1"].highest_order
+#: Below, the scalar equation does not tell the orbit from pure slip, ``2 alpha`` away.
+LEAST_BY_SCALAR = 1e-5
+
+
+def _fits_scalar(case: Case, order: int) -> bool:
+    return (
+        LEAST_BY_SCALAR <= alpha_of_case(case) <= LARGEST_ALPHA
+        and order <= METHODS["c1"].highest_order
+    )
 
 
 def _fits_bands(case: Case, order: int) -> bool:
@@ -102,13 +114,13 @@ TABLE: tuple[Shortcut, ...] = (
     ),
     Shortcut(
         "odd series with C1 functions", SCENE, "hb-ck", _SEVERAL,
-        lambda case, order: _is_in_range(case) and order <= 200,
+        lambda case, order: _is_in_range(case) and order <= MOST_HARMONICS_BESIDE,
         _with_functions, parts, WITH_SEVERAL, bound=1e-11, factor=None, order=20,
         why="As with one, tested with each; nothing else solves these rows.",
     ),
     Shortcut(
         "scalar equation", SCENE, "ck", (),
-        fits_scalar,
+        _fits_scalar,
         _scalar, parts, _C1, bound=1e-12, factor=10.0, order=20,
         why="By (18) the residual is a sum of two Jacobi polynomials: three conditions are "
         "left for their factors and the duration of slip.",

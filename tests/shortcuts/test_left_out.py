@@ -23,6 +23,7 @@ KEPT = (
     "src",
     "tests",
     "docs",
+    "examples",
     "README.md",
     "CONTRIBUTING.md",
 )

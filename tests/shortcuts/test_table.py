@@ -24,6 +24,9 @@ DENSE = 100
 #: Part of itself by which the last time is wrong where the bound must say so.
 MOVED = 1e-7
 
+#: At these orders the times are so near to the exact ones, as a part of the period.
+NEAR_EXACT = 0.15
+
 #: Least digits of the times: those of the whole system and of the shortcut, either rounded.
 SAME_TIMES = 2e-13
 
@@ -53,6 +56,9 @@ def test_a_shortcut_solves_the_whole_system(shortcut, order, functions) -> None:
     for case, found in zip(several, shortcut.solve(several, order, functions), strict=True):
         residual = shortcut.full.residual(case, order, functions, found)
         assert np.abs(residual).max() < shortcut.bound
+        exact = ns.exact(case)
+        parts = np.array(exact.durations) / exact.period
+        assert shortcut.times(found) == pytest.approx(parts, rel=0, abs=NEAR_EXACT)
         moved = found.copy()
         moved[-1] *= 1 + MOVED
         wrong = shortcut.full.residual(case, order, functions, moved)
