@@ -53,10 +53,11 @@ def rough_times_by_simulation(case: Case) -> Iterator[Settled]:
     starts += [State(0.0, q.phase.speed, 0.0) for q in machine.nodes if q.phase.held]
     for start in dict.fromkeys(starts):
         if start is not None and machine.first(start) is not None:
-            yield _settled(case.cell, follow(case, machine, start, CYCLES * unit))
+            yield settled(case.cell, follow(case, machine, start, CYCLES * unit))
 
 
-def _settled(cell: Cell, motion: Simulation) -> Settled:
+def settled(cell: Cell, motion: Simulation) -> Settled:
+    """Return what a motion of a cell came to, by its last phases."""
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}")
     segments = motion.segments[:-1]  # the last is cut off
@@ -67,7 +68,7 @@ def _settled(cell: Cell, motion: Simulation) -> Settled:
         words = f"a simulation settles on {', '.join(q.phase.name for q in first)}"
         again = cells[-2:-1] and segments[cells[-2] : cells[-2] + len(cell.phases)]
         if again and all(
-            abs(one.s - two.s) <= NEAR and abs(one.x - two.x) <= NEAR
+            max(abs(one.s - two.s), abs(one.x - two.x), abs(one.v - two.v)) <= NEAR
             for one, two in zip(first, again, strict=True)
         ):
             return Settled(RoughTimes(durations, first[0].angle, words), words)

@@ -9,7 +9,7 @@ from reached import IMPACT, REACHED, dry
 import nonsmooth as ns
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.simulation.settle import rough_times_by_simulation
+from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settled
 from nonsmooth.solver.solve import solve_case
 
 
@@ -69,3 +69,30 @@ def test_exact_orbits_start_from_it_too() -> None:
     orbit = exact_orbit(scene())
     assert orbit.admissible
     assert orbit.durations[0] < 0.1 * orbit.period
+
+
+def test_one_impact_in_two_periods_is_not_one_a_period() -> None:
+    (found,) = rough_times_by_simulation(IMPACT(frequency=3.6, damping=0.05, gap=0))
+    assert found.times is None
+    words = "a simulation settles on another order of phases: flight, in every 2 periods"
+    assert found.words == f"{words} of the forcing"
+
+
+def test_what_still_decays_has_not_settled() -> None:
+    # two springs and no forcing: the durations are those of an orbit, the speed is not
+    scene = made(
+        [(1, 0.02, 4, 0, 0), (1, 0.02, 1, 0, 0)],
+        [(1, 0, 0, 0), (1, 0, 0, 0)],
+        demands=[{"beyond 0": (1, 0, 0, 0)}, {"before 0": (-1, 0, 0, 0)}],
+    )
+    case = scene()
+    found = settled(case.cell, ns.simulate(case, (0, 1), cycles=60))
+    assert found.times is None
+    lossless = made(
+        [(1, 0, 4, 0, 0), (1, 0, 1, 0, 0)],
+        [(1, 0, 0, 0), (1, 0, 0, 0)],
+        demands=[{"beyond 0": (1, 0, 0, 0)}, {"before 0": (-1, 0, 0, 0)}],
+    )()
+    times = settled(lossless.cell, ns.simulate(lossless, (0, 1), cycles=60)).times
+    assert times is not None
+    assert times.durations == pytest.approx((math.pi / 2, math.pi))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from reached import BELT, DAMPED, IMPACT, REACHED
+from reached import BELT, DAMPED, IMPACT, REACHED, dry
 
 import nonsmooth as ns
 from nonsmooth.solver.flow.exact import exact_orbit
@@ -211,3 +211,12 @@ def test_samples_have_both_sides_of_every_switch() -> None:
     (line,) = motion.plot().lines
     assert line.get_xdata()[-1] == pytest.approx(motion.time)
     assert line.get_ydata().max() == pytest.approx(0.1)
+
+
+def test_a_constraint_holds_while_it_can() -> None:
+    # a load between sliding and static friction: it may slide as well, and rests
+    case = dry(0.4, 0.3, 0.6)()
+    resting = ns.simulate(case, (0.5, 0), 1, forcing_phase=math.pi / 2)
+    assert (resting.segments[0].index, resting.phases[0].velocity) == (1, 0.0)
+    beyond = ns.simulate(case, (0.7, 0), 1, forcing_phase=math.pi / 2)
+    assert (beyond.segments[0].index, beyond.segments[0].mirrored) == (0, False)

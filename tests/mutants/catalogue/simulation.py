@@ -70,7 +70,7 @@ MUTANTS: tuple[Mutant, ...] = (
         "machine.py",
         "yield from (q for q in self.nodes if q.phase.held and q.phase.demands)",
         "yield from ()",
-        SETTLE,
+        MOTION,
     ),
     mistake(
         "a phase may be entered with any velocity",
@@ -117,7 +117,7 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "what has not settled is a start",
         "settle.py",
-        "abs(one.s - two.s) <= NEAR and abs(one.x - two.x) <= NEAR",
+        "max(abs(one.s - two.s), abs(one.x - two.x), abs(one.v - two.v)) <= NEAR",
         "True",
         SETTLE,
     ),
