@@ -3,11 +3,17 @@
 import sympy as sp
 
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
-from nonsmooth.codegen.scenes import impact, stick_slip, stick_slip_damped
+from nonsmooth.codegen.scenes import (
+    backlash,
+    clearance,
+    impact,
+    impact_two_sided,
+    stick_slip,
+    stick_slip_damped,
+)
 
-m, k, F, Omega, r, h = sp.symbols("m k F Omega r h", positive=True)
+m, k, F, Omega = sp.symbols("m k F Omega", positive=True)
 c, f_d, f_s = sp.symbols("c f_d f_s", nonnegative=True)
-g = sp.Symbol("g", positive=True)
 
 MASS = Parameter("mass", m, "kg", 1.0, "mass")
 STIFFNESS = Parameter("stiffness", k, "N/m", 1.0, "stiffness")
@@ -24,38 +30,6 @@ def force(value: float) -> Parameter:
 def frequency(value: float) -> Parameter:
     return Parameter("frequency", Omega, "rad/s", value, "angular frequency")
 
-
-def gap(value: float) -> Parameter:
-    return Parameter("gap", g, "m", value, "gap")
-
-
-#: S2b: contact first, as in the references.
-CLEARANCE = Scene(
-    "one-sided-contact",
-    "a spring behind a gap",
-    (
-        *(MASS, damping(0.2), STIFFNESS, force(1.0), frequency(1.3), gap(0.5)),
-        Parameter("contact_stiffness", h, "N/m", 4.0, "stiffness of the contact"),
-    ),
-    (
-        Phase("contact", m * a + c * v + k * x + h * (x - g) - F * forcing, Event(x - g)),
-        Phase("free", m * a + c * v + k * x - F * forcing, Event(x - g)),
-    ),
-    frequency=Omega,
-)
-
-#: S2a: a dead zone, half a period.
-DEAD_ZONE = Scene(
-    "dead-zone",
-    "a spring with play on both sides",
-    (MASS, damping(0.1), STIFFNESS, force(0.8), frequency(0.7), gap(1.0)),
-    (
-        Phase("engaged", m * a + c * v + k * (x - g) - F * forcing, Event(x - g)),
-        Phase("loose", m * a + c * v - F * forcing, Event(x + g)),
-    ),
-    frequency=Omega,
-    half_period=True,
-)
 
 #: S3a: sliding without a stop, down first.
 SLIDE_DOWN = m * a + c * v + k * x - f_d - F * forcing
@@ -111,39 +85,20 @@ CONTINUOUS = Scene(
     ),
 )
 
-#: S6: impacts on both sides, half a period.
-TWO_SIDED = Scene(
-    "two-sided",
-    "a driven mass between two stops",
-    (
-        *(MASS, damping(0.1), STIFFNESS, force(1.0), frequency(1.2), gap(0.8)),
-        Parameter("restitution", r, "", 0.6, "restitution", most=1),
-    ),
-    (
-        Phase(
-            "crossing",
-            m * a + c * v + k * x - F * forcing,
-            Event(x + g, jump={v: -r * v}),
-        ),
-    ),
-    frequency=Omega,
-    half_period=True,
-)
-
 #: By the name of the scene in the references; parameters in the order of the scene, where
 #: they are not its defaults.
 SCENES = {
     "S0n": (stick_slip.SCENE, (1.0, 1.0, 1.0, 1.0, 0.0, 1.0)),
     "S1": (impact.SCENE, None),
-    "S2a": (DEAD_ZONE, None),
-    "S2b": (CLEARANCE, None),
+    "S2a": (backlash.SCENE, None),
+    "S2b": (clearance.SCENE, None),
     "S3a": (SLIDING, None),
     "S3b": (TWO_STOPS, None),
     "S3c": (EQUAL_FRICTION, None),
     "S5a": (stick_slip_damped.SCENE, (1.0, 1.0, 1.0, 3.0, 1.0, 1.0, 0.1, 0.0)),
     "S5b": (stick_slip_damped.SCENE, (1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 0.1, 0.2)),
     "S5c": (CONTINUOUS, None),
-    "S6": (TWO_SIDED, None),
+    "S6": (impact_two_sided.SCENE, None),
 }
 
 

@@ -17,7 +17,9 @@ from shown import ROOT
 from nonsmooth.codegen import scenes
 
 #: What the generic interface itself speaks of.
-GENERAL = frozenset({"mass", "damping", "stiffness", "force", "frequency", "speed", "damped"})
+GENERAL = frozenset(
+    {"mass", "damping", "stiffness", "force", "frequency", "speed", "damped", "two"}
+)
 
 #: Names of the paper's oscillator that no record has.
 PAPER = frozenset({"belt", "alpha", "t1", "backlash"})

@@ -48,7 +48,7 @@ def test_the_number_of_functions_is_two_at_an_impact_or_what_is_asked(
 @pytest.mark.parametrize(
     ("arguments", "named"),
     [
-        (("imapct",), "SCENE: got 'imapct', expected one of impact"),
+        (("imapct",), "SCENE: got 'imapct', expected one of backlash, "),
         (("imapct",), "(did you mean impact?)"),
         (("impact", "--method", "c1"), "impact is C0"),
         (("impact", "--method", "hbc0"), "(did you mean hb-c0?)"),
