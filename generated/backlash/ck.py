@@ -18,7 +18,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_0, g, F, Omega.
+m, c, k, k_0, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -32,8 +32,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 4  # order
-MATHEMATICS = "aa430057f0923b4b64fbd0505ce9ad8eccae271e552bfb06c47b960c58d2d27b"  # of the conditions, by srepr
-BODY = "cbc63e2398eb5acbd07dae31bd4c4dc7e80e41fb155655c75f333dbdee4e03b8"  # of the text below
+MATHEMATICS = "bb28150666ad2bb15ef52ffa0fc0b41e0c16b18957cfc4392ececeb5bb1b3a35"  # of the conditions, by srepr
+BODY = "ccc46936a1140c094f3ef7796c26d9c2f315f999f693d42891b13378b320d62f"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -725,9 +725,9 @@ def event_loose_by_s_loose(s_loose):
     )
 
 
-def cell(Omega, s_engaged, s_loose):
+def cell(Omega, cycles, s_engaged, s_loose):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_engaged + Omega*s_loose - pi)/Omega
+    return (Omega*s_engaged + Omega*s_loose - pi*cycles)/Omega
 
 
 def cell_by_s_engaged():
@@ -747,7 +747,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_engaged = 0
     at_v_engaged = 1
@@ -832,14 +832,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_loose(g, s_loose)
     R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
     row += 1
-    q0 = cell(Omega, s_engaged, s_loose)
+    q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_engaged = 0
     at_v_engaged = 1

@@ -18,7 +18,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_0, g, F, Omega.
+m, c, k, k_0, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -32,8 +32,8 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "9d89d04a02c5edf34be5704da63c7ec015f7ddf6286240a73bd31308cef41b62"  # of the conditions, by srepr
-BODY = "fca425d56f9f4476e7be9ac9c1e497aca1982453482eaf569be4dc3f02fe8abf"  # of the text below
+MATHEMATICS = "c7cabc1652b6a88c836268b6c089375fc15abd5f6e3b74af49338f7561ce10a6"  # of the conditions, by srepr
+BODY = "fc559928d14c703c8cd544729ac136bbe11f9c1e14d9840e5aa73056f767008f"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -422,9 +422,9 @@ def event_loose_by_s_loose(s_loose):
     )
 
 
-def cell(Omega, s_engaged, s_loose):
+def cell(Omega, cycles, s_engaged, s_loose):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_engaged + Omega*s_loose - pi)/Omega
+    return (Omega*s_engaged + Omega*s_loose - pi*cycles)/Omega
 
 
 def cell_by_s_engaged():
@@ -444,7 +444,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_engaged = 0
     at_v_engaged = 1
@@ -511,14 +511,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_loose(g, s_loose)
     R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
     row += 1
-    q0 = cell(Omega, s_engaged, s_loose)
+    q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_engaged = 0
     at_v_engaged = 1

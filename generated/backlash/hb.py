@@ -14,7 +14,7 @@ Unknowns ``z`` with N = (order + 1)//2 odd harmonics, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_0, g, F, Omega.
+m, c, k, k_0, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -27,8 +27,8 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "799df9301cabb44e6f27df241fc2c056027077adeafa6729ce1e816ce3a07e14"  # of the conditions, by srepr
-BODY = "4b3959000e447da5f97e24e06506b12670c6c3e4f455b0b4603cbc60e56bd003"  # of the text below
+MATHEMATICS = "fb3416b0233f47ebe83dc73495b7711fc2e8a8e5e76c3ca004ac73d7bef5ca74"  # of the conditions, by srepr
+BODY = "1d6c4045957926d20e7a06a42f3f18d63a0a550af6a12b48e81edd879c9d58fe"  # of the text below
 
 
 def harmonic_integrals(weights, power, ends, period, highest):
@@ -109,24 +109,24 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def by_sine(j, phi, S_f, C_g, S_g):
+def by_sine(j, cycles, phi, S_f, C_g, S_g):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
-    return (sin(phi)*C_g[2*j - 2])/2 - (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 - (cos(phi)*S_g[2*j])/2 - S_f[2*j - 1]
+    return -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2 - S_f[2*j - 1]
 
 
-def by_sine_by_s_engaged(j, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged):
+def by_sine_by_s_engaged(j, cycles, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
-    return (sin(phi)*C_g_by_s_engaged[2*j - 2])/2 - (sin(phi)*C_g_by_s_engaged[2*j])/2 - (cos(phi)*S_g_by_s_engaged[2*j - 2])/2 - (cos(phi)*S_g_by_s_engaged[2*j])/2 - S_f_by_s_engaged[2*j - 1]
+    return -(sin(phi)*C_g_by_s_engaged[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_engaged[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_engaged[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_engaged[cycles - 2*j + 1])/2 - S_f_by_s_engaged[2*j - 1]
 
 
-def by_sine_by_s_loose(j, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose):
+def by_sine_by_s_loose(j, cycles, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose):
     """Their derivatives by s_loose, of those that depend on it."""
-    return (sin(phi)*C_g_by_s_loose[2*j - 2])/2 - (sin(phi)*C_g_by_s_loose[2*j])/2 - (cos(phi)*S_g_by_s_loose[2*j - 2])/2 - (cos(phi)*S_g_by_s_loose[2*j])/2 - S_f_by_s_loose[2*j - 1]
+    return -(sin(phi)*C_g_by_s_loose[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_loose[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_loose[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_loose[cycles - 2*j + 1])/2 - S_f_by_s_loose[2*j - 1]
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 + (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2
+    return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -153,24 +153,24 @@ def by_sine_sum_by_s_loose(j, n, C_m_by_s_loose, S_m_by_s_loose, C_c_by_s_loose,
     )
 
 
-def by_cosine(j, phi, C_f, C_g, S_g):
+def by_cosine(j, cycles, phi, C_f, C_g, S_g):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
-    return -(sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 - (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2 - C_f[2*j - 1]
+    return (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2 - C_f[2*j - 1]
 
 
-def by_cosine_by_s_engaged(j, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged):
+def by_cosine_by_s_engaged(j, cycles, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
-    return -(sin(phi)*S_g_by_s_engaged[2*j - 2])/2 + (sin(phi)*S_g_by_s_engaged[2*j])/2 - (cos(phi)*C_g_by_s_engaged[2*j - 2])/2 - (cos(phi)*C_g_by_s_engaged[2*j])/2 - C_f_by_s_engaged[2*j - 1]
+    return (sin(phi)*S_g_by_s_engaged[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_engaged[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_engaged[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_engaged[cycles - 2*j + 1])/2 - C_f_by_s_engaged[2*j - 1]
 
 
-def by_cosine_by_s_loose(j, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose):
+def by_cosine_by_s_loose(j, cycles, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose):
     """Their derivatives by s_loose, of those that depend on it."""
-    return -(sin(phi)*S_g_by_s_loose[2*j - 2])/2 + (sin(phi)*S_g_by_s_loose[2*j])/2 - (cos(phi)*C_g_by_s_loose[2*j - 2])/2 - (cos(phi)*C_g_by_s_loose[2*j])/2 - C_f_by_s_loose[2*j - 1]
+    return (sin(phi)*S_g_by_s_loose[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_loose[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_loose[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_loose[cycles - 2*j + 1])/2 - C_f_by_s_loose[2*j - 1]
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[2*j - 2])/2 + (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 + (cos(phi)*S_g[2*j])/2
+    return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -255,9 +255,9 @@ def event_loose_sum_by_s_loose(n, s_engaged, s_loose):
     )
 
 
-def cell(Omega, s_engaged, s_loose):
+def cell(Omega, cycles, s_engaged, s_loose):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_engaged + Omega*s_loose - pi)/Omega
+    return (Omega*s_engaged + Omega*s_loose - pi*cycles)/Omega
 
 
 def cell_by_s_engaged():
@@ -278,7 +278,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
     at_b = N
@@ -300,19 +300,19 @@ def residual(case, z, R):
     over_f = harmonic_integrals((-g*(-k + k_0), 0.0), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 2*N + cycles - 1)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0 = by_sine(j, phi, S_f, C_g, S_g)
+        q0 = by_sine(j, cycles, phi, S_f, C_g, S_g)
         R[row] = q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0 = by_cosine(j, phi, C_f, C_g, S_g)
+        q0 = by_cosine(j, cycles, phi, C_f, C_g, S_g)
         R[row] = q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -330,14 +330,14 @@ def residual(case, z, R):
         q0, q1 = event_loose_sum(n, s_engaged, s_loose)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_engaged, s_loose)
+    q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
     at_b = N
@@ -373,7 +373,7 @@ def jacobian(case, z, J):
     C_f_by_s_loose = over_f[0][2]
     S_f_by_s_engaged = over_f[1][1]
     S_f_by_s_loose = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 2*N + cycles - 1)
     C_g = over_g[0][0]
     C_g_by_s_engaged = over_g[0][1]
     C_g_by_s_loose = over_g[0][2]
@@ -383,11 +383,11 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0 = by_sine_by_s_engaged(j, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged)
+        q0 = by_sine_by_s_engaged(j, cycles, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged)
         J[row, at_s_engaged] += q0
-        q0 = by_sine_by_s_loose(j, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose)
+        q0 = by_sine_by_s_loose(j, cycles, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose)
         J[row, at_s_loose] += q0
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -399,11 +399,11 @@ def jacobian(case, z, J):
             J[row, at_s_loose] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0 = by_cosine_by_s_engaged(j, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged)
+        q0 = by_cosine_by_s_engaged(j, cycles, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged)
         J[row, at_s_engaged] += q0
-        q0 = by_cosine_by_s_loose(j, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose)
+        q0 = by_cosine_by_s_loose(j, cycles, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose)
         J[row, at_s_loose] += q0
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -18,7 +18,7 @@ Unknowns ``z`` with N = (order + 1)//2 odd harmonics, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_0, g, F, Omega.
+m, c, k, k_0, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -32,8 +32,8 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "81dc811f061c129d84f31c4a07111e94a5933f9fe89fd1e2224c46b198ce4844"  # of the conditions, by srepr
-BODY = "35cfeea05d32b027e6a9e819c7d51642f3b047198796aa961705e7edafb5c16b"  # of the text below
+MATHEMATICS = "8275970e7de9ec027f9f3a35e20aadedabfa7a4f5fdd8abc2af1478c0cac93b1"  # of the conditions, by srepr
+BODY = "00a313c101cabc19242e6b4bcebf01777e5375f16d57cbf13c088d0082e69ce3"  # of the text below
 
 
 def break_series(begin, length):
@@ -323,42 +323,42 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_sine(j, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G4_loose_sin, G5_loose_sin):
+def by_sine(j, cycles, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G4_loose_sin, G5_loose_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         G4_engaged_sin[j],
         G5_engaged_sin[j],
         G4_loose_sin[j],
         G5_loose_sin[j],
-        (sin(phi)*C_g[2*j - 2])/2 - (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 - (cos(phi)*S_g[2*j])/2 - S_f[2*j - 1],
+        -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2 - S_f[2*j - 1],
     )
 
 
-def by_sine_by_s_engaged(j, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged):
+def by_sine_by_s_engaged(j, cycles, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
     return (
         G4_engaged_sin_by_s_engaged[j],
         G5_engaged_sin_by_s_engaged[j],
         G4_loose_sin_by_s_engaged[j],
         G5_loose_sin_by_s_engaged[j],
-        (sin(phi)*C_g_by_s_engaged[2*j - 2])/2 - (sin(phi)*C_g_by_s_engaged[2*j])/2 - (cos(phi)*S_g_by_s_engaged[2*j - 2])/2 - (cos(phi)*S_g_by_s_engaged[2*j])/2 - S_f_by_s_engaged[2*j - 1],
+        -(sin(phi)*C_g_by_s_engaged[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_engaged[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_engaged[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_engaged[cycles - 2*j + 1])/2 - S_f_by_s_engaged[2*j - 1],
     )
 
 
-def by_sine_by_s_loose(j, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose):
+def by_sine_by_s_loose(j, cycles, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose):
     """Their derivatives by s_loose, of those that depend on it."""
     return (
         G4_engaged_sin_by_s_loose[j],
         G5_engaged_sin_by_s_loose[j],
         G4_loose_sin_by_s_loose[j],
         G5_loose_sin_by_s_loose[j],
-        (sin(phi)*C_g_by_s_loose[2*j - 2])/2 - (sin(phi)*C_g_by_s_loose[2*j])/2 - (cos(phi)*S_g_by_s_loose[2*j - 2])/2 - (cos(phi)*S_g_by_s_loose[2*j])/2 - S_f_by_s_loose[2*j - 1],
+        -(sin(phi)*C_g_by_s_loose[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_loose[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_loose[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_loose[cycles - 2*j + 1])/2 - S_f_by_s_loose[2*j - 1],
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 + (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2
+    return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -385,42 +385,42 @@ def by_sine_sum_by_s_loose(j, n, C_m_by_s_loose, S_m_by_s_loose, C_c_by_s_loose,
     )
 
 
-def by_cosine(j, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G4_loose_cos, G5_loose_cos):
+def by_cosine(j, cycles, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G4_loose_cos, G5_loose_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         G4_engaged_cos[j],
         G5_engaged_cos[j],
         G4_loose_cos[j],
         G5_loose_cos[j],
-        -(sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 - (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2 - C_f[2*j - 1],
+        (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2 - C_f[2*j - 1],
     )
 
 
-def by_cosine_by_s_engaged(j, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged):
+def by_cosine_by_s_engaged(j, cycles, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
     return (
         G4_engaged_cos_by_s_engaged[j],
         G5_engaged_cos_by_s_engaged[j],
         G4_loose_cos_by_s_engaged[j],
         G5_loose_cos_by_s_engaged[j],
-        -(sin(phi)*S_g_by_s_engaged[2*j - 2])/2 + (sin(phi)*S_g_by_s_engaged[2*j])/2 - (cos(phi)*C_g_by_s_engaged[2*j - 2])/2 - (cos(phi)*C_g_by_s_engaged[2*j])/2 - C_f_by_s_engaged[2*j - 1],
+        (sin(phi)*S_g_by_s_engaged[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_engaged[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_engaged[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_engaged[cycles - 2*j + 1])/2 - C_f_by_s_engaged[2*j - 1],
     )
 
 
-def by_cosine_by_s_loose(j, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose):
+def by_cosine_by_s_loose(j, cycles, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose):
     """Their derivatives by s_loose, of those that depend on it."""
     return (
         G4_engaged_cos_by_s_loose[j],
         G5_engaged_cos_by_s_loose[j],
         G4_loose_cos_by_s_loose[j],
         G5_loose_cos_by_s_loose[j],
-        -(sin(phi)*S_g_by_s_loose[2*j - 2])/2 + (sin(phi)*S_g_by_s_loose[2*j])/2 - (cos(phi)*C_g_by_s_loose[2*j - 2])/2 - (cos(phi)*C_g_by_s_loose[2*j])/2 - C_f_by_s_loose[2*j - 1],
+        (sin(phi)*S_g_by_s_loose[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_loose[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_loose[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_loose[cycles - 2*j + 1])/2 - C_f_by_s_loose[2*j - 1],
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[2*j - 2])/2 + (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 + (cos(phi)*S_g[2*j])/2
+    return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -789,9 +789,9 @@ def event_loose_sum_by_s_loose(n, s_engaged, s_loose):
     )
 
 
-def cell(Omega, s_engaged, s_loose):
+def cell(Omega, cycles, s_engaged, s_loose):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_engaged + Omega*s_loose - pi)/Omega
+    return (Omega*s_engaged + Omega*s_loose - pi*cycles)/Omega
 
 
 def cell_by_s_engaged():
@@ -812,7 +812,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 7)//2
     at_a = 0
     at_b = N
@@ -838,7 +838,7 @@ def residual(case, z, R):
     over_f = harmonic_integrals((-g*(-k + k_0), 0.0), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 2*N + cycles - 1)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_engaged = breaks_on_phases(0, (0.0, s_engaged, s_engaged + s_loose), -1)
@@ -861,14 +861,14 @@ def residual(case, z, R):
     G5_loose_sin = over_beta5_loose[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4 = by_sine(j, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G4_loose_sin, G5_loose_sin)
+        q0, q1, q2, q3, q4 = by_sine(j, cycles, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G4_loose_sin, G5_loose_sin)
         R[row] = q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c4_loose] + q3*z[at_c5_loose] + q4
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4 = by_cosine(j, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G4_loose_cos, G5_loose_cos)
+        q0, q1, q2, q3, q4 = by_cosine(j, cycles, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G4_loose_cos, G5_loose_cos)
         R[row] = q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c4_loose] + q3*z[at_c5_loose] + q4
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -910,14 +910,14 @@ def residual(case, z, R):
         q0, q1 = event_loose_sum(n, s_engaged, s_loose)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_engaged, s_loose)
+    q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 7)//2
     at_a = 0
     at_b = N
@@ -959,7 +959,7 @@ def jacobian(case, z, J):
     S_f = over_f[1][0]
     S_f_by_s_engaged = over_f[1][1]
     S_f_by_s_loose = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 2*N + cycles - 1)
     C_g = over_g[0][0]
     C_g_by_s_engaged = over_g[0][1]
     C_g_by_s_loose = over_g[0][2]
@@ -1007,16 +1007,16 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2, q3, _ = by_sine(j, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G4_loose_sin, G5_loose_sin)
+        q0, q1, q2, q3, _ = by_sine(j, cycles, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G4_loose_sin, G5_loose_sin)
         J[row, at_c4_engaged] += q0
         J[row, at_c5_engaged] += q1
         J[row, at_c4_loose] += q2
         J[row, at_c5_loose] += q3
-        q0, q1, q2, q3, q4 = by_sine_by_s_engaged(j, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged)
+        q0, q1, q2, q3, q4 = by_sine_by_s_engaged(j, cycles, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged)
         J[row, at_s_engaged] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c4_loose] + q3*z[at_c5_loose] + q4
-        q0, q1, q2, q3, q4 = by_sine_by_s_loose(j, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose)
+        q0, q1, q2, q3, q4 = by_sine_by_s_loose(j, cycles, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose)
         J[row, at_s_loose] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c4_loose] + q3*z[at_c5_loose] + q4
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -1028,16 +1028,16 @@ def jacobian(case, z, J):
             J[row, at_s_loose] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, _ = by_cosine(j, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G4_loose_cos, G5_loose_cos)
+        q0, q1, q2, q3, _ = by_cosine(j, cycles, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G4_loose_cos, G5_loose_cos)
         J[row, at_c4_engaged] += q0
         J[row, at_c5_engaged] += q1
         J[row, at_c4_loose] += q2
         J[row, at_c5_loose] += q3
-        q0, q1, q2, q3, q4 = by_cosine_by_s_engaged(j, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged)
+        q0, q1, q2, q3, q4 = by_cosine_by_s_engaged(j, cycles, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged)
         J[row, at_s_engaged] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c4_loose] + q3*z[at_c5_loose] + q4
-        q0, q1, q2, q3, q4 = by_cosine_by_s_loose(j, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose)
+        q0, q1, q2, q3, q4 = by_cosine_by_s_loose(j, cycles, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose)
         J[row, at_s_loose] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c4_loose] + q3*z[at_c5_loose] + q4
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -20,7 +20,7 @@ Unknowns ``z`` with N = (order + 1)//2 odd harmonics, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_0, g, F, Omega.
+m, c, k, k_0, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -34,8 +34,8 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "3e62f2cb2e7434ab32a660ab0fccfca986fdd027fe4c5791b804c59aba9fdedd"  # of the conditions, by srepr
-BODY = "068444e8f9fb02f5804144b9873cd54c5e33027925cc98fde043ab27339fe770"  # of the text below
+MATHEMATICS = "4dbcf60517180f8783ea7cc1909ca5d4de40a8ee3351b72d4774d03e62ed4c3d"  # of the conditions, by srepr
+BODY = "5bad50572f13dc493b38fb759c3ad2f55989db9bf4707e6cef567df747d0d181"  # of the text below
 
 
 def break_series(begin, length):
@@ -342,7 +342,7 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_sine(j, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G6_engaged_sin, G4_loose_sin, G5_loose_sin, G6_loose_sin):
+def by_sine(j, cycles, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G6_engaged_sin, G4_loose_sin, G5_loose_sin, G6_loose_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         G4_engaged_sin[j],
@@ -351,11 +351,11 @@ def by_sine(j, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G6_engaged_si
         G4_loose_sin[j],
         G5_loose_sin[j],
         G6_loose_sin[j],
-        (sin(phi)*C_g[2*j - 2])/2 - (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 - (cos(phi)*S_g[2*j])/2 - S_f[2*j - 1],
+        -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2 - S_f[2*j - 1],
     )
 
 
-def by_sine_by_s_engaged(j, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G6_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged, G6_loose_sin_by_s_engaged):
+def by_sine_by_s_engaged(j, cycles, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G6_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged, G6_loose_sin_by_s_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
     return (
         G4_engaged_sin_by_s_engaged[j],
@@ -364,11 +364,11 @@ def by_sine_by_s_engaged(j, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_en
         G4_loose_sin_by_s_engaged[j],
         G5_loose_sin_by_s_engaged[j],
         G6_loose_sin_by_s_engaged[j],
-        (sin(phi)*C_g_by_s_engaged[2*j - 2])/2 - (sin(phi)*C_g_by_s_engaged[2*j])/2 - (cos(phi)*S_g_by_s_engaged[2*j - 2])/2 - (cos(phi)*S_g_by_s_engaged[2*j])/2 - S_f_by_s_engaged[2*j - 1],
+        -(sin(phi)*C_g_by_s_engaged[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_engaged[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_engaged[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_engaged[cycles - 2*j + 1])/2 - S_f_by_s_engaged[2*j - 1],
     )
 
 
-def by_sine_by_s_loose(j, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G6_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose, G6_loose_sin_by_s_loose):
+def by_sine_by_s_loose(j, cycles, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G6_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose, G6_loose_sin_by_s_loose):
     """Their derivatives by s_loose, of those that depend on it."""
     return (
         G4_engaged_sin_by_s_loose[j],
@@ -377,13 +377,13 @@ def by_sine_by_s_loose(j, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G
         G4_loose_sin_by_s_loose[j],
         G5_loose_sin_by_s_loose[j],
         G6_loose_sin_by_s_loose[j],
-        (sin(phi)*C_g_by_s_loose[2*j - 2])/2 - (sin(phi)*C_g_by_s_loose[2*j])/2 - (cos(phi)*S_g_by_s_loose[2*j - 2])/2 - (cos(phi)*S_g_by_s_loose[2*j])/2 - S_f_by_s_loose[2*j - 1],
+        -(sin(phi)*C_g_by_s_loose[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_loose[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_loose[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_loose[cycles - 2*j + 1])/2 - S_f_by_s_loose[2*j - 1],
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 + (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2
+    return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -410,7 +410,7 @@ def by_sine_sum_by_s_loose(j, n, C_m_by_s_loose, S_m_by_s_loose, C_c_by_s_loose,
     )
 
 
-def by_cosine(j, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G6_engaged_cos, G4_loose_cos, G5_loose_cos, G6_loose_cos):
+def by_cosine(j, cycles, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G6_engaged_cos, G4_loose_cos, G5_loose_cos, G6_loose_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         G4_engaged_cos[j],
@@ -419,11 +419,11 @@ def by_cosine(j, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G6_engaged_
         G4_loose_cos[j],
         G5_loose_cos[j],
         G6_loose_cos[j],
-        -(sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 - (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2 - C_f[2*j - 1],
+        (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2 - C_f[2*j - 1],
     )
 
 
-def by_cosine_by_s_engaged(j, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G6_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged, G6_loose_cos_by_s_engaged):
+def by_cosine_by_s_engaged(j, cycles, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G6_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged, G6_loose_cos_by_s_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
     return (
         G4_engaged_cos_by_s_engaged[j],
@@ -432,11 +432,11 @@ def by_cosine_by_s_engaged(j, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_
         G4_loose_cos_by_s_engaged[j],
         G5_loose_cos_by_s_engaged[j],
         G6_loose_cos_by_s_engaged[j],
-        -(sin(phi)*S_g_by_s_engaged[2*j - 2])/2 + (sin(phi)*S_g_by_s_engaged[2*j])/2 - (cos(phi)*C_g_by_s_engaged[2*j - 2])/2 - (cos(phi)*C_g_by_s_engaged[2*j])/2 - C_f_by_s_engaged[2*j - 1],
+        (sin(phi)*S_g_by_s_engaged[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_engaged[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_engaged[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_engaged[cycles - 2*j + 1])/2 - C_f_by_s_engaged[2*j - 1],
     )
 
 
-def by_cosine_by_s_loose(j, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G6_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose, G6_loose_cos_by_s_loose):
+def by_cosine_by_s_loose(j, cycles, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G6_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose, G6_loose_cos_by_s_loose):
     """Their derivatives by s_loose, of those that depend on it."""
     return (
         G4_engaged_cos_by_s_loose[j],
@@ -445,13 +445,13 @@ def by_cosine_by_s_loose(j, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose,
         G4_loose_cos_by_s_loose[j],
         G5_loose_cos_by_s_loose[j],
         G6_loose_cos_by_s_loose[j],
-        -(sin(phi)*S_g_by_s_loose[2*j - 2])/2 + (sin(phi)*S_g_by_s_loose[2*j])/2 - (cos(phi)*C_g_by_s_loose[2*j - 2])/2 - (cos(phi)*C_g_by_s_loose[2*j])/2 - C_f_by_s_loose[2*j - 1],
+        (sin(phi)*S_g_by_s_loose[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_loose[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_loose[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_loose[cycles - 2*j + 1])/2 - C_f_by_s_loose[2*j - 1],
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[2*j - 2])/2 + (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 + (cos(phi)*S_g[2*j])/2
+    return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -984,9 +984,9 @@ def event_loose_sum_by_s_loose(n, s_engaged, s_loose):
     )
 
 
-def cell(Omega, s_engaged, s_loose):
+def cell(Omega, cycles, s_engaged, s_loose):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_engaged + Omega*s_loose - pi)/Omega
+    return (Omega*s_engaged + Omega*s_loose - pi*cycles)/Omega
 
 
 def cell_by_s_engaged():
@@ -1007,7 +1007,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 9)//2
     at_a = 0
     at_b = N
@@ -1035,7 +1035,7 @@ def residual(case, z, R):
     over_f = harmonic_integrals((-g*(-k + k_0), 0.0), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 2*N + cycles - 1)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_engaged = breaks_on_phases(0, (0.0, s_engaged, s_engaged + s_loose), -1)
@@ -1064,14 +1064,14 @@ def residual(case, z, R):
     G6_loose_sin = over_beta6_loose[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6 = by_sine(j, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G6_engaged_sin, G4_loose_sin, G5_loose_sin, G6_loose_sin)
+        q0, q1, q2, q3, q4, q5, q6 = by_sine(j, cycles, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G6_engaged_sin, G4_loose_sin, G5_loose_sin, G6_loose_sin)
         R[row] = q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c6_engaged] + q3*z[at_c4_loose] + q4*z[at_c5_loose] + q5*z[at_c6_loose] + q6
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6 = by_cosine(j, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G6_engaged_cos, G4_loose_cos, G5_loose_cos, G6_loose_cos)
+        q0, q1, q2, q3, q4, q5, q6 = by_cosine(j, cycles, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G6_engaged_cos, G4_loose_cos, G5_loose_cos, G6_loose_cos)
         R[row] = q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c6_engaged] + q3*z[at_c4_loose] + q4*z[at_c5_loose] + q5*z[at_c6_loose] + q6
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -1125,14 +1125,14 @@ def residual(case, z, R):
         q0, q1 = event_loose_sum(n, s_engaged, s_loose)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_engaged, s_loose)
+    q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_0, g, F, Omega = case
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 9)//2
     at_a = 0
     at_b = N
@@ -1176,7 +1176,7 @@ def jacobian(case, z, J):
     S_f = over_f[1][0]
     S_f_by_s_engaged = over_f[1][1]
     S_f_by_s_loose = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 4*N - 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_engaged, s_engaged + s_loose), 2*s_engaged + 2*s_loose, 2*N + cycles - 1)
     C_g = over_g[0][0]
     C_g_by_s_engaged = over_g[0][1]
     C_g_by_s_loose = over_g[0][2]
@@ -1238,18 +1238,18 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, _ = by_sine(j, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G6_engaged_sin, G4_loose_sin, G5_loose_sin, G6_loose_sin)
+        q0, q1, q2, q3, q4, q5, _ = by_sine(j, cycles, phi, S_f, C_g, S_g, G4_engaged_sin, G5_engaged_sin, G6_engaged_sin, G4_loose_sin, G5_loose_sin, G6_loose_sin)
         J[row, at_c4_engaged] += q0
         J[row, at_c5_engaged] += q1
         J[row, at_c6_engaged] += q2
         J[row, at_c4_loose] += q3
         J[row, at_c5_loose] += q4
         J[row, at_c6_loose] += q5
-        q0, q1, q2, q3, q4, q5, q6 = by_sine_by_s_engaged(j, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G6_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged, G6_loose_sin_by_s_engaged)
+        q0, q1, q2, q3, q4, q5, q6 = by_sine_by_s_engaged(j, cycles, phi, S_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_sin_by_s_engaged, G5_engaged_sin_by_s_engaged, G6_engaged_sin_by_s_engaged, G4_loose_sin_by_s_engaged, G5_loose_sin_by_s_engaged, G6_loose_sin_by_s_engaged)
         J[row, at_s_engaged] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c6_engaged] + q3*z[at_c4_loose] + q4*z[at_c5_loose] + q5*z[at_c6_loose] + q6
-        q0, q1, q2, q3, q4, q5, q6 = by_sine_by_s_loose(j, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G6_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose, G6_loose_sin_by_s_loose)
+        q0, q1, q2, q3, q4, q5, q6 = by_sine_by_s_loose(j, cycles, phi, S_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_sin_by_s_loose, G5_engaged_sin_by_s_loose, G6_engaged_sin_by_s_loose, G4_loose_sin_by_s_loose, G5_loose_sin_by_s_loose, G6_loose_sin_by_s_loose)
         J[row, at_s_loose] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c6_engaged] + q3*z[at_c4_loose] + q4*z[at_c5_loose] + q5*z[at_c6_loose] + q6
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -1261,18 +1261,18 @@ def jacobian(case, z, J):
             J[row, at_s_loose] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, _ = by_cosine(j, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G6_engaged_cos, G4_loose_cos, G5_loose_cos, G6_loose_cos)
+        q0, q1, q2, q3, q4, q5, _ = by_cosine(j, cycles, phi, C_f, C_g, S_g, G4_engaged_cos, G5_engaged_cos, G6_engaged_cos, G4_loose_cos, G5_loose_cos, G6_loose_cos)
         J[row, at_c4_engaged] += q0
         J[row, at_c5_engaged] += q1
         J[row, at_c6_engaged] += q2
         J[row, at_c4_loose] += q3
         J[row, at_c5_loose] += q4
         J[row, at_c6_loose] += q5
-        q0, q1, q2, q3, q4, q5, q6 = by_cosine_by_s_engaged(j, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G6_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged, G6_loose_cos_by_s_engaged)
+        q0, q1, q2, q3, q4, q5, q6 = by_cosine_by_s_engaged(j, cycles, phi, C_f_by_s_engaged, C_g_by_s_engaged, S_g_by_s_engaged, G4_engaged_cos_by_s_engaged, G5_engaged_cos_by_s_engaged, G6_engaged_cos_by_s_engaged, G4_loose_cos_by_s_engaged, G5_loose_cos_by_s_engaged, G6_loose_cos_by_s_engaged)
         J[row, at_s_engaged] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c6_engaged] + q3*z[at_c4_loose] + q4*z[at_c5_loose] + q5*z[at_c6_loose] + q6
-        q0, q1, q2, q3, q4, q5, q6 = by_cosine_by_s_loose(j, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G6_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose, G6_loose_cos_by_s_loose)
+        q0, q1, q2, q3, q4, q5, q6 = by_cosine_by_s_loose(j, cycles, phi, C_f_by_s_loose, C_g_by_s_loose, S_g_by_s_loose, G4_engaged_cos_by_s_loose, G5_engaged_cos_by_s_loose, G6_engaged_cos_by_s_loose, G4_loose_cos_by_s_loose, G5_loose_cos_by_s_loose, G6_loose_cos_by_s_loose)
         J[row, at_s_loose] += q0*z[at_c4_engaged] + q1*z[at_c5_engaged] + q2*z[at_c6_engaged] + q3*z[at_c4_loose] + q4*z[at_c5_loose] + q5*z[at_c6_loose] + q6
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

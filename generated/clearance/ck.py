@@ -18,7 +18,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_c, g, F, Omega.
+m, c, k, k_c, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -32,8 +32,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 4  # order
-MATHEMATICS = "aeaff36d14b478fbee8bbcce8812c3940a2b3bf2954171b67163d9edc7e71713"  # of the conditions, by srepr
-BODY = "793683a4d1b698b0402ffd7e4668d4cebeb5f2fba3eafdc76489cd2ea9dca193"  # of the text below
+MATHEMATICS = "e58017b889f6fe75bf3e993eb675a3ac0b59fdb3b142e75e37cc56413eb4513b"  # of the conditions, by srepr
+BODY = "18283771149c605d86161da439d552ae09efd34ae12f07c27a4130b413373e42"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -725,9 +725,9 @@ def event_separated_by_s_separated(s_separated):
     )
 
 
-def cell(Omega, s_contact, s_separated):
+def cell(Omega, cycles, s_contact, s_separated):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_contact + Omega*s_separated - 2*pi)/Omega
+    return (Omega*s_contact + Omega*s_separated - 2*pi*cycles)/Omega
 
 
 def cell_by_s_contact():
@@ -747,7 +747,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_contact = 0
     at_v_contact = 1
@@ -832,14 +832,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_separated(g, s_separated)
     R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
     row += 1
-    q0 = cell(Omega, s_contact, s_separated)
+    q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_contact = 0
     at_v_contact = 1

@@ -18,7 +18,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_c, g, F, Omega.
+m, c, k, k_c, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -32,8 +32,8 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "41915c50288d75f68cb931c0e8b707c751da24df825b302c5f6825275dd67138"  # of the conditions, by srepr
-BODY = "ad1ba673e0bc8a6259a60f87259d9a859759ad1ddcc9c141187d415b8d35385e"  # of the text below
+MATHEMATICS = "b312fa0ba4cbc5d15190a5bdb6c7744c50211d78cce5ba2e593802cf5f0885e0"  # of the conditions, by srepr
+BODY = "c7c7a7ddf6c3ef9add77d6ef7e7c2446e68c80600357d58bf389b6e0e901ed8e"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -422,9 +422,9 @@ def event_separated_by_s_separated(s_separated):
     )
 
 
-def cell(Omega, s_contact, s_separated):
+def cell(Omega, cycles, s_contact, s_separated):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_contact + Omega*s_separated - 2*pi)/Omega
+    return (Omega*s_contact + Omega*s_separated - 2*pi*cycles)/Omega
 
 
 def cell_by_s_contact():
@@ -444,7 +444,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_contact = 0
     at_v_contact = 1
@@ -511,14 +511,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_separated(g, s_separated)
     R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
     row += 1
-    q0 = cell(Omega, s_contact, s_separated)
+    q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_contact = 0
     at_v_contact = 1

@@ -15,7 +15,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_c, g, F, Omega.
+m, c, k, k_c, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -28,8 +28,8 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "bf8c148eebe6099465a516c72170120e2a3f7968b5deaf5099ce5e425c64abb8"  # of the conditions, by srepr
-BODY = "3d9acfa4d806855e8fd44997abdb4d2ac4593b469307c19ab315ba1b1c28ebe1"  # of the text below
+MATHEMATICS = "50d5f5c77e0f07d2233b84d9a12b850f6e872e72f23684ed87444ef244680b95"  # of the conditions, by srepr
+BODY = "0c25eea987efb62ed9efc3532eaa2b53dadd113622775f0d52db4b97a7f92997"  # of the text below
 
 
 def harmonic_integrals(weights, power, ends, period, highest):
@@ -110,33 +110,33 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def by_one(phi, C_k, C_f, C_g, S_g):
+def by_one(cycles, phi, C_k, C_f, C_g, S_g):
     """Coefficients: residual, orthogonal to 1."""
     return (
         C_k[0]/2,
-        sin(phi)*S_g[1] - cos(phi)*C_g[1] - C_f[0],
+        sin(phi)*S_g[cycles] - cos(phi)*C_g[cycles] - C_f[0],
     )
 
 
-def by_one_by_s_contact(phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact):
+def by_one_by_s_contact(cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         C_k_by_s_contact[0]/2,
-        sin(phi)*S_g_by_s_contact[1] - cos(phi)*C_g_by_s_contact[1] - C_f_by_s_contact[0],
+        sin(phi)*S_g_by_s_contact[cycles] - cos(phi)*C_g_by_s_contact[cycles] - C_f_by_s_contact[0],
     )
 
 
-def by_one_by_s_separated(phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated):
+def by_one_by_s_separated(cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         C_k_by_s_separated[0]/2,
-        sin(phi)*S_g_by_s_separated[1] - cos(phi)*C_g_by_s_separated[1] - C_f_by_s_separated[0],
+        sin(phi)*S_g_by_s_separated[cycles] - cos(phi)*C_g_by_s_separated[cycles] - C_f_by_s_separated[0],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
+def by_one_by_phi(cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
+    return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
 def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -163,33 +163,33 @@ def by_one_sum_by_s_separated(n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_
     )
 
 
-def by_sine(j, phi, S_k, S_f, C_g, S_g):
+def by_sine(j, cycles, phi, S_k, S_f, C_g, S_g):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2 - S_f[j],
+        -(sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 - (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2 - S_f[j],
     )
 
 
-def by_sine_by_s_contact(j, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact):
+def by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         S_k_by_s_contact[j]/2,
-        -(sin(phi)*C_g_by_s_contact[j + 1])/2 + (sin(phi)*C_g_by_s_contact[j - 1])/2 - (cos(phi)*S_g_by_s_contact[j + 1])/2 - (cos(phi)*S_g_by_s_contact[j - 1])/2 - S_f_by_s_contact[j],
+        -(sin(phi)*C_g_by_s_contact[cycles + j])/2 + (sin(phi)*C_g_by_s_contact[cycles - j])/2 - (cos(phi)*S_g_by_s_contact[cycles + j])/2 + (cos(phi)*S_g_by_s_contact[cycles - j])/2 - S_f_by_s_contact[j],
     )
 
 
-def by_sine_by_s_separated(j, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated):
+def by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         S_k_by_s_separated[j]/2,
-        -(sin(phi)*C_g_by_s_separated[j + 1])/2 + (sin(phi)*C_g_by_s_separated[j - 1])/2 - (cos(phi)*S_g_by_s_separated[j + 1])/2 - (cos(phi)*S_g_by_s_separated[j - 1])/2 - S_f_by_s_separated[j],
+        -(sin(phi)*C_g_by_s_separated[cycles + j])/2 + (sin(phi)*C_g_by_s_separated[cycles - j])/2 - (cos(phi)*S_g_by_s_separated[cycles + j])/2 + (cos(phi)*S_g_by_s_separated[cycles - j])/2 - S_f_by_s_separated[j],
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -216,33 +216,33 @@ def by_sine_sum_by_s_separated(j, n, C_m_by_s_separated, S_m_by_s_separated, C_c
     )
 
 
-def by_cosine(j, phi, C_k, C_f, C_g, S_g):
+def by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2 - C_f[j],
+        (sin(phi)*S_g[cycles + j])/2 + (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 - (cos(phi)*C_g[cycles - j])/2 - C_f[j],
     )
 
 
-def by_cosine_by_s_contact(j, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact):
+def by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         C_k_by_s_contact[j]/2,
-        (sin(phi)*S_g_by_s_contact[j + 1])/2 - (sin(phi)*S_g_by_s_contact[j - 1])/2 - (cos(phi)*C_g_by_s_contact[j + 1])/2 - (cos(phi)*C_g_by_s_contact[j - 1])/2 - C_f_by_s_contact[j],
+        (sin(phi)*S_g_by_s_contact[cycles + j])/2 + (sin(phi)*S_g_by_s_contact[cycles - j])/2 - (cos(phi)*C_g_by_s_contact[cycles + j])/2 - (cos(phi)*C_g_by_s_contact[cycles - j])/2 - C_f_by_s_contact[j],
     )
 
 
-def by_cosine_by_s_separated(j, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated):
+def by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         C_k_by_s_separated[j]/2,
-        (sin(phi)*S_g_by_s_separated[j + 1])/2 - (sin(phi)*S_g_by_s_separated[j - 1])/2 - (cos(phi)*C_g_by_s_separated[j + 1])/2 - (cos(phi)*C_g_by_s_separated[j - 1])/2 - C_f_by_s_separated[j],
+        (sin(phi)*S_g_by_s_separated[cycles + j])/2 + (sin(phi)*S_g_by_s_separated[cycles - j])/2 - (cos(phi)*C_g_by_s_separated[cycles + j])/2 - (cos(phi)*C_g_by_s_separated[cycles - j])/2 - C_f_by_s_separated[j],
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
+    return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -314,9 +314,9 @@ def event_separated_sum():
     return 1
 
 
-def cell(Omega, s_contact, s_separated):
+def cell(Omega, cycles, s_contact, s_separated):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_contact + Omega*s_separated - 2*pi)/Omega
+    return (Omega*s_contact + Omega*s_separated - 2*pi*cycles)/Omega
 
 
 def cell_by_s_contact():
@@ -336,7 +336,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 4)//2
     at_a0 = 0
     at_a = 1
@@ -359,25 +359,25 @@ def residual(case, z, R):
     over_f = harmonic_integrals((g*k_c, 0.0), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     row = 0
-    q0, q1 = by_one(phi, C_k, C_f, C_g, S_g)
+    q0, q1 = by_one(cycles, phi, C_k, C_f, C_g, S_g)
     R[row] = q0*z[at_a0] + q1
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_sine(j, phi, S_k, S_f, C_g, S_g)
+        q0, q1 = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g)
         R[row] = q0*z[at_a0] + q1
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_cosine(j, phi, C_k, C_f, C_g, S_g)
+        q0, q1 = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g)
         R[row] = q0*z[at_a0] + q1
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -395,14 +395,14 @@ def residual(case, z, R):
         q0 = event_separated_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_contact, s_separated)
+    q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 4)//2
     at_a0 = 0
     at_a = 1
@@ -441,7 +441,7 @@ def jacobian(case, z, J):
     S_f = over_f[1][0]
     S_f_by_s_contact = over_f[1][1]
     S_f_by_s_separated = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
     C_g = over_g[0][0]
     C_g_by_s_contact = over_g[0][1]
     C_g_by_s_separated = over_g[0][2]
@@ -450,13 +450,13 @@ def jacobian(case, z, J):
     S_g_by_s_separated = over_g[1][2]
     J[:, :] = 0.0
     row = 0
-    q0, _ = by_one(phi, C_k, C_f, C_g, S_g)
+    q0, _ = by_one(cycles, phi, C_k, C_f, C_g, S_g)
     J[row, at_a0] += q0
-    q0, q1 = by_one_by_s_contact(phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact)
+    q0, q1 = by_one_by_s_contact(cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact)
     J[row, at_s_contact] += q0*z[at_a0] + q1
-    q0, q1 = by_one_by_s_separated(phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated)
+    q0, q1 = by_one_by_s_separated(cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated)
     J[row, at_s_separated] += q0*z[at_a0] + q1
-    q0 = by_one_by_phi(phi, C_g, S_g)
+    q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -468,13 +468,13 @@ def jacobian(case, z, J):
         J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, _ = by_sine(j, phi, S_k, S_f, C_g, S_g)
+        q0, _ = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g)
         J[row, at_a0] += q0
-        q0, q1 = by_sine_by_s_contact(j, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact)
+        q0, q1 = by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact)
         J[row, at_s_contact] += q0*z[at_a0] + q1
-        q0, q1 = by_sine_by_s_separated(j, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated)
+        q0, q1 = by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated)
         J[row, at_s_separated] += q0*z[at_a0] + q1
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -486,13 +486,13 @@ def jacobian(case, z, J):
             J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, _ = by_cosine(j, phi, C_k, C_f, C_g, S_g)
+        q0, _ = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g)
         J[row, at_a0] += q0
-        q0, q1 = by_cosine_by_s_contact(j, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact)
+        q0, q1 = by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact)
         J[row, at_s_contact] += q0*z[at_a0] + q1
-        q0, q1 = by_cosine_by_s_separated(j, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated)
+        q0, q1 = by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated)
         J[row, at_s_separated] += q0*z[at_a0] + q1
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -17,7 +17,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_c, g, F, Omega.
+m, c, k, k_c, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -31,8 +31,8 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "d84fe8214db7efa1ed1ecd998c386435ce7176a1e36271250093741d40c1f672"  # of the conditions, by srepr
-BODY = "5506b4aa6b84175bd9a0eb810ac9f4d325e5b0dc10e139522990968e8cef7619"  # of the text below
+MATHEMATICS = "752614e4753fcefbb33e2a553428b956b0aac70d29a59051745f0828639abe5a"  # of the conditions, by srepr
+BODY = "3ab90430475d1b0ea8c447b47e32d563b53959dd3306542e27f0d86919b4f0e5"  # of the text below
 
 
 def break_series(begin, length):
@@ -322,39 +322,39 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_one(phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos):
+def by_one(cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos):
     """Coefficients: residual, orthogonal to 1."""
     return (
         C_k[0]/2,
         G4_contact_cos[0],
         G4_separated_cos[0],
-        sin(phi)*S_g[1] - cos(phi)*C_g[1] - C_f[0],
+        sin(phi)*S_g[cycles] - cos(phi)*C_g[cycles] - C_f[0],
     )
 
 
-def by_one_by_s_contact(phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact):
+def by_one_by_s_contact(cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         C_k_by_s_contact[0]/2,
         G4_contact_cos_by_s_contact[0],
         G4_separated_cos_by_s_contact[0],
-        sin(phi)*S_g_by_s_contact[1] - cos(phi)*C_g_by_s_contact[1] - C_f_by_s_contact[0],
+        sin(phi)*S_g_by_s_contact[cycles] - cos(phi)*C_g_by_s_contact[cycles] - C_f_by_s_contact[0],
     )
 
 
-def by_one_by_s_separated(phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated):
+def by_one_by_s_separated(cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         C_k_by_s_separated[0]/2,
         G4_contact_cos_by_s_separated[0],
         G4_separated_cos_by_s_separated[0],
-        sin(phi)*S_g_by_s_separated[1] - cos(phi)*C_g_by_s_separated[1] - C_f_by_s_separated[0],
+        sin(phi)*S_g_by_s_separated[cycles] - cos(phi)*C_g_by_s_separated[cycles] - C_f_by_s_separated[0],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
+def by_one_by_phi(cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
+    return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
 def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -381,39 +381,39 @@ def by_one_sum_by_s_separated(n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_
     )
 
 
-def by_sine(j, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G4_separated_sin):
+def by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G4_separated_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
         G4_contact_sin[j],
         G4_separated_sin[j],
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2 - S_f[j],
+        -(sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 - (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2 - S_f[j],
     )
 
 
-def by_sine_by_s_contact(j, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G4_separated_sin_by_s_contact):
+def by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G4_separated_sin_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         S_k_by_s_contact[j]/2,
         G4_contact_sin_by_s_contact[j],
         G4_separated_sin_by_s_contact[j],
-        -(sin(phi)*C_g_by_s_contact[j + 1])/2 + (sin(phi)*C_g_by_s_contact[j - 1])/2 - (cos(phi)*S_g_by_s_contact[j + 1])/2 - (cos(phi)*S_g_by_s_contact[j - 1])/2 - S_f_by_s_contact[j],
+        -(sin(phi)*C_g_by_s_contact[cycles + j])/2 + (sin(phi)*C_g_by_s_contact[cycles - j])/2 - (cos(phi)*S_g_by_s_contact[cycles + j])/2 + (cos(phi)*S_g_by_s_contact[cycles - j])/2 - S_f_by_s_contact[j],
     )
 
 
-def by_sine_by_s_separated(j, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G4_separated_sin_by_s_separated):
+def by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G4_separated_sin_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         S_k_by_s_separated[j]/2,
         G4_contact_sin_by_s_separated[j],
         G4_separated_sin_by_s_separated[j],
-        -(sin(phi)*C_g_by_s_separated[j + 1])/2 + (sin(phi)*C_g_by_s_separated[j - 1])/2 - (cos(phi)*S_g_by_s_separated[j + 1])/2 - (cos(phi)*S_g_by_s_separated[j - 1])/2 - S_f_by_s_separated[j],
+        -(sin(phi)*C_g_by_s_separated[cycles + j])/2 + (sin(phi)*C_g_by_s_separated[cycles - j])/2 - (cos(phi)*S_g_by_s_separated[cycles + j])/2 + (cos(phi)*S_g_by_s_separated[cycles - j])/2 - S_f_by_s_separated[j],
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -440,39 +440,39 @@ def by_sine_sum_by_s_separated(j, n, C_m_by_s_separated, S_m_by_s_separated, C_c
     )
 
 
-def by_cosine(j, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos):
+def by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
         G4_contact_cos[j],
         G4_separated_cos[j],
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2 - C_f[j],
+        (sin(phi)*S_g[cycles + j])/2 + (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 - (cos(phi)*C_g[cycles - j])/2 - C_f[j],
     )
 
 
-def by_cosine_by_s_contact(j, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact):
+def by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         C_k_by_s_contact[j]/2,
         G4_contact_cos_by_s_contact[j],
         G4_separated_cos_by_s_contact[j],
-        (sin(phi)*S_g_by_s_contact[j + 1])/2 - (sin(phi)*S_g_by_s_contact[j - 1])/2 - (cos(phi)*C_g_by_s_contact[j + 1])/2 - (cos(phi)*C_g_by_s_contact[j - 1])/2 - C_f_by_s_contact[j],
+        (sin(phi)*S_g_by_s_contact[cycles + j])/2 + (sin(phi)*S_g_by_s_contact[cycles - j])/2 - (cos(phi)*C_g_by_s_contact[cycles + j])/2 - (cos(phi)*C_g_by_s_contact[cycles - j])/2 - C_f_by_s_contact[j],
     )
 
 
-def by_cosine_by_s_separated(j, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated):
+def by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         C_k_by_s_separated[j]/2,
         G4_contact_cos_by_s_separated[j],
         G4_separated_cos_by_s_separated[j],
-        (sin(phi)*S_g_by_s_separated[j + 1])/2 - (sin(phi)*S_g_by_s_separated[j - 1])/2 - (cos(phi)*C_g_by_s_separated[j + 1])/2 - (cos(phi)*C_g_by_s_separated[j - 1])/2 - C_f_by_s_separated[j],
+        (sin(phi)*S_g_by_s_separated[cycles + j])/2 + (sin(phi)*S_g_by_s_separated[cycles - j])/2 - (cos(phi)*C_g_by_s_separated[cycles + j])/2 - (cos(phi)*C_g_by_s_separated[cycles - j])/2 - C_f_by_s_separated[j],
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
+    return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -675,9 +675,9 @@ def event_separated_sum():
     return 1
 
 
-def cell(Omega, s_contact, s_separated):
+def cell(Omega, cycles, s_contact, s_separated):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_contact + Omega*s_separated - 2*pi)/Omega
+    return (Omega*s_contact + Omega*s_separated - 2*pi*cycles)/Omega
 
 
 def cell_by_s_contact():
@@ -697,7 +697,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 6)//2
     at_a0 = 0
     at_a = 1
@@ -722,7 +722,7 @@ def residual(case, z, R):
     over_f = harmonic_integrals((g*k_c, 0.0), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_contact = breaks_on_phases(0, (0.0, s_contact, s_contact + s_separated), 1)
@@ -738,21 +738,21 @@ def residual(case, z, R):
     G4_separated_cos = over_beta4_separated[0][0]
     G4_separated_sin = over_beta4_separated[1][0]
     row = 0
-    q0, q1, q2, q3 = by_one(phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
+    q0, q1, q2, q3 = by_one(cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
     R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3 = by_sine(j, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G4_separated_sin)
+        q0, q1, q2, q3 = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G4_separated_sin)
         R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3 = by_cosine(j, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
+        q0, q1, q2, q3 = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
         R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -782,14 +782,14 @@ def residual(case, z, R):
         q0 = event_separated_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_contact, s_separated)
+    q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 6)//2
     at_a0 = 0
     at_a = 1
@@ -830,7 +830,7 @@ def jacobian(case, z, J):
     S_f = over_f[1][0]
     S_f_by_s_contact = over_f[1][1]
     S_f_by_s_separated = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
     C_g = over_g[0][0]
     C_g_by_s_contact = over_g[0][1]
     C_g_by_s_separated = over_g[0][2]
@@ -863,15 +863,15 @@ def jacobian(case, z, J):
     G4_separated_sin_by_s_separated = over_beta4_separated[1][2]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, _ = by_one(phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
+    q0, q1, q2, _ = by_one(cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
     J[row, at_a0] += q0
     J[row, at_c4_contact] += q1
     J[row, at_c4_separated] += q2
-    q0, q1, q2, q3 = by_one_by_s_contact(phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact)
+    q0, q1, q2, q3 = by_one_by_s_contact(cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact)
     J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
-    q0, q1, q2, q3 = by_one_by_s_separated(phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated)
+    q0, q1, q2, q3 = by_one_by_s_separated(cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated)
     J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
-    q0 = by_one_by_phi(phi, C_g, S_g)
+    q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -883,15 +883,15 @@ def jacobian(case, z, J):
         J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, _ = by_sine(j, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G4_separated_sin)
+        q0, q1, q2, _ = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G4_separated_sin)
         J[row, at_a0] += q0
         J[row, at_c4_contact] += q1
         J[row, at_c4_separated] += q2
-        q0, q1, q2, q3 = by_sine_by_s_contact(j, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G4_separated_sin_by_s_contact)
+        q0, q1, q2, q3 = by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G4_separated_sin_by_s_contact)
         J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
-        q0, q1, q2, q3 = by_sine_by_s_separated(j, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G4_separated_sin_by_s_separated)
+        q0, q1, q2, q3 = by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G4_separated_sin_by_s_separated)
         J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -903,15 +903,15 @@ def jacobian(case, z, J):
             J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, _ = by_cosine(j, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
+        q0, q1, q2, _ = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G4_separated_cos)
         J[row, at_a0] += q0
         J[row, at_c4_contact] += q1
         J[row, at_c4_separated] += q2
-        q0, q1, q2, q3 = by_cosine_by_s_contact(j, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact)
+        q0, q1, q2, q3 = by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G4_separated_cos_by_s_contact)
         J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
-        q0, q1, q2, q3 = by_cosine_by_s_separated(j, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated)
+        q0, q1, q2, q3 = by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G4_separated_cos_by_s_separated)
         J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c4_separated] + q3
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

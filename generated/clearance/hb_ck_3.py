@@ -21,7 +21,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, k_c, g, F, Omega.
+m, c, k, k_c, g, F, Omega, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -35,8 +35,8 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "1e84373ef989bd298b359fb61b38d682cbf3bb5da58d023d6128706488af5129"  # of the conditions, by srepr
-BODY = "9c4540d1a73ce9c210087fa43926c4eff4fb2d19c941bf0544d2b21a64e20a9a"  # of the text below
+MATHEMATICS = "68a4ba16bdf507f0edec5d2ed216cab6b2507a5b23fc1312fbb562bc488544d6"  # of the conditions, by srepr
+BODY = "c92c5201f6bf43e478b81a148f2a43ca3f63e86a7b69f8a4ecf90b08a082d2c8"  # of the text below
 
 
 def break_series(begin, length):
@@ -363,7 +363,7 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_one(phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos):
+def by_one(cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos):
     """Coefficients: residual, orthogonal to 1."""
     return (
         C_k[0]/2,
@@ -373,11 +373,11 @@ def by_one(phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_c
         G4_separated_cos[0],
         G5_separated_cos[0],
         G6_separated_cos[0],
-        sin(phi)*S_g[1] - cos(phi)*C_g[1] - C_f[0],
+        sin(phi)*S_g[cycles] - cos(phi)*C_g[cycles] - C_f[0],
     )
 
 
-def by_one_by_s_contact(phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact):
+def by_one_by_s_contact(cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         C_k_by_s_contact[0]/2,
@@ -387,11 +387,11 @@ def by_one_by_s_contact(phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contac
         G4_separated_cos_by_s_contact[0],
         G5_separated_cos_by_s_contact[0],
         G6_separated_cos_by_s_contact[0],
-        sin(phi)*S_g_by_s_contact[1] - cos(phi)*C_g_by_s_contact[1] - C_f_by_s_contact[0],
+        sin(phi)*S_g_by_s_contact[cycles] - cos(phi)*C_g_by_s_contact[cycles] - C_f_by_s_contact[0],
     )
 
 
-def by_one_by_s_separated(phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated):
+def by_one_by_s_separated(cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         C_k_by_s_separated[0]/2,
@@ -401,13 +401,13 @@ def by_one_by_s_separated(phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_
         G4_separated_cos_by_s_separated[0],
         G5_separated_cos_by_s_separated[0],
         G6_separated_cos_by_s_separated[0],
-        sin(phi)*S_g_by_s_separated[1] - cos(phi)*C_g_by_s_separated[1] - C_f_by_s_separated[0],
+        sin(phi)*S_g_by_s_separated[cycles] - cos(phi)*C_g_by_s_separated[cycles] - C_f_by_s_separated[0],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
+def by_one_by_phi(cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
+    return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
 def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -434,7 +434,7 @@ def by_one_sum_by_s_separated(n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_
     )
 
 
-def by_sine(j, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin):
+def by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
@@ -444,11 +444,11 @@ def by_sine(j, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_conta
         G4_separated_sin[j],
         G5_separated_sin[j],
         G6_separated_sin[j],
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2 - S_f[j],
+        -(sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 - (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2 - S_f[j],
     )
 
 
-def by_sine_by_s_contact(j, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact):
+def by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         S_k_by_s_contact[j]/2,
@@ -458,11 +458,11 @@ def by_sine_by_s_contact(j, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_co
         G4_separated_sin_by_s_contact[j],
         G5_separated_sin_by_s_contact[j],
         G6_separated_sin_by_s_contact[j],
-        -(sin(phi)*C_g_by_s_contact[j + 1])/2 + (sin(phi)*C_g_by_s_contact[j - 1])/2 - (cos(phi)*S_g_by_s_contact[j + 1])/2 - (cos(phi)*S_g_by_s_contact[j - 1])/2 - S_f_by_s_contact[j],
+        -(sin(phi)*C_g_by_s_contact[cycles + j])/2 + (sin(phi)*C_g_by_s_contact[cycles - j])/2 - (cos(phi)*S_g_by_s_contact[cycles + j])/2 + (cos(phi)*S_g_by_s_contact[cycles - j])/2 - S_f_by_s_contact[j],
     )
 
 
-def by_sine_by_s_separated(j, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated):
+def by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         S_k_by_s_separated[j]/2,
@@ -472,13 +472,13 @@ def by_sine_by_s_separated(j, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_b
         G4_separated_sin_by_s_separated[j],
         G5_separated_sin_by_s_separated[j],
         G6_separated_sin_by_s_separated[j],
-        -(sin(phi)*C_g_by_s_separated[j + 1])/2 + (sin(phi)*C_g_by_s_separated[j - 1])/2 - (cos(phi)*S_g_by_s_separated[j + 1])/2 - (cos(phi)*S_g_by_s_separated[j - 1])/2 - S_f_by_s_separated[j],
+        -(sin(phi)*C_g_by_s_separated[cycles + j])/2 + (sin(phi)*C_g_by_s_separated[cycles - j])/2 - (cos(phi)*S_g_by_s_separated[cycles + j])/2 + (cos(phi)*S_g_by_s_separated[cycles - j])/2 - S_f_by_s_separated[j],
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -505,7 +505,7 @@ def by_sine_sum_by_s_separated(j, n, C_m_by_s_separated, S_m_by_s_separated, C_c
     )
 
 
-def by_cosine(j, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos):
+def by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
@@ -515,11 +515,11 @@ def by_cosine(j, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_con
         G4_separated_cos[j],
         G5_separated_cos[j],
         G6_separated_cos[j],
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2 - C_f[j],
+        (sin(phi)*S_g[cycles + j])/2 + (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 - (cos(phi)*C_g[cycles - j])/2 - C_f[j],
     )
 
 
-def by_cosine_by_s_contact(j, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact):
+def by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         C_k_by_s_contact[j]/2,
@@ -529,11 +529,11 @@ def by_cosine_by_s_contact(j, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_
         G4_separated_cos_by_s_contact[j],
         G5_separated_cos_by_s_contact[j],
         G6_separated_cos_by_s_contact[j],
-        (sin(phi)*S_g_by_s_contact[j + 1])/2 - (sin(phi)*S_g_by_s_contact[j - 1])/2 - (cos(phi)*C_g_by_s_contact[j + 1])/2 - (cos(phi)*C_g_by_s_contact[j - 1])/2 - C_f_by_s_contact[j],
+        (sin(phi)*S_g_by_s_contact[cycles + j])/2 + (sin(phi)*S_g_by_s_contact[cycles - j])/2 - (cos(phi)*C_g_by_s_contact[cycles + j])/2 - (cos(phi)*C_g_by_s_contact[cycles - j])/2 - C_f_by_s_contact[j],
     )
 
 
-def by_cosine_by_s_separated(j, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated):
+def by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         C_k_by_s_separated[j]/2,
@@ -543,13 +543,13 @@ def by_cosine_by_s_separated(j, phi, C_k_by_s_separated, C_f_by_s_separated, C_g
         G4_separated_cos_by_s_separated[j],
         G5_separated_cos_by_s_separated[j],
         G6_separated_cos_by_s_separated[j],
-        (sin(phi)*S_g_by_s_separated[j + 1])/2 - (sin(phi)*S_g_by_s_separated[j - 1])/2 - (cos(phi)*C_g_by_s_separated[j + 1])/2 - (cos(phi)*C_g_by_s_separated[j - 1])/2 - C_f_by_s_separated[j],
+        (sin(phi)*S_g_by_s_separated[cycles + j])/2 + (sin(phi)*S_g_by_s_separated[cycles - j])/2 - (cos(phi)*C_g_by_s_separated[cycles + j])/2 - (cos(phi)*C_g_by_s_separated[cycles - j])/2 - C_f_by_s_separated[j],
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
+    return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -1038,9 +1038,9 @@ def event_separated_sum():
     return 1
 
 
-def cell(Omega, s_contact, s_separated):
+def cell(Omega, cycles, s_contact, s_separated):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_contact + Omega*s_separated - 2*pi)/Omega
+    return (Omega*s_contact + Omega*s_separated - 2*pi*cycles)/Omega
 
 
 def cell_by_s_contact():
@@ -1060,7 +1060,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 10)//2
     at_a0 = 0
     at_a = 1
@@ -1089,7 +1089,7 @@ def residual(case, z, R):
     over_f = harmonic_integrals((g*k_c, 0.0), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_contact = breaks_on_phases(0, (0.0, s_contact, s_contact + s_separated), 1)
@@ -1117,21 +1117,21 @@ def residual(case, z, R):
     G6_separated_cos = over_beta6_separated[0][0]
     G6_separated_sin = over_beta6_separated[1][0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7 = by_one(phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
+    q0, q1, q2, q3, q4, q5, q6, q7 = by_one(cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
     R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine(j, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
         R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine(j, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
         R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -1185,14 +1185,14 @@ def residual(case, z, R):
         q0 = event_separated_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_contact, s_separated)
+    q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, k_c, g, F, Omega = case
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 10)//2
     at_a0 = 0
     at_a = 1
@@ -1237,7 +1237,7 @@ def jacobian(case, z, J):
     S_f = over_f[1][0]
     S_f_by_s_contact = over_f[1][1]
     S_f_by_s_separated = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
     C_g = over_g[0][0]
     C_g_by_s_contact = over_g[0][1]
     C_g_by_s_separated = over_g[0][2]
@@ -1298,7 +1298,7 @@ def jacobian(case, z, J):
     G6_separated_sin_by_s_separated = over_beta6_separated[1][2]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, _ = by_one(phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
+    q0, q1, q2, q3, q4, q5, q6, _ = by_one(cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
     J[row, at_a0] += q0
     J[row, at_c4_contact] += q1
     J[row, at_c5_contact] += q2
@@ -1306,11 +1306,11 @@ def jacobian(case, z, J):
     J[row, at_c4_separated] += q4
     J[row, at_c5_separated] += q5
     J[row, at_c6_separated] += q6
-    q0, q1, q2, q3, q4, q5, q6, q7 = by_one_by_s_contact(phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact)
+    q0, q1, q2, q3, q4, q5, q6, q7 = by_one_by_s_contact(cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact)
     J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-    q0, q1, q2, q3, q4, q5, q6, q7 = by_one_by_s_separated(phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated)
+    q0, q1, q2, q3, q4, q5, q6, q7 = by_one_by_s_separated(cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated)
     J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-    q0 = by_one_by_phi(phi, C_g, S_g)
+    q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -1322,7 +1322,7 @@ def jacobian(case, z, J):
         J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, _ = by_sine(j, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
+        q0, q1, q2, q3, q4, q5, q6, _ = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
         J[row, at_a0] += q0
         J[row, at_c4_contact] += q1
         J[row, at_c5_contact] += q2
@@ -1330,11 +1330,11 @@ def jacobian(case, z, J):
         J[row, at_c4_separated] += q4
         J[row, at_c5_separated] += q5
         J[row, at_c6_separated] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_contact(j, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact)
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact)
         J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_separated(j, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated)
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated)
         J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -1346,7 +1346,7 @@ def jacobian(case, z, J):
             J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, _ = by_cosine(j, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
+        q0, q1, q2, q3, q4, q5, q6, _ = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
         J[row, at_a0] += q0
         J[row, at_c4_contact] += q1
         J[row, at_c5_contact] += q2
@@ -1354,11 +1354,11 @@ def jacobian(case, z, J):
         J[row, at_c4_separated] += q4
         J[row, at_c5_separated] += q5
         J[row, at_c6_separated] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_contact(j, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact)
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact)
         J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_separated(j, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated)
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated)
         J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

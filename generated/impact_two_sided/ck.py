@@ -14,7 +14,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "e0cfba3ef78b00aad1bdcfddd85984afc6bc476840da93c8840bf6a1844316ce"  # of the conditions, by srepr
-BODY = "9c2fbcd928e03b6809773445330878267ec543a392cf9a008bf884677ce81b31"  # of the text below
+MATHEMATICS = "7161c964817a05ff69a265262e1746fa231a4eb7d206ad0db1caaa77d4568387"  # of the conditions, by srepr
+BODY = "85b1d78d34159f18b2d89eb9a7d08aea8f1597d1edb28337a2dad6754338a5ce"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -287,9 +287,9 @@ def event_crossing_by_s_crossing(s_crossing):
     )
 
 
-def cell(Omega, s_crossing):
+def cell(Omega, cycles, s_crossing):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_crossing - pi)/Omega
+    return (Omega*s_crossing - pi*cycles)/Omega
 
 
 def cell_by_s_crossing():
@@ -304,7 +304,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_crossing = 0
     at_v_crossing = 1
@@ -338,14 +338,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
     R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
     row += 1
-    q0 = cell(Omega, s_crossing)
+    q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_crossing = 0
     at_v_crossing = 1

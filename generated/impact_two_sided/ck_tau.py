@@ -14,7 +14,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
-MATHEMATICS = "82d89eaf7eeb5584d273935bc0dec494cd3a90e0fe732b76f210fe112c979fa4"  # of the conditions, by srepr
-BODY = "39eb1cbd26cbb8ddbe01110f52e673dda9a90d0544a3d70bafb2c2e961c22572"  # of the text below
+MATHEMATICS = "06e53eb2e663e42e9ee22c11e71358347e1cf4cc0c8a6ef1494c0d57f26121a7"  # of the conditions, by srepr
+BODY = "c6e9c4a360724da8f395f50dcef14d62796ad6958443fe8f7fcb9d057ccfc0ff"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -245,9 +245,9 @@ def event_crossing_by_s_crossing(s_crossing):
     )
 
 
-def cell(Omega, s_crossing):
+def cell(Omega, cycles, s_crossing):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_crossing - pi)/Omega
+    return (Omega*s_crossing - pi*cycles)/Omega
 
 
 def cell_by_s_crossing():
@@ -262,7 +262,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_crossing = 0
     at_v_crossing = 1
@@ -293,14 +293,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
     R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
     row += 1
-    q0 = cell(Omega, s_crossing)
+    q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_crossing = 0
     at_v_crossing = 1

@@ -14,7 +14,7 @@ Unknowns ``z`` with N = (order + 1)//2 odd harmonics, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -27,8 +27,8 @@ METHOD = "hb"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "940d4de2b08c6ba4a55402b26acfd998b5fdf762d1fb29ef55982b38e0e0dfbf"  # of the conditions, by srepr
-BODY = "b078bf6e9d2ff9d2eb712b044f4a55a226b02266bb6b70ab71c3983efdbceab5"  # of the text below
+MATHEMATICS = "27b217f44783fb02c80bbdb72b165d2921d7ac1cb12f63475637a9a521621960"  # of the conditions, by srepr
+BODY = "1de0a04b8dcb6a794dd337bc835e0fa126bc699c403db8930b0135f9756ffd0f"  # of the text below
 
 
 def harmonic_integrals(weights, power, ends, period, highest):
@@ -109,19 +109,19 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def by_sine(j, phi, C_g, S_g):
+def by_sine(j, cycles, phi, C_g, S_g):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
-    return (sin(phi)*C_g[2*j - 2])/2 - (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 - (cos(phi)*S_g[2*j])/2
+    return -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
-def by_sine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing):
+def by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
-    return (sin(phi)*C_g_by_s_crossing[2*j - 2])/2 - (sin(phi)*C_g_by_s_crossing[2*j])/2 - (cos(phi)*S_g_by_s_crossing[2*j - 2])/2 - (cos(phi)*S_g_by_s_crossing[2*j])/2
+    return -(sin(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 + (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2
+    return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -140,22 +140,22 @@ def by_sine_sum_by_s_crossing(j, n, C_m_by_s_crossing, S_m_by_s_crossing, C_c_by
     )
 
 
-def by_cosine(j, m, phi, C_g, S_g):
+def by_cosine(j, m, cycles, phi, C_g, S_g):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         -m,
-        -(sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 - (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2,
+        (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2,
     )
 
 
-def by_cosine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing):
+def by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
-    return -(sin(phi)*S_g_by_s_crossing[2*j - 2])/2 + (sin(phi)*S_g_by_s_crossing[2*j])/2 - (cos(phi)*C_g_by_s_crossing[2*j - 2])/2 - (cos(phi)*C_g_by_s_crossing[2*j])/2
+    return (sin(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[2*j - 2])/2 + (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 + (cos(phi)*S_g[2*j])/2
+    return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -199,9 +199,9 @@ def event_crossing_sum():
     return -1
 
 
-def cell(Omega, s_crossing):
+def cell(Omega, cycles, s_crossing):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_crossing - pi)/Omega
+    return (Omega*s_crossing - pi*cycles)/Omega
 
 
 def cell_by_s_crossing():
@@ -217,7 +217,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
     at_b = N
@@ -235,19 +235,19 @@ def residual(case, z, R):
     over_k = harmonic_integrals((k,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0 = by_sine(j, phi, C_g, S_g)
+        q0 = by_sine(j, cycles, phi, C_g, S_g)
         R[row] = q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_cosine(j, m, phi, C_g, S_g)
+        q0, q1 = by_cosine(j, m, cycles, phi, C_g, S_g)
         R[row] = q0*z[at_J_crossing] + q1
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -265,14 +265,14 @@ def residual(case, z, R):
         q0 = event_crossing_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_crossing)
+    q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
     at_b = N
@@ -296,7 +296,7 @@ def jacobian(case, z, J):
     C_k_by_s_crossing = over_k[0][1]
     S_k = over_k[1][0]
     S_k_by_s_crossing = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
     C_g = over_g[0][0]
     C_g_by_s_crossing = over_g[0][1]
     S_g = over_g[1][0]
@@ -304,9 +304,9 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0 = by_sine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing)
+        q0 = by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing)
         J[row, at_s_crossing] += q0
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -316,11 +316,11 @@ def jacobian(case, z, J):
             J[row, at_s_crossing] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, _ = by_cosine(j, m, phi, C_g, S_g)
+        q0, _ = by_cosine(j, m, cycles, phi, C_g, S_g)
         J[row, at_J_crossing] += q0
-        q0 = by_cosine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing)
+        q0 = by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing)
         J[row, at_s_crossing] += q0
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -14,7 +14,7 @@ Unknowns ``z`` with N = (order + 1)//2 odd harmonics, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -28,8 +28,8 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "cbd03b89ec5cec352f597def49a56758dca25a3c82cbe4840f5123ae958c83b8"  # of the conditions, by srepr
-BODY = "e2119134fdb6d5e4279df3ea4949503cc46b9785569c79c331c64b48da1ec2e9"  # of the text below
+MATHEMATICS = "5c0a55af809039cac2f7b31befa7b369bb0a38b55bcfcf4defbc0f04ee3a1deb"  # of the conditions, by srepr
+BODY = "a1134289add2023cda6f825cb82e4e74fa7d9638482fa2f7288dda099ac495d6"  # of the text below
 
 
 def break_series(begin, length):
@@ -286,25 +286,25 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_sine(j, phi, C_g, S_g, G2_crossing_sin):
+def by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         G2_crossing_sin[j],
-        (sin(phi)*C_g[2*j - 2])/2 - (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 - (cos(phi)*S_g[2*j])/2,
+        -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2,
     )
 
 
-def by_sine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing):
+def by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
         G2_crossing_sin_by_s_crossing[j],
-        (sin(phi)*C_g_by_s_crossing[2*j - 2])/2 - (sin(phi)*C_g_by_s_crossing[2*j])/2 - (cos(phi)*S_g_by_s_crossing[2*j - 2])/2 - (cos(phi)*S_g_by_s_crossing[2*j])/2,
+        -(sin(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 + (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2
+    return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -323,25 +323,25 @@ def by_sine_sum_by_s_crossing(j, n, C_m_by_s_crossing, S_m_by_s_crossing, C_c_by
     )
 
 
-def by_cosine(j, phi, C_g, S_g, G2_crossing_cos):
+def by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         G2_crossing_cos[j],
-        -(sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 - (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2,
+        (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2,
     )
 
 
-def by_cosine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing):
+def by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
         G2_crossing_cos_by_s_crossing[j],
-        -(sin(phi)*S_g_by_s_crossing[2*j - 2])/2 + (sin(phi)*S_g_by_s_crossing[2*j])/2 - (cos(phi)*C_g_by_s_crossing[2*j - 2])/2 - (cos(phi)*C_g_by_s_crossing[2*j])/2,
+        (sin(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[2*j - 2])/2 + (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 + (cos(phi)*S_g[2*j])/2
+    return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -398,9 +398,9 @@ def event_crossing_sum():
     return -1
 
 
-def cell(Omega, s_crossing):
+def cell(Omega, cycles, s_crossing):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_crossing - pi)/Omega
+    return (Omega*s_crossing - pi*cycles)/Omega
 
 
 def cell_by_s_crossing():
@@ -416,7 +416,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
     at_b = N
@@ -434,7 +434,7 @@ def residual(case, z, R):
     over_k = harmonic_integrals((k,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_crossing = breaks_on_phases(0, (0.0, s_crossing), -1)
@@ -445,14 +445,14 @@ def residual(case, z, R):
     G2_crossing_sin = over_beta2_crossing[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0, q1 = by_sine(j, phi, C_g, S_g, G2_crossing_sin)
+        q0, q1 = by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin)
         R[row] = q0*z[at_c2_crossing] + q1
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_cosine(j, phi, C_g, S_g, G2_crossing_cos)
+        q0, q1 = by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos)
         R[row] = q0*z[at_c2_crossing] + q1
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -470,14 +470,14 @@ def residual(case, z, R):
         q0 = event_crossing_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_crossing)
+    q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
     at_b = N
@@ -501,7 +501,7 @@ def jacobian(case, z, J):
     C_k_by_s_crossing = over_k[0][1]
     S_k = over_k[1][0]
     S_k_by_s_crossing = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
     C_g = over_g[0][0]
     C_g_by_s_crossing = over_g[0][1]
     S_g = over_g[1][0]
@@ -518,11 +518,11 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0, _ = by_sine(j, phi, C_g, S_g, G2_crossing_sin)
+        q0, _ = by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin)
         J[row, at_c2_crossing] += q0
-        q0, q1 = by_sine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing)
+        q0, q1 = by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing)
         J[row, at_s_crossing] += q0*z[at_c2_crossing] + q1
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -532,11 +532,11 @@ def jacobian(case, z, J):
             J[row, at_s_crossing] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, _ = by_cosine(j, phi, C_g, S_g, G2_crossing_cos)
+        q0, _ = by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos)
         J[row, at_c2_crossing] += q0
-        q0, q1 = by_cosine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing)
+        q0, q1 = by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing)
         J[row, at_s_crossing] += q0*z[at_c2_crossing] + q1
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -15,7 +15,7 @@ Unknowns ``z`` with N = (order + 1)//2 odd harmonics, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -29,8 +29,8 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "5bd784db37f3e2e261dd44eff5b65808402db282236157b89b6e8b312c0c6b69"  # of the conditions, by srepr
-BODY = "072e1801fce7ed8dd3463e1693e7f44d98bc1b2a0ffba9b8be473696d1105d2a"  # of the text below
+MATHEMATICS = "a6b19d48f0360131a717089d98345e69095646f9ac156cc05f3ec1163a980a03"  # of the conditions, by srepr
+BODY = "f51b4829485e940e744649bed7529db5c7e3bad75f485a6951d64a57093c3a16"  # of the text below
 
 
 def break_series(begin, length):
@@ -295,27 +295,27 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_sine(j, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin):
+def by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         G2_crossing_sin[j],
         G3_crossing_sin[j],
-        (sin(phi)*C_g[2*j - 2])/2 - (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 - (cos(phi)*S_g[2*j])/2,
+        -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2,
     )
 
 
-def by_sine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing):
+def by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
         G2_crossing_sin_by_s_crossing[j],
         G3_crossing_sin_by_s_crossing[j],
-        (sin(phi)*C_g_by_s_crossing[2*j - 2])/2 - (sin(phi)*C_g_by_s_crossing[2*j])/2 - (cos(phi)*S_g_by_s_crossing[2*j - 2])/2 - (cos(phi)*S_g_by_s_crossing[2*j])/2,
+        -(sin(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 + (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2
+    return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -334,27 +334,27 @@ def by_sine_sum_by_s_crossing(j, n, C_m_by_s_crossing, S_m_by_s_crossing, C_c_by
     )
 
 
-def by_cosine(j, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos):
+def by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         G2_crossing_cos[j],
         G3_crossing_cos[j],
-        -(sin(phi)*S_g[2*j - 2])/2 + (sin(phi)*S_g[2*j])/2 - (cos(phi)*C_g[2*j - 2])/2 - (cos(phi)*C_g[2*j])/2,
+        (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2,
     )
 
 
-def by_cosine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing):
+def by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
         G2_crossing_cos_by_s_crossing[j],
         G3_crossing_cos_by_s_crossing[j],
-        -(sin(phi)*S_g_by_s_crossing[2*j - 2])/2 + (sin(phi)*S_g_by_s_crossing[2*j])/2 - (cos(phi)*C_g_by_s_crossing[2*j - 2])/2 - (cos(phi)*C_g_by_s_crossing[2*j])/2,
+        (sin(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[2*j - 2])/2 + (sin(phi)*C_g[2*j])/2 - (cos(phi)*S_g[2*j - 2])/2 + (cos(phi)*S_g[2*j])/2
+    return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -444,9 +444,9 @@ def event_crossing_sum():
     return -1
 
 
-def cell(Omega, s_crossing):
+def cell(Omega, cycles, s_crossing):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_crossing - pi)/Omega
+    return (Omega*s_crossing - pi*cycles)/Omega
 
 
 def cell_by_s_crossing():
@@ -462,7 +462,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a = 0
     at_b = N
@@ -481,7 +481,7 @@ def residual(case, z, R):
     over_k = harmonic_integrals((k,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_crossing = breaks_on_phases(0, (0.0, s_crossing), -1)
@@ -495,14 +495,14 @@ def residual(case, z, R):
     G3_crossing_sin = over_beta3_crossing[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2 = by_sine(j, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
+        q0, q1, q2 = by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
         R[row] = q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2 = by_cosine(j, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
+        q0, q1, q2 = by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
         R[row] = q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -523,14 +523,14 @@ def residual(case, z, R):
         q0 = event_crossing_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_crossing)
+    q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a = 0
     at_b = N
@@ -555,7 +555,7 @@ def jacobian(case, z, J):
     C_k_by_s_crossing = over_k[0][1]
     S_k = over_k[1][0]
     S_k_by_s_crossing = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
     C_g = over_g[0][0]
     C_g_by_s_crossing = over_g[0][1]
     S_g = over_g[1][0]
@@ -577,12 +577,12 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0, q1, _ = by_sine(j, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
+        q0, q1, _ = by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
         J[row, at_c2_crossing] += q0
         J[row, at_c3_crossing] += q1
-        q0, q1, q2 = by_sine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing)
+        q0, q1, q2 = by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing)
         J[row, at_s_crossing] += q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -592,12 +592,12 @@ def jacobian(case, z, J):
             J[row, at_s_crossing] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, _ = by_cosine(j, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
+        q0, q1, _ = by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
         J[row, at_c2_crossing] += q0
         J[row, at_c3_crossing] += q1
-        q0, q1, q2 = by_cosine_by_s_crossing(j, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing)
+        q0, q1, q2 = by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing)
         J[row, at_s_crossing] += q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -42,6 +42,8 @@ def solve(
     *,
     functions: int | None = None,
     tol: float | None = None,
+    motion: str | None = None,
+    cycles: int | None = None,
 ) -> "SceneOrbit": ...
 
 
@@ -52,6 +54,8 @@ def solve(
     *,
     functions: int | None = None,
     tol: float | None = None,
+    motion: str | None = None,
+    cycles: int | None = None,
     **paper: Any,
 ) -> "Orbit | SceneOrbit":
     """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
@@ -77,6 +81,11 @@ def solve(
     tol : float, optional
         Largest error of the times and the period, as estimated, as a part of the period;
         between 0 and 1.  Of a `Case`, the lowest order is taken that meets it.
+    motion : str, optional
+        Of a scene with several motions, orders of its phases, the one that is meant; without
+        it each is tried, and the orbit that there is is returned.
+    cycles : int, optional
+        Periods of the forcing in one of the motion; without it those of the case, usually 1.
     c1_terms, tol_acceleration, budget, many : optional
         Of a `StickSlip` by the paper's methods, as for the function `solve` of the shortcuts.
 
@@ -102,13 +111,22 @@ def solve(
     1.103021 rad, 3e-13
     >>> ns.solve(case, tol=1e-6).order
     7
+    >>> ns.solve(ns.scene("dry-friction")(frequency=0.4), order=8).case.scene.motion
+    'two-stops'
+    >>> ns.solve(ns.scene("impact")(frequency=3.6), order=8, cycles=2)
+    <impact by c0-tau, N = 8: T = 3.490658504 s, 7 iterations>
     >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
     ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
     >>> print(f"{ns.solve(belt, 'c1', 7).period:.9f}, {ns.solve(belt, 'c1-tau', 7).period:.9f}")
     0.671238381, 0.671238898
     """
     generic = _generic(case, method, functions)
+    if generic is not None and cycles is not None:
+        generic = generic.with_cycles(cycles)
     if generic is None:
+        if motion is not None or cycles not in (None, 1):
+            what, value = ("motion", motion) if motion is not None else ("cycles", cycles)
+            raise ValueError(f"{what}: got {value!r}, expected it for a case of ns.scene(...)")
         from .solver.shortcuts.search import solve as paper_solve  # noqa: PLC0415  (it loads parts of SciPy)
 
         name: Any = paper_name(method)
@@ -121,12 +139,12 @@ def solve(
 
     chosen = BEST if method is None else method
     if tol is None:
-        return solve_case(generic, chosen, 10 if order is None else order, functions)
+        return solve_case(generic, chosen, 10 if order is None else order, functions, motion)
     if order is not None:
         raise ValueError(f"order: got {order!r} beside a tolerance, which chooses it")
     from .solver.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
-    return choose_order(generic, tol, chosen, functions).orbit
+    return choose_order(generic, tol, chosen, functions, motion).orbit
 
 
 def sweep(

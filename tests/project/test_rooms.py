@@ -5,6 +5,7 @@ symbols that stand for them in the paper, less those that any mechanical system 
 """
 
 import io
+import keyword
 import re
 import tokenize
 from collections.abc import Iterator
@@ -36,11 +37,15 @@ def words() -> frozenset[str]:
     found: set[str] = set(PAPER)
     for scene in map(scenes.load, scenes.names()):
         found |= set(scene.name.split("-"))
-        for phase in scene.phases:
+        for phase in (phase for motion in scene.each_motion for phase in motion.phases):
             found.add(phase.name)
+        for motion in scene.motions:
+            found |= set(motion.split("-"))
         for parameter in scene.parameters:
             found |= set(parameter.name.split("_"))
-    return frozenset(word for word in found - GENERAL if len(word) > 1)
+    return frozenset(
+        word for word in found - GENERAL if len(word) > 1 and not keyword.iskeyword(word)
+    )
 
 
 def sources() -> Iterator[Path]:

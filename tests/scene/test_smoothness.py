@@ -9,15 +9,15 @@ from galerkin.oscillators import (
     CONTINUOUS,
     EQUAL_FRICTION,
     SCENES,
-    SLIDING,
-    TWO_STOPS,
-    F,
-    f_d,
 )
 from small_scene import FLIGHT, refused, scene
 
 from nonsmooth.codegen.scene import Event, switches, v, x
 from nonsmooth.codegen.scene.smoothness import Switch, generator
+from nonsmooth.codegen.scenes import dry_friction
+
+SLIDING = SCENES["S3a"][0]
+F, F_N = dry_friction.F, dry_friction.F_N
 
 
 def classes(made):
@@ -33,7 +33,7 @@ def test_equal_friction_is_smoother_from_stick_to_slip_and_not_back():
     stop, start = switches(EQUAL_FRICTION)
     assert (stop.after, stop.before, stop.k, stop.derivative) == ("rest", "down", 2, "x'''")
     assert (start.after, start.before, start.k, start.derivative) == ("down", "rest", 1, "x''")
-    assert classes(TWO_STOPS) == [1, 1]
+    assert classes(SCENES["S3b"][0]) == [1, 1]
     assert classes(CONTINUOUS) == [1, 2]
 
 
@@ -43,7 +43,7 @@ def test_an_impact_jumps_in_the_velocity():
 
 
 def test_a_law_that_changes_nothing_is_no_impact():
-    law = ((F + f_d) ** 2 - F**2 - f_d**2) / (2 * F * f_d) * v
+    law = ((F + F_N) ** 2 - F**2 - F_N**2) / (2 * F * F_N) * v
     assert law != v
     same = replace(SLIDING.phases[0], ends=Event(v, jump={v: law}))
     assert classes(replace(SLIDING, phases=(same,))) == [1]

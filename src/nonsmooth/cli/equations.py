@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -15,6 +15,9 @@ from . import tex
 from .output import check_target, write_bytes, write_text
 from .problems import Problem
 from .progress import busy
+
+if TYPE_CHECKING:
+    from nonsmooth.codegen.printing.sections import Section
 
 METHODS = ("hb", "hb-c1", "c1")
 
@@ -67,6 +70,7 @@ class _Method(click.Choice[str]):
     help="With a SCENE and hb-ck: functions with a break at each switch; without it one, at "
     "an impact two.",
 )
+@click.option("--motion", help="With a SCENE of several motions: one of them; else all.")
 @click.option(
     "--format", "format_", type=click.Choice(FORMATS),
     help="Text for the terminal, a LaTeX document, a page, or a PDF made by the TeX installed; "
@@ -79,8 +83,8 @@ class _Method(click.Choice[str]):
 )  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file.")
 def equations(
-    scene: str | None, method: str | None, functions: int | None, format_: str | None,
-    fragment: bool, order: int | None, output: Path | None,
+    scene: str | None, method: str | None, functions: int | None, motion: str | None,
+    format_: str | None, fragment: bool, order: int | None, output: Path | None,
 ) -> None:  # fmt: skip
     """Print the equations that SymPy derives, with the numbers of the paper.
 
@@ -95,6 +99,8 @@ def equations(
     ours = scene is not None and not (scene == SCENE and method in (None, *METHODS, *SOLVED))
     if functions is not None and not ours:
         raise Problem(f"--functions: got {functions}, expected a SCENE and hb-ck with it")
+    if motion is not None and not ours:
+        raise Problem(f"--motion: got {motion}, expected a SCENE that has several")
     if order is not None and ours:
         raise Problem(
             f"--expand: got {order}, expected no SCENE: only the paper's are written out"
@@ -102,7 +108,8 @@ def equations(
     try:
         with busy("deriving the equations"):
             if ours and scene is not None:
-                text = _of_scene(scene, method, functions, chosen, fragment, output is not None)
+                parts = _sections(scene, method, functions, motion)
+                text = _of_scene(scene, parts, chosen, fragment, output is not None)
             else:
                 document = _document(chosen, fragment, output is not None)
                 text = document([method] if method else METHODS, order)
@@ -162,15 +169,22 @@ def _document(
     return latex.latex_fragment if fragment else latex.latex_document
 
 
+def _sections(
+    scene: str, method: str | None, functions: int | None, motion: str | None
+) -> "list[Section]":
+    """Return the sections of the document of a scene."""
+    from nonsmooth.codegen import show  # noqa: PLC0415
+
+    return show.sections(scene, [method] if method else (), functions, motion)
+
+
 def _of_scene(
-    scene: str, method: str | None, functions: int | None, format_: str, fragment: bool,
-    to_file: bool,
-) -> str:  # fmt: skip
+    scene: str, shown: "list[Section]", format_: str, fragment: bool, to_file: bool
+) -> str:
     """Return the document of a scene."""
     from nonsmooth.codegen import show  # noqa: PLC0415
     from nonsmooth.codegen.printing import html, latex, text  # noqa: PLC0415
 
-    shown = show.sections(scene, [method] if method else (), functions)
     title = f"Galerkin equations of {show.scene_named(scene).title}"
     if format_ == "html":
         return html.page_of(shown, title)

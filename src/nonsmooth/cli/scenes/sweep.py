@@ -7,10 +7,10 @@ import click
 
 from ..orders import parse_orders
 from ..output import PICTURES, check_target, write_text, write_whole
+from ..problems import as_problems
 from ..progress import progress
-from .options import case_from, command_of
+from .options import case_from, command_of, motion_options
 from .solve import FUNCTIONS, method_names
-from .wanted import as_problems
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
@@ -44,6 +44,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
             ["--orders"], help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]"
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        *motion_options(scene),
         click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
@@ -83,6 +84,7 @@ def run(
 
             result = sweep_case(case, names, numbers, functions, done)
     text = _text(result)
+    case = result.case
     if json_:
         click.echo(text, nl=False)
     else:
