@@ -122,10 +122,10 @@ def test_compiled_and_plain_kernels_give_the_same_bits() -> None:
 
 
 def test_the_key_of_compiled_code_covers_all_of_it() -> None:
-    module = SimpleNamespace(BODY="a", DURATIONS=1, FORCED=False)
-    changes = ({"BODY": "b"}, {"DURATIONS": 2}, {"FORCED": True})
+    module = SimpleNamespace(__name__="m", BODY="a", DURATIONS=1, FORCED=False)
+    changes = ({"BODY": "b"}, {"DURATIONS": 2}, {"FORCED": True}, {"__name__": "n"})
     keys = {fingerprint(SimpleNamespace(**{**vars(module), **change})) for change in changes}
-    assert len(keys | {fingerprint(module)}) == 4
+    assert len(keys | {fingerprint(module)}) == 5
 
 
 def test_coefficients_at_exact_times_solve_all_conditions() -> None:
