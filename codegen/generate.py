@@ -42,10 +42,17 @@ def sources() -> dict[str, str]:
 
 
 def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:
-    """Derive the kernels of a scene and yield name and text of each file of its folder."""
-    yield "__init__.py", SCENE_INIT.format(name=scene.name, title=scene.title)
+    """Derive the kernels of a scene and yield place and text of each file of its folder.
+
+    Several motions have a folder each, as if each were a scene of its own.
+    """
+    yield "__init__.py", SCENE_INIT.format(name=scene.label, title=scene.title)
     yield "scene.py", scene_numbers.scene_source(scene)
-    for name, derivation in kernels().items():
+    for motion in scene.motions:
+        folder = motion.replace("-", "_")
+        for name, text in scene_sources(scene.of_motion(motion)):
+            yield f"{folder}/{name}", text
+    for name, derivation in () if scene.motions else kernels().items():
         yield f"{name}.py", kernel.module_source(derivation(scene))
 
 

@@ -30,6 +30,11 @@ class NoOrbit(Exception):  # noqa: N818  (a finding about the oscillator, not a 
         return "; ".join((self.reason, *self.tried))
 
     @property
+    def reasons(self) -> tuple[str, ...]:
+        """What each start came to; the reason, where none was tried."""
+        return self.tried or (self.reason,)
+
+    @property
     def status(self) -> str:
         """``"no-orbit"`` if that is shown, else ``"not-converged"``."""
         return "no-orbit" if self.proven else "not-converged"

@@ -1,8 +1,9 @@
 """One orbit of a case by one method, or the reason why there is none."""
 
 import operator
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -22,12 +23,19 @@ from .simulation.settle import rough_times_by_simulation
 #: the first, and where a motion has too many waves for that, at the second.
 COARSE = (5, 12)
 
+#: Added to them for each further cycle of the forcing.
+WAVES = 4
+
 #: Most unknowns are dense: beyond, a system takes seconds and nothing is gained.
 HIGHEST_ORDER = 400
 
 
 def solve_case(
-    case: Case, method: str = FIRST, order: int = 10, functions: int | None = None
+    case: Case,
+    method: str = FIRST,
+    order: int = 10,
+    functions: int | None = None,
+    motion: str | None = None,
 ) -> SceneOrbit:
     """Return the periodic orbit of a case, converged and admissible.
 
@@ -42,13 +50,17 @@ def solve_case(
     functions : int, optional
         Functions beside the harmonics at each switch, where the method counts them; 1, or 2
         where the velocity jumps, if not given.
+    motion : str, optional
+        One of the motions of the scene, where it has several; else each is tried, in their
+        order, until an orbit is found.
 
     Raises
     ------
     TypeError
         If `case` is not a `Case`.
     ValueError
-        If the scene has no kernel of the method, or a number is out of its range.
+        If the scene has no kernel of the method or no such motion, or a number is out of its
+        range.
     NoOrbit
         If no start led to a converged and admissible orbit; with what each led to.
 
@@ -62,8 +74,60 @@ def solve_case(
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
     method = registry.generic_method(case.scene, method)
+    if motion is not None:
+        case = case.of_motion(motion)
     if functions is None:
         functions = number_of_functions(case, method, None)
+    if case.scene.motions:
+        return of_any_motion(case, lambda each: _orbit(each, method, order, functions))
+    return _orbit(case, method, order, functions)
+
+
+#: What is found for the case of one motion.
+Found = TypeVar("Found")
+
+
+def of_any_motion(case: Case, find: Callable[[Case], Found]) -> Found:
+    """Return what is found for the first motion of a case for which there is something.
+
+    Raises
+    ------
+    NoOrbit
+        If there is nothing for any; with the reasons of each.
+    """
+    tried: list[str] = []
+    iterations = 0
+    for each in case.each_motion:
+        try:
+            return find(each)
+        except NoOrbit as finding:
+            if not case.scene.motions:
+                raise
+            tried += [f"{each.scene.motion}: {why}" for why in finding.reasons]
+            iterations += finding.iterations
+    motions = ", ".join(case.scene.motions)
+    error = NoOrbit(
+        f"{case.scene.name}: no admissible orbit of any motion ({motions}) was found",
+        False,
+        tuple(tried),
+    )
+    error.iterations = iterations
+    raise error
+
+
+def with_motion(case: Case) -> Case:
+    """Return the case of the motion that occurs, where a scene has several; else the case.
+
+    Raises
+    ------
+    NoOrbit
+        If none has an orbit; with the reasons of each.
+    """
+    return solve_case(case).case if case.scene.motions else case
+
+
+def _orbit(case: Case, method: str, order: int, functions: int | None) -> SceneOrbit:
+    """Return the orbit of a case of one motion."""
     kernel = registry.kernel(case.scene, method, functions)
     order = check_order(kernel, order)
     if order > PLAIN_ORDER:
@@ -73,7 +137,7 @@ def solve_case(
         found = search.note(attempt(kernel, case, order, times, functions))
         if found.converged and found.admissible:
             return replace(found, iterations=search.iterations)
-    reason = f"{case.scene.name}, {kernel.method}, N = {order}: no admissible orbit was found"
+    reason = f"{case.scene.label}, {kernel.method}, N = {order}: no admissible orbit was found"
     error = NoOrbit(reason, False, tuple(dict.fromkeys(search.tried)))
     error.iterations = search.iterations
     raise error
@@ -115,7 +179,8 @@ class _Search:
         """
         scene = self.case.scene
         coarse = registry.kernel(scene, FIRST) if FIRST in registry.methods(scene) else None
-        for order in COARSE if coarse else COARSE[:1]:
+        waves = WAVES * (self.case.cycles - 1)
+        for order in [q + waves for q in COARSE] if coarse else COARSE[:1]:
             for rough in rough_times(self.case.cell):
                 self.words = rough.words
                 angle = (rough.angle,) if self.kernel.forced else ()

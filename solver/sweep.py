@@ -14,7 +14,7 @@ from .case.methods import in_order
 from .case.names import shown
 from .no_orbit import NoOrbit
 from .orbit.document import without_errors
-from .solve import check_order, number_of_functions, solve_case
+from .solve import check_order, number_of_functions, solve_case, with_motion
 
 
 @dataclass(frozen=True)
@@ -89,6 +89,8 @@ class SceneSweep:
         return {
             "scene": self.case.scene.name,
             "class": f"C{self.case.scene.k}",
+            "motion": self.case.scene.motion,
+            "cycles": self.case.cycles,
             "functions": self.functions,
             "parameters": dict(self.case.values),
             "rows": [row.as_dict() for row in self.rows],
@@ -116,6 +118,7 @@ def sweep_case(
     orders: Iterable[int] = range(1, 21),
     functions: int | None = None,
     progress: Callable[[SceneRow], None] = lambda row: None,
+    motion: str | None = None,
 ) -> SceneSweep:
     """Solve for each method and order, and compare with the exact orbit.
 
@@ -132,24 +135,32 @@ def sweep_case(
         See `solve_case`.
     progress : callable
         Called with each row when it is done.
+    motion : str, optional
+        One of several motions; without it, that which is found by `solve_case`.
 
     Raises
     ------
     ValueError
         If a method or an order is not one that can be computed; before anything is.
     """
+    none: NoOrbit | None = None
+    try:
+        case = with_motion(case) if motion is None else case.of_motion(motion)
+    except NoOrbit as finding:
+        none = finding
     scene, numbers = case.scene, list(orders)
     named = in_order(registry.methods(scene)) if methods is None else methods
     wanted = (named,) if isinstance(named, str) else named
     jobs = []
     for method in (registry.generic_method(scene, name) for name in wanted):
         count = number_of_functions(case, method, functions)
-        kernel = registry.kernel(scene, method, count)
+        kernel = registry.kernel(scene.each_motion[0], method, count)
         chosen = numbers if methods is not None else _computed(numbers, kernel.lowest)
         jobs += [(method, check_order(kernel, order), count) for order in chosen]
     rows = []
     for method, order, count in jobs:
-        rows.append(_row(case, method, order, count))
+        made = _row(case, method, order, count) if none is None else _empty(method, order, none)
+        rows.append(made)
         progress(rows[-1])
     return SceneSweep(case, tuple(rows), functions)
 
@@ -159,14 +170,18 @@ def _computed(orders: list[int], lowest: int) -> list[int]:
     return [order for order in orders if not isinstance(order, int) or order >= lowest]
 
 
+def _empty(method: str, order: int, finding: NoOrbit, seconds: float = 0.0) -> SceneRow:
+    """Return the row of an orbit that was not found."""
+    nothing = (None, None, None, finding.iterations, None, None)
+    return SceneRow(method, order, finding.status, *nothing, seconds, str(finding))
+
+
 def _row(case: Case, method: str, order: int, functions: int | None) -> SceneRow:
     begin = time.perf_counter()
     try:
         orbit = solve_case(case, method, order, functions)
     except NoOrbit as finding:
-        seconds = time.perf_counter() - begin
-        nothing = (None, None, None, finding.iterations, None, None)
-        return SceneRow(method, order, finding.status, *nothing, seconds, str(finding))
+        return _empty(method, order, finding, time.perf_counter() - begin)
     seconds = time.perf_counter() - begin
     return SceneRow(
         method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,

@@ -16,7 +16,7 @@ from .choice import NotCertifiedScene, SceneChoice, SceneTrial, size
 from .no_orbit import NoOrbit
 from .not_certified import MARGIN
 from .orbit.orbit import SceneOrbit
-from .solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case
+from .solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case, with_motion
 
 #: Up to here every order is tried; beyond, each is larger than the last by a part of it.
 EVERY, STEP = 24, 0.15
@@ -32,7 +32,11 @@ FAR, FAR_AT_FIRST = 2, 30
 
 
 def choose_order(
-    case: Case, tol: float, method: str = FIRST, functions: int | None = None
+    case: Case,
+    tol: float,
+    method: str = FIRST,
+    functions: int | None = None,
+    motion: str | None = None,
 ) -> SceneChoice:
     """Return the orbit of the lowest order, of those tried, that meets a tolerance.
 
@@ -42,7 +46,7 @@ def choose_order(
         The oscillator.
     tol : float
         Largest estimated error of the times and of the period, as a part of the period.
-    method, functions : str, int
+    method, functions, motion : str, int, str
         See `solve_case`.
 
     Raises
@@ -56,9 +60,10 @@ def choose_order(
     """
     if not (is_number(tol) and 0 < tol < 1):
         raise ValueError(f"tol: got {tol!r}, expected a number between 0 and 1")
+    case = with_motion(case) if motion is None else case.of_motion(motion)
     name = registry.generic_method(case.scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions
-    kernel = registry.kernel(case.scene, name, count)
+    kernel = registry.kernel(case.scene.each_motion[0], name, count)
     search = _Search(case, tol, name, count, [])
     if MARGIN * tol <= ROUNDING:
         raise NotCertifiedScene(tol, (), math.nan)

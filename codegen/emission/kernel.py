@@ -27,11 +27,14 @@ Unknowns ``z`` {order}, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-{parameters}.
+{parameters}{cycles}.
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
 '''
+
+#: Of the last entry of a forced case.
+CYCLES = " (an integer: periods of the forcing in one of the motion)"
 
 #: What may be copied into a kernel, callers after what they call.
 RUNTIME = (
@@ -60,12 +63,13 @@ def module_source(system: GalerkinConditions) -> str:
     body = "\n\n".join(part.strip() + "\n" for part in parts)
     _check_names(system, body)
     head = HEADER.format(
-        scene=system.scene.name,
+        scene=system.scene.label,
         method=system.method,
         title=system.title,
         order="with N = (order + 1)//2 odd harmonics" if system.odd_harmonics else "at order N",
         unknowns="\n".join(_listed(system)),
-        parameters=", ".join(str(symbol) for symbol in system.scene.symbols),
+        parameters=", ".join(str(symbol) for symbol in system.parameters),
+        cycles=CYCLES if system.times.frequency is not None else "",
     )
     return head + _imports(body) + _constants(system, body) + "\n\n" + body
 
@@ -114,10 +118,12 @@ def _source(function: Callable[..., object]) -> str:
 def _check_names(system: GalerkinConditions, body: str) -> None:
     """Check that no function is there twice, nor one with the name of a parameter."""
     names = re.findall(r"^def (\w+)\(", body, flags=re.MULTILINE)
-    names += [symbol.name for symbol in system.scene.symbols]
+    names += [symbol.name for symbol in system.parameters]
     twice = {name for name in names if names.count(name) > 1}
     if twice:
-        raise ValueError(f"{system.scene.name}: {min(twice)} is there twice in {system.method}")
+        raise ValueError(
+            f"{system.scene.label}: {min(twice)} is there twice in {system.method}"
+        )
 
 
 def _listed(system: GalerkinConditions) -> list[str]:
@@ -145,8 +151,8 @@ def _size(system: GalerkinConditions) -> str:
 def _prologue(system: GalerkinConditions) -> list[str]:
     """Return the lines by which a function may know its unknowns and have its tables."""
     slope, rest = per_order(system)
-    names = ", ".join(symbol.name for symbol in system.scene.symbols)
-    lines = [f"{names} = case" if len(system.scene.symbols) > 1 else f"({names},) = case"]
+    names = ", ".join(symbol.name for symbol in system.parameters)
+    lines = [f"{names} = case" if len(system.parameters) > 1 else f"({names},) = case"]
     lines.append(f"N = len(z) - {rest}" if slope == 1 else f"N = (len(z) - {rest})//{slope}")
     lines += [*places(system), *(f"{time} = z[at_{time}]" for time in system.times.unknown)]
     for table in system.tables:

@@ -148,4 +148,4 @@ def rates(
 def known(system: GalerkinConditions) -> list[sp.Expr]:
     """Return what closed forms may take, in the sequence of their arguments."""
     bases: list[sp.Expr] = [table.base for table in system.tables]
-    return [*system.scene.symbols, *system.times.unknown, *bases]
+    return [*system.parameters, *system.times.unknown, *bases]

@@ -107,10 +107,15 @@ def derive(scene: Scene) -> GalerkinConditions:
         mean = series(harmonics, times.start(p + 1), order)
         return mean - sign * jump(found, after) / 2 if order == 1 else mean
 
+    def start(p: int, order: int) -> sp.Expr:
+        mean = series(harmonics, times.start(p), order)
+        return mean + jump(found, p) / 2 if order == 1 else mean
+
     conditions = (
         *orthogonality(harmonics, found),
         *impacts(harmonics, found),
         *closure.events(scene, times, end),
+        *closure.memory(scene, times, start),
         *closure.period(times),
     )
     system = GalerkinConditions(
@@ -143,6 +148,7 @@ def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
         if switch.k == 0:
             what = f"jump of the velocity where {switch.before} begins"
             yield Block(jump(found, p), sp.Integer(1), 1, what)
+    yield from closure.memory_blocks(scene)
 
 
 def series_arguments(harmonics: Harmonics, p: int) -> str:

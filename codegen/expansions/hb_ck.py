@@ -172,6 +172,7 @@ def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
         *orthogonality(e),
         *jumps(e),
         *closure.events(scene, e.times, lambda p, order: e.smooth(p, order, left=True)),
+        *closure.memory(scene, e.times, lambda p, order: e.smooth(p, order, left=False)),
         *closure.period(e.times),
     )
     looked_up = (*e.harmonics.tables(), *tables(e))
@@ -198,6 +199,7 @@ def _blocks(e: Expansion) -> Iterator[Block]:
     for p, n, c in e.all():
         what = f"of beta_{n} of the switch to {e.switches[p].before}"
         yield Block(c, sp.Integer(1), 0, what)
+    yield from closure.memory_blocks(e.scene)
 
 
 def _motion(e: Expansion, phase: Phase) -> str:

@@ -8,6 +8,6 @@ come from one chain rule.
 
 from .condition import Block, Condition, GalerkinConditions
 from .tables import Table
-from .times import Times
+from .times import Times, cycles
 
-__all__ = ["Block", "Condition", "GalerkinConditions", "Table", "Times"]
+__all__ = ["Block", "Condition", "GalerkinConditions", "Table", "Times", "cycles"]

@@ -1,4 +1,4 @@
-"""What joins the phases: continuity and jumps at the switches, events, the period.
+"""What joins the phases: continuity and jumps at the switches, events, memory, the period.
 
 For any expansion that says what displacement and derivatives are at both ends of each phase.
 """
@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 import sympy as sp
 
 from ..scene import Scene, Switch, forcing, v, x
-from .condition import Condition
+from ..scene.memory import power_of_time
+from .condition import Block, Condition
 from .times import Times
 
 #: ``(phase, order)``: a derivative of the displacement at an end of a phase.
@@ -58,7 +59,7 @@ def joints(
 
 def events(scene: Scene, times: Times, end: End) -> Iterator[Condition]:
     """Yield the event that ends each phase."""
-    for p, phase in enumerate(scene.phases):
+    for p, phase in enumerate(scene.cell):
         at = {x: end(p, 0), v: end(p, 1), forcing: times.forcing(times.start(p + 1))}
         yield Condition(
             f"event_{phase.name}",
@@ -70,9 +71,29 @@ def events(scene: Scene, times: Times, end: End) -> Iterator[Condition]:
 def period(times: Times) -> Iterator[Condition]:
     """Yield that the cell is as long as the forcing makes it, if anything forces."""
     if times.frequency is not None:
-        turns = sp.pi if times.sign == -1 else 2 * sp.pi
         yield Condition(
             "cell",
             "the cell is as long as the forcing makes it",
-            times.cell - turns / times.frequency,
+            times.cell - times.forced_cell,
         )
+
+
+def memory(scene: Scene, times: Times, start: End) -> Iterator[Condition]:
+    """Yield what each memory is set to, in the state in which its phase begins."""
+    names = [phase.name for phase in scene.phases]
+    for q in scene.memory:
+        p = names.index(q.at)
+        at = {x: start(p, 0), v: start(p, 1), forcing: times.forcing(times.start(p))}
+        value = sp.sympify(q.value).subs(at, simultaneous=True)
+        yield Condition(
+            f"memory_{q.symbol}",
+            f"{q.symbol} is set where {q.at} begins",
+            one_sum(q.symbol - value),
+        )
+
+
+def memory_blocks(scene: Scene) -> Iterator[Block]:
+    """Yield the unknown values of the memory."""
+    for q in scene.memory:
+        what = f"{q.what}, set where {q.at} begins"
+        yield Block(q.symbol, sp.Integer(1), power_of_time(scene, q), what)

@@ -7,7 +7,7 @@ import sympy as sp
 
 from ..scene import Phase, Scene
 from .tables import Table
-from .times import Times
+from .times import Times, cycles
 
 #: The order of the expansion; where only odd harmonics are there, their number.
 N = sp.Symbol("N", integer=True, positive=True)
@@ -115,6 +115,12 @@ class GalerkinConditions:
     motion: Callable[[Phase, sp.Symbol], str]
     break_series: tuple[tuple[sp.Expr, ...], ...] = ()
     odd_harmonics: bool = False
+
+    @property
+    def parameters(self) -> tuple[sp.Symbol, ...]:
+        """What makes a case: the parameters of the scene and, if it is forced, the cycles."""
+        forced = self.times.frequency is not None
+        return (*self.scene.symbols, cycles) if forced else self.scene.symbols
 
     def check_count(self) -> None:
         """Check that there are as many conditions as unknowns.

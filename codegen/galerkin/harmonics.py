@@ -5,8 +5,9 @@ weight w constant on each phase is one table for each coefficient of the equatio
 Products of harmonics are sums of harmonics, so every entry is a combination of two values.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 from sympy.simplify.fu import TR8
@@ -15,7 +16,7 @@ from ..emission.expressions import floating, python
 from ..scene import LinearPhase, Scene, linear_phase
 from .condition import N
 from .tables import Table, tables_with_rates
-from .times import Times, phi
+from .times import Times, cycles, phi
 
 n, j = sp.symbols("n j", integer=True, positive=True)
 angle = sp.Symbol("angle", real=True)
@@ -31,12 +32,17 @@ def equations(scene: Scene) -> tuple[LinearPhase, ...]:
     """Return the equation of motion of each phase; that of a held one times the mass.
 
     A constraint holds its velocity, so its residual is ``m x''``, comparable with the others.
+    A memory, which is unknown, is part of the constant force.
     """
-    free = [linear_phase(phase) for phase in scene.phases if phase.held is None]
+    return _equations(scene, ())
+
+
+def _equations(scene: Scene, memory: tuple[sp.Symbol, ...]) -> tuple[LinearPhase, ...]:
+    free = [linear_phase(phase, memory) for phase in scene.cell if phase.held is None]
     none = sp.Integer(0)
-    rest = LinearPhase(free[0].m, none, none, none, none)
+    rest = LinearPhase(free[0].m, none, none, none, none, (none,) * len(memory))
     return tuple(
-        rest if phase.held is not None else linear_phase(phase) for phase in scene.phases
+        rest if phase.held is not None else linear_phase(phase, memory) for phase in scene.cell
     )
 
 
@@ -73,18 +79,25 @@ class Harmonics:
         """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
         return 2 * index - 1 if self.odd else index
 
-    def weights(self, name: str) -> tuple[sp.Expr, ...]:
-        """Return a coefficient of the equation of motion on each phase."""
-        return tuple(getattr(q, name) for q in equations(self.scene))
+    @cached_property
+    def weights(self) -> Mapping[str, tuple[sp.Expr, ...]]:
+        """The coefficients of the equation of motion on each phase, by their names."""
+        memory = tuple(q.symbol for q in self.scene.memory)
+        phases = _equations(self.scene, memory)
+        found = {name: tuple(getattr(q, name) for q in phases) for name in POWERS}
+        for i, symbol in enumerate(memory):
+            found[f"w_{symbol}"] = tuple(q.memory[i] for q in phases)
+        return found
 
     def tables(self) -> Iterator[Table]:
         """Yield the tables that the conditions look up, with their derivatives."""
-        highest = python(sp.expand(2 * self.number(N) + 1))
+        last = self.number(N)
         ends = ends_of_phases(self.times)
-        for name, power in POWERS.items():
-            values = self.weights(name)
+        for name, values in self.weights.items():
             if not any(values):
                 continue
+            power = POWERS.get(name, 0)
+            highest = python(sp.expand(last + cycles if name == "g" else 2 * last + 1))
             phases = ", ".join(map(floating, values)) + "," * (len(values) == 1)
             prepare = (
                 f"over_{name} = harmonic_integrals(({phases}), {power}, {ends}, "
@@ -103,7 +116,7 @@ class Harmonics:
 
         `product` is in ``sin(number * angle)`` and ``cos(number * angle)``.
         """
-        if not any(self.weights(name)):
+        if not any(self.weights[name]):
             return sp.Integer(0)
         C, S = sp.IndexedBase(f"C_{name}"), sp.IndexedBase(f"S_{name}")
         total = sp.Integer(0)
@@ -124,11 +137,17 @@ class Harmonics:
         return sp.Add(*(self.over_cell(name, rate * test) for name, rate in pairs))
 
     def force_by(self, test: sp.Expr) -> sp.Expr:
-        """Return the inner product of constant force and forcing with a test function."""
+        """Return the inner product of constant force and forcing with a test function.
+
+        The forcing is the harmonic of as many periods as there are in the period.
+        """
         total = self.over_cell("f", test)
+        for memory in self.scene.memory:
+            total += memory.symbol * self.over_cell(f"w_{memory.symbol}", test)
         if self.times.frequency is None:
             return total
-        turning = sp.cos(phi) * sp.cos(angle) - sp.sin(phi) * sp.sin(angle)
+        turned = cycles * angle
+        turning = sp.cos(phi) * sp.cos(turned) - sp.sin(phi) * sp.sin(turned)
         for part in sp.Add.make_args(turning):
             size = sp.Mul(*(q for q in sp.Mul.make_args(part) if not q.has(angle)))
             total += size * self.over_cell("g", part / size * test)

@@ -129,7 +129,7 @@ def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditi
     looked_up = tables(scene, times, 2 * highest + 5)
     rows = [
         condition
-        for phase, q, switch in zip(scene.phases, trial, found, strict=True)
+        for phase, q, switch in zip(scene.cell, trial, found, strict=True)
         if phase.held is None
         for condition in orthogonality(phase, q, switch, looked_up, test)
     ]
@@ -137,13 +137,14 @@ def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditi
         scene, found, lambda p, r: trial[p].at_start(r), lambda p, r: trial[p].at_end(r)
     )
     events = closure.events(scene, times, lambda p, r: trial[p].at_end(r))
+    memory = closure.memory(scene, times, lambda p, r: trial[p].at_start(r))
     system = GalerkinConditions(
         scene,
         method,
         title,
-        tuple(blocks(scene, trial)),
+        (*blocks(scene, trial), *closure.memory_blocks(scene)),
         times,
-        (*rows, *joined, *events, *closure.period(times)),
+        (*rows, *joined, *events, *memory, *closure.period(times)),
         looked_up,
         lowest=_lowest(rows),
         motion=motion,

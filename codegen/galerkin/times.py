@@ -8,6 +8,9 @@ from ..scene import Scene
 
 phi = sp.Symbol("phi", real=True)
 
+#: How many periods of the forcing the period is: a number of the case, odd in half a period.
+cycles = sp.Symbol("cycles", integer=True, positive=True)
+
 
 @dataclass(frozen=True)
 class Times:
@@ -51,6 +54,12 @@ class Times:
     def period(self) -> sp.Expr:
         """The period."""
         return self.cell if self.sign == 1 else 2 * self.cell
+
+    @property
+    def forced_cell(self) -> sp.Expr:
+        """The length of a cell as the forcing makes it, where there is one."""
+        turns = sp.pi if self.sign == -1 else 2 * sp.pi
+        return turns * cycles / self.frequency
 
     def angle(self, time: sp.Expr) -> sp.Expr:
         """Return the angle of the forcing at a time of the cell."""

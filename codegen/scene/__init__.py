@@ -7,7 +7,7 @@ class of continuity at each switch is deduced from the equations of motion.
 Nothing here knows an expansion, and nothing names an oscillator.
 """
 
-from .data import Event, Parameter, Phase, Scene
+from .data import Event, Memory, Parameter, Phase, Scene
 from .error import SceneError
 from .linear import LinearPhase, State, linear_phase, state_row
 from .saltation import Saltation, saltations
@@ -17,6 +17,7 @@ from .symbols import a, forcing, t, v, x
 __all__ = [
     "Event",
     "LinearPhase",
+    "Memory",
     "Parameter",
     "Phase",
     "Saltation",

@@ -1,10 +1,13 @@
 """What is checked of a scene when it is made; each mistake is one line that names the field."""
 
+from collections.abc import Iterable, Mapping
+
 import sympy as sp
 
 from .data import Phase, Scene
 from .entries import check_entries
 from .error import SceneError, named
+from .memory import check_memory
 from .names import check_name
 from .parameters import check_parameters
 from .phases import Units, check_neighbours, check_phase, check_same_units
@@ -27,21 +30,61 @@ def check(scene: Scene) -> None:
     """
     check_entries(scene)
     check_name("name", scene.name.replace("-", "_"))
+    if scene.motions:
+        _check_motions(scene)
+    else:
+        _check_motion(scene)
+    if not scene.motion:
+        _check_used(scene)
+
+
+def _check_motion(scene: Scene) -> None:
+    """Check a scene with one order of phases."""
     _check_phases(scene)
     check_parameters(scene.parameters, [phase.name for phase in scene.phases])
     _check_frequency(scene)
     units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
     units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
+    units |= check_memory(scene, units)
+    memory = [q.symbol for q in scene.memory]
     for phase in scene.phases:
-        check_phase(phase, units, forced=scene.frequency is not None)
+        check_phase(phase, units, scene.frequency is not None, memory)
     for phase, after in zip(scene.phases, scene.phases[1:], strict=False):
         check_neighbours(phase, after, 1)
     check_neighbours(scene.phases[-1], scene.phases[0], scene.sign)
     check_same_units(scene.phases, units)
     _check_whole(scene, units)
     scales(scene)
-    _check_used(scene)
     switches(scene)
+
+
+def _check_motions(scene: Scene) -> None:
+    """Check each motion of a scene by itself, and what they must have in common."""
+    if scene.phases:
+        raise SceneError("motions: got phases beside them, expected only one of both")
+    for name in scene.motions:
+        check_name(f"motion {name}: name", name.replace("-", "_"))
+    if len({name.replace("-", "_") for name in scene.motions}) < len(scene.motions):
+        raise SceneError(f"motions: got {', '.join(scene.motions)}, expected different names")
+    if scene.guess and not isinstance(scene.guess, Mapping):
+        raise SceneError(
+            "guess: got durations, expected a mapping {motion: durations}, as of `motions`"
+        )
+    for name in scene.guess if isinstance(scene.guess, Mapping) else ():
+        if name not in scene.motions:
+            raise SceneError(f"guess: got {name!r}, expected one of {', '.join(scene.motions)}")
+    first: tuple[sp.Expr, ...] = ()
+    for name in scene.motions:
+        with named(f"motion {name}"):
+            motion = scene.of_motion(name)
+        found = scales(motion)
+        for what, expected, size in zip(SCALES, first, found, strict=False):
+            if sp.simplify(expected - size) != 0:
+                raise SceneError(
+                    f"scales: the unit of {what} is {expected} in {next(iter(scene.motions))}, "
+                    f"{size} in {name}; give {what!r}"
+                )
+        first = first or found
 
 
 def _check_phases(scene: Scene) -> None:
@@ -83,6 +126,8 @@ def _check_whole(scene: Scene, units: Units) -> None:
             _check_free(scale, known)
             if sp.sympify(scale).is_nonpositive:
                 raise SceneError(f"got {scale}, expected what is positive")
+    if isinstance(scene.guess, Mapping):
+        raise SceneError("guess: got a mapping, expected a tuple of durations")
     if scene.guess and len(scene.guess) != len(scene.phases):
         raise SceneError(
             f"guess: got {len(scene.guess)} durations for {len(scene.phases)} phases"
@@ -94,22 +139,29 @@ def _check_whole(scene: Scene, units: Units) -> None:
 
 
 def _check_used(scene: Scene) -> None:
-    driven = [e for phase in scene.phases for e in (phase.equation, phase.ends.zero)]
+    phases = [phase for motion in scene.each_motion for phase in motion.phases]
+    driven = [e for phase in phases for e in (phase.equation, phase.ends.zero)]
     if scene.frequency is not None and not any(sp.sympify(e).has(forcing) for e in driven):
         raise SceneError("frequency: no equation and no event has forcing")
-    used = set().union(
-        *(sp.sympify(e).free_symbols for p in scene.phases for e in _expressions(p)),
-        *(sp.sympify(e).free_symbols for e in scene.requires.values()),
-        {scene.frequency},
-    )
+    states = [e for phase in phases for e in _expressions(phase)]
+    used = _symbols(states)
+    for memory in scene.memory:
+        if memory.symbol not in used:
+            raise SceneError(f"memory {memory.symbol}: no equation, event or demand has it")
+    used |= _symbols(scene.requires.values()) | {scene.frequency}
+    used |= _symbols(memory.value for memory in scene.memory)
     idle = [q.name for q in scene.parameters if q.symbol not in used]
     if idle:
         raise SceneError(f"parameter {idle[0]}: no equation, event or demand has it")
 
 
+def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
+    return set().union(*(sp.sympify(e).free_symbols for e in expressions))
+
+
 def _expressions(phase: Phase) -> list[sp.Expr]:
     held = [] if phase.held is None else [phase.held]
-    ends = [phase.ends.zero, *phase.ends.jump.values()]
+    ends = [phase.ends.zero, *phase.ends.jump.values(), *phase.ends.demands.values()]
     return [phase.equation, *ends, *phase.demands.values(), *held]
 
 

@@ -1,7 +1,8 @@
 """The types of a scene: parameters, phases with what ends them, and the whole."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import sympy as sp
 
@@ -45,10 +46,13 @@ class Event:
         Linear in `x`, `v` (before the switch) and `forcing`; zero where the phase ends.
     jump : mapping
         What the switch makes of the velocity: ``{v: -r * v}``; empty where it is continuous.
+    demands : mapping of str to Expr
+        What must not be negative at the switch, in the state before it, as those of a phase.
     """
 
     zero: sp.Expr
     jump: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    demands: Mapping[str, sp.Expr] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -79,6 +83,29 @@ class Phase:
 
 
 @dataclass(frozen=True)
+class Memory:
+    """A constant of the motion that a switch sets anew: the offset of a plastic element.
+
+    Parameters
+    ----------
+    symbol : Symbol
+        In the equations, real; it holds from the switch that sets it to the next that does.
+    at : str
+        The phase whose beginning sets it.
+    value : Expr
+        What it is set to: linear in the state there, `x`, `v` (after the switch), `forcing`;
+        a length over a power of time.
+    what : str
+        What it is, in a few words.
+    """
+
+    symbol: sp.Symbol
+    at: str
+    value: sp.Expr
+    what: str
+
+
+@dataclass(frozen=True)
 class Scene:
     """An oscillator: its parameters, the phases of its motion in their order, its forcing.
 
@@ -103,6 +130,13 @@ class Scene:
         parameters or as numbers in SI units; what is left out is worked out.
     guess : tuple of Expr
         Rough durations of the phases, in the parameters; without it they are worked out.
+        Of several motions, a mapping from some of their names to such tuples.
+    motions : mapping of str to tuple of Phase
+        Several orders of phases, by name, in place of `phases`; any of them may occur.
+    memory : tuple of Memory
+        Constants that switches set.
+    motion : str
+        Which of several motions these `phases` are; see `of_motion`.
 
     Raises
     ------
@@ -113,13 +147,16 @@ class Scene:
     name: str
     title: str
     parameters: tuple[Parameter, ...]
-    phases: tuple[Phase, ...]
+    phases: tuple[Phase, ...] = ()
     source: str = ""
     frequency: sp.Symbol | None = None
     half_period: bool = False
     requires: Mapping[str, sp.Expr] = field(default_factory=dict)
     scales: Mapping[str, sp.Expr] = field(default_factory=dict)
-    guess: tuple[sp.Expr, ...] = ()
+    guess: tuple[sp.Expr, ...] | Mapping[str, tuple[sp.Expr, ...]] = ()
+    motions: Mapping[str, tuple[Phase, ...]] = field(default_factory=dict)
+    memory: tuple[Memory, ...] = ()
+    motion: str = ""
 
     def __post_init__(self) -> None:
         from .check import check  # noqa: PLC0415  (the checks read this type)
@@ -135,3 +172,54 @@ class Scene:
     def sign(self) -> int:
         """What the motion is multiplied by from one cell to the next: 1 or -1."""
         return -1 if self.half_period else 1
+
+    @property
+    def label(self) -> str:
+        """Its name, and that of the motion where there are several."""
+        return f"{self.name}, {self.motion}" if self.motion else self.name
+
+    @property
+    def each_motion(self) -> "tuple[Scene, ...]":
+        """The scene once for each of its motions, as if there were no other; itself if one."""
+        return tuple(map(self.of_motion, self.motions)) or (self,)
+
+    def of_motion(self, name: str) -> "Scene":
+        """Return the scene with one of its motions alone."""
+        made: dict[str, Scene] = self.__dict__.setdefault("_made", {})
+        if name not in made:
+            guess = self.guess.get(name, ()) if isinstance(self.guess, Mapping) else ()
+            phases = self.motions[name]
+            made[name] = replace(
+                self, phases=phases, motions={}, motion=name, guess=tuple(guess)
+            )
+        return made[name]
+
+    @cached_property
+    def cell(self) -> tuple[Phase, ...]:
+        """The phases with the values of the memory that they have there.
+
+        Before the switch that sets it, a phase has the value of the cell before, which is this
+        one's times `sign`.
+        """
+        changes: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in self.phases]
+        names = [phase.name for phase in self.phases]
+        for memory in self.memory:
+            for p in range(names.index(memory.at)):
+                changes[p][memory.symbol] = self.sign * memory.symbol
+        return tuple(map(_with_memory, self.phases, changes))
+
+
+def _with_memory(phase: Phase, values: Mapping[sp.Symbol, sp.Expr]) -> Phase:
+    """Return a phase with other values of the memory."""
+    if all(symbol == value for symbol, value in values.items()):
+        return phase
+
+    def put(expression: sp.Expr) -> sp.Expr:
+        return sp.sympify(expression).subs(values)
+
+    def all_of(demands: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+        return {words: put(demand) for words, demand in demands.items()}
+
+    ends = replace(phase.ends, zero=put(phase.ends.zero), demands=all_of(phase.ends.demands))
+    demands = all_of(phase.demands)
+    return replace(phase, equation=put(phase.equation), ends=ends, demands=demands)

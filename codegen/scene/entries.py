@@ -1,12 +1,13 @@
 """The types of the fields of a scene: the first check, before all mathematics."""
 
 from collections.abc import Iterator, Mapping
+from itertools import chain
 from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from .data import Event, Parameter, Phase, Scene
+from .data import Event, Memory, Parameter, Phase, Scene
 from .error import SceneError, named
 
 #: What a number must not be, anywhere in an expression.
@@ -26,19 +27,32 @@ def check_entries(scene: Scene) -> None:
     if any(mark in scene.title for mark in ('"""', "\\", "\n")):
         raise SceneError(f'title: got {scene.title!r}, expected one line without \\ and """')
     _expect("half_period", scene.half_period, bool, "True or False")
-    for name, kind in (("parameters", Parameter), ("phases", Phase)):
-        for entry in _several(name, getattr(scene, name)):
+    several: list[tuple[str, Any, type]] = [
+        ("parameters", scene.parameters, Parameter),
+        ("phases", scene.phases, Phase),
+        ("memory", scene.memory, Memory),
+    ]
+    _expect("motions", scene.motions, Mapping, "a mapping {name: (Phase, ...)}")
+    for motion, phases in scene.motions.items():
+        _expect("motions", motion, str, "text before the colon")
+        several.append((f"motion {motion}", phases, Phase))
+    for name, entries, kind in several:
+        for entry in _several(name, entries):
             _expect(name, entry, kind, f"a {kind.__name__}")
     for parameter in scene.parameters:
         _check_parameter(parameter)
-    for phase in scene.phases:
+    for phase in (*scene.phases, *chain.from_iterable(scene.motions.values())):
         _check_phase(phase)
+    for memory in scene.memory:
+        _check_memory(memory)
     for name in ("requires", "scales"):
         _check_mapping(name, getattr(scene, name))
     if scene.frequency is not None and not isinstance(scene.frequency, sp.Symbol):
         raise SceneError(f"frequency: got {scene.frequency!r}, expected a symbol")
-    for duration in _several("guess", scene.guess):
-        _check_expression("guess", duration)
+    guesses = scene.guess if isinstance(scene.guess, Mapping) else {"": scene.guess}
+    for guess in guesses.values():
+        for duration in _several("guess", guess):
+            _check_expression("guess", duration)
 
 
 def _expect(field: str, value: object, kind: type, words: str) -> None:
@@ -81,9 +95,18 @@ def _check_phase(phase: Phase) -> None:
     _expect(f"{field}: ends", phase.ends, Event, "an Event")
     _check_expression(f"{field}: ends", phase.ends.zero)
     _check_mapping(f"{field}: jump", phase.ends.jump, texts=False)
+    _check_mapping(f"{field}: ends: demand", phase.ends.demands)
     _check_mapping(f"{field}: demand", phase.demands)
     if phase.held is not None:
         _check_expression(f"{field}: held", phase.held)
+
+
+def _check_memory(memory: Memory) -> None:
+    _expect("memory: symbol", memory.symbol, sp.Symbol, "a SymPy symbol")
+    field = f"memory {memory.symbol}"
+    _expect(f"{field}: at", memory.at, str, "the name of a phase")
+    _expect(f"{field}: what", memory.what, str, "text")
+    _check_expression(f"{field}: value", memory.value)
 
 
 def _check_mapping(field: str, value: object, texts: bool = True) -> None:

@@ -1,5 +1,6 @@
 """Linear forms: the equation of motion of a phase, events and demands as coefficients."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -11,33 +12,38 @@ from .symbols import a, forcing, v, x
 
 @dataclass(frozen=True)
 class LinearPhase:
-    """``m x'' + c x' + k x = f + g cos(Omega t + phi)``: the coefficients of one phase."""
+    """``m x'' + c x' + k x = f + g cos(Omega t + phi)``: the coefficients of one phase.
+
+    With a memory w it is ``... = f + h w + ...``, and `memory` has the h of each.
+    """
 
     m: sp.Expr
     c: sp.Expr
     k: sp.Expr
     f: sp.Expr
     g: sp.Expr
+    memory: tuple[sp.Expr, ...] = ()
 
     @property
     def coefficients(self) -> tuple[sp.Expr, ...]:
-        """All five, in the order of the equation."""
-        return self.m, self.c, self.k, self.f, self.g
+        """All of them: ``m, c, k, f, g``, then those of the memory."""
+        return self.m, self.c, self.k, self.f, self.g, *self.memory
 
 
 @dataclass(frozen=True)
 class State:
-    """``x``, ``v``, ``cos`` and a constant: a linear form in the state and the forcing."""
+    """``x``, ``v``, ``cos``, a constant, each memory: a linear form in state and forcing."""
 
     x: sp.Expr
     v: sp.Expr
     cos: sp.Expr
     constant: sp.Expr
+    memory: tuple[sp.Expr, ...] = ()
 
     @property
     def coefficients(self) -> tuple[sp.Expr, ...]:
-        """All four, in that order."""
-        return self.x, self.v, self.cos, self.constant
+        """All of them, in that order."""
+        return self.x, self.v, self.cos, self.constant, *self.memory
 
 
 def _parts(expression: sp.Expr, symbols: tuple[sp.Symbol, ...], what: str) -> list[sp.Expr]:
@@ -51,8 +57,14 @@ def _parts(expression: sp.Expr, symbols: tuple[sp.Symbol, ...], what: str) -> li
     return [*map(sp.factor_terms, found), sp.factor_terms(rest)]
 
 
-def linear_phase(phase: Phase) -> LinearPhase:
+def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
     """Return the coefficients of the equation of motion of a phase.
+
+    Parameters
+    ----------
+    phase : Phase
+    memory : sequence of Symbol
+        What is to have coefficients of its own; else it is part of `f`.
 
     Raises
     ------
@@ -61,14 +73,14 @@ def linear_phase(phase: Phase) -> LinearPhase:
         acceleration.
     """
     what = f"phase {phase.name}: equation"
-    m, c, k, g, f = _parts(phase.equation, (a, v, x, forcing), what)
+    m, c, k, g, *others, f = _parts(phase.equation, (a, v, x, forcing, *memory), what)
     if m == 0:
         raise SceneError(f"{what}: {phase.equation} has no acceleration a")
-    return LinearPhase(m, c, k, -f, -g)
+    return LinearPhase(m, c, k, -f, -g, tuple(-h for h in others))
 
 
-def state_row(expression: sp.Expr, what: str) -> State:
-    """Return a linear form in displacement, velocity and forcing.
+def state_row(expression: sp.Expr, what: str, memory: Sequence[sp.Symbol] = ()) -> State:
+    """Return a linear form in displacement, velocity, forcing and memory.
 
     Raises
     ------
@@ -77,7 +89,10 @@ def state_row(expression: sp.Expr, what: str) -> State:
     """
     if sp.sympify(expression).has(a):
         raise SceneError(f"{what}: {expression} has the acceleration a, expected x, v, forcing")
-    return State(*_parts(sp.sympify(expression), (x, v, forcing), what))
+    row_x, row_v, cos, *others, constant = _parts(
+        sp.sympify(expression), (x, v, forcing, *memory), what
+    )
+    return State(row_x, row_v, cos, constant, tuple(others))
 
 
 def without_modulus(expression: sp.Expr) -> tuple[sp.Expr, ...]:

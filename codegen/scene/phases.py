@@ -1,6 +1,6 @@
 """What is checked of a phase: its equation, what ends it, its demands, what holds it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
@@ -13,8 +13,20 @@ from .units import Dimension, balance, spelled
 Units = Mapping[sp.Symbol, Dimension]
 
 
-def check_phase(phase: Phase, units: Units, forced: bool) -> None:
+def check_phase(
+    phase: Phase, units: Units, forced: bool, memory: Sequence[sp.Symbol] = ()
+) -> None:
     """Check one phase by itself.
+
+    Parameters
+    ----------
+    phase : Phase
+    units : mapping of Symbol to Dimension
+        Of all that may stand in it.
+    forced : bool
+        Whether there is forcing.
+    memory : sequence of Symbol
+        In which, beside the state, all must be linear.
 
     Raises
     ------
@@ -31,23 +43,26 @@ def check_phase(phase: Phase, units: Units, forced: bool) -> None:
                 raise SceneError("it has forcing, but the scene has no frequency")
             balance(sp.expand(value), units)
     with named(f"{field}: equation"):
-        m = linear_phase(phase).m
+        m = linear_phase(phase, memory).m
         if m.is_nonpositive:
             raise SceneError(f"got {m} times a, expected a positive mass")
     with named(f"{field}: ends"):
-        row = state_row(phase.ends.zero, f"{field}: ends")
+        row = state_row(phase.ends.zero, f"{field}: ends", memory)
         if row.x == row.v == row.cos == 0:
             raise SceneError(f"{phase.ends.zero} depends on neither x, v nor forcing")
-    _check_jump(phase, units)
-    for words, demand in phase.demands.items():
-        with named(f"{field}: demand {words!r}"):
-            for part in without_modulus(sp.sympify(demand)):
-                state_row(part, f"{field}: demand {words!r}")
+    _check_jump(phase, units, memory)
+    for where, demands in ((field, phase.demands), (f"{field}: ends", phase.ends.demands)):
+        for words, demand in demands.items():
+            with named(f"{where}: demand {words!r}"):
+                for part in without_modulus(sp.sympify(demand)):
+                    state_row(part, f"{where}: demand {words!r}", memory)
     if phase.held is not None:
         with named(f"{field}: held"):
             if sp.simplify(phase.equation / a).has(a) or linear_phase(phase).c != 0:
                 raise SceneError(f"got the equation {phase.equation}, expected a")
             _check_velocity(phase.held, units)
+            if sp.sympify(phase.held).has(*memory):
+                raise SceneError(f"got {phase.held}, expected a velocity in the parameters")
         if row.cos == 0 and (row.x == 0 or sp.sympify(phase.held) == 0):
             raise SceneError(
                 f"{field}: ends: {phase.ends.zero} does not change while it is held"
@@ -61,6 +76,7 @@ def _fields(phase: Phase) -> list[tuple[str, sp.Expr]]:
         ("ends", phase.ends.zero),
         *(("jump", value) for value in phase.ends.jump.values()),
         *((f"demand {words!r}", value) for words, value in phase.demands.items()),
+        *((f"ends: demand {words!r}", value) for words, value in phase.ends.demands.items()),
     ]
 
 
@@ -70,14 +86,14 @@ def _check_velocity(value: sp.Expr, units: Units) -> None:
         raise SceneError(f"{value} is not a velocity")
 
 
-def _check_jump(phase: Phase, units: Units) -> None:
+def _check_jump(phase: Phase, units: Units, memory: Sequence[sp.Symbol]) -> None:
     for symbol, value in phase.ends.jump.items():
         with named(f"phase {phase.name}: jump"):
             if symbol != v:
                 raise SceneError(f"got a jump of {symbol}, expected one of v")
             _check_velocity(value, units)
             row = state_row(value, f"phase {phase.name}: jump")
-            if row.x != 0 or row.cos != 0:
+            if row.x != 0 or row.cos != 0 or sp.sympify(value).has(*memory):
                 raise SceneError(f"got {value}, expected the velocity v alone in it")
 
 

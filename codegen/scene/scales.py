@@ -19,7 +19,8 @@ def scales(scene: Scene) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     SceneError
         If one of them cannot be worked out.
     """
-    free = [linear_phase(phase) for phase in scene.phases if phase.held is None]
+    memory = [q.symbol for q in scene.memory]
+    free = [linear_phase(phase, memory) for phase in scene.phases if phase.held is None]
     given = {name: sp.sympify(value) for name, value in scene.scales.items()}
     mass = given.get("mass", free[0].m)
     time = given.get("time") or _time(scene, free)

@@ -4,9 +4,11 @@ The paper, Section 3.3: "the degree of continuity can be determined by inspectio
 equation(s) of motion".  The inspection: with the state ``y = (x, v, 1, cos, sin)`` a phase is
 ``y' = A y``, so the jump of the j-th derivative of x at a switch is ``e_x (A+^j - A-^j) y``.
 It vanishes for every motion if and only if that row is a combination of the rows known to
-vanish there: the event, and the velocity at which a constraint holds the mass.
+vanish there: the event, the velocity at which a constraint holds the mass, and what the switch
+sets a memory to.  A memory is a constant of the periodic motion and one more entry of y.
 """
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -56,42 +58,86 @@ def switches(scene: Scene) -> tuple[Switch, ...]:
     SceneError
         If nothing changes at a switch.
     """
-    phases = scene.phases
+    phases = scene.cell
     return tuple(
         Switch(left.name, right.name, _class(scene, left, right, scene.sign if q == 0 else 1))
         for q, (left, right) in enumerate(zip((phases[-1], *phases[:-1]), phases, strict=True))
     )
 
 
-def generator(phase: Phase, frequency: sp.Expr, sign: int = 1) -> sp.Matrix:
+def classes_of(scene: Scene, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[int, ...]:
+    """Return the k at each switch for values of the parameters: above the general for some.
+
+    It is `HIGHEST` where nothing changes for them.
+    """
+    phases = scene.cell
+    known = {q: sp.nsimplify(value, rational=True) for q, value in values.items()}
+    pairs = enumerate(zip((phases[-1], *phases[:-1]), phases, strict=True))
+    signs = (scene.sign, *(1 for _ in phases[1:]))
+    found = (_order(scene, left, right, signs[q], known) for q, (left, right) in pairs)
+    return tuple(HIGHEST if k is None else k for k in found)
+
+
+def generator(
+    phase: Phase, frequency: sp.Expr, sign: int = 1, memory: Sequence[sp.Symbol] = ()
+) -> sp.Matrix:
     """Return ``A`` of a phase; with `sign` -1, of the mirrored motion ``-x``."""
-    q = linear_phase(phase)
-    return sp.Matrix(
-        [
-            [0, 1, 0, 0, 0],
-            [-q.k / q.m, -q.c / q.m, sign * q.f / q.m, q.g / q.m, 0],
-            [0, 0, 0, 0, 0],
-            [0, 0, 0, 0, -frequency],
-            [0, 0, 0, frequency, 0],
-        ]
-    )
+    q = linear_phase(phase, memory)
+    found = sp.zeros(5 + len(memory))
+    found[0, 1] = 1
+    found[1, :5] = [[-q.k / q.m, -q.c / q.m, sign * q.f / q.m, q.g / q.m, 0]]
+    found[3, 4], found[4, 3] = -frequency, frequency
+    for column, factor in enumerate(q.memory, 5):
+        found[1, column] = sign * factor / q.m
+    return found
+
+
+def known_rows(scene: Scene, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
+    """Return the rows in y that vanish at the switch between two phases of ``scene.cell``.
+
+    `sign` is what the motion is multiplied by there: y is that of the right side.
+    """
+    memory = [q.symbol for q in scene.memory]
+    event = state_row(left.ends.zero, f"phase {left.name}: ends", memory)
+    mirrored = [sign * event.x, sign * event.v, event.constant, sign * event.cos, 0]
+    known = [[*mirrored, *event.memory]]
+    nothing = [sp.Integer(0)] * len(memory)
+    if left.held is not None:
+        known.append([0, sign, -left.held, 0, 0, *nothing])
+    for column, q in enumerate(scene.memory):
+        if q.at == right.name:
+            row = state_row(q.value, f"memory {q.symbol}")
+            known.append([row.x, row.v, row.constant, row.cos, 0, *nothing])
+            known[-1][5 + column] = sp.Integer(-1)
+    return known
 
 
 def _class(scene: Scene, left: Phase, right: Phase, sign: int) -> int:
+    found = _order(scene, left, right, sign, {})
+    if found is None:
+        raise SceneError(
+            f"phase {right.name}: its motion is that of {left.name}; nothing changes"
+        )
+    return found
+
+
+def _order(
+    scene: Scene, left: Phase, right: Phase, sign: int, values: Mapping[sp.Symbol, sp.Expr]
+) -> int | None:
+    """Return the k of a switch for values of some parameters; None where nothing changes."""
     jump = dict(left.ends.jump)
-    if jump and sp.simplify(jump.get(v, v) - v) != 0:
+    if jump and sp.simplify((jump.get(v, v) - v).subs(values)) != 0:
         return 0
     frequency = scene.frequency if scene.frequency is not None else sp.Integer(0)
-    before, after = generator(left, frequency, sign), generator(right, frequency)
-    event = state_row(left.ends.zero, f"phase {left.name}: ends")
-    known = [[sign * event.x, sign * event.v, event.constant, sign * event.cos, 0]]
-    if left.held is not None:
-        known.append([0, sign, -left.held, 0, 0])
+    memory = [q.symbol for q in scene.memory]
+    before = generator(left, frequency, sign, memory).subs(values)
+    after = generator(right, frequency, memory=memory).subs(values)
+    known = sp.Matrix(known_rows(scene, left, right, sign)).subs(values)
     for order in range(2, HIGHEST + 1):
         row = (after**order - before**order).row(0)
-        if not _in_span(row, sp.Matrix(known)):
+        if not _in_span(row, known):
             return order - 1
-    raise SceneError(f"phase {right.name}: its motion is that of {left.name}; nothing changes")
+    return None
 
 
 def _in_span(row: sp.Matrix, known: sp.Matrix) -> bool:

@@ -4,16 +4,21 @@ from collections.abc import Iterable
 
 from ..printing.sections import Section
 from ..scene import Scene
-from .method import method_equations, unknowns
+from .method import ONE_CYCLE, method_equations, unknowns
 from .notation import Notation
-from .registry import conditions, methods, scene_named
+from .registry import conditions, methods, motion_named, scene_named
 from .scene import scene_equations
 
 
 def sections(
-    scene: str | Scene, names: Iterable[str] = (), functions: int | None = None
+    scene: str | Scene,
+    names: Iterable[str] = (),
+    functions: int | None = None,
+    motion: str | None = None,
 ) -> list[Section]:
     """Return the sections on a scene: what it is, and for each method equations and Jacobian.
+
+    Of several motions, one after the other.
 
     Parameters
     ----------
@@ -22,6 +27,8 @@ def sections(
         Of methods; without any, all.
     functions : int, optional
         For methods that have functions with breaks; see `derive_scene`.
+    motion : str, optional
+        The one that is shown, of a scene with several.
 
     Raises
     ------
@@ -29,6 +36,12 @@ def sections(
         If a name is unknown.
     """
     found = scene_named(scene)
+    parts = found.each_motion if motion is None else (motion_named(found, motion),)
+    listed = tuple(names)
+    return [section for part in parts for section in _of_motion(part, listed, functions)]
+
+
+def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
     shown = [Section(heading(found), scene_equations(found), _parameters(found))]
     for name in names or tuple(methods()):
         record = conditions(found, name, functions)
@@ -44,12 +57,13 @@ def sections(
 
 def heading(scene: Scene) -> str:
     """Return what a scene is, with its class."""
-    return f"{scene.name} (`C^{Notation.of(scene).k}`): {scene.title}"
+    return f"{scene.label} (`C^{Notation.of(scene).k}`): {scene.title}"
 
 
 def _parameters(scene: Scene) -> str:
     listed = "; ".join(
         f"`{q.symbol}`: {q.what}{f' in {q.unit}' if q.unit else ''}" for q in scene.parameters
     )
+    forced = f"  {ONE_CYCLE}" if scene.frequency is not None else ""
     source = f"  After {scene.source}." if scene.source else ""
-    return f"Parameters: {listed}.{source}"
+    return f"Parameters: {listed}.{source}{forced}"

@@ -114,7 +114,7 @@ class Fourier:
             if condition.name == "cell":
                 continue
             closed = by_unknown(
-                condition, self.conditions.blocks, self.conditions.scene.symbols, self._spelled
+                condition, self.conditions.blocks, self.conditions.parameters, self._spelled
             )
             left = self._tested(condition) or (known[condition.name],)
             sides = (*left, self.breaks.spelled(closed), sp.Integer(0))

@@ -5,14 +5,14 @@ import sympy as sp
 from ..galerkin.harmonics import equations
 from .functions import state
 from .notation import Notation
-from .switching import event, law
+from .switching import event, law, set_to
 
 #: The name of a condition, and the statement: zero.
 Statements = dict[str, sp.Expr]
 
 
 def statements(notation: Notation) -> Statements:
-    """Return continuity, laws of the velocity and events."""
+    """Return continuity, laws of the velocity, events and memory."""
     found: Statements = {}
     for p, switch in enumerate(notation.found):
         sign = notation.scene.sign if p == 0 else 1
@@ -28,6 +28,8 @@ def statements(notation: Notation) -> Statements:
             found[f"jump_{order}_{name}"] = _differentiated(notation, p, order)
     for p, phase in enumerate(notation.scene.phases):
         found[f"event_{phase.name}"] = event(notation, p)
+    for memory in notation.scene.memory:
+        found[f"memory_{memory.symbol}"] = memory.symbol - set_to(notation, memory)
     return found
 
 

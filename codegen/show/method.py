@@ -2,16 +2,23 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Protocol
 
 import sympy as sp
 
-from ..galerkin import Block, GalerkinConditions
+from ..galerkin import Block, GalerkinConditions, cycles
 from ..system import Equation, GalerkinSystem
 from .fourier import Fourier
 from .functions import T
 from .notation import Notation
 from .polynomial import Polynomial
+
+#: What is said of the conditions where the forcing may have several cycles in the period.
+ONE_CYCLE = (
+    "The period is one of the forcing; where it is `n` of them, the forcing has the frequency "
+    "`n omega_0`."
+)
 
 
 class Shown(Protocol):
@@ -54,6 +61,7 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     >>> system.method, system.unknowns.split("; ")[0]
     ('c0-tau', 'x_flight: displacement where flight begins')
     """
+    conditions = _of_one_cycle(conditions)
     family = next((q for q in (Fourier, Polynomial) if q.fits(conditions)), None)
     if family is None:
         raise ValueError(f"{conditions.method}: its unknowns are of no family that is known")
@@ -68,6 +76,12 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
         jacobian=tuple(shown.jacobian()),
         forms=(),
     )
+
+
+def _of_one_cycle(conditions: GalerkinConditions) -> GalerkinConditions:
+    """Return conditions for a period of the motion that is one of the forcing."""
+    rows = (replace(c, expression=c.expression.subs(cycles, 1)) for c in conditions.conditions)
+    return replace(conditions, conditions=tuple(rows))
 
 
 def with_class(method: str, k: int) -> str:
@@ -123,6 +137,5 @@ def _times(notation: Notation) -> Iterator[Equation]:
     if notation.times.sign == -1:
         yield Equation("", "the period", (T, 2 * notation.cell))
     if notation.times.frequency is not None:
-        turns = sp.pi if notation.times.sign == -1 else 2 * sp.pi
-        sides = (sp.Add(*notation.times.durations), turns / notation.times.frequency)
+        sides = (sp.Add(*notation.times.durations), notation.times.forced_cell.subs(cycles, 1))
         yield Equation("", "the cell is as long as the forcing makes it", sides)

@@ -25,7 +25,7 @@ def during(notation: Notation, expression: sp.Expr) -> sp.Expr:
 
 def equation_of_motion(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
     """Return both sides: what depends on the motion, and the force."""
-    q = linear_phase(notation.scene.phases[p])
+    q = linear_phase(notation.scene.cell[p])
     left = sum(factor * state(order, t) for order, factor in ((2, q.m), (1, q.c), (0, q.k)))
     return left, positive(q.f) + q.g * notation.times.forcing(t)
 
@@ -40,6 +40,8 @@ def balanced(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr, bool]:
     moving = [q for q in terms if q.has(Rate, sp.Abs) or q.has(sp.core.function.AppliedUndef)]
     left = sp.Add(*moving)
     rest = sp.factor_terms(expression.expand(deep=False) - left) if moving else expression
+    if rest.has(Rate, sp.Abs, sp.core.function.AppliedUndef):  # spelled in two ways
+        rest = sp.factor_terms(sp.expand_mul(expression) - left)
     turned = all(q.could_extract_minus_sign() for q in moving)
     return (-left, rest, True) if turned else (left, -rest, False)
 

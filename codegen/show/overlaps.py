@@ -38,7 +38,7 @@ class Overlaps:
     @classmethod
     def of(cls, notation: Notation, harmonics: Harmonics) -> "Overlaps":
         """Return the integrals of the harmonics of a scene."""
-        weights = {name: harmonics.weights(name) for name in POWERS}
+        weights = harmonics.weights
         sizes = [
             sum(sp.count_ops(w) + (w != 0) for w in of_phase)
             for of_phase in zip(*weights.values(), strict=True)
@@ -47,7 +47,7 @@ class Overlaps:
 
     def spelled(self, expression: sp.Expr) -> sp.Expr:
         """Return an expression with the tables of the cell written in those of phases."""
-        tables = {f"{wave}_{name}": (wave, name) for wave in "CS" for name in POWERS}
+        tables = {f"{wave}_{name}": (wave, name) for wave in "CS" for name in self.weights}
         values = {
             entry: self._entry(*tables[str(entry.base.label)], entry.indices[0])
             for entry in expression.atoms(sp.Indexed)
@@ -61,7 +61,7 @@ class Overlaps:
         for p, weight in enumerate(weights):
             table = sp.IndexedBase(f"{wave}_{self.notation.scene.phases[p].name}")
             total += (weight - weights[self.base]) * table[index]
-        return omega_0 ** POWERS[name] * total
+        return omega_0 ** POWERS.get(name, 0) * total
 
     def _over_cell(self, wave: str, index: sp.Expr) -> sp.Expr:
         """Return the integral of a harmonic over the cell."""

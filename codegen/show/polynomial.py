@@ -120,7 +120,7 @@ class Polynomial:
         for p, q in enumerate(self.trial):
             if q.acceleration is None:
                 continue
-            phase, s = linear_phase(scene.phases[p]), q.duration
+            phase, s = linear_phase(scene.cell[p]), q.duration
             twice, once, legendre = self._functions()
             factor = phase.m * legendre + phase.c * s * once + phase.k * s**2 * twice
             total = self._sum(p, factor) + (phase.c + phase.k * s * u) * q.velocity
@@ -143,11 +143,11 @@ class Polynomial:
                 yield Equation("", words, sides)
 
     def _conditions(self) -> Iterator[Equation]:
-        known, scene = statements(self.notation), self.conditions.scene
+        known = statements(self.notation)
         for condition in self.conditions.conditions:
             if condition.name == "cell":
                 continue
-            blocks, symbols = self.conditions.blocks, scene.symbols
+            blocks, symbols = self.conditions.blocks, self.conditions.parameters
             closed = by_unknown(condition, blocks, symbols, lambda factor: factor)
             left = known.get(condition.name)
             tested = left is None

@@ -16,7 +16,7 @@ from .method import method_equations, with_class
 
 
 def derive_scene(
-    scene: str | Scene, method: str, functions: int | None = None
+    scene: str | Scene, method: str, functions: int | None = None, motion: str | None = None
 ) -> GalerkinSystem:
     """Return the equations of a scene in an expansion, for showing.
 
@@ -29,6 +29,8 @@ def derive_scene(
     functions : int, optional
         How many functions with a break there are at each switch, for a method that has them;
         without it one, and two where the velocity jumps.
+    motion : str, optional
+        Of a scene with several motions, which; without it the first.
 
     Returns
     -------
@@ -46,17 +48,37 @@ def derive_scene(
     '    -  expansion in flight; 0 <= t < T'
     """
     if isinstance(scene, Scene) or is_path(scene):
-        return _derived(scene_named(scene), method, functions)
-    return _of_the_folder(scene, method, functions)
+        return _derived(scene_named(scene), method, functions, motion)
+    return _of_the_folder(scene, method, functions, motion)
 
 
 @cache
-def _of_the_folder(scene: str, method: str, functions: int | None) -> GalerkinSystem:
-    return _derived(scene_named(scene), method, functions)
+def _of_the_folder(
+    scene: str, method: str, functions: int | None, motion: str | None
+) -> GalerkinSystem:
+    return _derived(scene_named(scene), method, functions, motion)
 
 
-def _derived(scene: Scene, method: str, functions: int | None) -> GalerkinSystem:
-    return method_equations(conditions(scene, method, functions))
+def _derived(
+    scene: Scene, method: str, functions: int | None, motion: str | None
+) -> GalerkinSystem:
+    one = scene.each_motion[0] if motion is None else motion_named(scene, motion)
+    return method_equations(conditions(one, method, functions))
+
+
+def motion_named(scene: Scene, motion: str) -> Scene:
+    """Return a scene with one of its motions alone.
+
+    Raises
+    ------
+    ValueError
+        Naming the nearest motion that there is.
+    """
+    if motion not in scene.motions:
+        known = list(scene.motions)
+        expected = _nearest(motion, known) if known else f"none: {scene.name} has only one"
+        raise ValueError(f"motion: got {motion!r}, expected {expected}")
+    return scene.of_motion(motion)
 
 
 def conditions(scene: Scene, method: str, functions: int | None = None) -> GalerkinConditions:

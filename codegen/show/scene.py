@@ -11,7 +11,7 @@ from ..system import Equation
 from .functions import T, state, t, x
 from .motion import balanced, during, equation_of_motion, not_negative
 from .notation import Notation
-from .switching import event, jump, law, perturbations
+from .switching import at_the_end, event, jump, law, perturbations, set_to
 
 ORDINAL = {1: "first", 2: "second", 3: "third"}
 
@@ -49,7 +49,7 @@ def _phases(notation: Notation) -> Iterator[Equation]:
         if phase.held is not None:
             held = (state(1, t), sp.sympify(phase.held))
             yield Equation("", f"the velocity is held in {name}", held, when)
-        for words, demand in phase.demands.items():
+        for words, demand in notation.scene.cell[p].demands.items():
             relation = not_negative(during(notation, demand))
             title = f"demanded in {name}: {_marked(notation.scene, words)}"
             yield Equation("", title, (relation,))
@@ -65,6 +65,12 @@ def _switches(notation: Notation) -> Iterator[Equation]:
             after = state(1, notation.side(p + 1, "+"))
             words = f"the velocity jumps where {phase.name} ends"
             yield Equation("", words, (after, sign * law(notation, q)))
+        for words, demand in notation.scene.cell[p].ends.demands.items():
+            title = f"demanded where {phase.name} ends: {_marked(notation.scene, words)}"
+            yield Equation("", title, (not_negative(at_the_end(notation, p, demand)),))
+    for memory in notation.scene.memory:
+        words = f"{memory.what}: set where {memory.at} begins"
+        yield Equation("", words, (memory.symbol, set_to(notation, memory)))
     for p, switch in enumerate(notation.found):
         order = ORDINAL.get(switch.jumps, f"{switch.jumps}th")
         words = f"the motion is `C^{switch.k}` where {switch.before} begins: its {order} "

@@ -4,9 +4,8 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from ..scene import forcing, saltation, v, x
-from ..scene.linear import state_row
-from ..scene.smoothness import generator
+from ..scene import Memory, forcing, saltation, v, x
+from ..scene.smoothness import generator, known_rows
 from .functions import state
 from .motion import at_state
 from .notation import Notation
@@ -20,9 +19,20 @@ PERTURBATIONS = (
 
 def event(notation: Notation, p: int) -> sp.Expr:
     """Return what is zero where phase `p` ends."""
+    return at_the_end(notation, p, notation.scene.cell[p].ends.zero)
+
+
+def at_the_end(notation: Notation, p: int, expression: sp.Expr) -> sp.Expr:
+    """Return a linear form in the state where phase `p` ends."""
     force = notation.times.forcing(notation.at(p + 1))
-    zero = notation.scene.phases[p].ends.zero
-    return at_state(zero, lambda order: notation.end(p, order), force)
+    return at_state(expression, lambda order: notation.end(p, order), force)
+
+
+def set_to(notation: Notation, memory: Memory) -> sp.Expr:
+    """Return what a memory is set to, in the state there."""
+    p = [phase.name for phase in notation.scene.phases].index(memory.at)
+    force = notation.times.forcing(notation.at(p))
+    return at_state(memory.value, lambda order: notation.start(p, order), force)
 
 
 def law(notation: Notation, p: int) -> sp.Expr:
@@ -51,16 +61,15 @@ def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
 
 def _size(notation: Notation, p: int, order: int) -> sp.Expr:
     scene, sign = notation.scene, notation.scene.sign if p == 0 else 1
-    left, right = scene.phases[p - 1], scene.phases[p]
+    left, right = scene.cell[p - 1], scene.cell[p]
     frequency = scene.frequency if scene.frequency is not None else sp.Integer(0)
     turning = sp.Symbol("turning", real=True)
-    y = sp.Matrix([x, v, 1, forcing, turning])
-    rows = generator(right, frequency) ** order - generator(left, frequency, sign) ** order
-    size = (rows.row(0) * y)[0]
-    row = state_row(left.ends.zero, left.name)
-    known = [sign * (row.x * x + row.v * v + row.cos * forcing) + row.constant]
-    if left.held is not None:
-        known.append(sign * v - left.held)
+    memory = [q.symbol for q in scene.memory]
+    y = sp.Matrix([x, v, 1, forcing, turning, *memory])
+    after = generator(right, frequency, memory=memory) ** order
+    before = generator(left, frequency, sign, memory) ** order
+    size = ((after - before).row(0) * y)[0]
+    known = [(sp.Matrix([row]) * y)[0] for row in known_rows(scene, left, right, sign)]
     values: dict[sp.Symbol, sp.Expr] = {}
     for zero in known:
         zero = sp.expand(zero.subs(values))  # noqa: PLW2901

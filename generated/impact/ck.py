@@ -14,7 +14,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "73c302fb6929bd2b4c73d88e975bf4f28218dee2aa2f85233169eb17525c0c87"  # of the conditions, by srepr
-BODY = "6832d189ce503a2c05ea9ed90cf2a4192112413c7ae7657d44815fc64bfa13c0"  # of the text below
+MATHEMATICS = "60a1273cf14125cd1eb2543c9252fa2021bf76471d24f83f47d6894167212d1b"  # of the conditions, by srepr
+BODY = "1446208fda26b65ede2d40244fd73b7c45018909e9fa9f87bcc882417869fea9"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -286,9 +286,9 @@ def event_flight_by_s_flight(s_flight):
     )
 
 
-def cell(Omega, s_flight):
+def cell(Omega, cycles, s_flight):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_flight - 2*pi)/Omega
+    return (Omega*s_flight - 2*pi*cycles)/Omega
 
 
 def cell_by_s_flight():
@@ -303,7 +303,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_flight = 0
     at_v_flight = 1
@@ -337,14 +337,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_flight(g, s_flight)
     R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
     row += 1
-    q0 = cell(Omega, s_flight)
+    q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_flight = 0
     at_v_flight = 1

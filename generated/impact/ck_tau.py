@@ -14,7 +14,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
-MATHEMATICS = "5168de572db662a0d2bb88017125114794d4e35199077f1fa6bf343c61fd2d5e"  # of the conditions, by srepr
-BODY = "eaddca35ba1807b8b2a5699a688841b6e9e12fa476b656b66aa0889152bcc07d"  # of the text below
+MATHEMATICS = "fc8877d7aca8301680e0628a9e8962698c58c0f5c0f8b381d4dd1a7e0af6c1d5"  # of the conditions, by srepr
+BODY = "cf8f21ea66310e569c1917564deb7ecb5a462e069097d5f56fa24cff5c6fd3c5"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -244,9 +244,9 @@ def event_flight_by_s_flight(s_flight):
     )
 
 
-def cell(Omega, s_flight):
+def cell(Omega, cycles, s_flight):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_flight - 2*pi)/Omega
+    return (Omega*s_flight - 2*pi*cycles)/Omega
 
 
 def cell_by_s_flight():
@@ -261,7 +261,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_flight = 0
     at_v_flight = 1
@@ -292,14 +292,14 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4 = event_flight(g, s_flight)
     R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
     row += 1
-    q0 = cell(Omega, s_flight)
+    q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_flight = 0
     at_v_flight = 1

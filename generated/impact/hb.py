@@ -15,7 +15,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -28,8 +28,8 @@ METHOD = "hb"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "8a2a90d577629e9f217c6deb3235a53cc6aea7dcba628834b6acefb030e11a29"  # of the conditions, by srepr
-BODY = "f9316d6e5ad6947b808cb2f55d3094255c12e5fe5c560111cb8c174c43deb4bb"  # of the text below
+MATHEMATICS = "fee5ab270b956431c6f9941b8b484ef4d6bd5c4210d91071c76b8a6cdacf002b"  # of the conditions, by srepr
+BODY = "5b30a93ef77ec07fdb6d54c7da693f806eae8d7ae014ee663663d18ebad65d43"  # of the text below
 
 
 def harmonic_integrals(weights, power, ends, period, highest):
@@ -110,26 +110,26 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def by_one(m, phi, C_k, C_g, S_g):
+def by_one(m, cycles, phi, C_k, C_g, S_g):
     """Coefficients: residual, orthogonal to 1."""
     return (
         C_k[0]/2,
         -m,
-        sin(phi)*S_g[1] - cos(phi)*C_g[1],
+        sin(phi)*S_g[cycles] - cos(phi)*C_g[cycles],
     )
 
 
-def by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
+def by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[0]/2,
-        sin(phi)*S_g_by_s_flight[1] - cos(phi)*C_g_by_s_flight[1],
+        sin(phi)*S_g_by_s_flight[cycles] - cos(phi)*C_g_by_s_flight[cycles],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
+def by_one_by_phi(cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
+    return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
 def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -148,25 +148,25 @@ def by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight,
     )
 
 
-def by_sine(j, phi, S_k, C_g, S_g):
+def by_sine(j, cycles, phi, S_k, C_g, S_g):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2,
+        -(sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 - (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2,
     )
 
 
-def by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
+def by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         S_k_by_s_flight[j]/2,
-        -(sin(phi)*C_g_by_s_flight[j + 1])/2 + (sin(phi)*C_g_by_s_flight[j - 1])/2 - (cos(phi)*S_g_by_s_flight[j + 1])/2 - (cos(phi)*S_g_by_s_flight[j - 1])/2,
+        -(sin(phi)*C_g_by_s_flight[cycles + j])/2 + (sin(phi)*C_g_by_s_flight[cycles - j])/2 - (cos(phi)*S_g_by_s_flight[cycles + j])/2 + (cos(phi)*S_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -185,26 +185,26 @@ def by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_fli
     )
 
 
-def by_cosine(j, m, phi, C_k, C_g, S_g):
+def by_cosine(j, m, cycles, phi, C_k, C_g, S_g):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
         -m,
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2,
+        (sin(phi)*S_g[cycles + j])/2 + (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 - (cos(phi)*C_g[cycles - j])/2,
     )
 
 
-def by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
+def by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[j]/2,
-        (sin(phi)*S_g_by_s_flight[j + 1])/2 - (sin(phi)*S_g_by_s_flight[j - 1])/2 - (cos(phi)*C_g_by_s_flight[j + 1])/2 - (cos(phi)*C_g_by_s_flight[j - 1])/2,
+        (sin(phi)*S_g_by_s_flight[cycles + j])/2 + (sin(phi)*S_g_by_s_flight[cycles - j])/2 - (cos(phi)*C_g_by_s_flight[cycles + j])/2 - (cos(phi)*C_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
+    return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -251,9 +251,9 @@ def event_flight_sum():
     return 1
 
 
-def cell(Omega, s_flight):
+def cell(Omega, cycles, s_flight):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_flight - 2*pi)/Omega
+    return (Omega*s_flight - 2*pi*cycles)/Omega
 
 
 def cell_by_s_flight():
@@ -268,7 +268,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a0 = 0
     at_a = 1
@@ -287,25 +287,25 @@ def residual(case, z, R):
     over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     row = 0
-    q0, q1, q2 = by_one(m, phi, C_k, C_g, S_g)
+    q0, q1, q2 = by_one(m, cycles, phi, C_k, C_g, S_g)
     R[row] = q0*z[at_a0] + q1*z[at_J_flight] + q2
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_sine(j, phi, S_k, C_g, S_g)
+        q0, q1 = by_sine(j, cycles, phi, S_k, C_g, S_g)
         R[row] = q0*z[at_a0] + q1
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2 = by_cosine(j, m, phi, C_k, C_g, S_g)
+        q0, q1, q2 = by_cosine(j, m, cycles, phi, C_k, C_g, S_g)
         R[row] = q0*z[at_a0] + q1*z[at_J_flight] + q2
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -323,14 +323,14 @@ def residual(case, z, R):
         q0 = event_flight_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_flight)
+    q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a0 = 0
     at_a = 1
@@ -355,19 +355,19 @@ def jacobian(case, z, J):
     C_k_by_s_flight = over_k[0][1]
     S_k = over_k[1][0]
     S_k_by_s_flight = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     C_g_by_s_flight = over_g[0][1]
     S_g = over_g[1][0]
     S_g_by_s_flight = over_g[1][1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, _ = by_one(m, phi, C_k, C_g, S_g)
+    q0, q1, _ = by_one(m, cycles, phi, C_k, C_g, S_g)
     J[row, at_a0] += q0
     J[row, at_J_flight] += q1
-    q0, q1 = by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
+    q0, q1 = by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
     J[row, at_s_flight] += q0*z[at_a0] + q1
-    q0 = by_one_by_phi(phi, C_g, S_g)
+    q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -377,11 +377,11 @@ def jacobian(case, z, J):
         J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, _ = by_sine(j, phi, S_k, C_g, S_g)
+        q0, _ = by_sine(j, cycles, phi, S_k, C_g, S_g)
         J[row, at_a0] += q0
-        q0, q1 = by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
+        q0, q1 = by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -391,12 +391,12 @@ def jacobian(case, z, J):
             J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, _ = by_cosine(j, m, phi, C_k, C_g, S_g)
+        q0, q1, _ = by_cosine(j, m, cycles, phi, C_k, C_g, S_g)
         J[row, at_a0] += q0
         J[row, at_J_flight] += q1
-        q0, q1 = by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
+        q0, q1 = by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -15,7 +15,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -29,8 +29,8 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "7ada7d02edaf23c98bad48a9a986ba7319064b469bc317c9b7ed1d88f2e761bb"  # of the conditions, by srepr
-BODY = "e300d846de2fe37f3f1a2a0ac63cf7f0d8d75c85404de7a75d8db97685b3299c"  # of the text below
+MATHEMATICS = "ecbd5b41c79bfe7c21c3199d076cadecfa1b419b9d11434c635bd74030371e26"  # of the conditions, by srepr
+BODY = "10fd4ba5abec3a89fb2e77ac44bded9a87b272025ea18a070e2d986237c39ad0"  # of the text below
 
 
 def break_series(begin, length):
@@ -295,27 +295,27 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_one(phi, C_k, C_g, S_g, G2_flight_cos):
+def by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos):
     """Coefficients: residual, orthogonal to 1."""
     return (
         C_k[0]/2,
         G2_flight_cos[0],
-        sin(phi)*S_g[1] - cos(phi)*C_g[1],
+        sin(phi)*S_g[cycles] - cos(phi)*C_g[cycles],
     )
 
 
-def by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight):
+def by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[0]/2,
         G2_flight_cos_by_s_flight[0],
-        sin(phi)*S_g_by_s_flight[1] - cos(phi)*C_g_by_s_flight[1],
+        sin(phi)*S_g_by_s_flight[cycles] - cos(phi)*C_g_by_s_flight[cycles],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
+def by_one_by_phi(cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
+    return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
 def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -334,27 +334,27 @@ def by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight,
     )
 
 
-def by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin):
+def by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
         G2_flight_sin[j],
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2,
+        -(sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 - (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2,
     )
 
 
-def by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight):
+def by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         S_k_by_s_flight[j]/2,
         G2_flight_sin_by_s_flight[j],
-        -(sin(phi)*C_g_by_s_flight[j + 1])/2 + (sin(phi)*C_g_by_s_flight[j - 1])/2 - (cos(phi)*S_g_by_s_flight[j + 1])/2 - (cos(phi)*S_g_by_s_flight[j - 1])/2,
+        -(sin(phi)*C_g_by_s_flight[cycles + j])/2 + (sin(phi)*C_g_by_s_flight[cycles - j])/2 - (cos(phi)*S_g_by_s_flight[cycles + j])/2 + (cos(phi)*S_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -373,27 +373,27 @@ def by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_fli
     )
 
 
-def by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos):
+def by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
         G2_flight_cos[j],
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2,
+        (sin(phi)*S_g[cycles + j])/2 + (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 - (cos(phi)*C_g[cycles - j])/2,
     )
 
 
-def by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight):
+def by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[j]/2,
         G2_flight_cos_by_s_flight[j],
-        (sin(phi)*S_g_by_s_flight[j + 1])/2 - (sin(phi)*S_g_by_s_flight[j - 1])/2 - (cos(phi)*C_g_by_s_flight[j + 1])/2 - (cos(phi)*C_g_by_s_flight[j - 1])/2,
+        (sin(phi)*S_g_by_s_flight[cycles + j])/2 + (sin(phi)*S_g_by_s_flight[cycles - j])/2 - (cos(phi)*C_g_by_s_flight[cycles + j])/2 - (cos(phi)*C_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
+    return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -451,9 +451,9 @@ def event_flight_sum():
     return 1
 
 
-def cell(Omega, s_flight):
+def cell(Omega, cycles, s_flight):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_flight - 2*pi)/Omega
+    return (Omega*s_flight - 2*pi*cycles)/Omega
 
 
 def cell_by_s_flight():
@@ -468,7 +468,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a0 = 0
     at_a = 1
@@ -487,7 +487,7 @@ def residual(case, z, R):
     over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_flight = breaks_on_phases(0, (0.0, s_flight), 1)
@@ -497,21 +497,21 @@ def residual(case, z, R):
     G2_flight_cos = over_beta2_flight[0][0]
     G2_flight_sin = over_beta2_flight[1][0]
     row = 0
-    q0, q1, q2 = by_one(phi, C_k, C_g, S_g, G2_flight_cos)
+    q0, q1, q2 = by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos)
     R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2 = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin)
+        q0, q1, q2 = by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin)
         R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2 = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos)
+        q0, q1, q2 = by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos)
         R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -529,14 +529,14 @@ def residual(case, z, R):
         q0 = event_flight_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_flight)
+    q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a0 = 0
     at_a = 1
@@ -561,7 +561,7 @@ def jacobian(case, z, J):
     C_k_by_s_flight = over_k[0][1]
     S_k = over_k[1][0]
     S_k_by_s_flight = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     C_g_by_s_flight = over_g[0][1]
     S_g = over_g[1][0]
@@ -577,12 +577,12 @@ def jacobian(case, z, J):
     G2_flight_sin_by_s_flight = over_beta2_flight[1][1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, _ = by_one(phi, C_k, C_g, S_g, G2_flight_cos)
+    q0, q1, _ = by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos)
     J[row, at_a0] += q0
     J[row, at_c2_flight] += q1
-    q0, q1, q2 = by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight)
+    q0, q1, q2 = by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight)
     J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2
-    q0 = by_one_by_phi(phi, C_g, S_g)
+    q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -592,12 +592,12 @@ def jacobian(case, z, J):
         J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, _ = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin)
+        q0, q1, _ = by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin)
         J[row, at_a0] += q0
         J[row, at_c2_flight] += q1
-        q0, q1, q2 = by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight)
+        q0, q1, q2 = by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -607,12 +607,12 @@ def jacobian(case, z, J):
             J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, _ = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos)
+        q0, q1, _ = by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos)
         J[row, at_a0] += q0
         J[row, at_c2_flight] += q1
-        q0, q1, q2 = by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight)
+        q0, q1, q2 = by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

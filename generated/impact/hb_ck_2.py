@@ -16,7 +16,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -30,8 +30,8 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "4465b3e72c375d723879545e34b81c12118aac8c83731aea347d0d416ddfd6e0"  # of the conditions, by srepr
-BODY = "8ae51baa230b82ea75cbbff66c4b2beb665054f879dce8d68d882501803ba929"  # of the text below
+MATHEMATICS = "39930ddb22351c18767cb87f75c20d8bc468870756a20c6784a421cea14488a5"  # of the conditions, by srepr
+BODY = "acf1c9b013c1309a8f12abe13fa82c63973d6cd9380157350a6952346aaa891d"  # of the text below
 
 
 def break_series(begin, length):
@@ -307,29 +307,29 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos):
+def by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos):
     """Coefficients: residual, orthogonal to 1."""
     return (
         C_k[0]/2,
         G2_flight_cos[0],
         G3_flight_cos[0],
-        sin(phi)*S_g[1] - cos(phi)*C_g[1],
+        sin(phi)*S_g[cycles] - cos(phi)*C_g[cycles],
     )
 
 
-def by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
+def by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[0]/2,
         G2_flight_cos_by_s_flight[0],
         G3_flight_cos_by_s_flight[0],
-        sin(phi)*S_g_by_s_flight[1] - cos(phi)*C_g_by_s_flight[1],
+        sin(phi)*S_g_by_s_flight[cycles] - cos(phi)*C_g_by_s_flight[cycles],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
+def by_one_by_phi(cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
+    return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
 def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -348,29 +348,29 @@ def by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight,
     )
 
 
-def by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin):
+def by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
         G2_flight_sin[j],
         G3_flight_sin[j],
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2,
+        -(sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 - (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2,
     )
 
 
-def by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight):
+def by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         S_k_by_s_flight[j]/2,
         G2_flight_sin_by_s_flight[j],
         G3_flight_sin_by_s_flight[j],
-        -(sin(phi)*C_g_by_s_flight[j + 1])/2 + (sin(phi)*C_g_by_s_flight[j - 1])/2 - (cos(phi)*S_g_by_s_flight[j + 1])/2 - (cos(phi)*S_g_by_s_flight[j - 1])/2,
+        -(sin(phi)*C_g_by_s_flight[cycles + j])/2 + (sin(phi)*C_g_by_s_flight[cycles - j])/2 - (cos(phi)*S_g_by_s_flight[cycles + j])/2 + (cos(phi)*S_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -389,29 +389,29 @@ def by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_fli
     )
 
 
-def by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos):
+def by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
         G2_flight_cos[j],
         G3_flight_cos[j],
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2,
+        (sin(phi)*S_g[cycles + j])/2 + (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 - (cos(phi)*C_g[cycles - j])/2,
     )
 
 
-def by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
+def by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[j]/2,
         G2_flight_cos_by_s_flight[j],
         G3_flight_cos_by_s_flight[j],
-        (sin(phi)*S_g_by_s_flight[j + 1])/2 - (sin(phi)*S_g_by_s_flight[j - 1])/2 - (cos(phi)*C_g_by_s_flight[j + 1])/2 - (cos(phi)*C_g_by_s_flight[j - 1])/2,
+        (sin(phi)*S_g_by_s_flight[cycles + j])/2 + (sin(phi)*S_g_by_s_flight[cycles - j])/2 - (cos(phi)*C_g_by_s_flight[cycles + j])/2 - (cos(phi)*C_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
+    return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -502,9 +502,9 @@ def event_flight_sum():
     return 1
 
 
-def cell(Omega, s_flight):
+def cell(Omega, cycles, s_flight):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_flight - 2*pi)/Omega
+    return (Omega*s_flight - 2*pi*cycles)/Omega
 
 
 def cell_by_s_flight():
@@ -519,7 +519,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 5)//2
     at_a0 = 0
     at_a = 1
@@ -539,7 +539,7 @@ def residual(case, z, R):
     over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_flight = breaks_on_phases(0, (0.0, s_flight), 1)
@@ -552,21 +552,21 @@ def residual(case, z, R):
     G3_flight_cos = over_beta3_flight[0][0]
     G3_flight_sin = over_beta3_flight[1][0]
     row = 0
-    q0, q1, q2, q3 = by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
+    q0, q1, q2, q3 = by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
     R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3 = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin)
+        q0, q1, q2, q3 = by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin)
         R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3 = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
+        q0, q1, q2, q3 = by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
         R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -587,14 +587,14 @@ def residual(case, z, R):
         q0 = event_flight_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_flight)
+    q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 5)//2
     at_a0 = 0
     at_a = 1
@@ -620,7 +620,7 @@ def jacobian(case, z, J):
     C_k_by_s_flight = over_k[0][1]
     S_k = over_k[1][0]
     S_k_by_s_flight = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     C_g_by_s_flight = over_g[0][1]
     S_g = over_g[1][0]
@@ -641,13 +641,13 @@ def jacobian(case, z, J):
     G3_flight_sin_by_s_flight = over_beta3_flight[1][1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, _ = by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
+    q0, q1, q2, _ = by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
     J[row, at_a0] += q0
     J[row, at_c2_flight] += q1
     J[row, at_c3_flight] += q2
-    q0, q1, q2, q3 = by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
+    q0, q1, q2, q3 = by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
     J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-    q0 = by_one_by_phi(phi, C_g, S_g)
+    q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -657,13 +657,13 @@ def jacobian(case, z, J):
         J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, _ = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin)
+        q0, q1, q2, _ = by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin)
         J[row, at_a0] += q0
         J[row, at_c2_flight] += q1
         J[row, at_c3_flight] += q2
-        q0, q1, q2, q3 = by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight)
+        q0, q1, q2, q3 = by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -673,13 +673,13 @@ def jacobian(case, z, J):
             J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, _ = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
+        q0, q1, q2, _ = by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
         J[row, at_a0] += q0
         J[row, at_c2_flight] += q1
         J[row, at_c3_flight] += q2
-        q0, q1, q2, q3 = by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
+        q0, q1, q2, q3 = by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

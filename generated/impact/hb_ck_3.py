@@ -17,7 +17,7 @@ Unknowns ``z`` at order N, in this sequence:
     jacobian(case, z, J)     fills J (size, size), J[i, l] = dR[i]/dz[l]
 
 ``case`` holds the parameters, in units in which the numbers are of moderate size:
-m, c, k, F, Omega, g, r.
+m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of the motion).
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
@@ -31,8 +31,8 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "0a9a4e6af19134454665de21cff4e55dd62ba5e60886470cabaf98ef19da0bb9"  # of the conditions, by srepr
-BODY = "bb1f951f68f52fe8ab0df89901b5115623fc75650a8d88b869c08085dd04e7ad"  # of the text below
+MATHEMATICS = "1c850f4428f2fc6f238404f41eaee0b97d5bf3de018e4d8ae6f0923464d7a834"  # of the conditions, by srepr
+BODY = "6ac429d90dc1b6ce17bd9c19376a5bda3a9ac53af357cf85e9e968ada0d1b82b"  # of the text below
 
 
 def break_series(begin, length):
@@ -322,31 +322,31 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos):
+def by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos):
     """Coefficients: residual, orthogonal to 1."""
     return (
         C_k[0]/2,
         G2_flight_cos[0],
         G3_flight_cos[0],
         G4_flight_cos[0],
-        sin(phi)*S_g[1] - cos(phi)*C_g[1],
+        sin(phi)*S_g[cycles] - cos(phi)*C_g[cycles],
     )
 
 
-def by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight):
+def by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[0]/2,
         G2_flight_cos_by_s_flight[0],
         G3_flight_cos_by_s_flight[0],
         G4_flight_cos_by_s_flight[0],
-        sin(phi)*S_g_by_s_flight[1] - cos(phi)*C_g_by_s_flight[1],
+        sin(phi)*S_g_by_s_flight[cycles] - cos(phi)*C_g_by_s_flight[cycles],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
+def by_one_by_phi(cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
+    return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
 def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -365,31 +365,31 @@ def by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight,
     )
 
 
-def by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin, G4_flight_sin):
+def by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin, G4_flight_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
         G2_flight_sin[j],
         G3_flight_sin[j],
         G4_flight_sin[j],
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2,
+        -(sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 - (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2,
     )
 
 
-def by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight, G4_flight_sin_by_s_flight):
+def by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight, G4_flight_sin_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         S_k_by_s_flight[j]/2,
         G2_flight_sin_by_s_flight[j],
         G3_flight_sin_by_s_flight[j],
         G4_flight_sin_by_s_flight[j],
-        -(sin(phi)*C_g_by_s_flight[j + 1])/2 + (sin(phi)*C_g_by_s_flight[j - 1])/2 - (cos(phi)*S_g_by_s_flight[j + 1])/2 - (cos(phi)*S_g_by_s_flight[j - 1])/2,
+        -(sin(phi)*C_g_by_s_flight[cycles + j])/2 + (sin(phi)*C_g_by_s_flight[cycles - j])/2 - (cos(phi)*S_g_by_s_flight[cycles + j])/2 + (cos(phi)*S_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
 def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -408,31 +408,31 @@ def by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_fli
     )
 
 
-def by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos):
+def by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
         G2_flight_cos[j],
         G3_flight_cos[j],
         G4_flight_cos[j],
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2,
+        (sin(phi)*S_g[cycles + j])/2 + (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 - (cos(phi)*C_g[cycles - j])/2,
     )
 
 
-def by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight):
+def by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
         C_k_by_s_flight[j]/2,
         G2_flight_cos_by_s_flight[j],
         G3_flight_cos_by_s_flight[j],
         G4_flight_cos_by_s_flight[j],
-        (sin(phi)*S_g_by_s_flight[j + 1])/2 - (sin(phi)*S_g_by_s_flight[j - 1])/2 - (cos(phi)*C_g_by_s_flight[j + 1])/2 - (cos(phi)*C_g_by_s_flight[j - 1])/2,
+        (sin(phi)*S_g_by_s_flight[cycles + j])/2 + (sin(phi)*S_g_by_s_flight[cycles - j])/2 - (cos(phi)*C_g_by_s_flight[cycles + j])/2 - (cos(phi)*C_g_by_s_flight[cycles - j])/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
+    return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
 def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
@@ -554,9 +554,9 @@ def event_flight_sum():
     return 1
 
 
-def cell(Omega, s_flight):
+def cell(Omega, cycles, s_flight):
     """Coefficients: the cell is as long as the forcing makes it."""
-    return (Omega*s_flight - 2*pi)/Omega
+    return (Omega*s_flight - 2*pi*cycles)/Omega
 
 
 def cell_by_s_flight():
@@ -571,7 +571,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 6)//2
     at_a0 = 0
     at_a = 1
@@ -592,7 +592,7 @@ def residual(case, z, R):
     over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_flight = breaks_on_phases(0, (0.0, s_flight), 1)
@@ -608,21 +608,21 @@ def residual(case, z, R):
     G4_flight_cos = over_beta4_flight[0][0]
     G4_flight_sin = over_beta4_flight[1][0]
     row = 0
-    q0, q1, q2, q3, q4 = by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
+    q0, q1, q2, q3, q4 = by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
     R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3*z[at_c4_flight] + q4
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4 = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin, G4_flight_sin)
+        q0, q1, q2, q3, q4 = by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin, G4_flight_sin)
         R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3*z[at_c4_flight] + q4
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4 = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
+        q0, q1, q2, q3, q4 = by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
         R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3*z[at_c4_flight] + q4
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -646,14 +646,14 @@ def residual(case, z, R):
         q0 = event_flight_sum()
         R[row] += q0*z[at_b + n-1]
     row += 1
-    q0 = cell(Omega, s_flight)
+    q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
     row += 1
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    m, c, k, F, Omega, g, r = case
+    m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 6)//2
     at_a0 = 0
     at_a = 1
@@ -680,7 +680,7 @@ def jacobian(case, z, J):
     C_k_by_s_flight = over_k[0][1]
     S_k = over_k[1][0]
     S_k_by_s_flight = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
+    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, N + cycles)
     C_g = over_g[0][0]
     C_g_by_s_flight = over_g[0][1]
     S_g = over_g[1][0]
@@ -706,14 +706,14 @@ def jacobian(case, z, J):
     G4_flight_sin_by_s_flight = over_beta4_flight[1][1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, _ = by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
+    q0, q1, q2, q3, _ = by_one(cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
     J[row, at_a0] += q0
     J[row, at_c2_flight] += q1
     J[row, at_c3_flight] += q2
     J[row, at_c4_flight] += q3
-    q0, q1, q2, q3, q4 = by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight)
+    q0, q1, q2, q3, q4 = by_one_by_s_flight(cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight)
     J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3*z[at_c4_flight] + q4
-    q0 = by_one_by_phi(phi, C_g, S_g)
+    q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
         q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -723,14 +723,14 @@ def jacobian(case, z, J):
         J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, _ = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin, G4_flight_sin)
+        q0, q1, q2, q3, _ = by_sine(j, cycles, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin, G4_flight_sin)
         J[row, at_a0] += q0
         J[row, at_c2_flight] += q1
         J[row, at_c3_flight] += q2
         J[row, at_c4_flight] += q3
-        q0, q1, q2, q3, q4 = by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight, G4_flight_sin_by_s_flight)
+        q0, q1, q2, q3, q4 = by_sine_by_s_flight(j, cycles, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight, G4_flight_sin_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3*z[at_c4_flight] + q4
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
@@ -740,14 +740,14 @@ def jacobian(case, z, J):
             J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, _ = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
+        q0, q1, q2, q3, _ = by_cosine(j, cycles, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos, G4_flight_cos)
         J[row, at_a0] += q0
         J[row, at_c2_flight] += q1
         J[row, at_c3_flight] += q2
         J[row, at_c4_flight] += q3
-        q0, q1, q2, q3, q4 = by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight)
+        q0, q1, q2, q3, q4 = by_cosine_by_s_flight(j, cycles, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight, G4_flight_cos_by_s_flight)
         J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3*z[at_c4_flight] + q4
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
             q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)

@@ -1,7 +1,7 @@
 """A scene with numbers: checked parameters, units, and what is left without units."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
 from types import MappingProxyType
@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from .numbers import SceneNumbers
 
 
+#: Most periods of the forcing in one of the motion: more are beyond the orders of kernels.
+MOST_CYCLES = 100
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Case:
     """A scene and a value for each of its parameters.
@@ -25,6 +29,8 @@ class Case:
         The scene.
     values : mapping of str to float
         Parameters by name, in SI units; what is missing has its default.
+    cycles : int
+        How many periods of the forcing the period of the motion is.
 
     Raises
     ------
@@ -34,9 +40,11 @@ class Case:
 
     scene: "SceneNumbers"
     values: Mapping[str, Any]
+    cycles: int = 1
 
     def __post_init__(self) -> None:
         checked, errors = _checked(self.scene, self.values)
+        errors += _wrong_cycles(self.scene, self.cycles)
         if not errors:
             errors = _unmet(self.scene, checked)
         if errors:
@@ -57,14 +65,36 @@ class Case:
 
     def __repr__(self) -> str:
         words = ", ".join(f"{name}={value!r}" for name, value in self.values.items())
-        return f"<case of {self.scene.name}: {words}>"
+        cycles = f", cycles={self.cycles}" if self.cycles != 1 else ""
+        return f"<case of {self.scene.label}: {words}{cycles}>"
 
     def __reduce__(self) -> tuple[object, tuple[object, ...]]:
-        return _restored, (str(self.scene.folder), dict(self.values))
+        return _restored, (str(self.scene.folder), dict(self.values), self.cycles)
 
     @property
     def _identity(self) -> tuple[object, ...]:
-        return self.scene, *self.values.values()
+        return self.scene, self.cycles, *self.values.values()
+
+    def with_cycles(self, cycles: int) -> "Case":
+        """Return the case of a motion whose period is so many periods of the forcing."""
+        return replace(self, cycles=cycles)
+
+    def of_motion(self, name: object) -> "Case":
+        """Return the case of one of the motions of the scene.
+
+        Raises
+        ------
+        UnknownScene
+            A `ValueError`: if the scene has no motion of this name.
+        """
+        from .registry import of_motion  # noqa: PLC0415  (it imports this module)
+
+        return replace(self, scene=of_motion(self.scene, name))
+
+    @property
+    def each_motion(self) -> "tuple[Case, ...]":
+        """The case of each motion of the scene; itself if there is one."""
+        return tuple(replace(self, scene=scene) for scene in self.scene.each_motion)
 
     @property
     def units(self) -> Units:
@@ -74,14 +104,29 @@ class Case:
 
     @property
     def numbers(self) -> tuple[float, ...]:
-        """The parameters in these units, in order: what kernels call a case."""
+        """The parameters in these units, in order."""
         numbers: tuple[float, ...] = self.__dict__["_numbers"]
         return numbers
 
+    @property
+    def arguments(self) -> tuple[float, ...]:
+        """What kernels call a case: `numbers` and, if something forces, the cycles."""
+        forced = self.scene.frequency is not None
+        return (*self.numbers, self.cycles) if forced else self.numbers
+
     @cached_property
     def cell(self) -> Cell:
-        """The equations of its cell, in these units."""
-        return cell_of(self.scene, self.numbers)
+        """The equations of its cell, in these units.
+
+        Raises
+        ------
+        ValueError
+            If the scene has several motions: each has a cell of its own.
+        """
+        if self.scene.motions:
+            known = ", ".join(self.scene.motions)
+            raise ValueError(f"motion: got none, expected one of {known}")
+        return cell_of(self.scene, self.numbers, self.cycles)
 
     @property
     def description(self) -> str:
@@ -92,7 +137,22 @@ class Case:
                 self.scene.parameters, self.values.values(), strict=True
             )
         )
-        return ", ".join(parts)
+        text = ", ".join(parts)
+        return text if self.cycles == 1 else f"{text}; {self.cycles} cycles of the forcing"
+
+
+def _wrong_cycles(scene: "SceneNumbers", cycles: object) -> list[str]:
+    """Return what is wrong with the number of periods of the forcing."""
+    whole = isinstance(cycles, int) and not isinstance(cycles, bool)
+    if not (whole and 1 <= cycles <= MOST_CYCLES):  # type: ignore[operator]
+        expected = f"a whole number from 1 to {MOST_CYCLES}"
+    elif scene.frequency is None and cycles != 1:
+        expected = f"1: nothing forces {scene.name}"
+    elif scene.module.HALF_PERIOD and cycles % 2 == 0:  # type: ignore[operator]
+        expected = f"an odd number: x(t + T/2) = -x(t) in {scene.name}"
+    else:
+        return []
+    return [f"cycles: got {cycles!r}, expected {expected}"]
 
 
 def _checked(
@@ -130,7 +190,7 @@ def _unmet(scene: "SceneNumbers", values: Mapping[str, float]) -> list[str]:
     return errors
 
 
-def _restored(folder: str, values: dict[str, float]) -> Case:
+def _restored(folder: str, values: dict[str, float], cycles: int) -> Case:
     from .registry import load_folder  # noqa: PLC0415  (it imports this module)
 
-    return load_folder(folder)(**values)
+    return load_folder(folder)(**values, cycles=cycles)

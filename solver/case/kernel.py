@@ -126,8 +126,11 @@ def _driver_text() -> bytes:
 
 
 def fingerprint(module: types.ModuleType) -> str:
-    """Return a hash of all that is compiled for a generated module, the driver included."""
-    own = f"{module.BODY} {module.DURATIONS} {module.FORCED}".encode()
+    """Return a hash of all that is compiled for a generated module, the driver included.
+
+    The name of the module is part of it: numba imports it again with what it has cached.
+    """
+    own = f"{module.__name__} {module.BODY} {module.DURATIONS} {module.FORCED}".encode()
     return hashlib.sha256(own + _driver_text()).hexdigest()[:16]
 
 

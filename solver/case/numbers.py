@@ -51,7 +51,8 @@ class Parameter:
 class SceneNumbers:
     """A scene in numbers: its generated module ``scene.py``, and the folder of its kernels.
 
-    Calling it makes a case: ``scene(mass=2.0)``; what is not given has its default.
+    Calling it makes a case: ``scene(mass=2.0)``; what is not given has its default.  A scene
+    of several motions has a folder for each, which is a scene of one motion.
 
     Parameters
     ----------
@@ -64,8 +65,10 @@ class SceneNumbers:
     module: types.ModuleType
     folder: Path
 
-    def __call__(self, **values: object) -> "Case":
+    def __call__(self, *, cycles: int = 1, **values: object) -> "Case":
         """Return the case of these parameters, in SI units.
+
+        `cycles` is how many periods of the forcing the period of the motion is.
 
         Raises
         ------
@@ -74,7 +77,7 @@ class SceneNumbers:
         """
         from .case import Case  # noqa: PLC0415  (NumPy: a list of scenes needs none)
 
-        return Case(self, values)
+        return Case(self, values, cycles)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, SceneNumbers) and self._identity == other._identity
@@ -83,7 +86,7 @@ class SceneNumbers:
         return hash(self._identity)
 
     def __repr__(self) -> str:
-        return f"<scene {self.name}: {self.title} (C{self.k})>"
+        return f"<scene {self.label}: {self.title} (C{self.k})>"
 
     @property
     def _identity(self) -> tuple[str, str]:
@@ -95,13 +98,29 @@ class SceneNumbers:
         return str(self.module.NAME)
 
     @property
+    def motions(self) -> tuple[str, ...]:
+        """The names of its motions, orders of phases, where there are several."""
+        return tuple(self.module.MOTIONS)
+
+    @property
+    def motion(self) -> str | None:
+        """Which of several motions it is, if it is one of them."""
+        name: str | None = self.module.MOTION
+        return name
+
+    @property
+    def label(self) -> str:
+        """Its name, and that of the motion where there are several."""
+        return f"{self.name}, {self.motion}" if self.motion else self.name
+
+    @property
     def title(self) -> str:
         """What it is."""
         return str(self.module.TITLE)
 
     @property
     def k(self) -> int:
-        """Class C^k of its motion: the least over its switches."""
+        """Class C^k of its motion: the least over its switches, of any of its motions."""
         return int(self.module.CLASS)
 
     @property
@@ -116,8 +135,18 @@ class SceneNumbers:
 
     @property
     def phases(self) -> tuple[str, ...]:
-        """The names of the phases of its cell."""
-        return tuple(name for name, _ in self.module.PHASES)
+        """The names of the phases of its cell; of several motions, of any of them."""
+        if not self.motions:
+            return tuple(name for name, _ in self.module.PHASES)
+        found = (name for motion in self.each_motion for name in motion.phases)
+        return tuple(dict.fromkeys(found))
+
+    @property
+    def each_motion(self) -> "tuple[SceneNumbers, ...]":
+        """Its motions, each as a scene; itself if there is one."""
+        from .registry import of_motion  # noqa: PLC0415  (it imports this module)
+
+        return tuple(of_motion(self, name) for name in self.motions) or (self,)
 
     @property
     def frequency(self) -> str | None:

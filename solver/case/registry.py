@@ -67,6 +67,25 @@ def load_folder(folder: str | Path) -> SceneNumbers:
     return SceneNumbers(module_of(path), path.parent)
 
 
+def of_motion(scene: SceneNumbers, name: object) -> SceneNumbers:
+    """Return a scene with one of its motions alone.
+
+    Raises
+    ------
+    UnknownScene
+        If it has no motion of this name; a scene of one motion has none.
+    """
+    if scene.motion is not None and name == scene.motion:
+        return scene
+    wanted = name.replace("_", "-") if isinstance(name, str) else name
+    known = {motion.replace("_", "-"): motion for motion in scene.motions}
+    if not scene.motions:
+        raise UnknownScene(f"motion: got {name!r}, but {scene.label} has only one")
+    if wanted not in known:
+        raise UnknownScene(_unknown("motion", name, scene.motions))
+    return load_folder(scene.folder / known[str(wanted)].replace("-", "_"))
+
+
 def methods(scene: SceneNumbers) -> tuple[str, ...]:
     """Return the methods that have a kernel for a scene."""
     return tuple(sorted({method for method, _ in _files(scene)}))
@@ -83,6 +102,8 @@ def functions(scene: SceneNumbers, method: str) -> tuple[int, ...]:
 
 def _files(scene: SceneNumbers) -> dict[tuple[str, int | None], Path]:
     """Return the modules of the methods of a scene, by method and number of functions."""
+    if scene.motions:
+        return _files(of_motion(scene, scene.motions[0]))  # those of the others are the same
     found = {}
     for path in scene.folder.glob("*.py"):
         parts = path.stem.split("_")
@@ -139,8 +160,10 @@ def kernel(
 def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
     """Return a hash of the conditions behind these methods: 16 hexadecimal digits."""
     wanted = {generic_method(scene, method) for method in chosen}
-    files = sorted(path for (name, _), path in _files(scene).items() if name in wanted)
-    texts = [scene.module.BODY, *(module_of(path).MATHEMATICS for path in files)]
+    texts = [scene.module.BODY]
+    for motion in scene.each_motion:
+        files = sorted(path for (name, _), path in _files(motion).items() if name in wanted)
+        texts += [module_of(path).MATHEMATICS for path in files]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
 
 

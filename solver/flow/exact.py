@@ -46,6 +46,13 @@ class ExactSceneOrbit(SceneMotion):
         """Phase of the forcing at the first switch."""
         return self._kernel.split(self.outcome.unknowns)[1]
 
+    @property
+    def memory_values(self) -> tuple[float, ...]:
+        """What the switches of the cell set, without units."""
+        count = len(self.case.cell.phases)
+        found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
+        return tuple(map(float, found))
+
     def part(self, p: int, u: Vector, derivative: int) -> Vector:
         """Return a derivative of the displacement on phase `p` of the cell, without units."""
         return self._kernel.motion(self.case.cell, self.outcome.unknowns, p, u, derivative)
@@ -61,7 +68,7 @@ class ExactSceneOrbit(SceneMotion):
         return not self.violations
 
     def __repr__(self) -> str:
-        return f"<exact orbit of {self.case.scene.name}: T = {self.period:.10g} s>"
+        return f"<exact orbit of {self.case.scene.label}: T = {self.period:.10g} s>"
 
 
 def exact_orbit(
@@ -86,6 +93,8 @@ def exact_orbit(
     NoOrbit
         If no start leads to an admissible orbit; with what each led to.
     """
+    if case.scene.motions:
+        return _of_any_motion(case)
     given = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
@@ -98,7 +107,7 @@ def exact_orbit(
             tried.append(f"from {start.words}: {'; '.join(orbit.violations)}")
         else:
             return orbit
-    name = case.scene.name
+    name = case.scene.label
     error = NoOrbit(f"{name}: no admissible exact orbit was found", False, tuple(tried))
     error.iterations = iterations
     raise error
@@ -114,6 +123,12 @@ def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
             tried.append(settled.words)
         else:
             yield settled.times
+
+
+def _of_any_motion(case: Case) -> ExactSceneOrbit:
+    from ..solve import of_any_motion  # noqa: PLC0415  (it solves by expansions, which read this)
+
+    return of_any_motion(case, exact_orbit)
 
 
 def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes | None:

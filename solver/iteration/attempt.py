@@ -24,6 +24,6 @@ def attempt(
     functions : int, optional
         See `SceneOrbit`.
     """
-    start = with_coefficients(kernel, case.numbers, kernel.size(order), times)
-    outcome = newton(kernel.iterate, case.numbers, start)
+    start = with_coefficients(kernel, case.arguments, kernel.size(order), times)
+    outcome = newton(kernel.iterate, case.arguments, start)
     return SceneOrbit(case, kernel.method, order, outcome, outcome.iterations, functions)

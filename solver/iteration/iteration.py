@@ -121,7 +121,7 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
             return status, iteration, correction, greatest(R)
         at_rest = correction <= ROUNDOFF or correction > 0.5 * previous
         if length <= SETTLED and at_rest:
-            z += step
+            z += longest_damping(step, z) * step  # a duration near 0 stays positive
             residual(case, z, R)
             return CONVERGED, iteration, correction, greatest(R)
         previous = correction

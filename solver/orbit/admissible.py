@@ -27,6 +27,10 @@ SHORTEST = 1e-10
 #: order shortens such a phase; nothing but a spurious root makes it much longer.
 HELD = (0.5, 3.0)
 
+#: Differences of times and states, as parts of the period and of their extremes, below which
+#: parts of an orbit are the same: between distinct orbits they are larger.
+SAME = 1e-6
+
 #: ``allowed(p, form)``: what a demand on phase p may be below 0, as a part of its scale.
 Allowance = Callable[[int, Form], float]
 
@@ -50,20 +54,58 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
     total, unit = float(np.sum(durations)), orbit.case.units.time
     found = [
         f"{phase.name} lasts {s * unit:.6g} s of {total * unit:.6g} s: it has no duration"
-        for phase, s in zip(orbit.case.cell.phases, durations, strict=True)
+        for phase, s in zip(orbit.cell.phases, durations, strict=True)
         if not s > SHORTEST * total > 0
     ]
     if found or not np.isfinite(durations).all():
         return tuple(found) or ("the durations are not finite",)
-    for p, phase in enumerate(orbit.case.cell.phases):
+    for p, phase in enumerate(orbit.cell.phases):
         found += _held(orbit, p)
         for words, form in phase.demands:
             found += _demand(orbit, p, words, form, allowed(p, form))
-    return tuple(found)
+        for words, form in phase.switch_demands:
+            found += _at_switch(orbit, p, words, form, allowed(p, form))
+    return tuple(found) or _repeated(orbit)
+
+
+def _at_switch(orbit: SceneMotion, p: int, words: str, form: Form, allowed: float) -> list[str]:
+    """Return how a demand where a phase ends is violated, if it is."""
+    scale = scale_of(orbit, p, form)
+    value = float(terms(orbit, p, form, np.ones(1)).sum())
+    if value >= -allowed * scale:
+        return []
+    return [
+        f"where {orbit.cell.phases[p].name} ends, not true that {words}: by "
+        f"{-value / scale:.3g} of its size {_state(orbit, p, 1.0)} (allowed: {allowed:.2g})"
+    ]
+
+
+def _repeated(orbit: SceneMotion) -> tuple[str, ...]:
+    """Return that an orbit of several cycles is one of fewer, again and again, if it is."""
+    phases, cycles = orbit.phases, orbit.cell.cycles
+    sizes = [max(map(abs, ends)) for ends in orbit.extremes.values()] if cycles > 1 else []
+    for times in range(cycles, 1, -1):
+        if cycles % times or len(phases) % times:
+            continue
+        later = len(phases) // times
+        again = [*phases[later:], *phases[:later]]
+        apart = max(
+            max(
+                abs(one.duration - other.duration) / orbit.period,
+                abs(one.displacement - other.displacement) / sizes[0],
+                abs(one.velocity - other.velocity) / sizes[1],
+            )
+            for one, other in zip(phases, again, strict=True)
+        )
+        if apart <= SAME:
+            count = cycles // times
+            cell = f"{count} cycle{'s' if count > 1 else ''}"
+            return (f"it is an orbit of {cell} of the forcing, {times} times in a row",)
+    return ()
 
 
 def _held(orbit: SceneMotion, p: int) -> list[str]:
-    phase, s = orbit.case.cell.phases[p], float(orbit.cell_durations[p])
+    phase, s = orbit.cell.phases[p], float(orbit.cell_durations[p])
     if not (phase.held and phase.speed):
         return []
     first, last = orbit.part(p, np.array([0.0, 1.0]), 0)
@@ -78,7 +120,7 @@ def _held(orbit: SceneMotion, p: int) -> list[str]:
 
 def _demand(orbit: SceneMotion, p: int, words: str, form: Form, allowed: float) -> list[str]:
     """Return how a demand on a phase is violated, if it is."""
-    phase, scale = orbit.case.cell.phases[p], scale_of(orbit, p, form)
+    phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
 
     def value(u: Vector) -> Vector:
         return np.asarray(terms(orbit, p, form, u).sum(axis=0))

@@ -31,7 +31,7 @@ def defect(orbit: SceneMotion, p: int) -> tuple[float, float]:
 
     Both without units; on a held phase the residual is the acceleration.
     """
-    cell, durations = orbit.case.cell, orbit.cell_durations
+    cell, durations = orbit.cell, orbit.cell_durations
     phase, s = cell.phases[p], float(durations[p])
     angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
 
@@ -52,7 +52,7 @@ def defect(orbit: SceneMotion, p: int) -> tuple[float, float]:
 
 def by_residual(orbit: SceneMotion) -> Allowance:
     """Return what each demand of an orbit may fall below 0, as a part of its scale."""
-    found = [defect(orbit, p) for p in range(len(orbit.case.cell.phases))]
+    found = [defect(orbit, p) for p in range(len(orbit.cell.phases))]
     velocity, displacement = map(max, zip(*found, strict=True))
 
     def allowed(p: int, form: Form) -> float:

@@ -4,10 +4,12 @@ import math
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from ..case.smoothness import classes
 from ..stability import words as stability
 
 if TYPE_CHECKING:
     from ..case.case import Case
+    from ..case.cell import Phase
     from ..flow.exact import ExactSceneOrbit
     from ..no_orbit import NoOrbit
     from .orbit import SceneOrbit
@@ -23,7 +25,9 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
         "schema": SCHEMA,
         "scene": orbit.case.scene.name,
         "class": orbit.smoothness,
-        "motion": None,
+        "classes": [f"C{k}" for k in classes(orbit.case.cell)],
+        "motion": orbit.case.scene.motion,
+        "cycles": orbit.case.cycles,
         "method": orbit.method,
         "order": orbit.order,
         "functions": orbit.functions,
@@ -41,6 +45,7 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
         ],
         "period": orbit.period,
         "forcing_phase": orbit.forcing_phase,
+        "memory": orbit.memory,
         "extremes": {name: list(ends) for name, ends in orbit.extremes.items()},
         "coefficients": orbit.coefficients,
         "admissible": orbit.admissible,
@@ -63,7 +68,9 @@ def document_without_orbit(
         "schema": SCHEMA,
         "scene": case.scene.name,
         "class": f"C{case.scene.k}",
-        "motion": None,
+        "classes": [] if case.scene.motions else [f"C{k}" for k in classes(case.cell)],
+        "motion": case.scene.motion,
+        "cycles": case.cycles,
         "method": method,
         "order": order,
         "functions": functions,
@@ -73,10 +80,11 @@ def document_without_orbit(
         "residual_norm": None,
         "phases": [
             {"name": phase.name, "duration": None, "start": dict(ends)}
-            for phase in case.cell.phases * case.cell.cells
+            for phase in _phases(case)
         ],
         "period": None,
         "forcing_phase": None,
+        "memory": {},
         "extremes": dict(ends),
         "coefficients": None,
         "admissible": False,
@@ -88,6 +96,11 @@ def document_without_orbit(
         "status": finding.status,
     }
     return {name: _finite(value) for name, value in content.items()}
+
+
+def _phases(case: "Case") -> "tuple[Phase, ...]":
+    """Return the phases of a period; none, where several motions are possible."""
+    return () if case.scene.motions else case.cell.phases * case.cell.cells
 
 
 def without_errors() -> dict[str, None]:

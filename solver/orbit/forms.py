@@ -17,7 +17,7 @@ UNIT_FORMS: tuple[Form, ...] = (
 
 def terms(orbit: SceneMotion, p: int, form: Form, u: Vector) -> Vector:
     """Return the terms of a linear form in the state, at local times of a phase."""
-    cell, durations = orbit.case.cell, orbit.cell_durations
+    cell, durations = orbit.cell, orbit.cell_durations
     angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
     cosine = np.cos(angle + cell.omega * durations[p] * u)
     x, v, cos, constant = form
@@ -40,7 +40,7 @@ def scale_of(orbit: SceneMotion, p: int, form: Form) -> float:
 
 def vanishes_by_event(orbit: SceneMotion, p: int, form: Form) -> bool:
     """Whether a demand is the event that ends the phase, but for a factor."""
-    event_form = orbit.case.cell.phases[p].event
+    event_form = orbit.cell.phases[p].event
     sizes = np.array([scale_of(orbit, p, unit) for unit in UNIT_FORMS])
     demand, event = np.array(form) * sizes, np.array(event_form) * sizes
     if not event.any() or not demand.any():

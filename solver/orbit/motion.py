@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from ..arrays import Vector
 from ..case.case import Case
+from ..case.cell import Cell
 from .extremes import extremes
 
 if TYPE_CHECKING:
@@ -48,6 +49,22 @@ class SceneMotion:
     def cell_durations(self) -> Vector:
         """Durations of the phases of the cell, without units."""
         raise NotImplementedError
+
+    @property
+    def memory_values(self) -> tuple[float, ...]:
+        """What the switches of the cell set, without units, in the order of its memory."""
+        return ()
+
+    @cached_property
+    def cell(self) -> Cell:
+        """The equations of the cell, with numbers for what its switches set."""
+        return self.case.cell.remembering(self.memory_values)
+
+    @cached_property
+    def memory(self) -> dict[str, float]:
+        """What the switches of the first cell set, by name, in SI units."""
+        values = zip(self.case.cell.memory, self.memory_values, strict=True)
+        return {q.name: value * self.case.units.of_motion(q.power) for q, value in values}
 
     @property
     def angle(self) -> float:

@@ -70,8 +70,14 @@ class SceneOrbit(SceneMotion):
 
     def part(self, p: int, u: Vector, derivative: int) -> Vector:
         """Return a derivative of the displacement on phase `p` of the cell, without units."""
-        values = self._kernel.motion(self.case.numbers, self.unknowns, p, u, derivative)
+        values = self._kernel.motion(self.case.arguments, self.unknowns, p, u, derivative)
         return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
+
+    @property
+    def memory_values(self) -> tuple[float, ...]:
+        """What the switches set, without units, in the order of the cell's memory."""
+        found = self._kernel.coefficients(self.unknowns)
+        return tuple(float(found[memory.name][0]) for memory in self.case.cell.memory)
 
     @property
     def smoothness(self) -> str:
@@ -93,7 +99,10 @@ class SceneOrbit(SceneMotion):
         """The coefficients of the expansion by name, in SI units."""
         units = self.case.units
         found: dict[str, float | list[float]] = {}
+        memory = {q.name for q in self.case.cell.memory}
         for name, (values, power) in self._kernel.coefficients(self.unknowns).items():
+            if name in memory:
+                continue
             unit = product_of_powers(units.length, (units.time, -power))
             found[name] = (np.asarray(values, dtype=float) * unit).tolist()
         return found
@@ -166,6 +175,6 @@ class SceneOrbit(SceneMotion):
     def __repr__(self) -> str:
         name = shown(self.case.scene, self.method)
         return (
-            f"<{self.case.scene.name} by {name}, N = {self.order}: T = {self.period:.10g} s, "
+            f"<{self.case.scene.label} by {name}, N = {self.order}: T = {self.period:.10g} s, "
             f"{self.iterations} iterations>"
         )

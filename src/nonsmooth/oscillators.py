@@ -40,6 +40,8 @@ def solve(
     functions: int | None = None,
     tol: float | None = None,
     budget: float | None = None,
+    motion: str | None = None,
+    cycles: int | None = None,
     shortcuts: bool = True,
 ) -> "SceneOrbit": ...
 
@@ -52,6 +54,8 @@ def solve(
     functions: int | None = None,
     tol: float | None = None,
     budget: float | None = None,
+    motion: str | None = None,
+    cycles: int | None = None,
     shortcuts: bool = True,
     **own: Any,
 ) -> "Orbit | SceneOrbit":
@@ -81,6 +85,11 @@ def solve(
     budget : float, optional
         Seconds for one orbit: the best that fits, timed on this machine, by this method or
         by any.  It chooses the order, and excludes a tolerance.
+    motion : str, optional
+        Of a scene with several motions, orders of its phases, the one that is meant; without
+        it each is tried, and the orbit that there is is returned.
+    cycles : int, optional
+        Periods of the forcing in one of the motion; without it those of the case, usually 1.
     shortcuts : bool
         Whether a `StickSlip` is solved the paper's way where it has one; without, by the
         kernels that every scene has.
@@ -109,6 +118,10 @@ def solve(
     1.103021 rad, 3e-13
     >>> ns.solve(case, tol=1e-6).order
     7
+    >>> ns.solve(ns.scene("dry-friction")(frequency=0.4), order=8).case.scene.motion
+    'two-stops'
+    >>> ns.solve(ns.scene("impact")(frequency=3.6), order=8, cycles=2)
+    <impact by c0-tau, N = 8: T = 3.490658504 s, 7 iterations>
     >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
     ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
     >>> print(f"{ns.solve(belt, 'c1', 7).period:.9f}, {ns.solve(belt, 'c1-tau', 7).period:.9f}")
@@ -116,10 +129,15 @@ def solve(
     """
     generic, entrance = _way(case, [method], functions, shortcuts)
     if entrance is not None:
+        if motion is not None or cycles not in (None, 1):
+            what, value = ("motion", motion) if motion is not None else ("cycles", cycles)
+            raise ValueError(f"{what}: got {value!r}, expected it for a case of ns.scene(...)")
         if budget is not None:
             own["budget"] = budget
         orbit: Orbit = entrance.solve(case, entrance.own_name(method), order, tol=tol, **own)
         return orbit
+    if cycles is not None:
+        generic = generic.with_cycles(cycles)
     if own:
         option, value = next(iter(own.items()))
         raise ValueError(f"{option}: got {value!r}, expected it for the paper's methods only")
@@ -137,10 +155,10 @@ def solve(
         return choose_within(generic, budget, method, functions).orbit
     chosen = FIRST if method is None else method
     if tol is None:
-        return solve_case(generic, chosen, 10 if order is None else order, functions)
+        return solve_case(generic, chosen, 10 if order is None else order, functions, motion)
     from .solver.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
-    return choose_order(generic, tol, chosen, functions).orbit
+    return choose_order(generic, tol, chosen, functions, motion).orbit
 
 
 def sweep(

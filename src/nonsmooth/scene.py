@@ -5,7 +5,7 @@ Examples
 >>> import nonsmooth as ns
 >>> ns.scene("impact")(gap=0.2).values["gap"]
 0.2
->>> from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, t, v, x
+>>> from nonsmooth.scene import Event, Memory, Parameter, Phase, Scene, a, forcing, t, v, x
 >>> Event(x).zero
 x
 """
@@ -16,11 +16,24 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .codegen.scene import Event, Parameter, Phase, Scene, SceneError, a, forcing, t, v, x
+    from .codegen.scene import (
+        Event,
+        Memory,
+        Parameter,
+        Phase,
+        Scene,
+        SceneError,
+        a,
+        forcing,
+        t,
+        v,
+        x,
+    )
     from .solver.case.numbers import SceneNumbers
 
 __all__ = [
-    "Event", "Parameter", "Phase", "Scene", "SceneError", "a", "find", "forcing", "t", "v", "x",
+    "Event", "Memory", "Parameter", "Phase", "Scene", "SceneError",
+    "a", "find", "forcing", "t", "v", "x",
 ]  # fmt: skip
 
 

@@ -16,11 +16,10 @@ from nonsmooth.solver.solve import solve_case
 
 #: The keys of `solve --json` of a scene, as they are fixed, and those of every file.
 KEYS = [
-    "schema", "scene", "class", "motion", "method", "order", "functions", "parameters",
-    "converged", "iterations", "residual_norm", "phases", "period", "forcing_phase", "extremes",
-    "coefficients", "admissible", "violations", "exact", "errors", "estimate",
-    "multipliers", "stable", "units",
-    "version", "mathematics", "sha256",
+    "schema", "scene", "class", "classes", "motion", "cycles", "method", "order", "functions",
+    "parameters", "converged", "iterations", "residual_norm", "phases", "period",
+    "forcing_phase", "memory", "extremes", "coefficients", "admissible", "violations", "exact",
+    "errors", "estimate", "multipliers", "stable", "units", "version", "mathematics", "sha256",
 ]  # fmt: skip
 
 CASE = "[impact]\nmass = 2\ndamping = 0.1\nstiffness = 3\nforce = 1.5\nfrequency = 2.2\n"
@@ -40,14 +39,15 @@ def test_the_list_of_scenes(run) -> None:
         scene = registry.load(name)
         (line,) = [q for q in out.splitlines() if q.split()[0] == name]
         assert line.split()[1] == f"C{scene.k}"
-        assert ", ".join(scene.phases) in line
+        orders = (", ".join(motion.phases) for motion in scene.each_motion)
+        assert "; ".join(orders) in line
     assert max(map(len, out.splitlines())) <= 80
     _, out, _ = run("scenes", "--json")
     document = json.loads(out)
     assert document["schema"] == 1
     assert [each["name"] for each in document["scenes"]] == list(registry.names())
     assert [set(each) for each in document["scenes"]] == [
-        {"name", "what", "class", "phases"}
+        {"name", "what", "class", "phases", "motions"}
     ] * len(registry.names())
 
 
@@ -72,7 +72,8 @@ def test_what_a_scene_is(run) -> None:
     assert phase["equation"] == "m x'' + c x' + k x = F cos(Omega t + phi)"
     assert phase["ends"] == "x - g = 0"
     assert phase["jump"] == "x' -> -r x'"
-    assert phase["begins"] == {"class": "C0", "jumps": "x'"}
+    begins = {"class": "C0", "jumps": "x'", "class_of_defaults": "C0"}
+    assert phase["begins"] == begins
     assert phase["demands"][0] == {
         "what": "the mass stays before the stop",
         "expression": "-x + g >= 0",
@@ -189,7 +190,7 @@ def test_a_tolerance_that_cannot_be_met_is_refused(run, arguments, words) -> Non
     ("arguments", "words"),
     [
         (("impakt",), "did you mean impact?"),
-        (("42",), "expected one of impact"),
+        (("42",), "expected one of backlash"),
         (("impact", "--method", "c1-tau"), "--method: got 'c1-tau', expected one of"),
         (("impact", "--method", "c0-tao"), "did you mean ck-tau?"),
         (("impact", "--gab", 1), "impact has no --gab. Did you mean --gap?"),

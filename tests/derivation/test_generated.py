@@ -56,8 +56,14 @@ def test_the_folder_has_the_files_of_every_scene_and_no_others() -> None:
     found = {path.parent.name for path in generate.FOLDER.glob("*/scene.py")}
     assert found == {name.replace("-", "_") for name in scenes.names()}
     expected = {"__init__", "scene", *kernels_of_a_scene()}
-    for name in found:
-        assert {path.stem for path in (generate.FOLDER / name).glob("*.py")} == expected
+    for scene in map(scenes.load, scenes.names()):
+        folder = generate.FOLDER / scene.name.replace("-", "_")
+        motions = [folder / motion.replace("-", "_") for motion in scene.motions]
+        for each in motions or [folder]:
+            assert {path.stem for path in each.glob("*.py")} == expected
+        if motions:
+            assert {path.stem for path in folder.glob("*.py")} == {"__init__", "scene"}
+            assert {path.parent for path in folder.glob("*/scene.py")} == {*motions}
 
 
 #: What stands for the derived files where only the handling of files is tested.

@@ -39,6 +39,11 @@ class Oscillator:
     Omega : float or None
     sign : int
         -1 where the cell is half a period.
+    cycles : int
+        Periods of the forcing in the period.
+    memory : tuple of (float, float)
+        What the displacement in which the first phase begins, kept, is multiplied by: in the
+        force on each phase, and in the event at its end.
     """
 
     phases: tuple[tuple[float, ...], ...]
@@ -48,9 +53,22 @@ class Oscillator:
     rho: float = 1.0
     Omega: float | None = None
     sign: int = 1
+    cycles: int = 1
+    memory: tuple[tuple[float, float], ...] = ()
 
 
 OSCILLATORS = {
+    "S1n2": Oscillator(
+        ((1, 0.1, 1, 0, 1),), ((1, 0, 0, -0.1),), (0,), (False,), -0.6, 3.6, cycles=2
+    ),
+    "S4a": Oscillator(
+        ((1, 0.1, 1.2, -0.5, 1), (1, 0.1, 0.2, 0.5, 1)),
+        ((1, 0, 0, 1.0), (0, 1, 0, 0)),
+        *((3, 2), (False, False)),
+        Omega=0.8,
+        sign=-1,
+        memory=((1.0, -1.0), (0.0, 0.0)),
+    ),
     "S1": Oscillator(((1, 0.1, 1, 0, 1),), ((1, 0, 0, -0.1),), (0,), (False,), -0.6, 1.8),
     "S2b": Oscillator(
         ((1, 0.2, 5, 2, 1), (1, 0.2, 1, 0, 1)),
@@ -79,9 +97,12 @@ OSCILLATORS = {
 class Cell:
     """A motion of an oscillator over one cell, and what its conditions ask of it."""
 
-    def __init__(self, o: Oscillator, s: np.ndarray, phi: float, motion: Motion) -> None:
-        self.o, self.s, self.phi, self.motion = o, s, phi, motion
-        self.t = np.concatenate([[0.0], np.cumsum(s)])
+    def __init__(self, o: Oscillator, z: np.ndarray, motion: Motion) -> None:
+        first = len(z) - len(o.phases) - (o.Omega is not None)
+        self.o, self.motion, self.phi = o, motion, z[-1]
+        self.s = z[first : first + len(o.phases)]
+        self.w = z[first - 1] if o.memory else 0.0
+        self.t = np.concatenate([[0.0], np.cumsum(self.s)])
         self.period = self.t[-1] if o.sign == 1 else 2 * self.t[-1]
 
     def forcing(self, time, order=0):
@@ -94,7 +115,12 @@ class Cell:
         """Return the residual of phase p at the nodes."""
         m, c, k, f, g = self.o.phases[p]
         x, v, a = (self.motion(p, NODES, order) for order in range(3))
+        f = f + self.kept(p)
         return m * a + c * v + k * x - f - g * self.forcing(self.t[p] + self.s[p] * NODES)
+
+    def kept(self, p, column=0):
+        """Return what the memory adds to the force on a phase, or to its event."""
+        return self.o.memory[p][column] * self.w if self.o.memory else 0.0
 
     def on_phase(self, p, test):
         """Return the integral of residual times test over the local time of a phase."""
@@ -145,6 +171,7 @@ class Cell:
     def _differentiated(self, p, order, at, time):
         m, c, k, f, g = self.o.phases[p]
         terms = m * at(p, order) + c * at(p, order - 1) + k * at(p, order - 2)
+        f = f + self.kept(p)
         return terms - (f if order == 2 else 0.0) - g * self.forcing(time, order - 2)
 
     def impacts(self):
@@ -156,10 +183,13 @@ class Cell:
 
     def events(self):
         for p, (x, v, cos, constant) in enumerate(self.o.events):
-            terms = x * self.end(p, 0) + v * self.end(p, 1) + constant
+            terms = x * self.end(p, 0) + v * self.end(p, 1) + constant + self.kept(p, 1)
             yield terms + cos * self.forcing(self.t[p + 1])
+        if self.o.memory:
+            yield self.w - self.start(0, 0)
         if self.o.Omega is not None:
-            yield self.t[-1] - (1 if self.o.sign == -1 else 2) * pi / self.o.Omega
+            turns = self.o.cycles * (1 if self.o.sign == -1 else 2)
+            yield self.t[-1] - turns * pi / self.o.Omega
 
     def harmonics(self, N, impulses):
         """Yield the orthogonality to harmonics; impulses are those at the switches."""
@@ -192,7 +222,7 @@ def polynomial_rows(o, z, N, weighted):
     def motion(p, u, order):
         return shapes[p].deriv(order)(u) / times[p] ** order
 
-    cell = Cell(o, times[: len(o.phases)], times[-1], motion)
+    cell = Cell(o, z, motion)
     rows = []
     for p, k in enumerate(o.classes):
         for l in range(0 if o.held[p] else N + k + 1 - max(1, k)):
@@ -227,7 +257,7 @@ def fourier_rows(o, z, N):
             found = found + impulses[p] / 2 * (u == 0) - sign * impulses[after] / 2 * (u == 1)
         return found
 
-    cell = Cell(o, times[: len(o.phases)], times[-1], motion)
+    cell = Cell(o, z, motion)
     rows = cell.harmonics(N, impulses)
     return np.array([*rows, *cell.impacts(), *cell.events()])
 
@@ -284,7 +314,7 @@ def broken_rows(o, z, N, functions):
                 place += 1
         return found
 
-    cell = Cell(o, s, z[-1], motion)
+    cell = Cell(o, z, motion)
     rows = cell.harmonics(N, [0.0] * len(s))
     return np.array([*rows, *cell.jumps(functions), *cell.events()])
 

@@ -25,18 +25,18 @@ DERIVE = {
 
 def conditions(name: str, kernel: str) -> GalerkinConditions:
     """Return the conditions of a scene of the references."""
-    return _derived(SCENES[name][0].name, kernel)
+    return _derived(SCENES[name][0].label, kernel)
 
 
 @cache
 def _derived(scene: str, kernel: str) -> GalerkinConditions:
-    (found, *_) = (q for q, _ in SCENES.values() if q.name == scene)
+    (found, *_) = (q for q, _ in SCENES.values() if q.label == scene)
     return DERIVE[kernel](found)
 
 
 def source(name: str, kernel: str) -> str:
     """Return the text of a kernel of a scene of the references."""
-    return _source(SCENES[name][0].name, kernel)
+    return _source(SCENES[name][0].label, kernel)
 
 
 @cache
@@ -46,7 +46,7 @@ def _source(scene: str, kernel: str) -> str:
 
 def module(name: str, kernel: str) -> types.ModuleType:
     """Return a kernel of a scene of the references, as a module of plain Python."""
-    return _module(SCENES[name][0].name, kernel)
+    return _module(SCENES[name][0].label, kernel)
 
 
 @cache

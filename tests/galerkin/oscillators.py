@@ -1,13 +1,22 @@
 """Scenes of the references that do not come with the program: as a user would write them."""
 
+import numpy as np
 import sympy as sp
 
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
-from nonsmooth.codegen.scenes import impact, stick_slip, stick_slip_damped
+from nonsmooth.codegen.scenes import (
+    backlash,
+    clearance,
+    dry_friction,
+    elastic_plastic,
+    impact,
+    impact_two_sided,
+    stick_slip,
+    stick_slip_damped,
+)
 
-m, k, F, Omega, r, h = sp.symbols("m k F Omega r h", positive=True)
-c, f_d, f_s = sp.symbols("c f_d f_s", nonnegative=True)
-g = sp.Symbol("g", positive=True)
+m, k, F, Omega = sp.symbols("m k F Omega", positive=True)
+c = sp.Symbol("c", nonnegative=True)
 
 MASS = Parameter("mass", m, "kg", 1.0, "mass")
 STIFFNESS = Parameter("stiffness", k, "N/m", 1.0, "stiffness")
@@ -25,71 +34,37 @@ def frequency(value: float) -> Parameter:
     return Parameter("frequency", Omega, "rad/s", value, "angular frequency")
 
 
-def gap(value: float) -> Parameter:
-    return Parameter("gap", g, "m", value, "gap")
-
-
-#: S2b: contact first, as in the references.
-CLEARANCE = Scene(
-    "one-sided-contact",
-    "a spring behind a gap",
+#: S3c: sliding and at rest the friction is the same, and so the motion is smoother.
+LIMIT = sp.Symbol("f_d", nonnegative=True)
+EQUAL_FRICTION = Scene(
+    "equal-friction",
+    "a driven mass with dry friction that stops twice a period",
     (
-        *(MASS, damping(0.2), STIFFNESS, force(1.0), frequency(1.3), gap(0.5)),
-        Parameter("contact_stiffness", h, "N/m", 4.0, "stiffness of the contact"),
+        *(MASS, damping(0.1), STIFFNESS, force(1.0), frequency(0.4)),
+        Parameter("friction", LIMIT, "N", 0.5, "force of friction"),
     ),
     (
-        Phase("contact", m * a + c * v + k * x + h * (x - g) - F * forcing, Event(x - g)),
-        Phase("free", m * a + c * v + k * x - F * forcing, Event(x - g)),
-    ),
-    frequency=Omega,
-)
-
-#: S2a: a dead zone, half a period.
-DEAD_ZONE = Scene(
-    "dead-zone",
-    "a spring with play on both sides",
-    (MASS, damping(0.1), STIFFNESS, force(0.8), frequency(0.7), gap(1.0)),
-    (
-        Phase("engaged", m * a + c * v + k * (x - g) - F * forcing, Event(x - g)),
-        Phase("loose", m * a + c * v - F * forcing, Event(x + g)),
+        Phase("down", m * a + c * v + k * x - LIMIT - F * forcing, Event(v)),
+        Phase("rest", a, Event(x * k - F * forcing + LIMIT), held=sp.Integer(0)),
     ),
     frequency=Omega,
     half_period=True,
 )
 
-#: S3a: sliding without a stop, down first.
-SLIDE_DOWN = m * a + c * v + k * x - f_d - F * forcing
-FRICTION = Parameter("friction", f_d, "N", 0.3, "force of sliding friction")
-SLIDING = Scene(
-    "sliding",
-    "a driven mass with dry friction that never stops",
-    (MASS, damping(0.1), STIFFNESS, force(1.0), frequency(0.8), FRICTION),
-    (Phase("down", SLIDE_DOWN, Event(v)),),
+#: S1b: an impulse at prescribed times, which are those at which the cosine is zero.
+IMPULSE = sp.Symbol("I", positive=True)
+KICKED = Scene(
+    "kicked",
+    "a mass on a spring that is kicked once a period",
+    (
+        *(MASS, damping(0.1), STIFFNESS),
+        Parameter("impulse", IMPULSE, "N s", 1.0, "impulse of a kick"),
+        frequency(2 * np.pi / 4.5),
+    ),
+    (Phase("swing", m * a + c * v + k * x, Event(forcing, jump={v: v + IMPULSE / m})),),
     frequency=Omega,
-    half_period=True,
+    scales={"length": IMPULSE / m / Omega},
 )
-
-
-def _stopping(name: str, limit: sp.Expr, *friction: Parameter) -> Scene:
-    """Return a scene that rests while the load is below a limit."""
-    return Scene(
-        name,
-        "a driven mass with dry friction that stops twice a period",
-        (MASS, damping(0.1), STIFFNESS, force(1.0), frequency(0.4), *friction),
-        (
-            Phase("down", SLIDE_DOWN, Event(v)),
-            Phase("rest", a, Event(x * k - F * forcing + limit), held=sp.Integer(0)),
-        ),
-        frequency=Omega,
-        half_period=True,
-    )
-
-
-#: S3b: with a stop in each half period; S3c: the friction is the same at rest.
-MOVING = Parameter("friction", f_d, "N", 0.5, "force of sliding friction")
-AT_REST = Parameter("static_friction", f_s, "N", 0.6, "largest force at rest")
-TWO_STOPS = _stopping("two-stops", f_s, MOVING, AT_REST)
-EQUAL_FRICTION = _stopping("equal-friction", f_d, MOVING)
 
 #: S5c: the friction falls with the speed, and is continuous where the mass is at rest.
 M, K, V, mu, F_N, w = sp.symbols("M K V mu F_N w", positive=True)
@@ -111,43 +86,40 @@ CONTINUOUS = Scene(
     ),
 )
 
-#: S6: impacts on both sides, half a period.
-TWO_SIDED = Scene(
-    "two-sided",
-    "a driven mass between two stops",
-    (
-        *(MASS, damping(0.1), STIFFNESS, force(1.0), frequency(1.2), gap(0.8)),
-        Parameter("restitution", r, "", 0.6, "restitution", most=1),
-    ),
-    (
-        Phase(
-            "crossing",
-            m * a + c * v + k * x - F * forcing,
-            Event(x + g, jump={v: -r * v}),
-        ),
-    ),
-    frequency=Omega,
-    half_period=True,
-)
-
 #: By the name of the scene in the references; parameters in the order of the scene, where
 #: they are not its defaults.
 SCENES = {
     "S0n": (stick_slip.SCENE, (1.0, 1.0, 1.0, 1.0, 0.0, 1.0)),
     "S1": (impact.SCENE, None),
-    "S2a": (DEAD_ZONE, None),
-    "S2b": (CLEARANCE, None),
-    "S3a": (SLIDING, None),
-    "S3b": (TWO_STOPS, None),
+    "S1n2": (impact.SCENE, (1.0, 0.1, 1.0, 1.0, 3.6, 0.1, 0.6)),
+    "S1b": (KICKED, None),
+    "S2a": (backlash.SCENE, None),
+    "S2b": (clearance.SCENE, None),
+    "S3a": (dry_friction.SCENE.of_motion("sliding"), None),
+    "S3b": (
+        dry_friction.SCENE.of_motion("two-stops"),
+        (1.0, 0.1, 1.0, 1.0, 0.6, 0.5, 1.0, 0.4),
+    ),
     "S3c": (EQUAL_FRICTION, None),
+    "S4a": (elastic_plastic.SCENE, None),
+    "S4b": (elastic_plastic.SCENE, (1.0, 0.1, 1.0, 0.5, 0.0, 1.0, 0.8)),
     "S5a": (stick_slip_damped.SCENE, (1.0, 1.0, 1.0, 3.0, 1.0, 1.0, 0.1, 0.0)),
     "S5b": (stick_slip_damped.SCENE, (1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 0.1, 0.2)),
     "S5c": (CONTINUOUS, None),
-    "S6": (TWO_SIDED, None),
+    "S6": (impact_two_sided.SCENE, None),
 }
 
+#: Periods of the forcing in the period, where there are several.
+CYCLES = {"S1n2": 2}
 
-def case_of(name: str) -> tuple[float, ...]:
+
+def parameters_of(name: str) -> tuple[float, ...]:
     """Return the parameters of a scene of the references, which has units of 1."""
     scene, values = SCENES[name]
     return values or tuple(float(q.default) for q in scene.parameters)
+
+
+def case_of(name: str) -> tuple[float, ...]:
+    """Return what kernels call a case: the parameters and, where forced, the cycles."""
+    forced = SCENES[name][0].frequency is not None
+    return (*parameters_of(name), *((CYCLES.get(name, 1),) if forced else ()))

@@ -12,14 +12,17 @@ TOLERANCE = {True: 1e-9, False: 1e-12}
 
 
 def tolerance(name: str, kernel: str) -> float:
-    return TOLERANCE[kernel == "ck" and max(REFERENCES[name]["classes"]) == 2]
+    return TOLERANCE[kernel == "ck" and max(REFERENCES[name]["classes"]) >= 2]
 
 
 #: Scenes whose phases are those of another one, with other numbers.
 REPEATED = ("S3c", "S5b", "S5c")
 
+#: Test functions of class C^3 have more rows of their own than there are at order 4.
+TOO_LOW = {("S4a", "ck", 4), ("S4b", "ck", 4)}
+
 #: Two functions a switch are tried on scenes of one phase, and here on one of two.
-COSTLY = {(name, "hb_ck_2") for name in ("S2a", "S2b", "S5a")}
+COSTLY = {(name, "hb_ck_2") for name in ("S2a", "S2b", "S4a", "S4b", "S5a")}
 
 
 @pytest.mark.parametrize(
@@ -31,6 +34,7 @@ COSTLY = {(name, "hb_ck_2") for name in ("S2a", "S2b", "S5a")}
             marks=pytest.mark.long if q[0] in REPEATED or (q[0], q[1]) in COSTLY else [],
         )
         for q in solutions("ck_tau", "ck", "hb", "hb_ck_1", "hb_ck_2")
+        if (q[0], q[1], q[2]["order"]) not in TOO_LOW
     ],
 )
 def test_times_and_states_are_those_of_the_references(name, method, row):

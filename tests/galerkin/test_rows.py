@@ -22,7 +22,7 @@ def random_unknowns(name, kernel, order):
     durations = times_of(made, z)[: len(o.phases)]
     durations[:] = random.uniform(0.5, 1.5, len(o.phases))
     if o.Omega is not None:
-        cell = (1 if o.sign == -1 else 2) * np.pi / o.Omega
+        cell = o.cycles * (1 if o.sign == -1 else 2) * np.pi / o.Omega
         durations *= cell / durations.sum()
     return z
 

@@ -6,6 +6,7 @@ symbols that stand for them in the paper, less those that any mechanical system 
 
 import ast
 import io
+import keyword
 import re
 import tokenize
 from collections.abc import Iterator
@@ -20,7 +21,9 @@ from nonsmooth.generated.methods import METHODS as GENERIC_METHODS
 from nonsmooth.solver.shortcuts.names import METHODS, SCENE
 
 #: What the generic interface itself speaks of.
-GENERAL = frozenset({"mass", "damping", "stiffness", "force", "frequency", "speed", "damped"})
+GENERAL = frozenset(
+    {"mass", "damping", "stiffness", "force", "frequency", "speed", "damped", "two"}
+)
 
 #: Names of the paper's oscillator that no record has.
 PAPER = frozenset({"belt", "alpha", "t1", "backlash"})
@@ -46,11 +49,15 @@ def words() -> frozenset[str]:
     found: set[str] = set(PAPER)
     for scene in map(scenes.load, scenes.names()):
         found |= set(scene.name.split("-"))
-        for phase in scene.phases:
+        for phase in (phase for motion in scene.each_motion for phase in motion.phases):
             found.add(phase.name)
+        for motion in scene.motions:
+            found |= set(motion.split("-"))
         for parameter in scene.parameters:
             found |= set(parameter.name.split("_"))
-    return frozenset(word for word in found - GENERAL if len(word) > 1)
+    return frozenset(
+        word for word in found - GENERAL if len(word) > 1 and not keyword.iskeyword(word)
+    )
 
 
 def sources() -> Iterator[Path]:

@@ -7,7 +7,7 @@ import types
 import numpy as np
 import pytest
 import sympy as sp
-from galerkin.oscillators import SCENES, case_of
+from galerkin.oscillators import SCENES, parameters_of
 from small_scene import PARAMETERS, F, Omega, belt, g, k, m, r, refused, scene
 
 from nonsmooth.codegen.emission.scene_numbers import scene_source
@@ -152,7 +152,7 @@ def test_dimensionless_numbers_know_no_units(emitted):
 def test_equations_in_these_units_have_numbers_of_moderate_size(name):
     made = SCENES[name][0]
     module = module_of(made)
-    values = case_of(name)
+    values = parameters_of(name)
     numbers = dimensionless(module, values)
     if made.frequency is not None:
         assert numbers[made.symbols.index(made.frequency)] == pytest.approx(1.0)

@@ -9,19 +9,15 @@ from galerkin.oscillators import (
     CONTINUOUS,
     EQUAL_FRICTION,
     SCENES,
-    SLIDING,
-    TWO_SIDED,
-    TWO_STOPS,
-    F,
-    c,
-    f_d,
-    k,
-    m,
 )
 from small_scene import FLIGHT, refused, scene
 
-from nonsmooth.codegen.scene import Event, Phase, a, forcing, switches, v, x
+from nonsmooth.codegen.scene import Event, switches, v, x
 from nonsmooth.codegen.scene.smoothness import Switch, generator
+from nonsmooth.codegen.scenes import dry_friction
+
+SLIDING = SCENES["S3a"][0]
+F, F_N = dry_friction.F, dry_friction.F_N
 
 
 def classes(made):
@@ -37,17 +33,17 @@ def test_equal_friction_is_smoother_from_stick_to_slip_and_not_back():
     stop, start = switches(EQUAL_FRICTION)
     assert (stop.after, stop.before, stop.k, stop.derivative) == ("rest", "down", 2, "x'''")
     assert (start.after, start.before, start.k, start.derivative) == ("down", "rest", 1, "x''")
-    assert classes(TWO_STOPS) == [1, 1]
+    assert classes(SCENES["S3b"][0]) == [1, 1]
     assert classes(CONTINUOUS) == [1, 2]
 
 
 def test_an_impact_jumps_in_the_velocity():
-    (impact,) = switches(TWO_SIDED)
+    (impact,) = switches(SCENES["S6"][0])
     assert (impact.k, impact.jumps, impact.derivative) == (0, 1, "x'")
 
 
 def test_a_law_that_changes_nothing_is_no_impact():
-    law = ((F + f_d) ** 2 - F**2 - f_d**2) / (2 * F * f_d) * v
+    law = ((F + F_N) ** 2 - F**2 - F_N**2) / (2 * F * F_N) * v
     assert law != v
     same = replace(SLIDING.phases[0], ends=Event(v, jump={v: law}))
     assert classes(replace(SLIDING, phases=(same,))) == [1]
@@ -56,26 +52,23 @@ def test_a_law_that_changes_nothing_is_no_impact():
 
 
 def test_a_contact_damper_makes_a_clearance_less_smooth():
-    d, h, g = sp.symbols("d h g", positive=True)
-    free = m * a + c * v + k * x - F * forcing
+    d = sp.Symbol("d", positive=True)
     made = SCENES["S2b"][0]
     damper = replace(made.parameters[1], name="damper", symbol=d)
-    contact = Phase("contact", free + h * (x - g) + d * v, Event(x - g))
+    contact, separated = made.phases
+    damped = replace(contact, equation=contact.equation + d * v)
     with_damper = replace(
-        made,
-        phases=(contact, Phase("free", free, Event(x - g))),
-        parameters=(*made.parameters, damper),
+        made, phases=(damped, separated), parameters=(*made.parameters, damper)
     )
     assert classes(with_damper) == [1, 1]
     assert classes(made) == [2, 2]
 
 
 def test_a_spring_that_begins_at_another_place_makes_a_step_of_the_force():
-    g, h = sp.symbols("g h", positive=True)
     made = SCENES["S2b"][0]
-    contact, free = made.phases
-    begun = replace(contact, equation=contact.equation + h * g)
-    assert classes(replace(made, phases=(begun, free))) == [1, 1]
+    contact, separated = made.phases
+    begun = replace(contact, equation=contact.equation + F)
+    assert classes(replace(made, phases=(begun, separated))) == [1, 1]
 
 
 def test_the_mirrored_side_of_half_a_period_has_its_forces_mirrored():

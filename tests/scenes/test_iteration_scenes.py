@@ -122,16 +122,16 @@ def test_compiled_and_plain_kernels_give_the_same_bits() -> None:
 
 
 def test_the_key_of_compiled_code_covers_all_of_it() -> None:
-    module = SimpleNamespace(BODY="a", DURATIONS=1, FORCED=False)
-    changes = ({"BODY": "b"}, {"DURATIONS": 2}, {"FORCED": True})
+    module = SimpleNamespace(__name__="m", BODY="a", DURATIONS=1, FORCED=False)
+    changes = ({"BODY": "b"}, {"DURATIONS": 2}, {"FORCED": True}, {"__name__": "n"})
     keys = {fingerprint(SimpleNamespace(**{**vars(module), **change})) for change in changes}
-    assert len(keys | {fingerprint(module)}) == 4
+    assert len(keys | {fingerprint(module)}) == 5
 
 
 def test_coefficients_at_exact_times_solve_all_conditions() -> None:
     kernel, case = registry.kernel(IMPACT, "ck-tau"), IMPACT()
     solved = attempt(kernel, case, 8, np.array([6.28, 1.0])).unknowns
-    z = with_coefficients(kernel, case.numbers, len(solved), kernel.times(solved))
+    z = with_coefficients(kernel, case.arguments, len(solved), kernel.times(solved))
     np.testing.assert_allclose(z, solved, rtol=0, atol=1e-12)
 
 
@@ -172,5 +172,5 @@ def test_the_first_coefficients_do_not_depend_on_the_scale_of_an_equation() -> N
 
     times = np.array([6.0, 1.5])  # that no coefficients satisfy
     scaled = replace(kernel, residual=residual, jacobian=jacobian)
-    one, two = (with_coefficients(k, case.numbers, size, times) for k in (kernel, scaled))
+    one, two = (with_coefficients(k, case.arguments, size, times) for k in (kernel, scaled))
     np.testing.assert_allclose(one, two, rtol=0, atol=1e-12)

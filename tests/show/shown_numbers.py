@@ -36,9 +36,10 @@ class Numbers:
         self.order = order
         drawn = np.random.default_rng(7)
         symbols = self.scene.symbols
-        self.case = dict(
-            zip(map(str, symbols), drawn.uniform(0.5, 1.5, len(symbols)), strict=True)
-        )
+        values = drawn.uniform(0.5, 1.5, len(symbols))
+        self.case: dict[str, float] = dict(zip(map(str, symbols), values, strict=True))
+        if self.scene.frequency is not None:  # for a reader, one cycle of the forcing
+            self.case["cycles"] = 1
         self.values: dict[str, float] = self.case | {"N": order, "pi": math.pi}
         self._times(drawn)
         self._coefficients(drawn)

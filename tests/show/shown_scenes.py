@@ -63,6 +63,7 @@ SCENES: dict[str, str | Scene] = {
     "contact": CONTACT,
     "stops": STOPS,
     "two-sided": TWO_SIDED,
+    "elastic-plastic": "elastic-plastic",
 }
 
 #: Every method on a scene, and each kind of phase in the others.
@@ -76,6 +77,8 @@ CASES = [
     ("stops", "ck"),
     ("two-sided", "hb"),
     ("two-sided", "ck-tau"),
+    ("elastic-plastic", "hb"),
+    ("elastic-plastic", "ck-tau"),
 ]
 
 

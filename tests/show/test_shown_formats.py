@@ -28,6 +28,7 @@ METHODS = {
     "contact": ("hb",),
     "stops": ("hb-ck",),
     "two-sided": ("ck-tau",),
+    "elastic-plastic": ("hb",),
 }
 
 

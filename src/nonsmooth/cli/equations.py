@@ -3,7 +3,7 @@
 import os
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -15,6 +15,9 @@ from .output import check_target, write_bytes, write_text
 from .problems import Problem
 from .progress import busy
 from .scenes.default import DEFAULT
+
+if TYPE_CHECKING:
+    from nonsmooth.codegen.printing.sections import Section
 
 #: The equations of the default scene as its source has them, where they are not left out.
 OWN = room(__package__, "equations")
@@ -71,6 +74,7 @@ def _of_any_scene(scene: object, method: str | None) -> bool:
     help="With a SCENE and hb-ck: functions with a break at each switch; without it one, at "
     "an impact two.",
 )
+@click.option("--motion", help="With a SCENE of several motions: one of them; else all.")
 @click.option(
     "--format", "format_", type=click.Choice(FORMATS),
     help="Text for the terminal, a LaTeX document, a page, or a PDF made by the TeX installed; "
@@ -83,8 +87,8 @@ def _of_any_scene(scene: object, method: str | None) -> bool:
 )  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file.")
 def equations(
-    scene: str | None, method: str | None, functions: int | None, format_: str | None,
-    fragment: bool, order: int | None, output: Path | None,
+    scene: str | None, method: str | None, functions: int | None, motion: str | None,
+    format_: str | None, fragment: bool, order: int | None, output: Path | None,
 ) -> None:  # fmt: skip
     """Print the equations that SymPy derives, with the numbers of the paper.
 
@@ -99,6 +103,8 @@ def equations(
     of_any = _of_any_scene(scene, method)
     if functions is not None and not of_any:
         raise Problem(f"--functions: got {functions}, expected a SCENE and hb-ck with it")
+    if motion is not None and not of_any:
+        raise Problem(f"--motion: got {motion}, expected a SCENE that has several")
     if order is not None and of_any:
         raise Problem(
             f"--expand: got {order}, expected no SCENE: only the paper's are written out"
@@ -107,7 +113,9 @@ def equations(
         with busy("deriving the equations"):
             unicode = output is not None or _terminal_has_unicode()
             if of_any or OWN is None:
-                text = _of_scene(scene or DEFAULT, method, functions, chosen, fragment, unicode)
+                name = scene or DEFAULT
+                parts = _sections(name, method, functions, motion)
+                text = _of_scene(name, parts, chosen, fragment, unicode)
             else:
                 text = OWN.document(method, order, chosen, fragment, unicode)
     except SceneFileError as error:
@@ -149,15 +157,22 @@ def _format(format_: str | None, output: Path | None) -> str:
     return chosen
 
 
+def _sections(
+    scene: str, method: str | None, functions: int | None, motion: str | None
+) -> "list[Section]":
+    """Return the sections of the document of a scene."""
+    from nonsmooth.codegen import show  # noqa: PLC0415
+
+    return show.sections(scene, [method] if method else (), functions, motion)
+
+
 def _of_scene(
-    scene: str, method: str | None, functions: int | None, format_: str, fragment: bool,
-    unicode: bool,
-) -> str:  # fmt: skip
+    scene: str, shown: "list[Section]", format_: str, fragment: bool, unicode: bool
+) -> str:
     """Return the document of a scene."""
     from nonsmooth.codegen import show  # noqa: PLC0415
     from nonsmooth.codegen.printing import html, latex, text  # noqa: PLC0415
 
-    shown = show.sections(scene, [method] if method else (), functions)
     title = f"Galerkin equations of {show.scene_named(scene).title}"
     if format_ == "html":
         return html.page_of(shown, title)

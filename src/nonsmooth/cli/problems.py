@@ -1,5 +1,8 @@
 """A mistake of the user, or an orbit that is not there: one line and an exit status."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 
 class Problem(Exception):  # noqa: N818  (its text is what the user reads)
     """What `main` prints on stderr.
@@ -23,3 +26,14 @@ def about_option(error: ValueError) -> Problem:
     if text.startswith("c1_terms"):
         return Problem("--c1-terms" + text.removeprefix("c1_terms"))
     return Problem(f"--orders: {text}")
+
+
+@contextmanager
+def as_problems(*, plural: bool = False) -> Iterator[None]:
+    """Turn a wrong argument into the problem of the option of its name, or of its plural."""
+    try:
+        yield
+    except ValueError as error:
+        name, _, rest = str(error).partition(": ")
+        option = f"{name}s" if plural and name in {"method", "order"} else name
+        raise Problem(f"--{option}: {rest}") from error

@@ -122,16 +122,16 @@ MUTANTS = (
     ),
     _emission(
         "the law of an impact with constant and factor exchanged",
-        "scene_numbers",
+        "scene_functions",
         "return row.v, row.constant",
         "return row.constant, row.v",
         NUMBERS,
     ),
     _emission(
         "a demand without the displacement",
-        "scene_numbers",
-        "[[state_row(e, p.name).coefficients for _, e",
-        "[[(0, *state_row(e, p.name).coefficients[1:]) for _, e",
+        "scene_functions",
+        "return [state_row(part, what, memory).coefficients for",
+        "return [(0, *state_row(part, what, memory).coefficients[1:]) for",
         NUMBERS,
     ),
     _conditions(
@@ -178,9 +178,9 @@ MUTANTS = (
     ),
     _conditions(
         "half a period as long as one of the forcing",
-        "closure",
-        "sp.pi if times.sign == -1 else 2 * sp.pi",
-        "2 * sp.pi",
+        "times",
+        "turns = sp.pi if self.sign == -1 else 2 * sp.pi",
+        "turns = 2 * sp.pi",
         _row("S3b-ck_tau"),
     ),
     _conditions(

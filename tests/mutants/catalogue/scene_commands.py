@@ -64,8 +64,8 @@ MUTANTS: tuple[Mutant, ...] = (
     command(
         "flags do not override the file",
         "options.py",
-        "case = scene(**(table | given))",
-        "case = scene(**(given | table))",
+        "case = scene(**(table | given), cycles",
+        "case = scene(**(given | table), cycles",
     ),
     command(
         "the jump is shown with the wrong sign",

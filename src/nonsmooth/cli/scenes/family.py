@@ -8,10 +8,9 @@ import click
 
 from ..orders import is_whole
 from ..output import write_text, write_whole
-from ..problems import Problem
+from ..problems import Problem, as_problems
 from ..progress import progress
 from ..vary import Vary, parse_vary
-from .wanted import as_problems
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case

@@ -55,7 +55,9 @@ def write_transient(motion: "Simulation", path: Path) -> None:
 
 def write_rows(result: "SceneSweep", path: Path) -> None:
     """Write the rows of a sweep, each with the scene and its parameters behind it."""
-    constants = {"scene": result.case.scene.name} | dict(result.case.values)
+    case = result.case
+    constants = {"scene": case.scene.name, "motion": case.scene.motion, "cycles": case.cycles}
+    constants |= dict(case.values)
 
     def write(target: Path) -> None:
         with target.open("w", encoding="utf-8", newline="") as file:

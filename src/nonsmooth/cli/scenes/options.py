@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..case_files import read_case
-from ..problems import Problem
+from ..problems import Problem, as_problems
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
@@ -35,6 +35,19 @@ class CommandOfScene(click.Command):
             close = get_close_matches(given, [*flags, *(error.possibilities or ())], 1)
             hint = f"Did you mean {close[0]}?" if close else f"It has {', '.join(flags)}."
             raise click.UsageError(f"{self.scene.name} has no {given}. {hint}", ctx) from error
+
+
+def motion_options(scene: "SceneNumbers") -> list[click.Parameter]:
+    """Return the options that say which motion of a scene is meant."""
+    found: list[click.Parameter] = []
+    if scene.motions:
+        words = f"{', '.join(scene.motions)}; without it, the one that there is."
+        found.append(click.Option(["--motion"], help=words))
+    if scene.frequency is not None:
+        odd = ", an odd number" if scene.module.HALF_PERIOD else ""
+        words = f"Periods of the forcing in one of the motion{odd}.  [default: 1]"
+        found.append(click.Option(["--cycles"], type=int, metavar="n", help=words))
+    return found
 
 
 def command_of(
@@ -81,7 +94,7 @@ def _tables(scene: "SceneNumbers") -> tuple[str, str]:
 
 
 def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]) -> "Case":
-    """Return the case that the command line describes.
+    """Return the case that the command line describes, of the motion that it names if any.
 
     Without a case file, what no flag gives has its default.
 
@@ -93,8 +106,11 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
 
     given = {
-        name.removeprefix(PREFIX): value for name, value in flags.items() if value is not None
+        name.removeprefix(PREFIX): value
+        for name, value in flags.items()
+        if value is not None and name.startswith(PREFIX)
     }
+    cycles, motion = flags.get("cycles"), flags.get("motion")
     table = {} if file is None else read_case(file, _tables(scene))
     missing = [
         f"{q.name}: missing, expected {q.what}{f' in {q.unit}' if q.unit else ''}"
@@ -102,10 +118,16 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
         if file is not None and q.name not in table and q.name not in given
     ]
     try:
-        case = scene(**(table | given))
+        case = scene(**(table | given), cycles=1 if cycles is None else cycles)
     except ParameterError as error:
-        missing += error.errors
+        missing += [_as_flag(line) for line in error.errors]
     where = f"{file}: " if file else ""
     if missing:
         raise Problem(where + "; ".join(missing))
-    return case
+    with as_problems():
+        return case if motion is None else case.of_motion(motion)
+
+
+def _as_flag(line: str) -> str:
+    """Return what is wrong with a case; the cycles, which no table has, by their flag."""
+    return f"--{line}" if line.startswith("cycles: ") else line

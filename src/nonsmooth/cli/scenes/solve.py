@@ -8,7 +8,7 @@ import click
 
 from ..output import PICTURES, check_target, write_text, write_whole
 from ..seconds import parse_seconds
-from .options import case_from, command_of
+from .options import case_from, command_of, motion_options
 from .wanted import ORDER, Wanted, exact_near, search
 
 if TYPE_CHECKING:
@@ -47,6 +47,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         click.Option(["--method"], help=f"{', '.join(names)}; without it, all."),
         click.Option(["--order"], type=int, help=f"N, the size.  [default: {ORDER}]"),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        *motion_options(scene),
         click.Option(["--tol"], type=float, help="Choose N: largest error of times, period."),
         click.Option(["--budget"], help="Choose: the best in this time, like 200us, 1ms, 2s."),
         click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
@@ -91,6 +92,7 @@ def run(case: "Case", wanted: Wanted) -> int:
 
     choice, found = search(case, wanted)
     orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
+    case = orbits[0].case if orbits else case
     exact = exact_near(case, orbits)
     order = (ORDER if wanted.order is None else wanted.order) if wanted.tol is None else None
     parts = documents.of_orbits(case, found, order, wanted.functions, exact)

@@ -7,12 +7,11 @@ import click
 
 from ..orders import parse_orders
 from ..output import PICTURES, check_target, write_text, write_whole
-from ..problems import Problem
+from ..problems import Problem, as_problems
 from ..progress import progress
 from . import family
-from .options import PREFIX, case_from, command_of
+from .options import PREFIX, case_from, command_of, motion_options
 from .solve import FUNCTIONS, method_names
-from .wanted import as_problems
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
@@ -47,6 +46,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
             ["--orders"], help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]"
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        *motion_options(scene),
         click.Option(
             ["--vary"], metavar="NAME=FROM:TO:POINTS",
             help="Follow the orbit along a parameter instead, by one method at one order.",
@@ -102,6 +102,7 @@ def run(
 
             result = sweep_case(case, names, numbers, functions, done)
     text = _text(result)
+    case = result.case
     if json_:
         click.echo(text, nl=False)
     else:

@@ -1,14 +1,12 @@
 """What is to be solved on the command line, and the orbits that are found."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from ..problems import Problem
+from ..problems import Problem, as_problems
 from ..progress import busy
 
 if TYPE_CHECKING:
@@ -45,6 +43,8 @@ def search(
 ) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
     """Return what a tolerance or a budget chose, and what was found by method.
 
+    Where the scene has several motions, that which occurs is found first.
+
     Raises
     ------
     Problem
@@ -52,7 +52,8 @@ def search(
     """
     from nonsmooth.solver.case.methods import FIRST, in_order  # noqa: PLC0415
     from nonsmooth.solver.case.registry import generic_method, methods  # noqa: PLC0415
-    from nonsmooth.solver.solve import number_of_functions  # noqa: PLC0415
+    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
+    from nonsmooth.solver.solve import number_of_functions, with_motion  # noqa: PLC0415
 
     scene = case.scene
     with as_problems():
@@ -61,6 +62,12 @@ def search(
         return _choose(case, None if wanted.method is None else one, wanted)
     names = in_order(methods(scene)) if one is None else (one,)
     found: dict[str, SceneOrbit | NoOrbit] = {}
+    try:
+        with busy("looking for a motion"):
+            case = with_motion(case)
+    except NoOrbit as finding:
+        tell(finding)
+        return None, dict.fromkeys(names, finding)
     for name in names:
         count = (
             number_of_functions(case, name, wanted.functions)
@@ -126,17 +133,6 @@ def tell(finding: "NoOrbit") -> None:
     click.echo(f"nonsmooth: {'; '.join([finding.reason, *first, *more, *last])}", err=True)
 
 
-@contextmanager
-def as_problems(*, plural: bool = False) -> Iterator[None]:
-    """Turn a wrong argument into the problem of the option of its name, or of its plural."""
-    try:
-        yield
-    except ValueError as error:
-        name, _, rest = str(error).partition(": ")
-        option = f"{name}s" if plural and name in {"method", "order"} else name
-        raise Problem(f"--{option}: {rest}") from error
-
-
 def exact_near(case: "Case", orbits: "list[SceneOrbit]") -> "ExactSceneOrbit | None":
     """Return the exact orbit next to the orbits, or any if there are none."""
     from nonsmooth.solver.flow.exact import exact_orbit  # noqa: PLC0415
@@ -145,6 +141,8 @@ def exact_near(case: "Case", orbits: "list[SceneOrbit]") -> "ExactSceneOrbit | N
     for orbit in orbits:
         if orbit.exact is not None:
             return orbit.exact
+    if case.scene.motions:  # none has an orbit: all were tried
+        return None
     try:
         return exact_orbit(case)
     except NoOrbit:

@@ -20,8 +20,9 @@ WIDTH = 80
 def caption(case: "Case") -> str:
     """Return the scene and the parameters of a case, and whose choice they are."""
     scene = case.scene
-    head = f"{scene.name}: {scene.title} (C{scene.k})"
+    head = f"{scene.label}: {scene.title} (C{scene.k})"
     lines = [*textwrap.wrap(head, WIDTH), *_wrapped(case.description)]
+    lines += [line for text in smoother(case) for line in textwrap.wrap(text, WIDTH)]
     own = room("nonsmooth.cli", "parameters")
     if own is not None and scene.name == DEFAULT and case == scene():
         lines.append(own.CHOICE)
@@ -47,6 +48,26 @@ def others(result: "SceneFamily") -> str:
         if q.name != result.parameter
     ]
     return ", ".join(parts)
+
+
+def smoother(case: "Case") -> list[str]:
+    """Return at which switches the motion is smoother than in general, for these parameters."""
+    from nonsmooth.solver.case.smoothness import HIGHEST, classes  # noqa: PLC0415
+
+    scene = case.scene
+    if scene.motions:
+        return []
+    found = []
+    for p, (k, (general, _)) in enumerate(
+        zip(classes(case.cell), scene.module.SWITCHES, strict=True)
+    ):
+        if k > general:
+            less = "at least " if k == HIGHEST else ""
+            found.append(
+                f"Where {scene.phases[p - 1]} ends and {scene.phases[p]} begins the motion is "
+                f"{less}C{k} for these parameters, C{general} in general."
+            )
+    return found
 
 
 def _wrapped(parameters: str) -> list[str]:

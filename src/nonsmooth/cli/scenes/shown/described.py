@@ -22,7 +22,18 @@ def brief(scene: "SceneNumbers") -> dict[str, Any]:
         "what": scene.title,
         "class": f"C{scene.k}",
         "phases": list(scene.phases),
+        "motions": _orders(scene),
     }
+
+
+def _orders(scene: "SceneNumbers") -> list[dict[str, Any]]:
+    """Return the motions of a scene, where it has several: name and phases of each."""
+    if not scene.motions:
+        return []
+    return [
+        {"name": each.motion, "class": f"C{each.k}", "phases": list(each.phases)}
+        for each in scene.each_motion
+    ]
 
 
 def document(scene: "SceneNumbers") -> dict[str, Any]:
@@ -43,7 +54,11 @@ def document(scene: "SceneNumbers") -> dict[str, Any]:
             for q in scene.parameters
         ],
         "requires": list(module.REQUIRES),
-        "phases": [_phase(scene, p) for p in range(len(scene.phases))],
+        "phases": [] if scene.motions else _phases(scene),
+        "motions": [
+            {**order, "phases": _phases(each)}
+            for order, each in zip(_orders(scene), scene.each_motion, strict=False)
+        ],
         "methods": [
             {
                 "name": method, "shown": shown(scene, method),
@@ -54,6 +69,11 @@ def document(scene: "SceneNumbers") -> dict[str, Any]:
     }  # fmt: skip
 
 
+def _phases(scene: "SceneNumbers") -> list[dict[str, Any]]:
+    """Return the phases of a scene of one motion."""
+    return [_phase(scene, p) for p in range(len(scene.phases))]
+
+
 def _phase(scene: "SceneNumbers", p: int) -> dict[str, Any]:
     module = scene.module
     frequency = next((q.symbol for q in scene.parameters if q.name == scene.frequency), "Omega")
@@ -62,22 +82,40 @@ def _phase(scene: "SceneNumbers", p: int) -> dict[str, Any]:
         return text.replace("cos(Omega", f"cos({frequency}")
 
     name, held = module.PHASES[p]
-    m, c, k, f, g = rows(module, "coefficients")[p]
-    equation = f"{linear((m, c, k), LEFT)} = {linear((f, g), RIGHT)}"
+    m, c, k, f, g, *memory = rows(module, "coefficients")[p]
+    words = [word for word, *_ in module.MEMORY]
+    state = (*STATE, *words)
+    right = linear((f, g, *memory), (*RIGHT, *words))
+    equation = f"{linear((m, c, k), LEFT)} = {right}"
+    at_switch = nested(module, "switch_demands")[p]
     k_of_switch, jumps = module.SWITCHES[p]
     forms = nested(module, "demands")[p]
     return {
         "name": name,
         "equation": named(equation),
         "held": f"x' = {rows(module, 'held')[p][0]}" if held else None,
-        "ends": named(f"{linear(rows(module, 'events')[p])} = 0"),
+        "ends": named(f"{linear(rows(module, 'events')[p], state)} = 0"),
         "jump": _jump(*rows(module, "jumps")[p]),
         "demands": [
-            {"what": words, "expression": named(f"{linear(form)} >= 0")}
+            {"what": words, "expression": named(f"{linear(form, state)} >= 0")}
             for words, form in zip(module.DEMANDS[p], forms, strict=True)
         ],
-        "begins": {"class": f"C{k_of_switch}", "jumps": jumps},
-    }
+        "switch_demands": [
+            {"what": words, "expression": named(f"{linear(form, state)} >= 0")}
+            for words, form in zip(module.SWITCH_DEMANDS[p], at_switch, strict=True)
+        ],
+        "sets": [
+            {"memory": name, "what": what, "expression": named(linear(form))}
+            for (name, phase, _, what), form in zip(
+                module.MEMORY, rows(module, "memory"), strict=True
+            )
+            if phase == p
+        ],
+        "begins": {
+            "class": f"C{k_of_switch}", "jumps": jumps,
+            "class_of_defaults": f"C{module.CLASSES_OF_DEFAULTS[p]}",
+        },
+    }  # fmt: skip
 
 
 def _jump(rho: str, d: str) -> str | None:

@@ -48,8 +48,14 @@ def scenes(scene: str | None, json_: bool) -> None:
 
 
 def _list(found: "Sequence[dict[str, Any]]") -> None:
-    rows = [(s["name"], s["class"], ", ".join(s["phases"]), s["what"]) for s in found]
+    rows = [(s["name"], s["class"], _phases(s), s["what"]) for s in found]
     click.echo(_columns(("scene", "class", "phases", "what it is"), rows))
+
+
+def _phases(found: dict[str, Any]) -> str:
+    """Return the phases of a scene; those of several motions one after the other."""
+    orders = found["motions"] or [found]
+    return "; ".join(", ".join(order["phases"]) for order in orders)
 
 
 def _columns(heads: tuple[str, ...], rows: "Sequence[tuple[str, ...]]") -> str:
@@ -79,6 +85,10 @@ def _describe(found: dict[str, Any]) -> None:
         click.echo(_wrapped(f"  expected: {words}", "  "))
     for phase in found["phases"]:
         click.echo("\n" + _phase(phase))
+    for motion in found["motions"]:
+        click.echo(f"\nmotion {motion['name']} ({motion['class']})")
+        for phase in motion["phases"]:
+            click.echo("\n" + _phase(phase))
     if found["half_period"]:
         click.echo("\nThese phases are half a period: x(t + T/2) = -x(t).")
     names = (
@@ -92,11 +102,22 @@ def _phase(phase: dict[str, Any]) -> str:
     begins = phase["begins"]
     lines = [
         f"{phase['name']}: {phase['held'] or phase['equation']}",
-        f"  begins  {begins['class']}: {begins['jumps']} jumps",
+        f"  begins  {begins['class']}: {begins['jumps']} jumps" + _for_defaults(begins),
+        *(f"  sets    {q['memory']} = {q['expression']}  ({q['what']})" for q in phase["sets"]),
         f"  ends    {phase['ends']}" + (f", then {phase['jump']}" if phase["jump"] else ""),
     ]
     lines += [f"  demands {q['expression']}  ({q['what']})" for q in phase["demands"]]
+    lines += [
+        f"  demands {q['expression']} at its end  ({q['what']})"
+        for q in phase["switch_demands"]
+    ]
     return "\n".join(_wrapped(line, "          ") for line in lines)
+
+
+def _for_defaults(begins: dict[str, str]) -> str:
+    """Return the class for the parameters' defaults, where it is another."""
+    k = begins["class_of_defaults"]
+    return f" ({k} for the default parameters)" if k != begins["class"] else ""
 
 
 def _wrapped(text: str, indent: str) -> str:

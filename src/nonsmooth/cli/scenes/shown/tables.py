@@ -32,7 +32,7 @@ Found = Mapping[str, "SceneOrbit | NoOrbit"]
 def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> None:
     """Print the orbit by each method, below the exact one."""
     scene = case.scene
-    phases = scene.phases if len(scene.phases) > 1 else ()
+    phases = scene.phases if len(scene.phases) > 1 and not scene.motions else ()
     table = table_of(
         "method", "N", "T [s]", *(["phi [rad]"] if scene.frequency else []),
         *(f"{phase} [s]" for phase in phases),

@@ -1,0 +1,117 @@
+"""The functions of a scene in numbers: units, coefficients, events, demands, in Python."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+import sympy as sp
+
+from ..scene import Phase, Scene, linear_phase, state_row, v
+from ..scene.linear import without_modulus
+from ..scene.scales import scales
+from .expressions import python
+
+
+def _linear(demands: Mapping[str, sp.Expr]) -> list[tuple[str, sp.Expr]]:
+    """Return demands, each linear, with its words."""
+    return [
+        (words, part)
+        for words, demand in demands.items()
+        for part in without_modulus(sp.sympify(demand))
+    ]
+
+
+def words_of(demands: Mapping[str, sp.Expr]) -> tuple[str, ...]:
+    """Return the words of demands, once for each linear form that they are."""
+    return tuple(words for words, _ in _linear(demands))
+
+
+#: The coefficients of a linear form, or of an equation.
+Row = tuple[sp.Expr, ...]
+
+
+def _python_of(row: Row) -> str:
+    return f"({', '.join(python(e) for e in row)})"
+
+
+def _scalars(scene: Scene, name: str, summary: str, values: Iterable[sp.Expr]) -> str:
+    return _function(scene, name, summary, [python(e) for e in values])
+
+
+def _rows(scene: Scene, name: str, summary: str, values: Iterable[Row]) -> str:
+    return _function(scene, name, summary, [_python_of(row) for row in values])
+
+
+def _nested(scene: Scene, name: str, summary: str, values: Iterable[list[Row]]) -> str:
+    lines = [f"({' '.join(f'{_python_of(row)},' for row in phase)})" for phase in values]
+    return _function(scene, name, summary, lines)
+
+
+def whole(scene: Scene) -> Iterator[str]:
+    """Yield the source of the functions on a scene as a whole."""
+    sizes = scales(scene.each_motion[0])
+    yield _scalars(scene, "scales", "Return the units of mass, time and length.", sizes)
+    summary = "Return what must not be negative of the parameters."
+    yield _scalars(scene, "requires", summary, scene.requires.values())
+
+
+def of_phases(scene: Scene) -> Iterator[str]:
+    """Yield the source of those on the phases of one motion."""
+    phases, memory = scene.cell, [q.symbol for q in scene.memory]
+
+    def forms(demands: Mapping[str, sp.Expr], what: str) -> list[Row]:
+        return [state_row(part, what, memory).coefficients for _, part in _linear(demands)]
+
+    sides = "m x'' + c x' + k x = f + g cos"
+    more = "" if not memory else ", and of each memory on the right side"
+    yield _rows(
+        scene,
+        "coefficients",
+        f"Return m, c, k, f, g of each phase: {sides}{more}.",
+        [linear_phase(p, memory).coefficients for p in phases],
+    )
+    held = [sp.sympify(p.held if p.held is not None else 0) for p in phases]
+    yield _scalars(scene, "held", "Return the velocity at which each phase is held.", held)
+    yield _rows(
+        scene,
+        "events",
+        "Return the linear form that is zero at the end of each phase, v before it.",
+        [state_row(p.ends.zero, p.name, memory).coefficients for p in phases],
+    )
+    yield _rows(
+        scene,
+        "jumps",
+        "Return rho and d at the end of each phase: v+ = rho v + d.",
+        [_jump(p) for p in phases],
+    )
+    yield _nested(
+        scene,
+        "demands",
+        "Return the linear forms that must not be negative in each phase.",
+        [forms(p.demands, p.name) for p in phases],
+    )
+    yield _nested(
+        scene,
+        "switch_demands",
+        "Return those that must not be negative where each phase ends, v before it.",
+        [forms(p.ends.demands, p.name) for p in phases],
+    )
+    yield _rows(
+        scene,
+        "memory",
+        "Return the linear form that each memory is set to.",
+        [state_row(q.value, str(q.symbol)).coefficients for q in scene.memory],
+    )
+    summary = "Return rough durations of the phases, if the scene has them."
+    assert isinstance(scene.guess, tuple | list)
+    yield _scalars(scene, "guess", summary, scene.guess)
+
+
+def _jump(phase: Phase) -> tuple[sp.Expr, ...]:
+    row = state_row(phase.ends.jump.get(v, v), phase.name)
+    return row.v, row.constant
+
+
+def _function(scene: Scene, name: str, summary: str, lines: list[str]) -> str:
+    arguments = ", ".join(symbol.name for symbol in scene.symbols)
+    values = "".join(f"        {line},\n" for line in lines)
+    result = f"(\n{values}    )" if lines else "()"
+    return f'def {name}({arguments}):\n    """{summary}"""\n    return {result}\n'

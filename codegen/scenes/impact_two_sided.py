@@ -1,0 +1,33 @@
+"""A driven mass that bounces to and fro between two stops (C0)."""
+
+import sympy as sp
+
+from ..scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+
+m, k, F, Omega, g, r = sp.symbols("m k F Omega g r", positive=True)
+c = sp.Symbol("c", nonnegative=True)
+
+CROSSING = Phase(
+    "crossing",  # from the stop at g to that at -g
+    m * a + c * v + k * x - F * forcing,
+    ends=Event(x + g, jump={v: -r * v}),
+    demands={"the mass stays between the stops": g - sp.Abs(x)},
+)
+
+SCENE = Scene(
+    "impact-two-sided",
+    "a driven mass that bounces between two stops",
+    source="S. W. Shaw, J. Appl. Mech. 52 (1985) 453-464",
+    parameters=(
+        Parameter("mass", m, "kg", 1.0, "mass"),
+        Parameter("damping", c, "N s/m", 0.1, "viscous damping"),
+        Parameter("stiffness", k, "N/m", 1.0, "stiffness of the spring"),
+        Parameter("force", F, "N", 1.0, "amplitude of the force"),
+        Parameter("frequency", Omega, "rad/s", 1.2, "angular frequency of the force"),
+        Parameter("gap", g, "m", 0.8, "distance of each stop from the middle"),
+        Parameter("restitution", r, "", 0.6, "speed after over speed before an impact", most=1),
+    ),
+    phases=(CROSSING,),
+    frequency=Omega,
+    half_period=True,
+)

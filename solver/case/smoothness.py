@@ -1,0 +1,69 @@
+"""The class at each switch for the parameters of a case: higher than in general, for some.
+
+As in ``codegen/scene/smoothness.py``, with numbers put in: a derivative jumps at a switch
+unless its jump is a combination of the forms known to vanish there.
+"""
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from .cell import Cell, Phase
+
+#: Derivatives that are looked at: one that is smoother is not told from one without switch.
+HIGHEST = 8
+
+#: What is rounding, as a part of what is subtracted.
+ROUNDING = 1e-10
+
+
+def classes(cell: Cell) -> tuple[int, ...]:
+    """Return the k of the class C^k at the switch that begins each phase of a cell."""
+    return tuple(_class(cell, p) for p in range(len(cell.phases)))
+
+
+def _class(cell: Cell, p: int) -> int:
+    left, right, sign = cell.phases[p - 1], cell.phases[p], cell.sign if p == 0 else 1
+    if left.rho != 1 or left.d != 0:
+        return 0
+    before, after = _generator(cell, left, sign), _generator(cell, right, 1)
+    known = np.array(_known(cell, p, left, sign))
+    row_before, row_after = before[0], after[0]
+    for order in range(2, HIGHEST + 1):
+        row_before, row_after = row_before @ before, row_after @ after
+        size = np.abs(row_before).max() + np.abs(row_after).max()
+        if _left_over(row_after - row_before, known) > ROUNDING * max(size, 1e-300):
+            return order - 1
+    return HIGHEST
+
+
+def _generator(cell: Cell, phase: Phase, sign: int) -> Matrix:
+    """Return ``A`` of ``y' = A y`` with ``y = (x, x', 1, cos, sin, memory)``."""
+    count = 5 + len(cell.memory)
+    found = np.zeros((count, count))
+    found[0, 1] = 1.0
+    factors = [-phase.k, -phase.c, sign * phase.f, phase.g, 0.0]
+    found[1] = np.array([*factors, *(sign * h for h in phase.memory)]) / phase.m
+    found[3, 4], found[4, 3] = -cell.omega, cell.omega
+    return found
+
+
+def _known(cell: Cell, p: int, left: Phase, sign: int) -> list[list[float]]:
+    """Return the forms in y that vanish at the switch that begins phase `p`."""
+    x, v, cos, constant, *memory = left.event
+    rows = [[sign * x, sign * v, constant, sign * cos, 0.0, *memory]]
+    nothing = [0.0] * len(cell.memory)
+    if left.held:
+        rows.append([0.0, float(sign), -left.speed, 0.0, 0.0, *nothing])
+    for i, q in enumerate(cell.memory):
+        if q.phase == p:
+            x, v, cos, constant = q.value
+            rows.append([x, v, constant, cos, 0.0, *nothing])
+            rows[-1][5 + i] = -1.0
+    return rows
+
+
+def _left_over(row: Vector, known: Matrix) -> float:
+    """Return the size of what no combination of the known rows accounts for."""
+    scaled = known / np.abs(known).max(axis=1, keepdims=True)
+    weights = np.linalg.lstsq(scaled.T, row)[0]
+    return float(np.abs(row - weights @ scaled).max())

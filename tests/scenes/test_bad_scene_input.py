@@ -1,0 +1,83 @@
+"""Every parameter of every scene: zero, negative, not finite, text; and what does not exist."""
+
+import math
+
+import pytest
+from refusals import refused
+
+from nonsmooth.solver.case import registry
+from nonsmooth.solver.case.parameters import ParameterError
+from nonsmooth.solver.iteration import start
+
+PARAMETERS = [(name, q) for name in registry.names() for q in registry.load(name).parameters]
+
+
+@pytest.mark.parametrize(("name", "q"), PARAMETERS, ids=lambda q: getattr(q, "name", q))
+def test_a_parameter_out_of_its_bounds_is_one_line(name, q):
+    scene = registry.load(name)
+    wrong = [math.nan, math.inf, -math.inf, "1", None, True, 1j]
+    wrong += [] if q.bound == "" else [-1.0, -1e-300]
+    wrong += [0.0] if q.bound == "positive" else []
+    wrong += [] if q.most is None else [q.most * 1.001]
+    for value in wrong:
+        with pytest.raises(ParameterError) as caught:
+            scene(**{q.name: value})
+        (line,) = caught.value.errors
+        assert line == f"{q.name}: got {value!r}, expected {q.expected}"
+    if q.bound == "nonnegative":
+        assert scene(**{q.name: 0}).values[q.name] == 0
+
+
+@pytest.mark.parametrize("name", registry.names())
+def test_a_parameter_of_another_scene_is_one_line(name):
+    scene = registry.load(name)
+    theirs = {q.name for _, q in PARAMETERS} - {q.name for q in scene.parameters}
+    for other in theirs:
+        with pytest.raises(ParameterError, match=f"{other}: not a parameter of {name}; "):
+            scene(**{other: 1.0})
+
+
+@pytest.mark.parametrize(
+    ("name", "cycles", "words"),
+    [
+        ("impact", 0, "cycles: got 0, expected a whole number from 1 to 100"),
+        ("impact", 1.5, "cycles: got 1.5, expected a whole number"),
+        ("impact", True, "cycles: got True, expected a whole number"),
+        ("impact", 101, "cycles: got 101, expected a whole number"),
+        ("stick-slip", 2, "cycles: got 2, expected 1: nothing forces stick-slip"),
+        ("backlash", 2, "cycles: got 2, expected an odd number"),
+    ],
+)
+def test_cycles_that_cannot_be(name, cycles, words):
+    with pytest.raises(ParameterError) as caught:
+        registry.load(name)(cycles=cycles)
+    assert str(caught.value).startswith(words)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("clearence",), "did you mean clearance?"),
+        (("dry-friction", "--motion", "two-stop"), "--motion: got 'two-stop', expected one of"),
+        (("dry-friction", "--motion", "two-stop"), "did you mean two-stops?"),
+        (("impact", "--motion", "sliding"), "impact has no --motion"),
+        (("stick-slip-damped", "--cycles", 2), "has no --cycles"),
+        (("backlash", "--cycles", 2), "--cycles: got 2, expected an odd number"),
+        (("elastic-plastic", "--yeild-force", 1), "Did you mean --yield-force?"),
+        (("elastic-plastic", "--gap", 1), "elastic-plastic has no --gap"),
+        (("dry-friction", "--mu-k", 0.4), "expected that mu_k is at most mu_s"),
+        (("clearance", "--contact-stiffness", 0), "contact_stiffness: got 0.0, expected"),
+    ],
+)
+def test_commands_say_so_in_one_line(run, arguments, words):
+    assert words in refused(run, "solve", *arguments)
+
+
+def test_where_no_motion_of_the_declared_orders_exists_the_reasons_are_said(run, monkeypatch):
+    """A load that never overcomes the friction."""
+    monkeypatch.setattr(start, "ANGLES", 1)
+    monkeypatch.setattr(start, "UNEQUAL", ())
+    status, _, err = run("solve", "dry-friction", "--force", 0.2, "--method", "ck-tau")
+    assert status == 1
+    assert "no admissible orbit of any motion (sliding, two-stops) was found" in err
+    assert "sliding: " in err

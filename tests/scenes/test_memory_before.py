@@ -1,0 +1,105 @@
+"""A memory that phases before its switch use, and the paper's own rows of the references."""
+
+import types
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+from galerkin.derived import REFERENCES
+from galerkin.solving import solve, times_of
+
+import nonsmooth as ns
+from nonsmooth.codegen.emission.kernel import module_source
+from nonsmooth.codegen.emission.scene_numbers import scene_source
+from nonsmooth.codegen.expansions import ck_tau, hb
+from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, v
+from nonsmooth.codegen.scenes import elastic_plastic as plain
+from nonsmooth.solver.case.numbers import SceneNumbers
+from nonsmooth.solver.flow.exact import exact_orbit
+
+
+def cut_elsewhere():
+    """Return S4a with the cell begun where the force of the element vanishes.
+
+    First the mass goes on to yield, with the memory of the reversal in the cell before; then it
+    flows; then it comes back from the reversal to where the force vanishes.  The damping of the
+    first phase has a name of its own, since nothing else changes there.
+    """
+    made, w = plain.SCENE, plain.w
+    late = sp.Symbol("c_l", nonnegative=True)
+    back = -plain.F_y + plain.k * (plain.x - w)
+    phases = (
+        Phase("late", plain.REST + (late - plain.c) * v + plain.Z, Event(plain.Z + plain.F_y)),
+        plain.PLASTIC,
+        Phase("early", plain.REST + back, Event(back)),
+    )
+    damping = Parameter("late_damping", late, "N s/m", 0.1, "damping before yield")
+    return Scene(
+        "cut-elsewhere",
+        "an element that yields",
+        (*made.parameters, damping),
+        phases,
+        frequency=made.frequency,
+        half_period=True,
+        memory=(replace(made.memory[0], at="early"),),
+    )
+
+
+def module_of(text):
+    module = types.ModuleType("made")
+    exec(text, vars(module))
+    return module
+
+
+#: Durations and phase of S4a from the other switch, and the reversal at the other side.
+ELASTIC, PLASTIC, PHASE = (float(q) for q in REFERENCES["S4a"]["exact"])
+REVERSAL = -2.4412849059311371584
+
+
+@cache
+def exact_orbit_cut_elsewhere():
+    numbers = SceneNumbers(module_of(scene_source(cut_elsewhere())), Path("none"))
+    return exact_orbit(numbers(), [0.45, 2.8, 0.67], 2.9)
+
+
+def test_a_memory_of_the_cell_before_has_the_opposite_sign_in_half_a_period():
+    orbit = exact_orbit_cut_elsewhere()
+    late, plastic, early = orbit.durations[:3]
+    assert (plastic, late + early) == pytest.approx((PLASTIC, ELASTIC), rel=1e-13)
+    assert orbit.memory["w"] == pytest.approx(REVERSAL, rel=1e-13)
+    assert orbit.forcing_phase == pytest.approx(PHASE + 0.8 * early, rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("derive", "order", "bound"),
+    [(ck_tau.derive, 8, 1e-12), pytest.param(hb.derive, 9, 3e-2, marks=pytest.mark.long)],
+)
+def test_so_it_has_in_the_conditions_of_an_expansion(derive, order, bound):
+    scene = cut_elsewhere()
+    kernel = module_of(module_source(derive(scene)))
+    case = (*(float(q.default) for q in scene.parameters), 1)
+    orbit = exact_orbit_cut_elsewhere()
+    exact = np.array([*orbit.durations[:3], orbit.forcing_phase])
+    z = solve(kernel, case, order, exact * 1.001)
+    np.testing.assert_allclose(times_of(kernel, z), exact, rtol=0, atol=bound)
+    assert kernel.coefficients(z)["w"][0] == pytest.approx(REVERSAL, abs=bound)
+
+
+#: S0 of the references: method, order, end of stick, duration of slip.
+PAPER = [
+    ("hb", 5, 1.875462157353506912107, 4.777482415197889839387),
+    ("hb", 9, 1.926406180724765044118, 4.750044560980750508907),
+    ("hb-c1", 5, 2.003275341723989466195, 4.710778250731596045018),
+    ("c1", 4, 1.825659942582271649211, 4.890257951267988441462),
+    ("c1", 7, 2.000074538205047259564, 4.712309270499867232924),
+]
+
+
+@pytest.mark.parametrize(("method", "order", "stick", "slip"), PAPER)
+def test_the_papers_own_rows_give_s0_of_the_references(method, order, stick, slip):
+    belt = ns.StickSlip(mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0, normal_force=1)
+    orbit = ns.solve(belt, method, order)
+    assert (orbit.t1, orbit.period - orbit.t1) == pytest.approx((stick, slip), rel=1e-12)
