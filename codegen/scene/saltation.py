@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .data import Phase, Scene
+from .data import Memory, Phase, Scene
 from .linear import state_row
 from .smoothness import switches
 from .symbols import forcing, v, x
@@ -32,8 +32,8 @@ class Saltation:
     ends, begins : str
         The phases on both sides.
     matrix : Matrix
-        In the state before the switch, `x` and `v`, the accelerations `before` and `after`,
-        and `turning`, the derivative of the forcing by time.
+        Of `x`, `v` and the memory, in the state before the switch, the accelerations
+        `before` and `after`, and `turning`, the derivative of the forcing by time.
     """
 
     ends: str
@@ -66,13 +66,13 @@ def saltations(scene: Scene) -> tuple[Saltation, ...]:
         Saltation(
             left.name,
             phases[(p + 1) % count].name,
-            saltation(left, phases[(p + 1) % count], found[(p + 1) % count].k),
+            saltation(left, phases[(p + 1) % count], found[(p + 1) % count].k, scene.memory),
         )
         for p, left in enumerate(phases)
     )
 
 
-def saltation(left: Phase, right: Phase, k: int) -> sp.Matrix:
+def saltation(left: Phase, right: Phase, k: int, memory: tuple[Memory, ...] = ()) -> sp.Matrix:
     """Return the derivative of the state behind a switch by that before it, at one time.
 
     Parameters
@@ -81,23 +81,36 @@ def saltation(left: Phase, right: Phase, k: int) -> sp.Matrix:
         On both sides.
     k : int
         Class of the motion at the switch: from 2 on the acceleration is continuous.
+    memory : tuple of Memory
+        What the motion remembers: constant in a phase, set by the switch that sets it.
     """
-    rates_before = sp.Matrix([v, before])
-    law = sp.Matrix([x, sp.sympify(left.ends.jump.get(v, v))])
-    rates_after = sp.Matrix([law[1], after])
-    perturbation = sp.Matrix(sp.symbols(f"d_:{len(STATE)}"))
+    state = (*STATE, *(each.symbol for each in memory))
+    constant = [sp.Integer(0)] * len(memory)
+    rates_before = sp.Matrix([v, before, *constant])
+    speed = sp.sympify(left.ends.jump.get(v, v))
+    law = sp.Matrix([x, speed, *(_remembered(each, right, speed) for each in memory)])
+    rates_after = sp.Matrix([speed, after, *constant])
+    perturbation = sp.Matrix(sp.symbols(f"d_:{len(state)}"))
     delay = sp.Dummy("delay")
 
     # to first order: where the perturbed motion meets the event, and how much later
     moved = perturbation + rates_before * delay
     zero = sp.sympify(left.ends.zero)
-    change = sum(sp.diff(zero, q) * step for q, step in zip(STATE, moved, strict=True))
+    change = sum(sp.diff(zero, q) * step for q, step in zip(state, moved, strict=True))
     (late,) = sp.solve(change + sp.diff(zero, forcing) * turning * delay, delay)
 
     # the law of the switch there, and back to the time at which the orbit passed it
-    behind = law.jacobian(STATE) * moved - rates_after * delay
+    behind = law.jacobian(state) * moved - rates_after * delay
+    behind += law.diff(forcing) * turning * delay
     matrix = behind.subs(delay, late).jacobian(perturbation)
     return matrix.subs(_known(left, right, k)).applyfunc(sp.factor)
+
+
+def _remembered(memory: Memory, right: Phase, speed: sp.Expr) -> sp.Expr:
+    """Return a memory behind a switch: what it is set to, where it is, or what it was."""
+    if memory.at != right.name:
+        return memory.symbol
+    return sp.sympify(memory.value).subs(v, speed)
 
 
 def _known(left: Phase, right: Phase, k: int) -> dict[sp.Symbol, sp.Expr]:

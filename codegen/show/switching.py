@@ -97,9 +97,13 @@ def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Ex
     if frequency is not None:
         values[saltation.turning] = -frequency * sp.sin(angle)
     matrix = found.matrix.subs(values, simultaneous=True)
-    rows = zip(PERTURBATIONS, matrix.tolist(), strict=True)
-    for (name, perturbation), row in rows:
-        terms = (
-            entry * q(sides["-"]) for entry, (_, q) in zip(row, PERTURBATIONS, strict=True)
-        )
+    known = [*PERTURBATIONS, *_of_memory(notation)]
+    for (name, perturbation), row in zip(known, matrix.tolist(), strict=True):
+        terms = (entry * q(sides["-"]) for entry, (_, q) in zip(row, known, strict=True))
         yield f"`{perturbation}` of the {name}", (perturbation(sides["+"]), sp.Add(*terms))
+
+
+def _of_memory(notation: Notation) -> Iterator[tuple[str, sp.FunctionClass]]:
+    """Yield what each memory is called, and a small perturbation of it."""
+    for i, memory in enumerate(notation.scene.memory):
+        yield f"memory `{memory.symbol}`", sp.Function("zeta" if i == 0 else f"zeta_{i}")

@@ -1,11 +1,11 @@
 """Maps of small perturbations of the state: over a phase, and across a switch.
 
-The state is a vector that begins with displacement and velocity.  What else a motion remembers
-would follow: it is constant in a phase, and a switch sets it.
+The state is a vector of displacement, velocity and what the motion remembers: constants of a
+phase, each of which a switch sets.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,6 +28,8 @@ class Switch:
         Derivative of the event's form by the state before.
     drift : float
         Its derivative by time at a fixed state: of the forcing.
+    turning : ndarray, shape (n,)
+        Derivative by time at a fixed state of what the law makes of the state.
     size : float
         Of what the rate of the event is the sum of, added without sign.
     """
@@ -37,6 +39,7 @@ class Switch:
     law: Matrix
     gradient: Vector
     drift: float
+    turning: Vector
     size: float
 
     @property
@@ -44,15 +47,20 @@ class Switch:
         """The rate at which the event is crossed."""
         return float(self.gradient @ self.rates_before) + self.drift
 
+    @property
+    def jump(self) -> Vector:
+        """What a delay of the event adds to the state behind it, by the time of the delay."""
+        return np.asarray(self.rates_after - self.law @ self.rates_before - self.turning)
+
 
 def saltation(switch: Switch) -> Matrix:
     """Return the derivative of the state behind a switch by that before it, at one time.
 
-    ``S = R + (F+ - R F-) n^T / (n F- + h_t)``: derived by SymPy in
+    ``S = R + (F+ - R F- - R_t) n^T / (n F- + h_t)``: derived by SymPy in
     ``codegen/scene/saltation.py``.
     """
-    jump = switch.rates_after - switch.law @ switch.rates_before
-    return np.asarray(switch.law + np.outer(jump, switch.gradient) / switch.crossing)
+    change = np.outer(switch.jump, switch.gradient) / switch.crossing
+    return np.asarray(switch.law + change)
 
 
 def determinant(switch: Switch) -> float:
@@ -60,15 +68,49 @@ def determinant(switch: Switch) -> float:
 
     Another way than by the entries: one checks the other.
     """
-    law, jump = switch.law, switch.rates_after - switch.law @ switch.rates_before
-    adjugate = np.trace(law) * np.eye(2) - law  # of two states; the law may be singular
-    change = float(switch.gradient @ adjugate @ jump) / switch.crossing
+    law = switch.law
+    change = float(switch.gradient @ adjugate(law) @ switch.jump) / switch.crossing
     return float(np.linalg.det(law)) + change
 
 
-def transition(phase: Phase, s: float) -> Matrix:
-    """Return the derivative of the state at the end of a phase by that at its start."""
-    return flow.end(phase, np.zeros(2), 0.0, 0.0, s).by_start
+def adjugate(matrix: Matrix) -> Matrix:
+    """Return the transposed matrix of cofactors, also of a singular matrix.
+
+    Examples
+    --------
+    >>> adjugate(np.array([[1.0, 2.0], [3.0, 4.0]]))
+    array([[ 4., -2.],
+           [-3.,  1.]])
+    """
+    n = len(matrix)
+    found = np.empty((n, n))
+    for i in range(n):
+        for j in range(n):
+            rest = np.delete(np.delete(matrix, j, axis=0), i, axis=1)
+            found[i, j] = (-1) ** (i + j) * np.linalg.det(rest)
+    return found
+
+
+def transition(phase: Phase, s: float, factors: tuple[float, ...] = ()) -> Matrix:
+    """Return the derivative of the state at the end of a phase by that at its start.
+
+    Parameters
+    ----------
+    phase : Phase
+        With numbers for the memory.
+    s : float
+        Its duration.
+    factors : tuple of float
+        Force of each constant that the motion remembers.
+    """
+    count = 2 + len(factors)
+    found = np.eye(count)
+    found[:2, :2] = flow.end(phase, np.zeros(2), 0.0, 0.0, s).by_start
+    for i, factor in enumerate(factors):
+        if not phase.held:
+            pushed = replace(phase, f=factor, g=0.0)
+            found[:2, 2 + i] = flow.end(pushed, np.zeros(2), 0.0, 0.0, s).state
+    return found
 
 
 def contraction(phase: Phase, s: float) -> float:

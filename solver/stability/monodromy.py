@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..case.cell import Phase
+from ..case.cell import Cell, Phase
 from ..flow import flow
 from ..orbit.motion import SceneMotion
 from .linear_maps import Switch, contraction, determinant, rates, saltation, transition
@@ -37,13 +37,14 @@ class Monodromy:
         Of the cell, before its motion is mirrored.
     size : ndarray, shape (n, n)
         The same product of absolute values: rounding errors are parts of it.
-    singular : bool
-        Whether a phase holds the velocity, so that one multiplier is exactly 0.
+    forgotten : int
+        How many multipliers are exactly 0: one where a phase holds the velocity, and one for
+        each constant that a switch sets.
     """
 
     matrix: Matrix
     size: Matrix
-    singular: bool
+    forgotten: int
 
 
 def monodromy(motion: SceneMotion) -> Monodromy:
@@ -55,9 +56,10 @@ def monodromy(motion: SceneMotion) -> Monodromy:
         If an event is touched and not crossed, or if a factor fails a check: the formula for
         the determinant or, without forcing, that the rate of the motion is mapped to itself.
     """
-    cell = motion.case.cell
+    cell, memory = motion.cell, motion.case.cell.memory
     starts, ends = _states(motion)
-    matrix, size, expected = np.eye(2), np.eye(2), 1.0
+    count = 2 + len(memory)
+    matrix, size, expected = np.eye(count), np.eye(count), 1.0
     for p, phase in enumerate(cell.phases):
         s = float(motion.cell_durations[p])
         switch = _switch(motion, p, starts, ends)
@@ -67,14 +69,16 @@ def monodromy(motion: SceneMotion) -> Monodromy:
                 "perturbations are not mapped linearly"
             )
         slow = min(1.0, abs(switch.crossing) / switch.size)
-        along, across = transition(phase, s), saltation(switch)
+        forces = _carried(motion.case.cell, p, motion.case.cell.phases[p].memory)
+        along, across = transition(phase, s, forces), saltation(switch)
         matrix = across @ along @ matrix
         size = np.abs(across) @ np.abs(along) @ size / slow
         expected *= contraction(phase, s) * determinant(switch)
         if not cell.forced:
             _check_rates(phase, starts[p], s, along, across, switch)
     _check_determinant(matrix, size, expected)
-    return Monodromy(matrix, size, any(phase.held for phase in cell.phases))
+    held = any(phase.held for phase in cell.phases)
+    return Monodromy(matrix, size, len(memory) + held)
 
 
 def _states(motion: SceneMotion) -> tuple[Matrix, Matrix]:
@@ -87,20 +91,43 @@ def _states(motion: SceneMotion) -> tuple[Matrix, Matrix]:
 
 def _switch(motion: SceneMotion, p: int, starts: Matrix, ends: Matrix) -> Switch:
     """Return the switch at the end of a phase; the motion after it is not yet mirrored."""
-    cell = motion.case.cell
+    cell, raw = motion.cell, motion.case.cell
     phase, after = cell.phases[p], (p + 1) % len(cell.phases)
     sign = cell.sign if after == 0 else 1
     angle = motion.angle + cell.omega * float(np.sum(motion.cell_durations[: p + 1]))
     cosine, sine = np.cos(angle), np.sin(angle)
     ex, ev, ec, _ = phase.event
     speed = float(np.abs(motion.part(p, np.linspace(0.0, 1.0, 17), 1)).max())
+    count = len(raw.memory)
+    law, turning = np.diag([1.0, phase.rho, *[1.0] * count]), np.zeros(2 + count)
+    for i, memory in enumerate(raw.memory):
+        if memory.phase == after:
+            vx, vv, vc, _ = memory.value
+            law[2 + i] = [vx, vv * phase.rho, *[0.0] * count]
+            turning[2 + i] = -vc * cell.omega * sine
+    constant = np.zeros(count)
+    before = rates(phase, ends[p], cosine)
+    behind = sign * rates(cell.phases[after], starts[after], sign * cosine)
     return Switch(
-        rates_before=rates(phase, ends[p], cosine),
-        rates_after=sign * rates(cell.phases[after], starts[after], sign * cosine),
-        law=np.diag([1.0, phase.rho]),
-        gradient=np.array([ex, ev]),
+        rates_before=np.append(before, constant),
+        rates_after=np.append(behind, constant),
+        law=law,
+        gradient=np.array([ex, ev, *_carried(raw, p, raw.phases[p].event[4:])]),
         drift=float(-ec * cell.omega * sine),
+        turning=turning,
         size=abs(ex) * speed + abs(ev) * _force(phase, ends[p]) + abs(ec) * cell.omega,
+    )
+
+
+def _carried(cell: Cell, p: int, factors: tuple[float, ...]) -> tuple[float, ...]:
+    """Return the factors of the memory in phase `p` for its values as the motion carries them.
+
+    Before the switch that sets it, a phase has that of the cell before: mirrored, where cells
+    are, which the factors of the cell already say.
+    """
+    return tuple(
+        factor * (cell.sign if p < memory.phase else 1)
+        for factor, memory in zip(factors, cell.memory, strict=True)
     )
 
 
@@ -116,8 +143,10 @@ def _check_rates(
 ) -> None:
     """Check that phase and switch map the rate of the motion to that behind them: M F = F."""
     reached = flow.end(phase, start, 0.0, 0.0, s).state
+    constant = np.zeros(len(along) - 2)
+    first, last = (np.append(rates(phase, q, 1.0), constant) for q in (start, reached))
     pairs = (
-        (along, rates(phase, start, 1.0), rates(phase, reached, 1.0)),
+        (along, first, last),
         (across, switch.rates_before, switch.rates_after),
     )
     for matrix, rate, expected in pairs:
@@ -133,9 +162,19 @@ def _check_rates(
 def _check_determinant(matrix: Matrix, size: Matrix, expected: float) -> None:
     """Check the determinant against its formula: ``prod det S exp(-sum c s/m)``."""
     found = float(np.linalg.det(matrix))
-    largest = float(size[0, 0] * size[1, 1] + size[0, 1] * size[1, 0])
+    largest = _permanent(size)
     if not abs(found - expected) <= ROUNDING * largest:
         raise NoMultipliersError(
             f"a check failed: the determinant of the monodromy is {found:.6g}, expected "
             f"{expected:.6g} by its formula"
         )
+
+
+def _permanent(matrix: Matrix) -> float:
+    """Return the sum of the products that make a determinant, without signs."""
+    if len(matrix) == 1:
+        return float(matrix[0, 0])
+    return sum(
+        float(matrix[0, j]) * _permanent(np.delete(matrix[1:], j, axis=1))
+        for j in range(len(matrix))
+    )

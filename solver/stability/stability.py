@@ -78,20 +78,26 @@ def _eigenvalues(found: Monodromy) -> tuple[Complex, Vector]:
     """Return the eigenvalues of a cell's monodromy, and what rounding may change of each.
 
     An error of the matrix shifts an eigenvalue by what the eigenvectors on both sides make of
-    it; a double one that has a single eigenvector by its root.
+    it; a double one that has a single eigenvector by its root.  What a phase or a switch
+    forgets has a multiplier of 0, which is set, not computed.
     """
-    if found.singular:  # a held phase forgets the velocity: 0 is set, not computed
-        values = np.array([np.trace(found.matrix), 0.0], dtype=complex)
-        return values, np.array([ROUNDING * float(np.trace(found.size)), 0.0])
+    count = len(found.matrix)
+    if found.forgotten == count - 1:  # one is left: the trace
+        values = np.array([np.trace(found.matrix), *[0.0] * (count - 1)], dtype=complex)
+        return values, np.array([ROUNDING * float(np.trace(found.size)), *[0.0] * (count - 1)])
     values, right = np.linalg.eig(found.matrix)  # of a real matrix: pairs are exact
     values = np.asarray(values, dtype=complex)
-    errors = np.empty(len(values))
+    from_left, left = np.linalg.eig(found.matrix.T)
+    errors = np.empty(count)
+    zero = np.argsort(np.abs(values))[: found.forgotten]
     for j, value in enumerate(values):
         distance = np.abs(np.delete(values, j) - value).min(initial=np.inf)
         moved = ROUNDING * float(np.linalg.norm(found.size))
         if distance <= np.sqrt(moved):
             errors[j] = np.sqrt(moved)
             continue
-        left = np.linalg.inv(right)[j]
-        errors[j] = ROUNDING * float(np.abs(left) @ found.size @ np.abs(right[:, j]))
+        across = left[:, int(np.argmin(np.abs(from_left - value)))]
+        shared = abs(across @ right[:, j])
+        errors[j] = ROUNDING * float(np.abs(across) @ found.size @ np.abs(right[:, j])) / shared
+    values[zero], errors[zero] = 0.0, 0.0
     return values, errors

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_scenes import made
+from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
 from nonsmooth.solver.case import registry
@@ -233,3 +234,61 @@ def test_a_wrong_factor_fails_a_check(monkeypatch) -> None:
         monodromy(exact_orbit(IMPACT()))
     with pytest.raises(NoMultipliersError, match="rate of the motion is not mapped to itself"):
         monodromy(exact_orbit(registry.load("stick-slip-damped")()))
+
+
+def element(state, t0: float, t1: float, case) -> np.ndarray:
+    """Return x, x' and the force z of the elastic-plastic element at t1, by an integrator.
+
+    Written from the scene's own words: z' = k x' but while it flows at the yield force.
+    """
+    m, c, k, limit, h, F, omega = case.values.values()
+    flows = False
+
+    def rate(t, y):
+        x, v, z = y
+        return [v, (F * np.cos(omega * t) - c * v - h * x - z) / m, 0.0 if flows else k * v]
+
+    y, t = np.array(state, dtype=float), t0
+    while t < t1:
+        events = (lambda t, y: y[1],) if flows else (
+            lambda t, y: limit - y[2], lambda t, y: limit + y[2]
+        )  # fmt: skip
+        for event in events:
+            event.terminal, event.direction = True, 0 if flows else -1
+        found = solve_ivp(
+            rate, (t, t1), y, events=events, method="DOP853", rtol=1e-12, atol=1e-13
+        )
+        y, t = found.y[:, -1], found.t[-1]
+        if found.status == 1:
+            flows = not flows
+            if not flows:  # a hair inside the limit, from which it unloads
+                y[2] -= np.sign(y[2]) * 1e-13
+    return y
+
+
+@pytest.mark.parametrize("hardening", [0.2, 0.0])
+def test_a_motion_that_remembers_is_followed_with_what_it_remembers(hardening: float) -> None:
+    case = ns.scene("elastic-plastic")(hardening=hardening)
+    orbit = ns.exact(case)
+    start = orbit.phases[0].duration / 2
+    x0 = orbit.displacement(0.0)
+    t0 = start + orbit.forcing_phase / case.values["frequency"]
+    x, v = orbit.displacement(start), orbit.velocity(start)
+    z = case.values["yield_force"] + case.values["stiffness"] * (x - x0)  # before, it flowed
+    state, step = np.array([x, v, z], dtype=float), 1e-4
+    columns = []
+    for i in range(3):
+        ends = [
+            element(state + sign * step * np.eye(3)[i], t0, t0 + orbit.period, case)
+            for sign in (1, -1)
+        ]
+        columns.append((ends[0] - ends[1]) / (2 * step))
+    expected = np.linalg.eigvals(np.array(columns).T)
+    expected = expected[np.argsort(-np.abs(expected))]
+    assert np.abs(element(state, t0, t0 + orbit.period, case) - state).max() < 1e-9
+    assert np.abs(orbit.multipliers) == pytest.approx(np.abs(expected), abs=1e-6)
+    assert orbit.multipliers[-1] == 0
+    if hardening == 0:
+        assert orbit.multipliers[0] == pytest.approx(1, abs=1e-12)
+        assert orbit.stable is None
+    assert orbit.multipliers.sum() == pytest.approx(expected.sum(), abs=1e-6)
