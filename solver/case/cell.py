@@ -140,6 +140,29 @@ class Cell:
         phases = tuple(phase.remembering(values) for phase in self.phases)
         return replace(self, phases=phases, memory=())
 
+    def carrying(self, p: int) -> Phase:
+        """Return a phase whose factors of the memory are for its values as a motion has them.
+
+        Before the switch that sets a value, a phase has that of the cell before: mirrored,
+        where cells are, which `phases` already says in its factors.
+        """
+        phase = self.phases[p]
+        signs = [self.sign if p < each.phase else 1 for each in self.memory]
+
+        def put(form: Form) -> Form:
+            return (*form[:4], *map(mul, form[4:], signs))
+
+        def all_of(demands: tuple[tuple[str, Form], ...]) -> tuple[tuple[str, Form], ...]:
+            return tuple((words, put(form)) for words, form in demands)
+
+        return replace(
+            phase,
+            event=put(phase.event),
+            demands=all_of(phase.demands),
+            switch_demands=all_of(phase.switch_demands),
+            memory=tuple(map(mul, phase.memory, signs)),
+        )
+
     @property
     def forced(self) -> bool:
         """Whether the phase of a forcing is unknown, and the duration of the cell known."""

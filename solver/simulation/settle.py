@@ -50,7 +50,8 @@ def rough_times_by_simulation(case: Case) -> Iterator[Settled]:
     """
     machine, unit = Machine.of(case.cell), cycle(case.cell)
     starts = [at_rest(machine, 0.0)]
-    starts += [State(0.0, q.phase.speed, 0.0) for q in machine.nodes if q.phase.held]
+    held = [State(0.0, q.phase.speed, 0.0) for q in machine.nodes if q.phase.held]
+    starts += map(machine.remembered, held)
     for start in dict.fromkeys(starts):
         if start is not None and machine.first(start) is not None:
             yield settled(case.cell, follow(case, machine, start, CYCLES * unit))

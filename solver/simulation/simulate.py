@@ -74,6 +74,7 @@ def simulate(
     """
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    case = whole(case)
     turn = _number("forcing_phase", forcing_phase, "a finite number of rad")
     duration = _duration(case, cycles, time)
     machine = Machine.of(case.cell)
@@ -82,13 +83,18 @@ def simulate(
         if start is None:
             raise ValueError("state: no displacement at rest is admitted, expected one")
     else:
-        start = _given(case, state, turn)
+        start = machine.remembered(_given(case, state, turn))
     if machine.first(start) is None:
         raise ValueError(
             f"state: got {tuple(state or ())!r}, expected one that a phase of "
             f"{case.scene.name} takes; {machine.unmet(start)}"
         )
     return follow(case, machine, start, duration)
+
+
+def whole(case: Case) -> Case:
+    """Return the case of the motion with the most phases, where a scene has several."""
+    return max(case.each_motion, key=lambda each: len(each.cell.phases))
 
 
 def follow(case: Case, machine: Machine, start: State, duration: float) -> Simulation:
@@ -106,7 +112,7 @@ def _run(
     omega, t, short = case.cell.omega, 0.0, 0
     segments: list[Segment] = []
     while True:
-        phase = node.phase
+        phase = node.at(state)
         start = np.array([state.x, phase.speed if phase.held else state.v])
         forms = machine.watched(node, state)
         try:
@@ -123,12 +129,13 @@ def _run(
         if end.form is None:
             return segments, ""
         form = forms[end.form]
-        rho, d = machine.law(node, form)
+        rho, d = machine.law(node, form, state)
         still = form if form[1] == 0 or (rho, d) == (1, 0) else None
         angle = math.fmod(
             state.angle + omega * end.s, 2 * math.pi
         )  # a small one has its digits
-        state = State(end.x, rho * end.v + d, angle, still)
+        speed = end.v if (form[0], form[2]) != (0, 0) else -form[3] / form[1]  # not rounded
+        state = State(end.x, rho * speed + d, angle, still, state.memory)
         short = short + 1 if end.s < SHORT else 0
         if short == CHATTER:
             return segments, f"chatter: {_chatter(case, segments)}"
@@ -140,7 +147,7 @@ def _run(
                 f"no phase of the scene takes the state at t = {t * case.units.time:.6g} s, "
                 f"where {phase.name} ends; {machine.unmet(state)}"
             )
-        node = after
+        node, state = after, machine.entered(after, state)
 
 
 def _chatter(case: Case, segments: list[Segment]) -> str:
@@ -161,14 +168,14 @@ def at_rest(machine: Machine, angle: float) -> State | None:
     cosine = math.cos(angle)
     places = [0.0]
     for node in machine.nodes:
-        for x, _, cos, constant in (form for _, form in node.phase.demands):
+        for x, _, cos, constant, *_ in (form for _, form in node.phase.demands):
             if x:
                 limit = -(constant + cos * cosine) / x
                 places += [limit, limit - ASIDE, limit + ASIDE]
     speeds = [0.0, *(q.phase.speed for q in machine.nodes if q.phase.held)]
     for speed in speeds:
         for place in sorted(places, key=abs):
-            state = State(place, speed, angle)
+            state = machine.remembered(State(place, speed, angle))
             if machine.first(state) is not None:
                 return state
     return None

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..case.cell import Cell, Phase
+from ..case.cell import Phase
 from ..flow import flow
 from ..orbit.motion import SceneMotion
 from .linear_maps import Switch, contraction, determinant, rates, saltation, transition
@@ -69,7 +69,7 @@ def monodromy(motion: SceneMotion) -> Monodromy:
                 "perturbations are not mapped linearly"
             )
         slow = min(1.0, abs(switch.crossing) / switch.size)
-        forces = _carried(motion.case.cell, p, motion.case.cell.phases[p].memory)
+        forces = motion.case.cell.carrying(p).memory
         along, across = transition(phase, s, forces), saltation(switch)
         matrix = across @ along @ matrix
         size = np.abs(across) @ np.abs(along) @ size / slow
@@ -112,22 +112,10 @@ def _switch(motion: SceneMotion, p: int, starts: Matrix, ends: Matrix) -> Switch
         rates_before=np.append(before, constant),
         rates_after=np.append(behind, constant),
         law=law,
-        gradient=np.array([ex, ev, *_carried(raw, p, raw.phases[p].event[4:])]),
+        gradient=np.array([ex, ev, *raw.carrying(p).event[4:]]),
         drift=float(-ec * cell.omega * sine),
         turning=turning,
         size=abs(ex) * speed + abs(ev) * _force(phase, ends[p]) + abs(ec) * cell.omega,
-    )
-
-
-def _carried(cell: Cell, p: int, factors: tuple[float, ...]) -> tuple[float, ...]:
-    """Return the factors of the memory in phase `p` for its values as the motion carries them.
-
-    Before the switch that sets it, a phase has that of the cell before: mirrored, where cells
-    are, which the factors of the cell already say.
-    """
-    return tuple(
-        factor * (cell.sign if p < memory.phase else 1)
-        for factor, memory in zip(factors, cell.memory, strict=True)
     )
 
 
