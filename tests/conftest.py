@@ -1,14 +1,19 @@
 """What several tests share: the default oscillator, and a command line to call."""
 
+import gc
 import os
 import subprocess
 import sys
 from collections.abc import Callable
+from pathlib import PurePosixPath
+from typing import Any
 
 # Before NumPy: on small arrays the threads of its BLAS cost more than they give.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 if "PYTEST_XDIST_WORKER" in os.environ:  # the cores are taken by the workers
     os.environ.setdefault("NUMBA_NUM_THREADS", "1")
+# Before SymPy, whose cache has a thousand entries otherwise: a derivation has more to keep.
+os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
 
 import pytest
 from hypothesis import settings
@@ -20,16 +25,50 @@ from nonsmooth.cli import main
 settings.register_profile("fixed", deadline=None, derandomize=True)
 settings.load_profile("fixed")
 
-#: Rooms whose tests share what they derive: one process runs them.
-SHARED = {"derivation": "paper", "shown": "paper", "galerkin": "machine", "show": "machine"}
+#: Rooms and files whose tests share what they derive: one process runs them.
+SHARED = {
+    **dict.fromkeys(("derivation", "shown", "report"), "paper"),
+    **dict.fromkeys(("test_precise_errors", "test_stability", "test_tradeoff"), "paper"),
+    **dict.fromkeys(("test_twin", "test_extremes", "test_command_line"), "paper"),
+    **dict.fromkeys(("test_frozen_numbers", "test_documentation"), "paper"),
+    **dict.fromkeys(("galerkin", "show"), "machine"),
+}
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep the tests of a derivation in one process, where several run side by side."""
-    for item in items:
-        group = SHARED.get(item.path.parent.name)
-        if group is not None:
-            item.add_marker(pytest.mark.xdist_group(group))
+#: Files whose tests take minutes each where EXAMPLES asks for many.
+DRAWN = ("test_extremes", "test_tolerance")
+
+
+def _group(nodeid: str) -> str:
+    """Return the group of a test: that of its room or file, or the file itself."""
+    file = PurePosixPath(nodeid.partition("::")[0])
+    if file.stem in DRAWN and "EXAMPLES" in os.environ:
+        return nodeid
+    return SHARED.get(file.stem) or SHARED.get(file.parent.name) or str(file)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Run the tests of a group in one process, the groups of most tests first.
+
+    The marks of xdist would do, but version 3.8 does not see them with pytest 9.2: there each
+    test went to a process of its own, and every derivation was done twice.
+    """
+    if config.getvalue("dist") != "loadgroup":
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Groups(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return _group(nodeid)
+
+    return Groups(config, log)
+
+
+def pytest_collection_finish() -> None:
+    """Look less often for garbage, and not in what is imported: 8 % of a derivation."""
+    gc.freeze()
+    gc.set_threshold(10_000, 50, 100)
 
 
 Outcome = tuple[int, str, str]

@@ -39,9 +39,11 @@ def test_rounding_is_left_out_and_one_order_has_no_rate() -> None:
 
 def test_the_rates_of_the_paper_s_methods() -> None:
     """mathematics.md, section 3: 1/N and about N**-3; (22) N**-1/2 and N**-3/2."""
-    rates = ns.sweep(DEFAULT, ["hb", "hb-c1"], range(50, 250)).rates()
+    rates = ns.sweep(DEFAULT, "hb", range(50, 250, 10)).rates()
     assert rates["hb"].period == pytest.approx(1, abs=0.01)
     assert rates["hb"].acceleration == pytest.approx(0.5, abs=0.01)
+    # These errors are larger or smaller by the order: the rate is that of many together.
+    rates = ns.sweep(DEFAULT, "hb-c1", range(50, 150)).rates()
     assert rates["hb-c1"].period == pytest.approx(3, abs=0.3)
     assert rates["hb-c1"].acceleration == pytest.approx(1.5, abs=0.1)
 

@@ -152,7 +152,10 @@ def test_sweep_writes_csv_and_json(run, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("command", "suffix"),
-    [("solve", "png"), ("solve", "pdf"), ("sweep", "svg"), ("sweep", "pdf")],
+    [
+        *(("solve", "png"), ("solve", "pdf"), ("sweep", "svg")),
+        pytest.param("sweep", "pdf", marks=pytest.mark.long),
+    ],
 )
 def test_pictures_are_written_and_reproducible(
     run, tmp_path: Path, command: str, suffix: str

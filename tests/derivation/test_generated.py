@@ -5,10 +5,13 @@ import importlib.util
 import os
 import subprocess
 import sys
+import types
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+import numba
+import numpy as np
 import pytest
 import sympy as sp
 from numpy.testing import assert_array_equal
@@ -138,7 +141,7 @@ def changed(system: GalerkinSystem) -> GalerkinSystem:
     """Return the system with one wrong sign in the mathematics."""
     forms = tuple(
         dataclasses.replace(form, values=tuple(-v for v in form.values))
-        if form.name == "constant_by_one"
+        if form.name == "initial_state"
         else form
         for form in system.forms
     )
@@ -183,42 +186,43 @@ def test_name_and_arguments_of_a_closed_form_count_in_the_hash(change: str) -> N
     )
 
 
-RUN = """
-import sys, numpy as np
-from nonsmooth.solver.shortcuts.search import kernels
-sys.path.insert(0, sys.argv[1])
-import regenerated
-residual = kernels.compile_functions(regenerated)["residual"]
-R = np.empty(5)
-residual(1.0, np.array([0.7, 0.2, -0.9, 2.0, 6.0]), R)
-print(R[0].hex(), sum(residual.stats.cache_hits.values()))
-"""
+def imported(path: Path) -> types.ModuleType:
+    """Return a file of generated text as a module of its own, as a new process has it."""
+    spec = importlib.util.spec_from_file_location("regenerated", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
-def test_a_cached_kernel_never_survives_a_regeneration(tmp_path: Path) -> None:
-    """A file with other mathematics, but the same size and time, is compiled anew."""
-    path, cache = tmp_path / "regenerated.py", tmp_path / "cache"
-    cache.mkdir()
+def test_a_cached_kernel_never_survives_a_regeneration(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file with other mathematics, but the same size and time, is compiled anew.
 
-    def residual() -> tuple[float, int]:
-        command = [sys.executable, "-B", "-c", RUN, str(tmp_path)]
-        environment = os.environ | {"NUMBA_CACHE_DIR": str(cache)}
-        out = subprocess.run(
-            command, check=True, capture_output=True, text=True, env=environment
-        ).stdout.split()
-        return float.fromhex(out[0]), int(out[1])
+    What is called changes, and its caller is found in the cache or not.
+    """
+    path = tmp_path / "regenerated.py"
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
+
+    def start() -> tuple[tuple[float, float], int]:
+        function = kernels.compile_functions(imported(path))["initial_residual"]
+        found = function(1.0, 1, np.array([0.7, 0.2, -0.9]), 6.0)
+        return found, sum(function.stats.cache_hits.values())
 
     right, wrong = (emit.module_source(s) for s in (derive("hb"), changed(derive("hb"))))
     size = max(len(right), len(wrong))
     path.write_text(right.ljust(size))
     os.utime(path, ns=(10**18, 10**18))
-    first, hits = residual()
+    first, hits = start()
     assert hits == 0
-    again, hits = residual()
+    again, hits = start()
     assert (again, hits) == (first, 1)
     path.write_text(wrong.ljust(size))
     os.utime(path, ns=(10**18, 10**18))
-    after, hits = residual()
+    after, hits = start()
     assert hits == 0
     assert after != first
 
@@ -226,8 +230,6 @@ def test_a_cached_kernel_never_survives_a_regeneration(tmp_path: Path) -> None:
 def test_kernels_compile_where_no_cache_can_be_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    import numba
-
     def refuse(*arguments, **options):
         if options.get("cache"):
             raise RuntimeError("cannot cache function: no locator available")
@@ -237,10 +239,6 @@ def test_kernels_compile_where_no_cache_can_be_written(
     monkeypatch.setattr(numba, "njit", refuse)
     path = tmp_path / "c1.py"
     path.write_text(emit.module_source(derive("c1")))
-    spec = importlib.util.spec_from_file_location("uncached", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    module = imported(path)
     namespace = kernels.compile_functions(module)
     assert_array_equal(namespace["twice_integrated"](3), module.twice_integrated(3))

@@ -48,11 +48,19 @@ def test_scales_of_many_are_those_of_one(parameter: str) -> None:
     assert unit.tolist() == [belt.time_unit for belt in belts]
 
 
+#: Of five oscillators along each parameter, those that have an orbit at a low order.
+LOW_ORDERS = {
+    ("c1", 4): dict(zip(PARAMETERS, (1, 1, 1, 4, 3, 4), strict=True)),
+    ("hb", 12): dict(zip(PARAMETERS, (4, 4, 4, 1, 5, 1), strict=True)),
+}
+
+
 @pytest.mark.parametrize("parameter", PARAMETERS)
 @pytest.mark.parametrize(
     ("method", "order"), [("c1", 24), ("c1", 4), ("c1", 200), ("hb", 12), ("hb-c1", 12)]
 )
 def test_a_point_is_what_solve_gives(parameter: str, method: str, order: int) -> None:
+    compared = 0
     family = ns.family(DEFAULT, parameter, values_of(parameter, 5), method, order)
     for point in family.points:
         belt = replace(DEFAULT, **{parameter: float(point["value"])})
@@ -67,6 +75,7 @@ def test_a_point_is_what_solve_gives(parameter: str, method: str, order: int) ->
         if orbit is None:
             assert np.isnan(point["period"])
             continue
+        compared += 1
         rounding = 1e-14 * orbit.period
         assert point["period"] == pytest.approx(orbit.period, abs=rounding)
         assert point["t1"] == pytest.approx(orbit.t1, abs=rounding)
@@ -74,6 +83,7 @@ def test_a_point_is_what_solve_gives(parameter: str, method: str, order: int) ->
         assert point["stick_fraction"] == point["t1"] / point["period"]
         judged = orbit.estimate
         assert point["estimate_period"] == pytest.approx(judged.period, rel=0.2, abs=1e-14)
+    assert compared == LOW_ORDERS.get((method, order), {}).get(parameter, 5)
 
 
 @pytest.mark.parametrize(
@@ -110,17 +120,12 @@ def test_a_very_fast_belt_is_left_to_solve() -> None:
     assert (family["estimate_period"] < 1e-13).all()
 
 
-@settings(max_examples=40)
-@given(
-    st.floats(-2.5, 2.5).map(lambda power: 10**power),
-    st.sampled_from([("c1", 9), ("c1", 24), ("hb", 10), ("hb", 60), ("hb-c1", 25)]),
-)
-def test_amplitude_is_where_the_motion_turns(alpha: float, case: tuple[str, int]) -> None:
-    belt = replace(DEFAULT, belt_speed=1 / alpha)
+def check_amplitude(belt: ns.StickSlip, method: str, order: int) -> bool:
+    """Compare the amplitude with samples of the motion; whether there was an orbit."""
     try:
-        orbit = ns.solve(belt, *case)
+        orbit = ns.solve(belt, method, order)
     except ns.NoOrbit:
-        return
+        return False
     slip = orbit.period - orbit.t1
     times = np.concatenate(
         [np.linspace(0, orbit.period, 4001), orbit.t1 + np.linspace(0, slip, 4001)]
@@ -131,6 +136,22 @@ def test_amplitude_is_where_the_motion_turns(alpha: float, case: tuple[str, int]
     beyond = np.abs(orbit.acceleration(times)).max() * (slip / 4000) ** 2 / 8
     rounding = 1e-12 * sampled
     assert sampled - rounding <= orbit.amplitude <= sampled + beyond + rounding
+    return True
+
+
+def test_amplitude_is_where_the_motion_turns() -> None:
+    compared: list[bool] = []
+
+    @settings(max_examples=40)
+    @given(
+        st.floats(-2.5, 2.5).map(lambda power: 10**power),
+        st.sampled_from([("c1", 9), ("c1", 24), ("hb", 10), ("hb", 60), ("hb-c1", 25)]),
+    )
+    def run(alpha: float, case: tuple[str, int]) -> None:
+        compared.append(check_amplitude(replace(DEFAULT, belt_speed=1 / alpha), *case))
+
+    run()
+    assert sum(compared) >= 36
 
 
 def test_the_amplitude_of_the_exact_orbit() -> None:
@@ -185,9 +206,8 @@ def test_a_short_stick_is_what_solve_gives(order: int) -> None:
     alpha = np.random.default_rng(order).uniform(-7, -2, 12)
     belt = ns.StickSlip(mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0, normal_force=1)
     family = ns.family(belt, "normal_force", 10**alpha, "c1", order)
+    assert (family["status"] == 0).all()
     for point in family.points:
-        if point["status"]:
-            continue
         orbit = ns.solve(replace(belt, normal_force=float(point["value"])), "c1", order)
         # both are solutions to rounding, which is a part of T: the estimates say so
         assert abs(point["t1"] / orbit.t1 - 1) < point["estimate_t1"]

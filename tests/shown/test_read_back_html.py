@@ -5,15 +5,14 @@ from collections import Counter
 import pytest
 from reading import mathml
 from reading.compare import differences
-from reading.expected import methods, notes, rows
+from reading.expected import notes, rows
+from reading.printed import html_of
 from reading.prose import bare
-
-from nonsmooth.codegen.shortcuts.document import equations_html, html_document
 
 
 @pytest.mark.parametrize("order", [None, 1, pytest.param(3, marks=pytest.mark.long)])
 def test_every_equation_of_the_page_reads_as_its_record(order: int | None) -> None:
-    printed = list(mathml.equations(html_document(methods(order), order)))
+    printed = list(mathml.equations(html_of(order)))
     meant = [(bare(head), row.number, bare(row.words)) for head, row in rows(order)]
     assert [(bare(row.heading), row.number, bare(row.words)) for row in printed] == meant
     wrong = [
@@ -25,13 +24,13 @@ def test_every_equation_of_the_page_reads_as_its_record(order: int | None) -> No
 
 def test_the_anchor_of_an_equation_counts_those_of_its_number() -> None:
     seen: Counter[str] = Counter()
-    for printed in mathml.equations(equations_html(methods(None))):
+    for printed in mathml.equations(html_of(None)):
         seen[printed.number] += 1
         again = f"-{seen[printed.number]}" if seen[printed.number] > 1 else ""
         assert printed.anchor == (f"eq-{printed.number}{again}" if printed.number else "")
 
 
 def test_the_sentence_below_a_heading_names_the_unknowns() -> None:
-    shown = bare(mathml.words(html_document(methods(2), 2)))
+    shown = bare(mathml.words(html_of(2)))
     for note in notes(2):
         assert bare(note) in shown

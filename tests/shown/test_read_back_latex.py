@@ -5,7 +5,8 @@ import re
 import pytest
 from reading import latex
 from reading.compare import differences
-from reading.expected import RECORDS, methods, notes, rows
+from reading.expected import RECORDS, notes, rows
+from reading.printed import fragment_of
 from reading.prose import bare, mathematics_in
 
 from nonsmooth.codegen import derive
@@ -14,7 +15,7 @@ from nonsmooth.codegen.shortcuts.document import latex_document, latex_fragment
 
 @pytest.mark.parametrize("order", [None, 1, 2, pytest.param(4, marks=pytest.mark.long)])
 def test_every_equation_of_the_fragment_reads_as_its_record(order: int | None) -> None:
-    printed = list(latex.equations(latex_fragment(methods(order), order)))
+    printed = list(latex.equations(fragment_of(order)))
     meant = [(bare(head), row.number, bare(row.words)) for head, row in rows(order)]
     assert [(bare(row.heading), row.number, bare(row.words)) for row in printed] == meant
     wrong = [
@@ -33,7 +34,7 @@ def test_a_document_has_the_body_of_the_fragment() -> None:
 
 
 def test_the_sentence_below_a_heading_names_the_unknowns() -> None:
-    shown = bare(latex_fragment(methods(2), 2))
+    shown = bare(fragment_of(2))
     for note in notes(2):
         assert bare(note) in shown
 

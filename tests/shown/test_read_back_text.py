@@ -3,10 +3,10 @@
 import pytest
 from reading import text
 from reading.compare import differences
-from reading.expected import methods, notes, rows
+from reading.expected import notes, rows
+from reading.printed import text_of
 
 from nonsmooth.codegen import derive
-from nonsmooth.codegen.shortcuts.document import text_document
 
 #: Without a number, the equations for any N; ASCII differs in the characters alone.
 CASES = [
@@ -21,7 +21,7 @@ CASES = [
 def test_every_equation_of_the_document_reads_as_its_record(
     order: int | None, unicode: bool
 ) -> None:
-    printed = list(text.equations(text_document(methods(order), order, unicode=unicode)))
+    printed = list(text.equations(text_of(order, unicode)))
     meant = [(head, row.number, row.words) for head, row in rows(order)]
     assert [(row.heading, row.number, row.words) for row in printed] == meant
     wrong = [
@@ -32,7 +32,7 @@ def test_every_equation_of_the_document_reads_as_its_record(
 
 
 def test_the_sentence_below_a_heading_names_the_unknowns() -> None:
-    shown = " ".join(text_document(methods(2), 2).replace("_", "").split())
+    shown = " ".join(text_of(2).replace("_", "").split())
     for note in notes(2):
         assert note.replace("[", "").replace("]", "") in shown
 
