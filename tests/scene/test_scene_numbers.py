@@ -29,7 +29,7 @@ KEPT = 0.7
 
 
 def at_the_point(form):
-    """Return the value of a linear form, which has a factor of each memory behind the others."""
+    """Return the value of a linear form, with a factor of each memory behind the others."""
     return form[:4] @ POINT + KEPT * sum(form[4:])
 
 
