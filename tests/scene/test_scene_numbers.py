@@ -24,6 +24,14 @@ EVERY["all fields"] = scene(
 STATE = dict(zip((x, v, a, forcing), (0.3, -1.7, 0.9, 0.4), strict=True))
 POINT = np.array([STATE[x], STATE[v], STATE[forcing], 1.0])
 
+#: The value of every memory.
+KEPT = 0.7
+
+
+def at_the_point(form):
+    """Return the value of a linear form, with a factor of each memory behind the others."""
+    return form[:4] @ POINT + KEPT * sum(form[4:])
+
 
 def module_of(made):
     module = types.ModuleType("numbers")
@@ -42,20 +50,22 @@ def emitted(request):
     made = EVERY[request.param]
     numbers = values_of(made)
     symbols = dict(zip(made.symbols, numbers, strict=True))
+    kept = {memory.symbol: KEPT for memory in made.memory}
     return (
         made,
         module_of(made),
         numbers,
-        lambda e: float(sp.sympify(e).subs(symbols).subs(STATE)),
+        lambda e: float(sp.sympify(e).subs(symbols | kept).subs(STATE)),
     )
 
 
 def test_coefficients_are_those_of_the_equations(emitted):
     made, module, numbers, value = emitted
     found = module.coefficients(*numbers)
-    for phase, (mass, c, stiffness, f, amplitude) in zip(made.phases, found, strict=True):
+    for phase, row in zip(made.phases, found, strict=True):
+        mass, c, stiffness, f, amplitude, *memory = row
         left = mass * STATE[a] + c * STATE[v] + stiffness * STATE[x]
-        right = f + amplitude * STATE[forcing]
+        right = f + amplitude * STATE[forcing] + KEPT * sum(memory)
         assert left - right == pytest.approx(value(phase.equation), abs=1e-14)
 
 
@@ -63,7 +73,7 @@ def test_events_and_jumps_are_those_of_the_scene(emitted):
     made, module, numbers, value = emitted
     events, jumps = module.events(*numbers), module.jumps(*numbers)
     for phase, event, (rho, d) in zip(made.phases, events, jumps, strict=True):
-        assert event @ POINT == pytest.approx(value(phase.ends.zero), abs=1e-14)
+        assert at_the_point(event) == pytest.approx(value(phase.ends.zero), abs=1e-14)
         law = phase.ends.jump.get(v, v)
         assert rho * STATE[v] + d == pytest.approx(value(law), abs=1e-14)
 
@@ -76,7 +86,9 @@ def test_a_demand_with_a_modulus_is_the_lesser_of_two(emitted):
         assert list(dict.fromkeys(words)) == list(phase.demands)
         for each, demand in phase.demands.items():
             rows = [
-                form @ POINT for word, form in zip(words, forms, strict=True) if word == each
+                at_the_point(form)
+                for word, form in zip(words, forms, strict=True)
+                if word == each
             ]
             assert len(rows) == (2 if sp.sympify(demand).has(sp.Abs) else 1)
             assert min(rows) == pytest.approx(value(demand), abs=1e-14)

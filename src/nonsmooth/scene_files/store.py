@@ -91,4 +91,5 @@ def _for_now(key: str, files: Mapping[str, str]) -> Path:
 
 def _write(files: Mapping[str, str], folder: Path) -> None:
     for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)  # of one of several motions
         (folder / name).write_text(text, "utf-8", newline="\n")

@@ -66,8 +66,8 @@ def _write(folder: Path, files: dict[str, str]) -> None:
     from nonsmooth.files.whole import whole  # noqa: PLC0415
 
     try:
-        folder.mkdir(exist_ok=True)
         for name, text in files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
             with whole(folder / name) as temporary:
                 temporary.write_text(text, "utf-8", newline="\n")
     except OSError as error:
