@@ -18,7 +18,7 @@ m, c, k, F, Omega, g, r.
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
 MATHEMATICS = "5168de572db662a0d2bb88017125114794d4e35199077f1fa6bf343c61fd2d5e"  # of the conditions, by srepr
-BODY = "eaddca35ba1807b8b2a5699a688841b6e9e12fa476b656b66aa0889152bcc07d"  # of the text below
+BODY = "a4724ced4d3bcb6b7ce3dd1bde5d24ad4e74f1ceed0a03b435f5796a46a1df6a"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -48,7 +48,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -60,13 +66,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -271,7 +287,8 @@ def residual(case, z, R):
     at_phi = N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    mu_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
     row = 0
     q0, q1, q2, q3, q4, q5 = flight_by_0(m, c, k, F, s_flight, mu_flight)
     R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*entry(z, at_d_flight, number_d_flight, 2) + q5
@@ -281,7 +298,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N):
         q0, q1, q2, q3, q4, q5 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        R[row] = q0*entry(z, at_d_flight, number_d_flight, l) + q1*entry(z, at_d_flight, number_d_flight, l-2) + q2*entry(z, at_d_flight, number_d_flight, l-1) + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
+        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
         row += 1
     q0, q1, q2 = displacement_flight(s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
@@ -309,8 +326,9 @@ def jacobian(case, z, J):
     at_phi = N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    mu_flight = legendre_moments(N + 5, Omega*s_flight, phi)
-    nu_flight = legendre_moments(N + 5, Omega*s_flight, phi + pi/2)
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
@@ -337,13 +355,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N):
         q0, q1, q2, q3, q4, _ = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        put(J, row, at_d_flight, number_d_flight, l, q0)
-        put(J, row, at_d_flight, number_d_flight, l-2, q1)
-        put(J, row, at_d_flight, number_d_flight, l-1, q2)
+        J[row, at_d_flight + l] += q0
+        J[row, at_d_flight + l-2] += q1
+        J[row, at_d_flight + l-1] += q2
         put(J, row, at_d_flight, number_d_flight, l+1, q3)
         put(J, row, at_d_flight, number_d_flight, l+2, q4)
         q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        J[row, at_s_flight] += q0*entry(z, at_d_flight, number_d_flight, l) + q1*entry(z, at_d_flight, number_d_flight, l-2) + q2*entry(z, at_d_flight, number_d_flight, l-1) + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
+        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
         q0 = flight_by_l_by_phi(l, F, nu_flight)
         J[row, at_phi] += q0
         row += 1

@@ -29,62 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "8a2a90d577629e9f217c6deb3235a53cc6aea7dcba628834b6acefb030e11a29"  # of the conditions, by srepr
-BODY = "f9316d6e5ad6947b808cb2f55d3094255c12e5fe5c560111cb8c174c43deb4bb"  # of the text below
-
-
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
-
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
-
-    Parameters
-    ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
-    ends : tuple of float, length P + 1
-        Where the phases begin, and where the last one ends.
-    period : float
-        ``omega_0 = 2 pi/period``; a multiple of the cell.
-    highest : int
-        Largest k.
-
-    Returns
-    -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
-    """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
+BODY = "cc360ea5523c2ee1b000a9c4d9f989e918778357a851ffba3ed7c3cfb9866bf3"  # of the text below
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -110,117 +55,62 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def by_one(m, phi, C_k, C_g, S_g):
+def by_one(m, k, s_flight):
     """Coefficients: residual, orthogonal to 1."""
     return (
-        C_k[0]/2,
+        (k*s_flight)/2,
         -m,
-        sin(phi)*S_g[1] - cos(phi)*C_g[1],
     )
 
 
-def by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
+def by_one_by_s_flight(k):
     """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        C_k_by_s_flight[0]/2,
-        sin(phi)*S_g_by_s_flight[1] - cos(phi)*C_g_by_s_flight[1],
-    )
+    return k/2
 
 
-def by_one_by_phi(phi, C_g, S_g):
-    """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
-
-
-def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to 1."""
-    return (
-        -(n*n)*S_m[n] + n*C_c[n] + S_k[n],
-        -(n*n)*C_m[n] - n*S_c[n] + C_k[n],
-    )
-
-
-def by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        -(n*n)*S_m_by_s_flight[n] + n*C_c_by_s_flight[n] + S_k_by_s_flight[n],
-        -(n*n)*C_m_by_s_flight[n] - n*S_c_by_s_flight[n] + C_k_by_s_flight[n],
-    )
-
-
-def by_sine(j, phi, S_k, C_g, S_g):
+def by_sine(j, m, c, k, F, s_flight, phi):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
-        S_k[j]/2,
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2,
+        (-4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*s_flight),
+        -pi*c*j,
+        (F*s_flight*sin(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
+def by_sine_by_s_flight(j, m, k, F, s_flight, phi):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        S_k_by_s_flight[j]/2,
-        -(sin(phi)*C_g_by_s_flight[j + 1])/2 + (sin(phi)*C_g_by_s_flight[j - 1])/2 - (cos(phi)*S_g_by_s_flight[j + 1])/2 - (cos(phi)*S_g_by_s_flight[j - 1])/2,
+        (4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*(s_flight*s_flight)),
+        (F*sin(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, F, s_flight, phi):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (F*s_flight*cos(phi)*(1.0 if j == 1 else 0.0))/2
 
 
-def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
-    return (
-        ((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 + (n*S_c[j + n])/2 + (n*S_c[j - n])/2 - C_k[j + n]/2 + C_k[j - n]/2,
-        -((n*n)*S_m[j + n])/2 - ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 - (n*C_c[j - n])/2 + S_k[j + n]/2 + S_k[j - n]/2,
-    )
-
-
-def by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        ((n*n)*C_m_by_s_flight[j + n])/2 - ((n*n)*C_m_by_s_flight[j - n])/2 + (n*S_c_by_s_flight[j + n])/2 + (n*S_c_by_s_flight[j - n])/2 - C_k_by_s_flight[j + n]/2 + C_k_by_s_flight[j - n]/2,
-        -((n*n)*S_m_by_s_flight[j + n])/2 - ((n*n)*S_m_by_s_flight[j - n])/2 + (n*C_c_by_s_flight[j + n])/2 - (n*C_c_by_s_flight[j - n])/2 + S_k_by_s_flight[j + n]/2 + S_k_by_s_flight[j - n]/2,
-    )
-
-
-def by_cosine(j, m, phi, C_k, C_g, S_g):
+def by_cosine(j, m, c, k, F, s_flight, phi):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
-        C_k[j]/2,
+        pi*c*j,
+        (-4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*s_flight),
         -m,
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2,
+        -(F*s_flight*cos(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight):
+def by_cosine_by_s_flight(j, m, k, F, s_flight, phi):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        C_k_by_s_flight[j]/2,
-        (sin(phi)*S_g_by_s_flight[j + 1])/2 - (sin(phi)*S_g_by_s_flight[j - 1])/2 - (cos(phi)*C_g_by_s_flight[j + 1])/2 - (cos(phi)*C_g_by_s_flight[j - 1])/2,
+        (4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*(s_flight*s_flight)),
+        -(F*cos(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, F, s_flight, phi):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
-
-
-def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
-    return (
-        -((n*n)*S_m[j + n])/2 + ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 + (n*C_c[j - n])/2 + S_k[j + n]/2 - S_k[j - n]/2,
-        -((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 - (n*S_c[j + n])/2 + (n*S_c[j - n])/2 + C_k[j + n]/2 + C_k[j - n]/2,
-    )
-
-
-def by_cosine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        -((n*n)*S_m_by_s_flight[j + n])/2 + ((n*n)*S_m_by_s_flight[j - n])/2 + (n*C_c_by_s_flight[j + n])/2 + (n*C_c_by_s_flight[j - n])/2 + S_k_by_s_flight[j + n]/2 - S_k_by_s_flight[j - n]/2,
-        -((n*n)*C_m_by_s_flight[j + n])/2 - ((n*n)*C_m_by_s_flight[j - n])/2 - (n*S_c_by_s_flight[j + n])/2 + (n*S_c_by_s_flight[j - n])/2 + C_k_by_s_flight[j + n]/2 + C_k_by_s_flight[j - n]/2,
-    )
+    return (F*s_flight*sin(phi)*(1.0 if j == 1 else 0.0))/2
 
 
 def impact_flight(r):
@@ -278,38 +168,17 @@ def residual(case, z, R):
     at_phi = 2*N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m,), 2, (0.0, s_flight), s_flight, 2*N + 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_c = harmonic_integrals((c,), 1, (0.0, s_flight), s_flight, 2*N + 1)
-    C_c = over_c[0][0]
-    S_c = over_c[1][0]
-    over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_k = over_k[0][0]
-    S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_g = over_g[0][0]
-    S_g = over_g[1][0]
     row = 0
-    q0, q1, q2 = by_one(m, phi, C_k, C_g, S_g)
-    R[row] = q0*z[at_a0] + q1*z[at_J_flight] + q2
-    for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
-        R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+    q0, q1 = by_one(m, k, s_flight)
+    R[row] = q0*z[at_a0] + q1*z[at_J_flight]
     row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_sine(j, phi, S_k, C_g, S_g)
-        R[row] = q0*z[at_a0] + q1
-        for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+        q0, q1, q2 = by_sine(j, m, c, k, F, s_flight, phi)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2 = by_cosine(j, m, phi, C_k, C_g, S_g)
-        R[row] = q0*z[at_a0] + q1*z[at_J_flight] + q2
-        for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+        q0, q1, q2, q3 = by_cosine(j, m, c, k, F, s_flight, phi)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2*z[at_J_flight] + q3
         row += 1
     q0 = impact_flight(r)
     R[row] = q0*z[at_J_flight]
@@ -340,70 +209,32 @@ def jacobian(case, z, J):
     at_phi = 2*N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m,), 2, (0.0, s_flight), s_flight, 2*N + 1)
-    C_m = over_m[0][0]
-    C_m_by_s_flight = over_m[0][1]
-    S_m = over_m[1][0]
-    S_m_by_s_flight = over_m[1][1]
-    over_c = harmonic_integrals((c,), 1, (0.0, s_flight), s_flight, 2*N + 1)
-    C_c = over_c[0][0]
-    C_c_by_s_flight = over_c[0][1]
-    S_c = over_c[1][0]
-    S_c_by_s_flight = over_c[1][1]
-    over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_k = over_k[0][0]
-    C_k_by_s_flight = over_k[0][1]
-    S_k = over_k[1][0]
-    S_k_by_s_flight = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_g = over_g[0][0]
-    C_g_by_s_flight = over_g[0][1]
-    S_g = over_g[1][0]
-    S_g_by_s_flight = over_g[1][1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, _ = by_one(m, phi, C_k, C_g, S_g)
+    q0, q1 = by_one(m, k, s_flight)
     J[row, at_a0] += q0
     J[row, at_J_flight] += q1
-    q0, q1 = by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
-    J[row, at_s_flight] += q0*z[at_a0] + q1
-    q0 = by_one_by_phi(phi, C_g, S_g)
-    J[row, at_phi] += q0
-    for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
-        J[row, at_a + n-1] += q0
-        J[row, at_b + n-1] += q1
-        q0, q1 = by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight)
-        J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+    q0 = by_one_by_s_flight(k)
+    J[row, at_s_flight] += q0*z[at_a0]
     row += 1
     for j in range(1, N + 1):
-        q0, _ = by_sine(j, phi, S_k, C_g, S_g)
-        J[row, at_a0] += q0
-        q0, q1 = by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
-        J[row, at_s_flight] += q0*z[at_a0] + q1
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0, q1, _ = by_sine(j, m, c, k, F, s_flight, phi)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        q0, q1 = by_sine_by_s_flight(j, m, k, F, s_flight, phi)
+        J[row, at_s_flight] += q0*z[at_a + j-1] + q1
+        q0 = by_sine_by_phi(j, F, s_flight, phi)
         J[row, at_phi] += q0
-        for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            J[row, at_a + n-1] += q0
-            J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight)
-            J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, _ = by_cosine(j, m, phi, C_k, C_g, S_g)
-        J[row, at_a0] += q0
-        J[row, at_J_flight] += q1
-        q0, q1 = by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight)
-        J[row, at_s_flight] += q0*z[at_a0] + q1
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0, q1, q2, _ = by_cosine(j, m, c, k, F, s_flight, phi)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        J[row, at_J_flight] += q2
+        q0, q1 = by_cosine_by_s_flight(j, m, k, F, s_flight, phi)
+        J[row, at_s_flight] += q0*z[at_b + j-1] + q1
+        q0 = by_cosine_by_phi(j, F, s_flight, phi)
         J[row, at_phi] += q0
-        for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            J[row, at_a + n-1] += q0
-            J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight)
-            J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0 = impact_flight(r)
     J[row, at_J_flight] += q0

@@ -20,7 +20,7 @@ m, c, k, F, Omega, g, r.
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -31,7 +31,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "4465b3e72c375d723879545e34b81c12118aac8c83731aea347d0d416ddfd6e0"  # of the conditions, by srepr
-BODY = "8ae51baa230b82ea75cbbff66c4b2beb665054f879dce8d68d882501803ba929"  # of the text below
+BODY = "d3befb0a376cebe25c394466988a1aa974228d798393ee278324ac5d0c7e148a"  # of the text below
 
 
 def break_series(begin, length):
@@ -81,7 +81,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -90,61 +96,6 @@ def spherical_bessel(count, x):
     for n in range(turn + 1, count):
         j[n] *= j[n - 1]
     return j
-
-
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
-
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
-
-    Parameters
-    ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
-    ends : tuple of float, length P + 1
-        Where the phases begin, and where the last one ends.
-    period : float
-        ``omega_0 = 2 pi/period``; a multiple of the cell.
-    highest : int
-        Largest k.
-
-    Returns
-    -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
-    """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -307,127 +258,74 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos):
+def by_one(k, s_flight, G2_flight_cos, G3_flight_cos):
     """Coefficients: residual, orthogonal to 1."""
     return (
-        C_k[0]/2,
+        (k*s_flight)/2,
         G2_flight_cos[0],
         G3_flight_cos[0],
-        sin(phi)*S_g[1] - cos(phi)*C_g[1],
     )
 
 
-def by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
+def by_one_by_s_flight(k, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        C_k_by_s_flight[0]/2,
+        k/2,
         G2_flight_cos_by_s_flight[0],
         G3_flight_cos_by_s_flight[0],
-        sin(phi)*S_g_by_s_flight[1] - cos(phi)*C_g_by_s_flight[1],
     )
 
 
-def by_one_by_phi(phi, C_g, S_g):
-    """Their derivatives by phi, of those that depend on it."""
-    return sin(phi)*C_g[1] + cos(phi)*S_g[1]
-
-
-def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to 1."""
-    return (
-        -(n*n)*S_m[n] + n*C_c[n] + S_k[n],
-        -(n*n)*C_m[n] - n*S_c[n] + C_k[n],
-    )
-
-
-def by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        -(n*n)*S_m_by_s_flight[n] + n*C_c_by_s_flight[n] + S_k_by_s_flight[n],
-        -(n*n)*C_m_by_s_flight[n] - n*S_c_by_s_flight[n] + C_k_by_s_flight[n],
-    )
-
-
-def by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin):
+def by_sine(j, m, c, k, F, s_flight, phi, G2_flight_sin, G3_flight_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
-        S_k[j]/2,
+        (-4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*s_flight),
+        -pi*c*j,
         G2_flight_sin[j],
         G3_flight_sin[j],
-        -(sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 - (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2,
+        (F*s_flight*sin(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight):
+def by_sine_by_s_flight(j, m, k, F, s_flight, phi, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        S_k_by_s_flight[j]/2,
+        (4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*(s_flight*s_flight)),
         G2_flight_sin_by_s_flight[j],
         G3_flight_sin_by_s_flight[j],
-        -(sin(phi)*C_g_by_s_flight[j + 1])/2 + (sin(phi)*C_g_by_s_flight[j - 1])/2 - (cos(phi)*S_g_by_s_flight[j + 1])/2 - (cos(phi)*S_g_by_s_flight[j - 1])/2,
+        (F*sin(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_sine_by_phi(j, phi, C_g, S_g):
+def by_sine_by_phi(j, F, s_flight, phi):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*S_g[j + 1])/2 + (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 + (cos(phi)*C_g[j - 1])/2
+    return (F*s_flight*cos(phi)*(1.0 if j == 1 else 0.0))/2
 
 
-def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
-    return (
-        ((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 + (n*S_c[j + n])/2 + (n*S_c[j - n])/2 - C_k[j + n]/2 + C_k[j - n]/2,
-        -((n*n)*S_m[j + n])/2 - ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 - (n*C_c[j - n])/2 + S_k[j + n]/2 + S_k[j - n]/2,
-    )
-
-
-def by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        ((n*n)*C_m_by_s_flight[j + n])/2 - ((n*n)*C_m_by_s_flight[j - n])/2 + (n*S_c_by_s_flight[j + n])/2 + (n*S_c_by_s_flight[j - n])/2 - C_k_by_s_flight[j + n]/2 + C_k_by_s_flight[j - n]/2,
-        -((n*n)*S_m_by_s_flight[j + n])/2 - ((n*n)*S_m_by_s_flight[j - n])/2 + (n*C_c_by_s_flight[j + n])/2 - (n*C_c_by_s_flight[j - n])/2 + S_k_by_s_flight[j + n]/2 + S_k_by_s_flight[j - n]/2,
-    )
-
-
-def by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos):
+def by_cosine(j, m, c, k, F, s_flight, phi, G2_flight_cos, G3_flight_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
-        C_k[j]/2,
+        pi*c*j,
+        (-4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*s_flight),
         G2_flight_cos[j],
         G3_flight_cos[j],
-        (sin(phi)*S_g[j + 1])/2 - (sin(phi)*S_g[j - 1])/2 - (cos(phi)*C_g[j + 1])/2 - (cos(phi)*C_g[j - 1])/2,
+        -(F*s_flight*cos(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
+def by_cosine_by_s_flight(j, m, k, F, s_flight, phi, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        C_k_by_s_flight[j]/2,
+        (4*(pi*pi)*(j*j)*m + k*(s_flight*s_flight))/(2*(s_flight*s_flight)),
         G2_flight_cos_by_s_flight[j],
         G3_flight_cos_by_s_flight[j],
-        (sin(phi)*S_g_by_s_flight[j + 1])/2 - (sin(phi)*S_g_by_s_flight[j - 1])/2 - (cos(phi)*C_g_by_s_flight[j + 1])/2 - (cos(phi)*C_g_by_s_flight[j - 1])/2,
+        -(F*cos(phi)*(1.0 if j == 1 else 0.0))/2,
     )
 
 
-def by_cosine_by_phi(j, phi, C_g, S_g):
+def by_cosine_by_phi(j, F, s_flight, phi):
     """Their derivatives by phi, of those that depend on it."""
-    return (sin(phi)*C_g[j + 1])/2 + (sin(phi)*C_g[j - 1])/2 + (cos(phi)*S_g[j + 1])/2 - (cos(phi)*S_g[j - 1])/2
-
-
-def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
-    return (
-        -((n*n)*S_m[j + n])/2 + ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 + (n*C_c[j - n])/2 + S_k[j + n]/2 - S_k[j - n]/2,
-        -((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 - (n*S_c[j + n])/2 + (n*S_c[j - n])/2 + C_k[j + n]/2 + C_k[j - n]/2,
-    )
-
-
-def by_cosine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        -((n*n)*S_m_by_s_flight[j + n])/2 + ((n*n)*S_m_by_s_flight[j - n])/2 + (n*C_c_by_s_flight[j + n])/2 + (n*C_c_by_s_flight[j - n])/2 + S_k_by_s_flight[j + n]/2 - S_k_by_s_flight[j - n]/2,
-        -((n*n)*C_m_by_s_flight[j + n])/2 - ((n*n)*C_m_by_s_flight[j - n])/2 - (n*S_c_by_s_flight[j + n])/2 + (n*S_c_by_s_flight[j - n])/2 + C_k_by_s_flight[j + n]/2 + C_k_by_s_flight[j - n]/2,
-    )
+    return (F*s_flight*sin(phi)*(1.0 if j == 1 else 0.0))/2
 
 
 def jump_1_flight(r, s_flight, beta_flight):
@@ -530,18 +428,6 @@ def residual(case, z, R):
     at_phi = 2*N + 4
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m,), 2, (0.0, s_flight), s_flight, 2*N + 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_c = harmonic_integrals((c,), 1, (0.0, s_flight), s_flight, 2*N + 1)
-    C_c = over_c[0][0]
-    S_c = over_c[1][0]
-    over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_k = over_k[0][0]
-    S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_g = over_g[0][0]
-    S_g = over_g[1][0]
     series_flight = breaks_on_phases(0, (0.0, s_flight), 1)
     ends_flight = break_ends(series_flight)
     beta_flight = ends_flight[0]
@@ -552,25 +438,16 @@ def residual(case, z, R):
     G3_flight_cos = over_beta3_flight[0][0]
     G3_flight_sin = over_beta3_flight[1][0]
     row = 0
-    q0, q1, q2, q3 = by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
-    R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-    for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
-        R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+    q0, q1, q2 = by_one(k, s_flight, G2_flight_cos, G3_flight_cos)
+    R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3 = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin)
-        R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-        for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+        q0, q1, q2, q3, q4 = by_sine(j, m, c, k, F, s_flight, phi, G2_flight_sin, G3_flight_sin)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2*z[at_c2_flight] + q3*z[at_c3_flight] + q4
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3 = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
-        R[row] = q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-        for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+        q0, q1, q2, q3, q4 = by_cosine(j, m, c, k, F, s_flight, phi, G2_flight_cos, G3_flight_cos)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2*z[at_c2_flight] + q3*z[at_c3_flight] + q4
         row += 1
     q0, q1 = jump_1_flight(r, s_flight, beta_flight)
     R[row] = q0*z[at_c2_flight] + q1*z[at_c3_flight]
@@ -605,26 +482,6 @@ def jacobian(case, z, J):
     at_phi = 2*N + 4
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m,), 2, (0.0, s_flight), s_flight, 2*N + 1)
-    C_m = over_m[0][0]
-    C_m_by_s_flight = over_m[0][1]
-    S_m = over_m[1][0]
-    S_m_by_s_flight = over_m[1][1]
-    over_c = harmonic_integrals((c,), 1, (0.0, s_flight), s_flight, 2*N + 1)
-    C_c = over_c[0][0]
-    C_c_by_s_flight = over_c[0][1]
-    S_c = over_c[1][0]
-    S_c_by_s_flight = over_c[1][1]
-    over_k = harmonic_integrals((k,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_k = over_k[0][0]
-    C_k_by_s_flight = over_k[0][1]
-    S_k = over_k[1][0]
-    S_k_by_s_flight = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_flight), s_flight, 2*N + 1)
-    C_g = over_g[0][0]
-    C_g_by_s_flight = over_g[0][1]
-    S_g = over_g[1][0]
-    S_g_by_s_flight = over_g[1][1]
     series_flight = breaks_on_phases(0, (0.0, s_flight), 1)
     ends_flight = break_ends(series_flight)
     beta_flight = ends_flight[0]
@@ -641,52 +498,34 @@ def jacobian(case, z, J):
     G3_flight_sin_by_s_flight = over_beta3_flight[1][1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, _ = by_one(phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
+    q0, q1, q2 = by_one(k, s_flight, G2_flight_cos, G3_flight_cos)
     J[row, at_a0] += q0
     J[row, at_c2_flight] += q1
     J[row, at_c3_flight] += q2
-    q0, q1, q2, q3 = by_one_by_s_flight(phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
-    J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-    q0 = by_one_by_phi(phi, C_g, S_g)
-    J[row, at_phi] += q0
-    for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
-        J[row, at_a + n-1] += q0
-        J[row, at_b + n-1] += q1
-        q0, q1 = by_one_sum_by_s_flight(n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight)
-        J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+    q0, q1, q2 = by_one_by_s_flight(k, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
+    J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, _ = by_sine(j, phi, S_k, C_g, S_g, G2_flight_sin, G3_flight_sin)
-        J[row, at_a0] += q0
-        J[row, at_c2_flight] += q1
-        J[row, at_c3_flight] += q2
-        q0, q1, q2, q3 = by_sine_by_s_flight(j, phi, S_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight)
-        J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-        q0 = by_sine_by_phi(j, phi, C_g, S_g)
+        q0, q1, q2, q3, _ = by_sine(j, m, c, k, F, s_flight, phi, G2_flight_sin, G3_flight_sin)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        J[row, at_c2_flight] += q2
+        J[row, at_c3_flight] += q3
+        q0, q1, q2, q3 = by_sine_by_s_flight(j, m, k, F, s_flight, phi, G2_flight_sin_by_s_flight, G3_flight_sin_by_s_flight)
+        J[row, at_s_flight] += q0*z[at_a + j-1] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
+        q0 = by_sine_by_phi(j, F, s_flight, phi)
         J[row, at_phi] += q0
-        for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            J[row, at_a + n-1] += q0
-            J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight)
-            J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, _ = by_cosine(j, phi, C_k, C_g, S_g, G2_flight_cos, G3_flight_cos)
-        J[row, at_a0] += q0
-        J[row, at_c2_flight] += q1
-        J[row, at_c3_flight] += q2
-        q0, q1, q2, q3 = by_cosine_by_s_flight(j, phi, C_k_by_s_flight, C_g_by_s_flight, S_g_by_s_flight, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
-        J[row, at_s_flight] += q0*z[at_a0] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
-        q0 = by_cosine_by_phi(j, phi, C_g, S_g)
+        q0, q1, q2, q3, _ = by_cosine(j, m, c, k, F, s_flight, phi, G2_flight_cos, G3_flight_cos)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        J[row, at_c2_flight] += q2
+        J[row, at_c3_flight] += q3
+        q0, q1, q2, q3 = by_cosine_by_s_flight(j, m, k, F, s_flight, phi, G2_flight_cos_by_s_flight, G3_flight_cos_by_s_flight)
+        J[row, at_s_flight] += q0*z[at_b + j-1] + q1*z[at_c2_flight] + q2*z[at_c3_flight] + q3
+        q0 = by_cosine_by_phi(j, F, s_flight, phi)
         J[row, at_phi] += q0
-        for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            J[row, at_a + n-1] += q0
-            J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_flight(j, n, C_m_by_s_flight, S_m_by_s_flight, C_c_by_s_flight, S_c_by_s_flight, C_k_by_s_flight, S_k_by_s_flight)
-            J[row, at_s_flight] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1 = jump_1_flight(r, s_flight, beta_flight)
     J[row, at_c2_flight] += q0

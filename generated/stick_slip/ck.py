@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 3  # order
 MATHEMATICS = "3c199f69734cb67fc20d43e931a4073c197e4b04a2e7929ae5d968a3dc65e840"  # of the conditions, by srepr
-BODY = "f6644108388af531a148b661117d86d0b2c9d72c721e6f98f1bc119d08c087e0"  # of the text below
+BODY = "fbd320d242ccaafee6a28372f1e796ac320c241f039a7c358c11e0c68223d890"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -311,7 +311,7 @@ def residual(case, z, R):
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, s_slip)
-        R[row] = q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-4) + q2*entry(z, at_d_slip, number_d_slip, l-2) + q3*entry(z, at_d_slip, number_d_slip, l+2) + q4*entry(z, at_d_slip, number_d_slip, l+4)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*entry(z, at_d_slip, number_d_slip, l+2) + q4*entry(z, at_d_slip, number_d_slip, l+4)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -394,13 +394,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, s_slip)
-        put(J, row, at_d_slip, number_d_slip, l, q0)
-        put(J, row, at_d_slip, number_d_slip, l-4, q1)
-        put(J, row, at_d_slip, number_d_slip, l-2, q2)
+        J[row, at_d_slip + l] += q0
+        J[row, at_d_slip + l-4] += q1
+        J[row, at_d_slip + l-2] += q2
         put(J, row, at_d_slip, number_d_slip, l+2, q3)
         put(J, row, at_d_slip, number_d_slip, l+4, q4)
         q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, s_slip)
-        J[row, at_s_slip] += q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-4) + q2*entry(z, at_d_slip, number_d_slip, l-2) + q3*entry(z, at_d_slip, number_d_slip, l+2) + q4*entry(z, at_d_slip, number_d_slip, l+4)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*entry(z, at_d_slip, number_d_slip, l+2) + q4*entry(z, at_d_slip, number_d_slip, l+4)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0

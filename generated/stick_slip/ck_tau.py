@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "eb9aa506363646813984bebd40497c784b23ebe28d0ef3c2033f6c52c068cd38"  # of the conditions, by srepr
-BODY = "3992214f5a4afb7a8cbcc6d0a6ae702bb8bd748060ec8c728398ea4493cdb15a"  # of the text below
+BODY = "cf8c6a1875623dfde6d1d82b9c0693d9a0ca48878e99e9528b2e1c45fad794bf"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -241,7 +241,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2 = slip_by_l(l, M, K, s_slip)
-        R[row] = q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-2) + q2*entry(z, at_d_slip, number_d_slip, l+2)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*entry(z, at_d_slip, number_d_slip, l+2)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -298,11 +298,11 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2 = slip_by_l(l, M, K, s_slip)
-        put(J, row, at_d_slip, number_d_slip, l, q0)
-        put(J, row, at_d_slip, number_d_slip, l-2, q1)
+        J[row, at_d_slip + l] += q0
+        J[row, at_d_slip + l-2] += q1
         put(J, row, at_d_slip, number_d_slip, l+2, q2)
         q0, q1, q2 = slip_by_l_by_s_slip(l, K, s_slip)
-        J[row, at_s_slip] += q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-2) + q2*entry(z, at_d_slip, number_d_slip, l+2)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*entry(z, at_d_slip, number_d_slip, l+2)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0

@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 3  # order
 MATHEMATICS = "e35cd5e685ff739c728dcc13e2bea25559187bc6a5918de6a81c95a037e9267f"  # of the conditions, by srepr
-BODY = "bd938e392e072ef10d669d2723df2bd10d8de2cea77ebab6cfeb42320525cc6d"  # of the text below
+BODY = "9ea959a0c91520240a01690beac03ca2ea7d6561738c22b6045177814af84d5d"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -331,7 +331,7 @@ def residual(case, z, R):
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        R[row] = q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-4) + q2*entry(z, at_d_slip, number_d_slip, l-3) + q3*entry(z, at_d_slip, number_d_slip, l-2) + q4*entry(z, at_d_slip, number_d_slip, l-1) + q5*entry(z, at_d_slip, number_d_slip, l+1) + q6*entry(z, at_d_slip, number_d_slip, l+2) + q7*entry(z, at_d_slip, number_d_slip, l+3) + q8*entry(z, at_d_slip, number_d_slip, l+4)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*entry(z, at_d_slip, number_d_slip, l+1) + q6*entry(z, at_d_slip, number_d_slip, l+2) + q7*entry(z, at_d_slip, number_d_slip, l+3) + q8*entry(z, at_d_slip, number_d_slip, l+4)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -420,17 +420,17 @@ def jacobian(case, z, J):
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        put(J, row, at_d_slip, number_d_slip, l, q0)
-        put(J, row, at_d_slip, number_d_slip, l-4, q1)
-        put(J, row, at_d_slip, number_d_slip, l-3, q2)
-        put(J, row, at_d_slip, number_d_slip, l-2, q3)
-        put(J, row, at_d_slip, number_d_slip, l-1, q4)
+        J[row, at_d_slip + l] += q0
+        J[row, at_d_slip + l-4] += q1
+        J[row, at_d_slip + l-3] += q2
+        J[row, at_d_slip + l-2] += q3
+        J[row, at_d_slip + l-1] += q4
         put(J, row, at_d_slip, number_d_slip, l+1, q5)
         put(J, row, at_d_slip, number_d_slip, l+2, q6)
         put(J, row, at_d_slip, number_d_slip, l+3, q7)
         put(J, row, at_d_slip, number_d_slip, l+4, q8)
         q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
-        J[row, at_s_slip] += q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-4) + q2*entry(z, at_d_slip, number_d_slip, l-3) + q3*entry(z, at_d_slip, number_d_slip, l-2) + q4*entry(z, at_d_slip, number_d_slip, l-1) + q5*entry(z, at_d_slip, number_d_slip, l+1) + q6*entry(z, at_d_slip, number_d_slip, l+2) + q7*entry(z, at_d_slip, number_d_slip, l+3) + q8*entry(z, at_d_slip, number_d_slip, l+4)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*entry(z, at_d_slip, number_d_slip, l+1) + q6*entry(z, at_d_slip, number_d_slip, l+2) + q7*entry(z, at_d_slip, number_d_slip, l+3) + q8*entry(z, at_d_slip, number_d_slip, l+4)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0

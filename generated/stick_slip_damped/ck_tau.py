@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "a496b5b6bff00d3289e4cd3e076b9772a4451588b8fbc98344a91c6ba3bc9445"  # of the conditions, by srepr
-BODY = "0ff7b6de5d42396b3861cb287764d530af0cec1d69478dc1e21386103f654398"  # of the text below
+BODY = "7a53bf4009e2c78466ffdd2772d90f2173815a71bb13b3b2fda41f91c5183663"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -247,7 +247,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        R[row] = q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-2) + q2*entry(z, at_d_slip, number_d_slip, l-1) + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -305,13 +305,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        put(J, row, at_d_slip, number_d_slip, l, q0)
-        put(J, row, at_d_slip, number_d_slip, l-2, q1)
-        put(J, row, at_d_slip, number_d_slip, l-1, q2)
+        J[row, at_d_slip + l] += q0
+        J[row, at_d_slip + l-2] += q1
+        J[row, at_d_slip + l-1] += q2
         put(J, row, at_d_slip, number_d_slip, l+1, q3)
         put(J, row, at_d_slip, number_d_slip, l+2, q4)
         q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
-        J[row, at_s_slip] += q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-2) + q2*entry(z, at_d_slip, number_d_slip, l-1) + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0
