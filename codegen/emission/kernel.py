@@ -39,6 +39,7 @@ RUNTIME = (
     moments.legendre_moments,
     unknowns.entry,
     unknowns.put,
+    phases.integrated,
     phases.phase_motion,
     harmonics.multiples,
     harmonics.harmonic_integrals,

@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
 MATHEMATICS = "73c302fb6929bd2b4c73d88e975bf4f28218dee2aa2f85233169eb17525c0c87"  # of the conditions, by srepr
-BODY = "f37480d1950388a22da6ac8b17f8915a7831182c5287b48c968fc88f7b6f3476"  # of the text below
+BODY = "a3a5a6677febac9dcc2855de5f2575d69afc82b0ff7d82a4670e2113b5804376"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -97,6 +97,15 @@ def put(J, row, start, count, index, value):
         J[row, start + index] += value
 
 
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
+
+
 def phase_motion(x, v, d, s, u, derivative):
     """Return displacement, velocity or acceleration on a phase.
 
@@ -116,11 +125,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def flight_by_0(m, c, k, F, s_flight, mu_flight):

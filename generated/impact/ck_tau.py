@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
 MATHEMATICS = "5168de572db662a0d2bb88017125114794d4e35199077f1fa6bf343c61fd2d5e"  # of the conditions, by srepr
-BODY = "a4724ced4d3bcb6b7ce3dd1bde5d24ad4e74f1ceed0a03b435f5796a46a1df6a"  # of the text below
+BODY = "725bc6ec1fec7cf547fd96a69e4fc4a37682f4b799d0a1f66fd2d4d648befb57"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -97,6 +97,15 @@ def put(J, row, start, count, index, value):
         J[row, start + index] += value
 
 
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
+
+
 def phase_motion(x, v, d, s, u, derivative):
     """Return displacement, velocity or acceleration on a phase.
 
@@ -116,11 +125,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def flight_by_0(m, c, k, F, s_flight, mu_flight):

@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "eb9aa506363646813984bebd40497c784b23ebe28d0ef3c2033f6c52c068cd38"  # of the conditions, by srepr
-BODY = "cf8c6a1875623dfde6d1d82b9c0693d9a0ca48878e99e9528b2e1c45fad794bf"  # of the text below
+BODY = "2acd0f80cbe62972ae4125ce188e684a06cb0e05bbbcf24ab2ee310b0245e011"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -41,6 +41,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -62,11 +71,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def slip_by_0(M, K, mu_k, F_N, s_slip):

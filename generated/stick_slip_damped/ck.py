@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 3  # order
 MATHEMATICS = "e35cd5e685ff739c728dcc13e2bea25559187bc6a5918de6a81c95a037e9267f"  # of the conditions, by srepr
-BODY = "9ea959a0c91520240a01690beac03ca2ea7d6561738c22b6045177814af84d5d"  # of the text below
+BODY = "f0de7bab9a884da2f96a28b660f8f99fcebefc74dd5c4c8f32d9a62f4eca3332"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -41,6 +41,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -62,11 +71,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip):

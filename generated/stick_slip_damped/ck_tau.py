@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "a496b5b6bff00d3289e4cd3e076b9772a4451588b8fbc98344a91c6ba3bc9445"  # of the conditions, by srepr
-BODY = "7a53bf4009e2c78466ffdd2772d90f2173815a71bb13b3b2fda41f91c5183663"  # of the text below
+BODY = "9cb5df5494a087f4cdc18b0773cdd7560ed07504ced73726dfae4610691757a1"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -41,6 +41,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -62,11 +71,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip):

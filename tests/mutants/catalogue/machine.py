@@ -312,8 +312,8 @@ MUTANTS = (
     _emission(
         "the displacement of a phase integrated over twice the time",
         "runtime/phases",
-        "twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)",
-        "twice = legendre.legint(parts, 2, lbnd=-1, scl=1.0)",
+        "integrated(integrated(parts))",
+        "2 * integrated(integrated(parts))",
         RUNTIME,
     ),
 )
