@@ -15,6 +15,10 @@ class KernelPrinter(NumericPrinter):
         indices = ", ".join(str(sp.expand(index)) for index in expr.indices)
         return f"{expr.base.label}[{indices}]"
 
+    def _print_KroneckerDelta(self, expr: sp.KroneckerDelta) -> str:
+        symbol, value = sorted(expr.args, key=lambda q: not q.is_Symbol)
+        return f"(1.0 if {symbol} == {value} else 0.0)"
+
     def _print_Exp1(self, expr: sp.Expr) -> str:
         return "exp(1)"  # e may be a parameter
 

@@ -42,8 +42,11 @@ RUNTIME = (
     moments.legendre_moments,
     unknowns.entry,
     unknowns.put,
+    phases.integrated,
     phases.phase_motion,
+    harmonics.multiples,
     harmonics.harmonic_integrals,
+    harmonics.weighted_integrals,
     harmonics.harmonic_motion,
     harmonics.series_on_phase,
     broken.breaks_on_phases,
@@ -185,14 +188,16 @@ def _function(name: str, summary: str, lines: Sequence[str]) -> str:
 
 
 def _residual(system: GalerkinConditions, writer: Writer) -> str:
-    lines = with_used(_prologue(system), ["row = 0", *writer.residual])
+    known = ["rates = False", *_prologue(system)]
+    lines = with_used(known, ["row = 0", *writer.residual])
     return _function(
         "residual(case, z, R)", "Fill R with the left sides of the conditions.", lines
     )
 
 
 def _jacobian(system: GalerkinConditions, writer: Writer) -> str:
-    lines = with_used(_prologue(system), ["J[:, :] = 0.0", "row = 0", *writer.jacobian])
+    known = ["rates = True", *_prologue(system)]
+    lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *writer.jacobian])
     return _function("jacobian(case, z, J)", "Fill J with their derivatives.", lines)
 
 

@@ -6,6 +6,7 @@ import sympy as sp
 
 from ..galerkin import Condition, GalerkinConditions
 from ..galerkin.condition import N
+from .orthogonal import with_known
 from .terms import ClosedFunction, Term, closed_function, known, rates, terms
 
 Lines = list[str]
@@ -29,7 +30,7 @@ class Writer:
         self.residual: Lines = []
         self.jacobian: Lines = []
         for condition in system.conditions:
-            self._write(condition)
+            self._write(with_known(condition, system.tables))
 
     def _write(self, condition: Condition) -> None:
         found = terms(condition, self.system.blocks)
@@ -82,7 +83,7 @@ class Writer:
         self.functions.append(form)
         values = [f"q{i}" for i in range(len(found))]
         assign = f"{', '.join(values)} = {form.call}"
-        body_R += [assign, f"R[row] += {_combined(values, found)}"]
+        body_R += [assign, f"R[row] += {_combined(values, found, condition)}"]
         unknown = [
             (value, term) for value, term in zip(values, found, strict=True) if term.block
         ]
@@ -91,7 +92,7 @@ class Writer:
                 value if term.block else "_" for value, term in zip(values, found, strict=True)
             ]
             body_J.append(f"{', '.join(names)} = {form.call}")
-            body_J += [_put(term, value) for value, term in unknown]
+            body_J += [_put(term, value, condition) for value, term in unknown]
         for time in self.system.times.unknown:
             pairs = rates(found, time, self.system.tables)
             if not pairs:
@@ -105,42 +106,53 @@ class Writer:
             self.functions.append(rate)
             names = values[: len(pairs)]
             body_J.append(f"{', '.join(names)} = {rate.call}")
-            change = _combined(names, [term for term, _ in pairs])
+            change = _combined(names, [term for term, _ in pairs], condition)
             body_J.append(f"J[row, at_{time}] += {change}")
 
 
-def _combined(values: Sequence[str], found: Sequence[Term]) -> str:
+def _combined(values: Sequence[str], found: Sequence[Term], condition: Condition) -> str:
     """Return the sum of coefficients times unknowns, as Python."""
     return " + ".join(
-        value if term.block is None else f"{value}*{_read(term)}"
+        value if term.block is None else f"{value}*{_read(term, condition)}"
         for value, term in zip(values, found, strict=True)
     )
 
 
-def _inside(term: Term) -> bool:
+def _inside(term: Term, condition: Condition) -> bool:
     """Whether the index of an unknown is within its block by construction."""
     assert term.block is not None
-    return term.over is not None or (
-        term.block.count == 1 or (term.index.is_Integer and int(term.index) < 2)
-    )
+    if term.over is not None or term.block.count == 1:
+        return True
+    if term.index.is_Integer:
+        return int(term.index) < 2
+    last = condition.first + condition.count - 1
+    ends = (term.index.subs(condition.index, end) for end in (condition.first, last))
+    low, high = (sp.expand(end - term.block.first) for end in ends)
+    room = sp.expand(term.block.count - 1 - high)
+    return all(q.is_Integer and int(q) >= 0 for q in (low, room))
 
 
-def _read(term: Term) -> str:
+def _place(term: Term) -> str:
     assert term.block is not None
     name, index = term.block.name, term.index - term.block.first
-    if _inside(term):
-        place = f"at_{name}" if index == 0 else f"at_{name} + {_index_text(index)}"
-        return f"z[{place}]"
-    return f"entry(z, at_{name}, number_{name}, {_index_text(index)})"
+    return f"at_{name}" if index == 0 else f"at_{name} + {_index_text(index)}"
 
 
-def _put(term: Term, value: str) -> str:
+def _family(term: Term) -> str:
     assert term.block is not None
     name, index = term.block.name, term.index - term.block.first
-    if _inside(term):
-        place = f"at_{name}" if index == 0 else f"at_{name} + {_index_text(index)}"
-        return f"J[row, {place}] += {value}"
-    return f"put(J, row, at_{name}, number_{name}, {_index_text(index)}, {value})"
+    return f"at_{name}, number_{name}, {_index_text(index)}"
+
+
+def _read(term: Term, condition: Condition) -> str:
+    inside = _inside(term, condition)
+    return f"z[{_place(term)}]" if inside else f"entry(z, {_family(term)})"
+
+
+def _put(term: Term, value: str, condition: Condition) -> str:
+    if _inside(term, condition):
+        return f"J[row, {_place(term)}] += {value}"
+    return f"put(J, row, {_family(term)}, {value})"
 
 
 def places(system: GalerkinConditions) -> Lines:

@@ -7,7 +7,7 @@ Products of harmonics are sums of harmonics, so every entry is a combination of 
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import sympy as sp
 from sympy.simplify.fu import TR8
@@ -44,6 +44,19 @@ def _equations(scene: Scene, memory: tuple[sp.Symbol, ...]) -> tuple[LinearPhase
     return tuple(
         rest if phase.held is not None else linear_phase(phase, memory) for phase in scene.cell
     )
+
+
+def _roots(index: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """Yield where the number of a product of harmonics is zero, `j` and `n` from 1 on."""
+    for symbol in (j, n):
+        if index.has(symbol):
+            slope = index.coeff(symbol)
+            root = sp.expand(symbol - index / slope)
+            if root.is_positive:
+                yield symbol, root
+            return
+    if index == 0:
+        yield sp.Integer(0), sp.Integer(0)
 
 
 def ends_of_phases(times: Times) -> str:
@@ -91,23 +104,47 @@ class Harmonics:
 
     def tables(self) -> Iterator[Table]:
         """Yield the tables that the conditions look up, with their derivatives."""
-        last = self.number(N)
-        ends = ends_of_phases(self.times)
+        highest, ends = self._highest(), ends_of_phases(self.times)
+        period = python(self.times.period)
+        over = f"over_phases = harmonic_integrals({ends}, {period}, {highest}, rates)"
         for name, values in self.weights.items():
             if not any(values):
                 continue
             power = POWERS.get(name, 0)
-            highest = python(sp.expand(last + cycles if name == "g" else 2 * last + 1))
             phases = ", ".join(map(floating, values)) + "," * (len(values) == 1)
             prepare = (
-                f"over_{name} = harmonic_integrals(({phases}), {power}, {ends}, "
-                f"{python(self.times.period)}, {highest})"
+                f"{over}\nover_{name} = weighted_integrals(over_phases, ({phases}), {power}, "
+                f"{ends}, {period})"
             )
+            whole = values[0] * self.omega_0**power * self.times.cell
+            uniform = all(value == values[0] for value in values) and name != "g"
             for row, letter in enumerate("CS"):
-                source = f"over_{name}[{row}]"
                 yield from tables_with_rates(
-                    f"{letter}_{name}", self.times.durations, source, prepare
+                    f"{letter}_{name}",
+                    self.times.durations,
+                    f"over_{name}[{row}]",
+                    prepare,
+                    partial(self._over_whole_cell, whole if letter == "C" else sp.Integer(0))
+                    if uniform
+                    else None,
                 )
+
+    def _highest(self) -> str:
+        """Return the highest harmonic that is integrated: of products, or of the forcing."""
+        last = self.number(N)
+        products = python(sp.expand(2 * last))
+        if self.times.frequency is None:
+            return products
+        return f"max({products}, {python(sp.expand(last + cycles))})"
+
+    def _over_whole_cell(self, whole: sp.Expr, index: sp.Expr) -> sp.Expr | None:
+        """Return an integral with a uniform weight, `whole` for the constant.
+
+        All harmonics of a period are orthogonal over it, the even ones over half of it as well.
+        """
+        if self.odd and any(q % 2 for q in sp.Poly(index, j, n).coeffs()):
+            return None
+        return whole * sp.Add(*(sp.KroneckerDelta(q, at) for q, at in _roots(index)))
 
     def over_cell(self, name: str, product: sp.Expr) -> sp.Expr:
         """Return the integral of a weight times a product of harmonics, from its tables.

@@ -25,6 +25,9 @@ l = sp.Symbol("l", integer=True, nonnegative=True)
 #: The derivative of an entry by a time.
 Rate = Callable[[tuple[sp.Expr, ...], sp.Symbol], sp.Expr]
 
+#: An entry in closed form, by its index.
+Known = Callable[[sp.Expr], sp.Expr | None]
+
 
 @dataclass(frozen=True)
 class Table:
@@ -42,6 +45,9 @@ class Table:
         A statement before that, which several tables may share.
     definition : Expr, optional
         What an entry is, in the index `l`, for the reader.
+    known : callable, optional
+        ``known(index)``: the entry in closed form, with a `KroneckerDelta` of two indices
+        where it vanishes but for equal ones; None if this entry is looked up.
     """
 
     base: sp.IndexedBase
@@ -49,6 +55,7 @@ class Table:
     fill: str
     prepare: str = ""
     definition: sp.Expr | None = None
+    known: Known | None = None
 
 
 class Moment(sp.Function):  # type: ignore[misc]
@@ -96,15 +103,21 @@ def moment_tables(
     """
     even, odd = sp.IndexedBase(f"mu_{name}"), sp.IndexedBase(f"nu_{name}")
     rates = moment_rate(even, odd, kappa, theta)
+    prepare = f"over_{name} = legendre_moments({length}, {python(kappa)}, {python(theta)})"
     tables = []
-    for base, rate, turned in zip((even, odd), rates, (theta, theta + sp.pi / 2), strict=True):
-        fill = f"legendre_moments({length}, {python(kappa)}, {python(turned)})"
-        tables.append(Table(base, rate, fill, definition=Moment(l, kappa, turned)))
+    for row, (base, rate) in enumerate(zip((even, odd), rates, strict=True)):
+        turned = theta + row * sp.pi / 2
+        meaning = Moment(l, kappa, turned)
+        tables.append(Table(base, rate, f"over_{name}[{row}]", prepare, definition=meaning))
     return tables[0], tables[1]
 
 
 def tables_with_rates(
-    name: str, durations: Sequence[sp.Symbol], source: str, prepare: str
+    name: str,
+    durations: Sequence[sp.Symbol],
+    source: str,
+    prepare: str,
+    known: Known | None = None,
 ) -> Iterator[Table]:
     """Yield a table that is computed with its derivatives by the durations, and those.
 
@@ -116,14 +129,16 @@ def tables_with_rates(
     source : str
         What holds them in a kernel: the values first, then their derivatives.
     prepare : str
-        The statement that makes `source`.
+        The statements that make `source`; `rates` in them is whether derivatives are wanted.
+    known : callable, optional
+        See `Table`.
     """
     rates = {s: sp.IndexedBase(f"{name}_by_{s}") for s in durations}
 
     def rate(indices: tuple[sp.Expr, ...], time: sp.Symbol) -> sp.Expr:
         return rates[time][indices] if time in rates else sp.Integer(0)
 
-    yield Table(sp.IndexedBase(name), rate, f"{source}[0]", prepare)
+    yield Table(sp.IndexedBase(name), rate, f"{source}[0]", prepare, known=known)
     for q, base in enumerate(rates.values()):
         yield Table(base, lambda indices, time: sp.Integer(0), f"{source}[{1 + q}]", prepare)
 

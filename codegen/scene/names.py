@@ -23,6 +23,7 @@ _RESERVED = re.compile(
     r"|(at|by|number|over|ends|series|event|displacement|velocity|derivative|impact|jump|memory)_\w+"
     r"|[CS]_[mckfgw](_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
     r"|entry|put|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"
+    r"|rates|integrated|multiples|weighted_integrals"
     r"|break_(series|ends|integrals)|breaks_on_phases?)"
 )
 

@@ -22,7 +22,7 @@ m, c, k, k_0, g, F, Omega, cycles (an integer: periods of the forcing in one of 
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -33,7 +33,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "c7cabc1652b6a88c836268b6c089375fc15abd5f6e3b74af49338f7561ce10a6"  # of the conditions, by srepr
-BODY = "fc559928d14c703c8cd544729ac136bbe11f9c1e14d9840e5aa73056f767008f"  # of the text below
+BODY = "e3f2014d2d2dda07a4f1e8b1155a82cb06c033f3ac8da214b1adc8bad8f2df05"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -52,7 +52,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -64,13 +70,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -83,6 +99,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -104,11 +129,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged):
@@ -460,8 +484,10 @@ def residual(case, z, R):
     s_engaged = z[at_s_engaged]
     s_loose = z[at_s_loose]
     phi = z[at_phi]
-    mu_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
-    mu_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
     row = 0
     q0, q1, q2, q3, q4, q5 = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
     R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*entry(z, at_d_engaged, number_d_engaged, 2) + q5
@@ -471,7 +497,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = engaged_by_l(l, m, c, k, F, s_engaged, mu_engaged)
-        R[row] = q0*entry(z, at_d_engaged, number_d_engaged, l) + q1*entry(z, at_d_engaged, number_d_engaged, l-2) + q2*entry(z, at_d_engaged, number_d_engaged, l-1) + q3*entry(z, at_d_engaged, number_d_engaged, l+1) + q4*entry(z, at_d_engaged, number_d_engaged, l+2) + q5
+        R[row] = q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-2] + q2*z[at_d_engaged + l-1] + q3*z[at_d_engaged + l+1] + q4*entry(z, at_d_engaged, number_d_engaged, l+2) + q5
         row += 1
     q0, q1, q2, q3, q4, q5 = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
     R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*entry(z, at_d_loose, number_d_loose, 2) + q5
@@ -481,7 +507,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = loose_by_l(l, m, c, k_0, F, s_loose, mu_loose)
-        R[row] = q0*entry(z, at_d_loose, number_d_loose, l) + q1*entry(z, at_d_loose, number_d_loose, l-2) + q2*entry(z, at_d_loose, number_d_loose, l-1) + q3*entry(z, at_d_loose, number_d_loose, l+1) + q4*entry(z, at_d_loose, number_d_loose, l+2) + q5
+        R[row] = q0*z[at_d_loose + l] + q1*z[at_d_loose + l-2] + q2*z[at_d_loose + l-1] + q3*z[at_d_loose + l+1] + q4*entry(z, at_d_loose, number_d_loose, l+2) + q5
         row += 1
     q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
     R[row] = q0*z[at_x_engaged] + q1*z[at_x_loose] + q2*z[at_v_loose] + q3*z[at_d_loose] + q4*z[at_d_loose + 1]
@@ -534,10 +560,12 @@ def jacobian(case, z, J):
     s_engaged = z[at_s_engaged]
     s_loose = z[at_s_loose]
     phi = z[at_phi]
-    mu_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
-    nu_engaged = legendre_moments(N + 9, Omega*s_engaged, phi + pi/2)
-    mu_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
-    nu_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi + pi/2)
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    nu_engaged = over_engaged[1]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
+    nu_loose = over_loose[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, _ = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
@@ -564,13 +592,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, _ = engaged_by_l(l, m, c, k, F, s_engaged, mu_engaged)
-        put(J, row, at_d_engaged, number_d_engaged, l, q0)
-        put(J, row, at_d_engaged, number_d_engaged, l-2, q1)
-        put(J, row, at_d_engaged, number_d_engaged, l-1, q2)
-        put(J, row, at_d_engaged, number_d_engaged, l+1, q3)
+        J[row, at_d_engaged + l] += q0
+        J[row, at_d_engaged + l-2] += q1
+        J[row, at_d_engaged + l-1] += q2
+        J[row, at_d_engaged + l+1] += q3
         put(J, row, at_d_engaged, number_d_engaged, l+2, q4)
         q0, q1, q2, q3, q4, q5 = engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged)
-        J[row, at_s_engaged] += q0*entry(z, at_d_engaged, number_d_engaged, l) + q1*entry(z, at_d_engaged, number_d_engaged, l-2) + q2*entry(z, at_d_engaged, number_d_engaged, l-1) + q3*entry(z, at_d_engaged, number_d_engaged, l+1) + q4*entry(z, at_d_engaged, number_d_engaged, l+2) + q5
+        J[row, at_s_engaged] += q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-2] + q2*z[at_d_engaged + l-1] + q3*z[at_d_engaged + l+1] + q4*entry(z, at_d_engaged, number_d_engaged, l+2) + q5
         q0 = engaged_by_l_by_phi(l, F, nu_engaged)
         J[row, at_phi] += q0
         row += 1
@@ -602,15 +630,15 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, _ = loose_by_l(l, m, c, k_0, F, s_loose, mu_loose)
-        put(J, row, at_d_loose, number_d_loose, l, q0)
-        put(J, row, at_d_loose, number_d_loose, l-2, q1)
-        put(J, row, at_d_loose, number_d_loose, l-1, q2)
-        put(J, row, at_d_loose, number_d_loose, l+1, q3)
+        J[row, at_d_loose + l] += q0
+        J[row, at_d_loose + l-2] += q1
+        J[row, at_d_loose + l-1] += q2
+        J[row, at_d_loose + l+1] += q3
         put(J, row, at_d_loose, number_d_loose, l+2, q4)
         q0 = loose_by_l_by_s_engaged(l, F, Omega, nu_loose)
         J[row, at_s_engaged] += q0
         q0, q1, q2, q3, q4, q5 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
-        J[row, at_s_loose] += q0*entry(z, at_d_loose, number_d_loose, l) + q1*entry(z, at_d_loose, number_d_loose, l-2) + q2*entry(z, at_d_loose, number_d_loose, l-1) + q3*entry(z, at_d_loose, number_d_loose, l+1) + q4*entry(z, at_d_loose, number_d_loose, l+2) + q5
+        J[row, at_s_loose] += q0*z[at_d_loose + l] + q1*z[at_d_loose + l-2] + q2*z[at_d_loose + l-1] + q3*z[at_d_loose + l+1] + q4*entry(z, at_d_loose, number_d_loose, l+2) + q5
         q0 = loose_by_l_by_phi(l, F, nu_loose)
         J[row, at_phi] += q0
         row += 1

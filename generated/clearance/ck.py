@@ -22,7 +22,7 @@ m, c, k, k_c, g, F, Omega, cycles (an integer: periods of the forcing in one of 
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -33,7 +33,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 4  # order
 MATHEMATICS = "e58017b889f6fe75bf3e993eb675a3ac0b59fdb3b142e75e37cc56413eb4513b"  # of the conditions, by srepr
-BODY = "18283771149c605d86161da439d552ae09efd34ae12f07c27a4130b413373e42"  # of the text below
+BODY = "b6c4e6b5304edb35dfa5bb97ddf028a546c7ed0cb532ef8a250f0a70e625a7ad"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -52,7 +52,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -64,13 +70,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -83,6 +99,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -104,11 +129,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact):
@@ -763,8 +787,10 @@ def residual(case, z, R):
     s_contact = z[at_s_contact]
     s_separated = z[at_s_separated]
     phi = z[at_phi]
-    mu_contact = legendre_moments(N + 9, Omega*s_contact, phi)
-    mu_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
     R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*entry(z, at_d_contact, number_d_contact, 2) + q5*entry(z, at_d_contact, number_d_contact, 3) + q6*entry(z, at_d_contact, number_d_contact, 4) + q7*entry(z, at_d_contact, number_d_contact, 5) + q8
@@ -783,7 +809,7 @@ def residual(case, z, R):
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_l(l, m, c, k, k_c, F, s_contact, mu_contact)
-        R[row] = q0*entry(z, at_d_contact, number_d_contact, l) + q1*entry(z, at_d_contact, number_d_contact, l-5) + q2*entry(z, at_d_contact, number_d_contact, l-4) + q3*entry(z, at_d_contact, number_d_contact, l-3) + q4*entry(z, at_d_contact, number_d_contact, l-2) + q5*entry(z, at_d_contact, number_d_contact, l-1) + q6*entry(z, at_d_contact, number_d_contact, l+1) + q7*entry(z, at_d_contact, number_d_contact, l+2) + q8*entry(z, at_d_contact, number_d_contact, l+3) + q9*entry(z, at_d_contact, number_d_contact, l+4) + q10*entry(z, at_d_contact, number_d_contact, l+5) + q11
+        R[row] = q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*entry(z, at_d_contact, number_d_contact, l+2) + q8*entry(z, at_d_contact, number_d_contact, l+3) + q9*entry(z, at_d_contact, number_d_contact, l+4) + q10*entry(z, at_d_contact, number_d_contact, l+5) + q11
         row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_0(m, c, k, F, s_separated, mu_separated)
     R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*entry(z, at_d_separated, number_d_separated, 2) + q5*entry(z, at_d_separated, number_d_separated, 3) + q6*entry(z, at_d_separated, number_d_separated, 4) + q7*entry(z, at_d_separated, number_d_separated, 5) + q8
@@ -802,7 +828,7 @@ def residual(case, z, R):
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_l(l, m, c, k, F, s_separated, mu_separated)
-        R[row] = q0*entry(z, at_d_separated, number_d_separated, l) + q1*entry(z, at_d_separated, number_d_separated, l-5) + q2*entry(z, at_d_separated, number_d_separated, l-4) + q3*entry(z, at_d_separated, number_d_separated, l-3) + q4*entry(z, at_d_separated, number_d_separated, l-2) + q5*entry(z, at_d_separated, number_d_separated, l-1) + q6*entry(z, at_d_separated, number_d_separated, l+1) + q7*entry(z, at_d_separated, number_d_separated, l+2) + q8*entry(z, at_d_separated, number_d_separated, l+3) + q9*entry(z, at_d_separated, number_d_separated, l+4) + q10*entry(z, at_d_separated, number_d_separated, l+5) + q11
+        R[row] = q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*entry(z, at_d_separated, number_d_separated, l+2) + q8*entry(z, at_d_separated, number_d_separated, l+3) + q9*entry(z, at_d_separated, number_d_separated, l+4) + q10*entry(z, at_d_separated, number_d_separated, l+5) + q11
         row += 1
     q0, q1, q2, q3, q4 = displacement_contact(s_separated)
     R[row] = q0*z[at_x_contact] + q1*z[at_x_separated] + q2*z[at_v_separated] + q3*z[at_d_separated] + q4*z[at_d_separated + 1]
@@ -855,10 +881,12 @@ def jacobian(case, z, J):
     s_contact = z[at_s_contact]
     s_separated = z[at_s_separated]
     phi = z[at_phi]
-    mu_contact = legendre_moments(N + 9, Omega*s_contact, phi)
-    nu_contact = legendre_moments(N + 9, Omega*s_contact, phi + pi/2)
-    mu_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
-    nu_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi + pi/2)
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    nu_contact = over_contact[1]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
+    nu_separated = over_separated[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7, _ = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
@@ -942,19 +970,19 @@ def jacobian(case, z, J):
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = contact_by_l(l, m, c, k, k_c, F, s_contact, mu_contact)
-        put(J, row, at_d_contact, number_d_contact, l, q0)
-        put(J, row, at_d_contact, number_d_contact, l-5, q1)
-        put(J, row, at_d_contact, number_d_contact, l-4, q2)
-        put(J, row, at_d_contact, number_d_contact, l-3, q3)
-        put(J, row, at_d_contact, number_d_contact, l-2, q4)
-        put(J, row, at_d_contact, number_d_contact, l-1, q5)
-        put(J, row, at_d_contact, number_d_contact, l+1, q6)
+        J[row, at_d_contact + l] += q0
+        J[row, at_d_contact + l-5] += q1
+        J[row, at_d_contact + l-4] += q2
+        J[row, at_d_contact + l-3] += q3
+        J[row, at_d_contact + l-2] += q4
+        J[row, at_d_contact + l-1] += q5
+        J[row, at_d_contact + l+1] += q6
         put(J, row, at_d_contact, number_d_contact, l+2, q7)
         put(J, row, at_d_contact, number_d_contact, l+3, q8)
         put(J, row, at_d_contact, number_d_contact, l+4, q9)
         put(J, row, at_d_contact, number_d_contact, l+5, q10)
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact)
-        J[row, at_s_contact] += q0*entry(z, at_d_contact, number_d_contact, l) + q1*entry(z, at_d_contact, number_d_contact, l-5) + q2*entry(z, at_d_contact, number_d_contact, l-4) + q3*entry(z, at_d_contact, number_d_contact, l-3) + q4*entry(z, at_d_contact, number_d_contact, l-2) + q5*entry(z, at_d_contact, number_d_contact, l-1) + q6*entry(z, at_d_contact, number_d_contact, l+1) + q7*entry(z, at_d_contact, number_d_contact, l+2) + q8*entry(z, at_d_contact, number_d_contact, l+3) + q9*entry(z, at_d_contact, number_d_contact, l+4) + q10*entry(z, at_d_contact, number_d_contact, l+5) + q11
+        J[row, at_s_contact] += q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*entry(z, at_d_contact, number_d_contact, l+2) + q8*entry(z, at_d_contact, number_d_contact, l+3) + q9*entry(z, at_d_contact, number_d_contact, l+4) + q10*entry(z, at_d_contact, number_d_contact, l+5) + q11
         q0 = contact_by_l_by_phi(l, F, nu_contact)
         J[row, at_phi] += q0
         row += 1
@@ -1049,13 +1077,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = separated_by_l(l, m, c, k, F, s_separated, mu_separated)
-        put(J, row, at_d_separated, number_d_separated, l, q0)
-        put(J, row, at_d_separated, number_d_separated, l-5, q1)
-        put(J, row, at_d_separated, number_d_separated, l-4, q2)
-        put(J, row, at_d_separated, number_d_separated, l-3, q3)
-        put(J, row, at_d_separated, number_d_separated, l-2, q4)
-        put(J, row, at_d_separated, number_d_separated, l-1, q5)
-        put(J, row, at_d_separated, number_d_separated, l+1, q6)
+        J[row, at_d_separated + l] += q0
+        J[row, at_d_separated + l-5] += q1
+        J[row, at_d_separated + l-4] += q2
+        J[row, at_d_separated + l-3] += q3
+        J[row, at_d_separated + l-2] += q4
+        J[row, at_d_separated + l-1] += q5
+        J[row, at_d_separated + l+1] += q6
         put(J, row, at_d_separated, number_d_separated, l+2, q7)
         put(J, row, at_d_separated, number_d_separated, l+3, q8)
         put(J, row, at_d_separated, number_d_separated, l+4, q9)
@@ -1063,7 +1091,7 @@ def jacobian(case, z, J):
         q0 = separated_by_l_by_s_contact(l, F, Omega, nu_separated)
         J[row, at_s_contact] += q0
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
-        J[row, at_s_separated] += q0*entry(z, at_d_separated, number_d_separated, l) + q1*entry(z, at_d_separated, number_d_separated, l-5) + q2*entry(z, at_d_separated, number_d_separated, l-4) + q3*entry(z, at_d_separated, number_d_separated, l-3) + q4*entry(z, at_d_separated, number_d_separated, l-2) + q5*entry(z, at_d_separated, number_d_separated, l-1) + q6*entry(z, at_d_separated, number_d_separated, l+1) + q7*entry(z, at_d_separated, number_d_separated, l+2) + q8*entry(z, at_d_separated, number_d_separated, l+3) + q9*entry(z, at_d_separated, number_d_separated, l+4) + q10*entry(z, at_d_separated, number_d_separated, l+5) + q11
+        J[row, at_s_separated] += q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*entry(z, at_d_separated, number_d_separated, l+2) + q8*entry(z, at_d_separated, number_d_separated, l+3) + q9*entry(z, at_d_separated, number_d_separated, l+4) + q10*entry(z, at_d_separated, number_d_separated, l+5) + q11
         q0 = separated_by_l_by_phi(l, F, nu_separated)
         J[row, at_phi] += q0
         row += 1

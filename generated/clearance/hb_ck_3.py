@@ -25,7 +25,7 @@ m, c, k, k_c, g, F, Omega, cycles (an integer: periods of the forcing in one of 
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -36,7 +36,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "68a4ba16bdf507f0edec5d2ed216cab6b2507a5b23fc1312fbb562bc488544d6"  # of the conditions, by srepr
-BODY = "c92c5201f6bf43e478b81a148f2a43ca3f63e86a7b69f8a4ecf90b08a082d2c8"  # of the text below
+BODY = "f9d403f32344cd72186e24b571acb15089418750172812a53c65a9e8fa1823e9"  # of the text below
 
 
 def break_series(begin, length):
@@ -137,7 +137,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -148,59 +154,106 @@ def spherical_bessel(count, x):
     return j
 
 
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
+def multiples(angle, highest):
+    """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
+    As products of turns by 16 and by less: two functions for 16 values, and a few roundings.
+    """
+    cosines, sines = np.zeros(highest + 1), np.zeros(highest + 1)
+    for k in range(min(16, highest + 1)):
+        cosines[k], sines[k] = cos(k * angle), sin(k * angle)
+    for begin in range(16, highest + 1, 16):
+        c, s = cos(begin * angle), sin(begin * angle)
+        for k in range(begin, min(begin + 16, highest + 1)):
+            near_c, near_s = cosines[k - begin], sines[k - begin]
+            cosines[k], sines[k] = c * near_c - s * near_s, s * near_c + c * near_s
+    return cosines, sines
+
+
+def harmonic_integrals(ends, period, highest, rates):
+    """Return the integrals of the cosine and the sine of ``k omega_0 t`` over each phase.
 
     Parameters
     ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
     ends : tuple of float, length P + 1
         Where the phases begin, and where the last one ends.
     period : float
         ``omega_0 = 2 pi/period``; a multiple of the cell.
     highest : int
         Largest k.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
+    ndarray, shape (P, 2, 1 + P or 1, highest + 1)
+        For each phase, with the cosine and with the sine: row 0 the integrals, row 1 + q their
+        derivatives by the duration of phase q.
     """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    found = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
+    begin_c, begin_s = np.ones(highest + 1), np.zeros(highest + 1)
+    for p in range(phases):
+        t, end = ends[p], ends[p + 1]
+        half_c, half_s = multiples(pi * (end - t) / period, highest)
+        for k in range(highest + 1):
+            h_c, h_s, b_c, b_s = half_c[k], half_s[k], begin_c[k], begin_s[k]
+            half = pi * k * (end - t) / period
+            size = (end - t) * (h_s / half if half != 0.0 else 1.0)
+            middle_c, middle_s = b_c * h_c - b_s * h_s, b_s * h_c + b_c * h_s
+            end_c, end_s = middle_c * h_c - middle_s * h_s, middle_s * h_c + middle_c * h_s
+            over_c, over_s = size * middle_c, size * middle_s
+            found[p, 0, 0, k], found[p, 1, 0, k] = over_c, over_s
+            if rates:
+                change_c = (over_c - end * end_c + t * b_c) / cell
+                change_s = (over_s - end * end_s + t * b_s) / cell
+                for q in range(phases):
+                    later, now = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
+                    found[p, 0, 1 + q, k] = change_c + later * end_c - now * b_c
+                    found[p, 1, 1 + q, k] = change_s + later * end_s - now * b_s
+            begin_c[k], begin_s[k] = end_c, end_s
+    return found
+
+
+def weighted_integrals(integrals, weights, power, ends, period):
+    """Return the integrals over a cell of a weight times harmonics.
+
+    Parameters
+    ----------
+    integrals : ndarray
+        From `harmonic_integrals`.
+    weights : tuple of float, length P
+        The weight on each phase.
+    power : int
+        Of ``omega_0``, by which all is multiplied, as derivatives of harmonics are.
+    ends, period
+        Those of `integrals`.
+
+    Returns
+    -------
+    ndarray, shape (2, 1 + P or 1, 2 highest + 1)
+        With the cosine and with the sine, rows as in `integrals`.  Entry -k is that of -k, as
+        Python counts from the end.
+    """
+    phases, _, rows, length = integrals.shape
+    scale, cell = (2 * pi / period) ** power, ends[phases]
+    found = np.zeros((2, rows, 2 * length - 1))
+    for p in range(phases):
+        weight = weights[p] * scale
+        if weight != 0.0:
+            for wave in range(2):
+                for row in range(rows):
+                    for k in range(length):
+                        found[wave, row, k] += weight * integrals[p, wave, row, k]
+    for wave in range(2):
+        for row in range(1, rows):
+            for k in range(length):
+                found[wave, row, k] -= power / cell * found[wave, 0, k]
+        for row in range(rows):
+            for k in range(1, length):
+                value = found[wave, row, k]
+                found[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
+    return found
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -410,34 +463,36 @@ def by_one_by_phi(cycles, phi, C_g, S_g):
     return sin(phi)*C_g[cycles] + cos(phi)*S_g[cycles]
 
 
-def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_one_sum(n, C_k, S_k):
     """Coefficients: residual, orthogonal to 1."""
     return (
-        -(n*n)*S_m[n] + n*C_c[n] + S_k[n],
-        -(n*n)*C_m[n] - n*S_c[n] + C_k[n],
+        S_k[n],
+        C_k[n],
     )
 
 
-def by_one_sum_by_s_contact(n, C_m_by_s_contact, S_m_by_s_contact, C_c_by_s_contact, S_c_by_s_contact, C_k_by_s_contact, S_k_by_s_contact):
+def by_one_sum_by_s_contact(n, C_k_by_s_contact, S_k_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
-        -(n*n)*S_m_by_s_contact[n] + n*C_c_by_s_contact[n] + S_k_by_s_contact[n],
-        -(n*n)*C_m_by_s_contact[n] - n*S_c_by_s_contact[n] + C_k_by_s_contact[n],
+        S_k_by_s_contact[n],
+        C_k_by_s_contact[n],
     )
 
 
-def by_one_sum_by_s_separated(n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_s_separated, S_c_by_s_separated, C_k_by_s_separated, S_k_by_s_separated):
+def by_one_sum_by_s_separated(n, C_k_by_s_separated, S_k_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
-        -(n*n)*S_m_by_s_separated[n] + n*C_c_by_s_separated[n] + S_k_by_s_separated[n],
-        -(n*n)*C_m_by_s_separated[n] - n*S_c_by_s_separated[n] + C_k_by_s_separated[n],
+        S_k_by_s_separated[n],
+        C_k_by_s_separated[n],
     )
 
 
-def by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin):
+def by_sine(j, m, c, cycles, s_contact, s_separated, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
+        -(2*(pi*pi)*(j*j)*m)/(s_contact + s_separated),
+        -pi*c*j,
         G4_contact_sin[j],
         G5_contact_sin[j],
         G6_contact_sin[j],
@@ -448,10 +503,11 @@ def by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, 
     )
 
 
-def by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact):
+def by_sine_by_s_contact(j, m, cycles, s_contact, s_separated, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         S_k_by_s_contact[j]/2,
+        (2*(pi*pi)*(j*j)*m)/(((s_contact + s_separated)*(s_contact + s_separated))),
         G4_contact_sin_by_s_contact[j],
         G5_contact_sin_by_s_contact[j],
         G6_contact_sin_by_s_contact[j],
@@ -462,10 +518,11 @@ def by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g
     )
 
 
-def by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated):
+def by_sine_by_s_separated(j, m, cycles, s_contact, s_separated, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         S_k_by_s_separated[j]/2,
+        (2*(pi*pi)*(j*j)*m)/(((s_contact + s_separated)*(s_contact + s_separated))),
         G4_contact_sin_by_s_separated[j],
         G5_contact_sin_by_s_separated[j],
         G6_contact_sin_by_s_separated[j],
@@ -481,34 +538,36 @@ def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     return (sin(phi)*S_g[cycles + j])/2 - (sin(phi)*S_g[cycles - j])/2 - (cos(phi)*C_g[cycles + j])/2 + (cos(phi)*C_g[cycles - j])/2
 
 
-def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_sine_sum(j, n, C_k, S_k):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
-        ((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 + (n*S_c[j + n])/2 + (n*S_c[j - n])/2 - C_k[j + n]/2 + C_k[j - n]/2,
-        -((n*n)*S_m[j + n])/2 - ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 - (n*C_c[j - n])/2 + S_k[j + n]/2 + S_k[j - n]/2,
+        -C_k[j + n]/2 + C_k[j - n]/2,
+        S_k[j + n]/2 + S_k[j - n]/2,
     )
 
 
-def by_sine_sum_by_s_contact(j, n, C_m_by_s_contact, S_m_by_s_contact, C_c_by_s_contact, S_c_by_s_contact, C_k_by_s_contact, S_k_by_s_contact):
+def by_sine_sum_by_s_contact(j, n, C_k_by_s_contact, S_k_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
-        ((n*n)*C_m_by_s_contact[j + n])/2 - ((n*n)*C_m_by_s_contact[j - n])/2 + (n*S_c_by_s_contact[j + n])/2 + (n*S_c_by_s_contact[j - n])/2 - C_k_by_s_contact[j + n]/2 + C_k_by_s_contact[j - n]/2,
-        -((n*n)*S_m_by_s_contact[j + n])/2 - ((n*n)*S_m_by_s_contact[j - n])/2 + (n*C_c_by_s_contact[j + n])/2 - (n*C_c_by_s_contact[j - n])/2 + S_k_by_s_contact[j + n]/2 + S_k_by_s_contact[j - n]/2,
+        -C_k_by_s_contact[j + n]/2 + C_k_by_s_contact[j - n]/2,
+        S_k_by_s_contact[j + n]/2 + S_k_by_s_contact[j - n]/2,
     )
 
 
-def by_sine_sum_by_s_separated(j, n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_s_separated, S_c_by_s_separated, C_k_by_s_separated, S_k_by_s_separated):
+def by_sine_sum_by_s_separated(j, n, C_k_by_s_separated, S_k_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
-        ((n*n)*C_m_by_s_separated[j + n])/2 - ((n*n)*C_m_by_s_separated[j - n])/2 + (n*S_c_by_s_separated[j + n])/2 + (n*S_c_by_s_separated[j - n])/2 - C_k_by_s_separated[j + n]/2 + C_k_by_s_separated[j - n]/2,
-        -((n*n)*S_m_by_s_separated[j + n])/2 - ((n*n)*S_m_by_s_separated[j - n])/2 + (n*C_c_by_s_separated[j + n])/2 - (n*C_c_by_s_separated[j - n])/2 + S_k_by_s_separated[j + n]/2 + S_k_by_s_separated[j - n]/2,
+        -C_k_by_s_separated[j + n]/2 + C_k_by_s_separated[j - n]/2,
+        S_k_by_s_separated[j + n]/2 + S_k_by_s_separated[j - n]/2,
     )
 
 
-def by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos):
+def by_cosine(j, m, c, cycles, s_contact, s_separated, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
+        pi*c*j,
+        -(2*(pi*pi)*(j*j)*m)/(s_contact + s_separated),
         G4_contact_cos[j],
         G5_contact_cos[j],
         G6_contact_cos[j],
@@ -519,10 +578,11 @@ def by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos
     )
 
 
-def by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact):
+def by_cosine_by_s_contact(j, m, cycles, s_contact, s_separated, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
         C_k_by_s_contact[j]/2,
+        (2*(pi*pi)*(j*j)*m)/(((s_contact + s_separated)*(s_contact + s_separated))),
         G4_contact_cos_by_s_contact[j],
         G5_contact_cos_by_s_contact[j],
         G6_contact_cos_by_s_contact[j],
@@ -533,10 +593,11 @@ def by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C
     )
 
 
-def by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated):
+def by_cosine_by_s_separated(j, m, cycles, s_contact, s_separated, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
         C_k_by_s_separated[j]/2,
+        (2*(pi*pi)*(j*j)*m)/(((s_contact + s_separated)*(s_contact + s_separated))),
         G4_contact_cos_by_s_separated[j],
         G5_contact_cos_by_s_separated[j],
         G6_contact_cos_by_s_separated[j],
@@ -552,27 +613,27 @@ def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     return (sin(phi)*C_g[cycles + j])/2 + (sin(phi)*C_g[cycles - j])/2 + (cos(phi)*S_g[cycles + j])/2 + (cos(phi)*S_g[cycles - j])/2
 
 
-def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_cosine_sum(j, n, C_k, S_k):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
-        -((n*n)*S_m[j + n])/2 + ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 + (n*C_c[j - n])/2 + S_k[j + n]/2 - S_k[j - n]/2,
-        -((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 - (n*S_c[j + n])/2 + (n*S_c[j - n])/2 + C_k[j + n]/2 + C_k[j - n]/2,
+        S_k[j + n]/2 - S_k[j - n]/2,
+        C_k[j + n]/2 + C_k[j - n]/2,
     )
 
 
-def by_cosine_sum_by_s_contact(j, n, C_m_by_s_contact, S_m_by_s_contact, C_c_by_s_contact, S_c_by_s_contact, C_k_by_s_contact, S_k_by_s_contact):
+def by_cosine_sum_by_s_contact(j, n, C_k_by_s_contact, S_k_by_s_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
-        -((n*n)*S_m_by_s_contact[j + n])/2 + ((n*n)*S_m_by_s_contact[j - n])/2 + (n*C_c_by_s_contact[j + n])/2 + (n*C_c_by_s_contact[j - n])/2 + S_k_by_s_contact[j + n]/2 - S_k_by_s_contact[j - n]/2,
-        -((n*n)*C_m_by_s_contact[j + n])/2 - ((n*n)*C_m_by_s_contact[j - n])/2 - (n*S_c_by_s_contact[j + n])/2 + (n*S_c_by_s_contact[j - n])/2 + C_k_by_s_contact[j + n]/2 + C_k_by_s_contact[j - n]/2,
+        S_k_by_s_contact[j + n]/2 - S_k_by_s_contact[j - n]/2,
+        C_k_by_s_contact[j + n]/2 + C_k_by_s_contact[j - n]/2,
     )
 
 
-def by_cosine_sum_by_s_separated(j, n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_s_separated, S_c_by_s_separated, C_k_by_s_separated, S_k_by_s_separated):
+def by_cosine_sum_by_s_separated(j, n, C_k_by_s_separated, S_k_by_s_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
-        -((n*n)*S_m_by_s_separated[j + n])/2 + ((n*n)*S_m_by_s_separated[j - n])/2 + (n*C_c_by_s_separated[j + n])/2 + (n*C_c_by_s_separated[j - n])/2 + S_k_by_s_separated[j + n]/2 - S_k_by_s_separated[j - n]/2,
-        -((n*n)*C_m_by_s_separated[j + n])/2 - ((n*n)*C_m_by_s_separated[j - n])/2 - (n*S_c_by_s_separated[j + n])/2 + (n*S_c_by_s_separated[j - n])/2 + C_k_by_s_separated[j + n]/2 + C_k_by_s_separated[j - n]/2,
+        S_k_by_s_separated[j + n]/2 - S_k_by_s_separated[j - n]/2,
+        C_k_by_s_separated[j + n]/2 + C_k_by_s_separated[j - n]/2,
     )
 
 
@@ -1060,6 +1121,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
+    rates = False
     m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 10)//2
     at_a0 = 0
@@ -1077,19 +1139,14 @@ def residual(case, z, R):
     s_contact = z[at_s_contact]
     s_separated = z[at_s_separated]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m, m), 2, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_c = harmonic_integrals((c, c), 1, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
-    C_c = over_c[0][0]
-    S_c = over_c[1][0]
-    over_k = harmonic_integrals((k + k_c, k), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_phases = harmonic_integrals((0.0, s_contact, s_contact + s_separated), s_contact + s_separated, max(2*N, N + cycles), rates)
+    over_k = weighted_integrals(over_phases, (k + k_c, k), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_f = harmonic_integrals((g*k_c, 0.0), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_f = weighted_integrals(over_phases, (g*k_c, 0.0), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
+    over_g = weighted_integrals(over_phases, (F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_contact = breaks_on_phases(0, (0.0, s_contact, s_contact + s_separated), 1)
@@ -1120,21 +1177,21 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4, q5, q6, q7 = by_one(cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
     R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
     for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
+        q0, q1 = by_one_sum(n, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
-        R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
+        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = by_sine(j, m, c, cycles, s_contact, s_separated, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
+        R[row] = q0*z[at_a0] + q1*z[at_a + j-1] + q2*z[at_b + j-1] + q3*z[at_c4_contact] + q4*z[at_c5_contact] + q5*z[at_c6_contact] + q6*z[at_c4_separated] + q7*z[at_c5_separated] + q8*z[at_c6_separated] + q9
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
-        R[row] = q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
+        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = by_cosine(j, m, c, cycles, s_contact, s_separated, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
+        R[row] = q0*z[at_a0] + q1*z[at_a + j-1] + q2*z[at_b + j-1] + q3*z[at_c4_contact] + q4*z[at_c5_contact] + q5*z[at_c6_contact] + q6*z[at_c4_separated] + q7*z[at_c5_separated] + q8*z[at_c6_separated] + q9
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1, q2, q3, q4, q5, q6 = jump_3_contact(m, c, k, k_c, F, Omega, s_contact, s_separated, phi, beta_contact, beta_separated)
@@ -1192,6 +1249,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
+    rates = True
     m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 10)//2
     at_a0 = 0
@@ -1209,35 +1267,22 @@ def jacobian(case, z, J):
     s_contact = z[at_s_contact]
     s_separated = z[at_s_separated]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m, m), 2, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
-    C_m = over_m[0][0]
-    C_m_by_s_contact = over_m[0][1]
-    C_m_by_s_separated = over_m[0][2]
-    S_m = over_m[1][0]
-    S_m_by_s_contact = over_m[1][1]
-    S_m_by_s_separated = over_m[1][2]
-    over_c = harmonic_integrals((c, c), 1, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
-    C_c = over_c[0][0]
-    C_c_by_s_contact = over_c[0][1]
-    C_c_by_s_separated = over_c[0][2]
-    S_c = over_c[1][0]
-    S_c_by_s_contact = over_c[1][1]
-    S_c_by_s_separated = over_c[1][2]
-    over_k = harmonic_integrals((k + k_c, k), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_phases = harmonic_integrals((0.0, s_contact, s_contact + s_separated), s_contact + s_separated, max(2*N, N + cycles), rates)
+    over_k = weighted_integrals(over_phases, (k + k_c, k), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated)
     C_k = over_k[0][0]
     C_k_by_s_contact = over_k[0][1]
     C_k_by_s_separated = over_k[0][2]
     S_k = over_k[1][0]
     S_k_by_s_contact = over_k[1][1]
     S_k_by_s_separated = over_k[1][2]
-    over_f = harmonic_integrals((g*k_c, 0.0), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, 2*N + 1)
+    over_f = weighted_integrals(over_phases, (g*k_c, 0.0), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated)
     C_f = over_f[0][0]
     C_f_by_s_contact = over_f[0][1]
     C_f_by_s_separated = over_f[0][2]
     S_f = over_f[1][0]
     S_f_by_s_contact = over_f[1][1]
     S_f_by_s_separated = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, N + cycles)
+    over_g = weighted_integrals(over_phases, (F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated)
     C_g = over_g[0][0]
     C_g_by_s_contact = over_g[0][1]
     C_g_by_s_separated = over_g[0][2]
@@ -1313,60 +1358,64 @@ def jacobian(case, z, J):
     q0 = by_one_by_phi(cycles, phi, C_g, S_g)
     J[row, at_phi] += q0
     for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
+        q0, q1 = by_one_sum(n, C_k, S_k)
         J[row, at_a + n-1] += q0
         J[row, at_b + n-1] += q1
-        q0, q1 = by_one_sum_by_s_contact(n, C_m_by_s_contact, S_m_by_s_contact, C_c_by_s_contact, S_c_by_s_contact, C_k_by_s_contact, S_k_by_s_contact)
+        q0, q1 = by_one_sum_by_s_contact(n, C_k_by_s_contact, S_k_by_s_contact)
         J[row, at_s_contact] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-        q0, q1 = by_one_sum_by_s_separated(n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_s_separated, S_c_by_s_separated, C_k_by_s_separated, S_k_by_s_separated)
+        q0, q1 = by_one_sum_by_s_separated(n, C_k_by_s_separated, S_k_by_s_separated)
         J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, _ = by_sine(j, cycles, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
+        q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = by_sine(j, m, c, cycles, s_contact, s_separated, phi, S_k, S_f, C_g, S_g, G4_contact_sin, G5_contact_sin, G6_contact_sin, G4_separated_sin, G5_separated_sin, G6_separated_sin)
         J[row, at_a0] += q0
-        J[row, at_c4_contact] += q1
-        J[row, at_c5_contact] += q2
-        J[row, at_c6_contact] += q3
-        J[row, at_c4_separated] += q4
-        J[row, at_c5_separated] += q5
-        J[row, at_c6_separated] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_contact(j, cycles, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact)
-        J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_separated(j, cycles, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated)
-        J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
+        J[row, at_a + j-1] += q1
+        J[row, at_b + j-1] += q2
+        J[row, at_c4_contact] += q3
+        J[row, at_c5_contact] += q4
+        J[row, at_c6_contact] += q5
+        J[row, at_c4_separated] += q6
+        J[row, at_c5_separated] += q7
+        J[row, at_c6_separated] += q8
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_sine_by_s_contact(j, m, cycles, s_contact, s_separated, phi, S_k_by_s_contact, S_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_sin_by_s_contact, G5_contact_sin_by_s_contact, G6_contact_sin_by_s_contact, G4_separated_sin_by_s_contact, G5_separated_sin_by_s_contact, G6_separated_sin_by_s_contact)
+        J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_a + j-1] + q2*z[at_c4_contact] + q3*z[at_c5_contact] + q4*z[at_c6_contact] + q5*z[at_c4_separated] + q6*z[at_c5_separated] + q7*z[at_c6_separated] + q8
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_sine_by_s_separated(j, m, cycles, s_contact, s_separated, phi, S_k_by_s_separated, S_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_sin_by_s_separated, G5_contact_sin_by_s_separated, G6_contact_sin_by_s_separated, G4_separated_sin_by_s_separated, G5_separated_sin_by_s_separated, G6_separated_sin_by_s_separated)
+        J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_a + j-1] + q2*z[at_c4_contact] + q3*z[at_c5_contact] + q4*z[at_c6_contact] + q5*z[at_c4_separated] + q6*z[at_c5_separated] + q7*z[at_c6_separated] + q8
         q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_contact(j, n, C_m_by_s_contact, S_m_by_s_contact, C_c_by_s_contact, S_c_by_s_contact, C_k_by_s_contact, S_k_by_s_contact)
+            q0, q1 = by_sine_sum_by_s_contact(j, n, C_k_by_s_contact, S_k_by_s_contact)
             J[row, at_s_contact] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_sine_sum_by_s_separated(j, n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_s_separated, S_c_by_s_separated, C_k_by_s_separated, S_k_by_s_separated)
+            q0, q1 = by_sine_sum_by_s_separated(j, n, C_k_by_s_separated, S_k_by_s_separated)
             J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, _ = by_cosine(j, cycles, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
+        q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = by_cosine(j, m, c, cycles, s_contact, s_separated, phi, C_k, C_f, C_g, S_g, G4_contact_cos, G5_contact_cos, G6_contact_cos, G4_separated_cos, G5_separated_cos, G6_separated_cos)
         J[row, at_a0] += q0
-        J[row, at_c4_contact] += q1
-        J[row, at_c5_contact] += q2
-        J[row, at_c6_contact] += q3
-        J[row, at_c4_separated] += q4
-        J[row, at_c5_separated] += q5
-        J[row, at_c6_separated] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_contact(j, cycles, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact)
-        J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_separated(j, cycles, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated)
-        J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_c4_contact] + q2*z[at_c5_contact] + q3*z[at_c6_contact] + q4*z[at_c4_separated] + q5*z[at_c5_separated] + q6*z[at_c6_separated] + q7
+        J[row, at_a + j-1] += q1
+        J[row, at_b + j-1] += q2
+        J[row, at_c4_contact] += q3
+        J[row, at_c5_contact] += q4
+        J[row, at_c6_contact] += q5
+        J[row, at_c4_separated] += q6
+        J[row, at_c5_separated] += q7
+        J[row, at_c6_separated] += q8
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_cosine_by_s_contact(j, m, cycles, s_contact, s_separated, phi, C_k_by_s_contact, C_f_by_s_contact, C_g_by_s_contact, S_g_by_s_contact, G4_contact_cos_by_s_contact, G5_contact_cos_by_s_contact, G6_contact_cos_by_s_contact, G4_separated_cos_by_s_contact, G5_separated_cos_by_s_contact, G6_separated_cos_by_s_contact)
+        J[row, at_s_contact] += q0*z[at_a0] + q1*z[at_b + j-1] + q2*z[at_c4_contact] + q3*z[at_c5_contact] + q4*z[at_c6_contact] + q5*z[at_c4_separated] + q6*z[at_c5_separated] + q7*z[at_c6_separated] + q8
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_cosine_by_s_separated(j, m, cycles, s_contact, s_separated, phi, C_k_by_s_separated, C_f_by_s_separated, C_g_by_s_separated, S_g_by_s_separated, G4_contact_cos_by_s_separated, G5_contact_cos_by_s_separated, G6_contact_cos_by_s_separated, G4_separated_cos_by_s_separated, G5_separated_cos_by_s_separated, G6_separated_cos_by_s_separated)
+        J[row, at_s_separated] += q0*z[at_a0] + q1*z[at_b + j-1] + q2*z[at_c4_contact] + q3*z[at_c5_contact] + q4*z[at_c6_contact] + q5*z[at_c4_separated] + q6*z[at_c5_separated] + q7*z[at_c6_separated] + q8
         q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_contact(j, n, C_m_by_s_contact, S_m_by_s_contact, C_c_by_s_contact, S_c_by_s_contact, C_k_by_s_contact, S_k_by_s_contact)
+            q0, q1 = by_cosine_sum_by_s_contact(j, n, C_k_by_s_contact, S_k_by_s_contact)
             J[row, at_s_contact] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_cosine_sum_by_s_separated(j, n, C_m_by_s_separated, S_m_by_s_separated, C_c_by_s_separated, S_c_by_s_separated, C_k_by_s_separated, S_k_by_s_separated)
+            q0, q1 = by_cosine_sum_by_s_separated(j, n, C_k_by_s_separated, S_k_by_s_separated)
             J[row, at_s_separated] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1, q2, q3, q4, q5, _ = jump_3_contact(m, c, k, k_c, F, Omega, s_contact, s_separated, phi, beta_contact, beta_separated)

@@ -23,7 +23,7 @@ m, c, k, F_y, h, F, Omega, cycles (an integer: periods of the forcing in one of 
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -34,7 +34,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 5  # order
 MATHEMATICS = "05e7b7502ab3b8ec46b028155226ee35051f8595409b823bad079db29b4f1cf3"  # of the conditions, by srepr
-BODY = "714ab3c6cf43b19c94aff522bbf5ffe417369942a3f97175ea001c032341ee83"  # of the text below
+BODY = "527737b7dd143c8cdfec1c123bbe865be247af49d6b6db04008cfff75fb15445"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -53,7 +53,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -65,13 +71,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -84,6 +100,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -105,11 +130,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic):
@@ -856,8 +880,10 @@ def residual(case, z, R):
     s_elastic = z[at_s_elastic]
     s_plastic = z[at_s_plastic]
     phi = z[at_phi]
-    mu_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
-    mu_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
     R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*entry(z, at_d_elastic, number_d_elastic, 2) + q5*entry(z, at_d_elastic, number_d_elastic, 3) + q6*entry(z, at_d_elastic, number_d_elastic, 4) + q7*entry(z, at_d_elastic, number_d_elastic, 5) + q8*entry(z, at_d_elastic, number_d_elastic, 6) + q9*z[at_w] + q10
@@ -879,7 +905,7 @@ def residual(case, z, R):
     row += 1
     for l in range(6, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_l(l, m, c, k, h, F, s_elastic, mu_elastic)
-        R[row] = q0*entry(z, at_d_elastic, number_d_elastic, l) + q1*entry(z, at_d_elastic, number_d_elastic, l-6) + q2*entry(z, at_d_elastic, number_d_elastic, l-5) + q3*entry(z, at_d_elastic, number_d_elastic, l-4) + q4*entry(z, at_d_elastic, number_d_elastic, l-3) + q5*entry(z, at_d_elastic, number_d_elastic, l-2) + q6*entry(z, at_d_elastic, number_d_elastic, l-1) + q7*entry(z, at_d_elastic, number_d_elastic, l+1) + q8*entry(z, at_d_elastic, number_d_elastic, l+2) + q9*entry(z, at_d_elastic, number_d_elastic, l+3) + q10*entry(z, at_d_elastic, number_d_elastic, l+4) + q11*entry(z, at_d_elastic, number_d_elastic, l+5) + q12*entry(z, at_d_elastic, number_d_elastic, l+6) + q13
+        R[row] = q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*entry(z, at_d_elastic, number_d_elastic, l+3) + q10*entry(z, at_d_elastic, number_d_elastic, l+4) + q11*entry(z, at_d_elastic, number_d_elastic, l+5) + q12*entry(z, at_d_elastic, number_d_elastic, l+6) + q13
         row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic)
     R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*entry(z, at_d_plastic, number_d_plastic, 2) + q5*entry(z, at_d_plastic, number_d_plastic, 3) + q6*entry(z, at_d_plastic, number_d_plastic, 4) + q7*entry(z, at_d_plastic, number_d_plastic, 5) + q8
@@ -898,7 +924,7 @@ def residual(case, z, R):
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_l(l, m, c, h, F, s_plastic, mu_plastic)
-        R[row] = q0*entry(z, at_d_plastic, number_d_plastic, l) + q1*entry(z, at_d_plastic, number_d_plastic, l-5) + q2*entry(z, at_d_plastic, number_d_plastic, l-4) + q3*entry(z, at_d_plastic, number_d_plastic, l-3) + q4*entry(z, at_d_plastic, number_d_plastic, l-2) + q5*entry(z, at_d_plastic, number_d_plastic, l-1) + q6*entry(z, at_d_plastic, number_d_plastic, l+1) + q7*entry(z, at_d_plastic, number_d_plastic, l+2) + q8*entry(z, at_d_plastic, number_d_plastic, l+3) + q9*entry(z, at_d_plastic, number_d_plastic, l+4) + q10*entry(z, at_d_plastic, number_d_plastic, l+5) + q11
+        R[row] = q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*entry(z, at_d_plastic, number_d_plastic, l+2) + q8*entry(z, at_d_plastic, number_d_plastic, l+3) + q9*entry(z, at_d_plastic, number_d_plastic, l+4) + q10*entry(z, at_d_plastic, number_d_plastic, l+5) + q11
         row += 1
     q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
     R[row] = q0*z[at_x_elastic] + q1*z[at_x_plastic] + q2*z[at_v_plastic] + q3*z[at_d_plastic] + q4*z[at_d_plastic + 1]
@@ -969,10 +995,12 @@ def jacobian(case, z, J):
     s_elastic = z[at_s_elastic]
     s_plastic = z[at_s_plastic]
     phi = z[at_phi]
-    mu_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
-    nu_elastic = legendre_moments(N + 11, Omega*s_elastic, phi + pi/2)
-    mu_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
-    nu_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi + pi/2)
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    nu_elastic = over_elastic[1]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
+    nu_plastic = over_plastic[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
@@ -1086,21 +1114,21 @@ def jacobian(case, z, J):
     row += 1
     for l in range(6, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, _ = elastic_by_l(l, m, c, k, h, F, s_elastic, mu_elastic)
-        put(J, row, at_d_elastic, number_d_elastic, l, q0)
-        put(J, row, at_d_elastic, number_d_elastic, l-6, q1)
-        put(J, row, at_d_elastic, number_d_elastic, l-5, q2)
-        put(J, row, at_d_elastic, number_d_elastic, l-4, q3)
-        put(J, row, at_d_elastic, number_d_elastic, l-3, q4)
-        put(J, row, at_d_elastic, number_d_elastic, l-2, q5)
-        put(J, row, at_d_elastic, number_d_elastic, l-1, q6)
-        put(J, row, at_d_elastic, number_d_elastic, l+1, q7)
-        put(J, row, at_d_elastic, number_d_elastic, l+2, q8)
+        J[row, at_d_elastic + l] += q0
+        J[row, at_d_elastic + l-6] += q1
+        J[row, at_d_elastic + l-5] += q2
+        J[row, at_d_elastic + l-4] += q3
+        J[row, at_d_elastic + l-3] += q4
+        J[row, at_d_elastic + l-2] += q5
+        J[row, at_d_elastic + l-1] += q6
+        J[row, at_d_elastic + l+1] += q7
+        J[row, at_d_elastic + l+2] += q8
         put(J, row, at_d_elastic, number_d_elastic, l+3, q9)
         put(J, row, at_d_elastic, number_d_elastic, l+4, q10)
         put(J, row, at_d_elastic, number_d_elastic, l+5, q11)
         put(J, row, at_d_elastic, number_d_elastic, l+6, q12)
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic)
-        J[row, at_s_elastic] += q0*entry(z, at_d_elastic, number_d_elastic, l) + q1*entry(z, at_d_elastic, number_d_elastic, l-6) + q2*entry(z, at_d_elastic, number_d_elastic, l-5) + q3*entry(z, at_d_elastic, number_d_elastic, l-4) + q4*entry(z, at_d_elastic, number_d_elastic, l-3) + q5*entry(z, at_d_elastic, number_d_elastic, l-2) + q6*entry(z, at_d_elastic, number_d_elastic, l-1) + q7*entry(z, at_d_elastic, number_d_elastic, l+1) + q8*entry(z, at_d_elastic, number_d_elastic, l+2) + q9*entry(z, at_d_elastic, number_d_elastic, l+3) + q10*entry(z, at_d_elastic, number_d_elastic, l+4) + q11*entry(z, at_d_elastic, number_d_elastic, l+5) + q12*entry(z, at_d_elastic, number_d_elastic, l+6) + q13
+        J[row, at_s_elastic] += q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*entry(z, at_d_elastic, number_d_elastic, l+3) + q10*entry(z, at_d_elastic, number_d_elastic, l+4) + q11*entry(z, at_d_elastic, number_d_elastic, l+5) + q12*entry(z, at_d_elastic, number_d_elastic, l+6) + q13
         q0 = elastic_by_l_by_phi(l, F, nu_elastic)
         J[row, at_phi] += q0
         row += 1
@@ -1195,13 +1223,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = plastic_by_l(l, m, c, h, F, s_plastic, mu_plastic)
-        put(J, row, at_d_plastic, number_d_plastic, l, q0)
-        put(J, row, at_d_plastic, number_d_plastic, l-5, q1)
-        put(J, row, at_d_plastic, number_d_plastic, l-4, q2)
-        put(J, row, at_d_plastic, number_d_plastic, l-3, q3)
-        put(J, row, at_d_plastic, number_d_plastic, l-2, q4)
-        put(J, row, at_d_plastic, number_d_plastic, l-1, q5)
-        put(J, row, at_d_plastic, number_d_plastic, l+1, q6)
+        J[row, at_d_plastic + l] += q0
+        J[row, at_d_plastic + l-5] += q1
+        J[row, at_d_plastic + l-4] += q2
+        J[row, at_d_plastic + l-3] += q3
+        J[row, at_d_plastic + l-2] += q4
+        J[row, at_d_plastic + l-1] += q5
+        J[row, at_d_plastic + l+1] += q6
         put(J, row, at_d_plastic, number_d_plastic, l+2, q7)
         put(J, row, at_d_plastic, number_d_plastic, l+3, q8)
         put(J, row, at_d_plastic, number_d_plastic, l+4, q9)
@@ -1209,7 +1237,7 @@ def jacobian(case, z, J):
         q0 = plastic_by_l_by_s_elastic(l, F, Omega, nu_plastic)
         J[row, at_s_elastic] += q0
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic)
-        J[row, at_s_plastic] += q0*entry(z, at_d_plastic, number_d_plastic, l) + q1*entry(z, at_d_plastic, number_d_plastic, l-5) + q2*entry(z, at_d_plastic, number_d_plastic, l-4) + q3*entry(z, at_d_plastic, number_d_plastic, l-3) + q4*entry(z, at_d_plastic, number_d_plastic, l-2) + q5*entry(z, at_d_plastic, number_d_plastic, l-1) + q6*entry(z, at_d_plastic, number_d_plastic, l+1) + q7*entry(z, at_d_plastic, number_d_plastic, l+2) + q8*entry(z, at_d_plastic, number_d_plastic, l+3) + q9*entry(z, at_d_plastic, number_d_plastic, l+4) + q10*entry(z, at_d_plastic, number_d_plastic, l+5) + q11
+        J[row, at_s_plastic] += q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*entry(z, at_d_plastic, number_d_plastic, l+2) + q8*entry(z, at_d_plastic, number_d_plastic, l+3) + q9*entry(z, at_d_plastic, number_d_plastic, l+4) + q10*entry(z, at_d_plastic, number_d_plastic, l+5) + q11
         q0 = plastic_by_l_by_phi(l, F, nu_plastic)
         J[row, at_phi] += q0
         row += 1

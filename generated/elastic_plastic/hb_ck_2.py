@@ -23,7 +23,7 @@ m, c, k, F_y, h, F, Omega, cycles (an integer: periods of the forcing in one of 
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -34,7 +34,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "fe6812c2e43a39316f883f287fa8ae71c9ce7bea77df963164d9decd86b8e630"  # of the conditions, by srepr
-BODY = "d6b6196b86484f84f6abb80c6c56068394d2a22389a41f2791f7a25eb6b7810b"  # of the text below
+BODY = "65b57b874855e319635b1acc9fb13a1e8187023f516fa104c6fd918c79f5a324"  # of the text below
 
 
 def break_series(begin, length):
@@ -115,7 +115,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -126,59 +132,106 @@ def spherical_bessel(count, x):
     return j
 
 
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
+def multiples(angle, highest):
+    """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
+    As products of turns by 16 and by less: two functions for 16 values, and a few roundings.
+    """
+    cosines, sines = np.zeros(highest + 1), np.zeros(highest + 1)
+    for k in range(min(16, highest + 1)):
+        cosines[k], sines[k] = cos(k * angle), sin(k * angle)
+    for begin in range(16, highest + 1, 16):
+        c, s = cos(begin * angle), sin(begin * angle)
+        for k in range(begin, min(begin + 16, highest + 1)):
+            near_c, near_s = cosines[k - begin], sines[k - begin]
+            cosines[k], sines[k] = c * near_c - s * near_s, s * near_c + c * near_s
+    return cosines, sines
+
+
+def harmonic_integrals(ends, period, highest, rates):
+    """Return the integrals of the cosine and the sine of ``k omega_0 t`` over each phase.
 
     Parameters
     ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
     ends : tuple of float, length P + 1
         Where the phases begin, and where the last one ends.
     period : float
         ``omega_0 = 2 pi/period``; a multiple of the cell.
     highest : int
         Largest k.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
+    ndarray, shape (P, 2, 1 + P or 1, highest + 1)
+        For each phase, with the cosine and with the sine: row 0 the integrals, row 1 + q their
+        derivatives by the duration of phase q.
     """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    found = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
+    begin_c, begin_s = np.ones(highest + 1), np.zeros(highest + 1)
+    for p in range(phases):
+        t, end = ends[p], ends[p + 1]
+        half_c, half_s = multiples(pi * (end - t) / period, highest)
+        for k in range(highest + 1):
+            h_c, h_s, b_c, b_s = half_c[k], half_s[k], begin_c[k], begin_s[k]
+            half = pi * k * (end - t) / period
+            size = (end - t) * (h_s / half if half != 0.0 else 1.0)
+            middle_c, middle_s = b_c * h_c - b_s * h_s, b_s * h_c + b_c * h_s
+            end_c, end_s = middle_c * h_c - middle_s * h_s, middle_s * h_c + middle_c * h_s
+            over_c, over_s = size * middle_c, size * middle_s
+            found[p, 0, 0, k], found[p, 1, 0, k] = over_c, over_s
+            if rates:
+                change_c = (over_c - end * end_c + t * b_c) / cell
+                change_s = (over_s - end * end_s + t * b_s) / cell
+                for q in range(phases):
+                    later, now = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
+                    found[p, 0, 1 + q, k] = change_c + later * end_c - now * b_c
+                    found[p, 1, 1 + q, k] = change_s + later * end_s - now * b_s
+            begin_c[k], begin_s[k] = end_c, end_s
+    return found
+
+
+def weighted_integrals(integrals, weights, power, ends, period):
+    """Return the integrals over a cell of a weight times harmonics.
+
+    Parameters
+    ----------
+    integrals : ndarray
+        From `harmonic_integrals`.
+    weights : tuple of float, length P
+        The weight on each phase.
+    power : int
+        Of ``omega_0``, by which all is multiplied, as derivatives of harmonics are.
+    ends, period
+        Those of `integrals`.
+
+    Returns
+    -------
+    ndarray, shape (2, 1 + P or 1, 2 highest + 1)
+        With the cosine and with the sine, rows as in `integrals`.  Entry -k is that of -k, as
+        Python counts from the end.
+    """
+    phases, _, rows, length = integrals.shape
+    scale, cell = (2 * pi / period) ** power, ends[phases]
+    found = np.zeros((2, rows, 2 * length - 1))
+    for p in range(phases):
+        weight = weights[p] * scale
+        if weight != 0.0:
+            for wave in range(2):
+                for row in range(rows):
+                    for k in range(length):
+                        found[wave, row, k] += weight * integrals[p, wave, row, k]
+    for wave in range(2):
+        for row in range(1, rows):
+            for k in range(length):
+                found[wave, row, k] -= power / cell * found[wave, 0, k]
+        for row in range(rows):
+            for k in range(1, length):
+                value = found[wave, row, k]
+                found[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
+    return found
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -341,9 +394,11 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_sine(j, cycles, phi, S_f, C_g, S_g, S_w_w, G5_elastic_sin, G6_elastic_sin, G4_plastic_sin, G5_plastic_sin):
+def by_sine(j, m, c, cycles, s_elastic, s_plastic, phi, S_f, C_g, S_g, S_w_w, G5_elastic_sin, G6_elastic_sin, G4_plastic_sin, G5_plastic_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
+        -((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*s_elastic + 2*s_plastic),
+        -(pi*c*(2*j - 1))/2,
         G5_elastic_sin[j],
         G6_elastic_sin[j],
         G4_plastic_sin[j],
@@ -353,9 +408,10 @@ def by_sine(j, cycles, phi, S_f, C_g, S_g, S_w_w, G5_elastic_sin, G6_elastic_sin
     )
 
 
-def by_sine_by_s_elastic(j, cycles, phi, S_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, S_w_w_by_s_elastic, G5_elastic_sin_by_s_elastic, G6_elastic_sin_by_s_elastic, G4_plastic_sin_by_s_elastic, G5_plastic_sin_by_s_elastic):
+def by_sine_by_s_elastic(j, m, cycles, s_elastic, s_plastic, phi, S_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, S_w_w_by_s_elastic, G5_elastic_sin_by_s_elastic, G6_elastic_sin_by_s_elastic, G4_plastic_sin_by_s_elastic, G5_plastic_sin_by_s_elastic):
     """Their derivatives by s_elastic, of those that depend on it."""
     return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_elastic + s_plastic)*(s_elastic + s_plastic))),
         G5_elastic_sin_by_s_elastic[j],
         G6_elastic_sin_by_s_elastic[j],
         G4_plastic_sin_by_s_elastic[j],
@@ -365,9 +421,10 @@ def by_sine_by_s_elastic(j, cycles, phi, S_f_by_s_elastic, C_g_by_s_elastic, S_g
     )
 
 
-def by_sine_by_s_plastic(j, cycles, phi, S_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, S_w_w_by_s_plastic, G5_elastic_sin_by_s_plastic, G6_elastic_sin_by_s_plastic, G4_plastic_sin_by_s_plastic, G5_plastic_sin_by_s_plastic):
+def by_sine_by_s_plastic(j, m, cycles, s_elastic, s_plastic, phi, S_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, S_w_w_by_s_plastic, G5_elastic_sin_by_s_plastic, G6_elastic_sin_by_s_plastic, G4_plastic_sin_by_s_plastic, G5_plastic_sin_by_s_plastic):
     """Their derivatives by s_plastic, of those that depend on it."""
     return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_elastic + s_plastic)*(s_elastic + s_plastic))),
         G5_elastic_sin_by_s_plastic[j],
         G6_elastic_sin_by_s_plastic[j],
         G4_plastic_sin_by_s_plastic[j],
@@ -382,33 +439,35 @@ def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
-def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_sine_sum(j, n, C_k, S_k):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
-        (((2*n - 1)*(2*n - 1))*C_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m[2*j - 2*n])/2 + ((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 - C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m[2*j - 2*n])/2 + ((2*n - 1)*C_c[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 + S_k[2*j - 2*n]/2,
+        -C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
+        S_k[2*j + 2*n - 2]/2 + S_k[2*j - 2*n]/2,
     )
 
 
-def by_sine_sum_by_s_elastic(j, n, C_m_by_s_elastic, S_m_by_s_elastic, C_c_by_s_elastic, S_c_by_s_elastic, C_k_by_s_elastic, S_k_by_s_elastic):
+def by_sine_sum_by_s_elastic(j, n, C_k_by_s_elastic, S_k_by_s_elastic):
     """Their derivatives by s_elastic, of those that depend on it."""
     return (
-        (((2*n - 1)*(2*n - 1))*C_m_by_s_elastic[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_elastic[2*j - 2*n])/2 + ((2*n - 1)*S_c_by_s_elastic[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_elastic[2*j - 2*n])/2 - C_k_by_s_elastic[2*j + 2*n - 2]/2 + C_k_by_s_elastic[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_elastic[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m_by_s_elastic[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_elastic[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c_by_s_elastic[2*j - 2*n])/2 + S_k_by_s_elastic[2*j + 2*n - 2]/2 + S_k_by_s_elastic[2*j - 2*n]/2,
+        -C_k_by_s_elastic[2*j + 2*n - 2]/2 + C_k_by_s_elastic[2*j - 2*n]/2,
+        S_k_by_s_elastic[2*j + 2*n - 2]/2 + S_k_by_s_elastic[2*j - 2*n]/2,
     )
 
 
-def by_sine_sum_by_s_plastic(j, n, C_m_by_s_plastic, S_m_by_s_plastic, C_c_by_s_plastic, S_c_by_s_plastic, C_k_by_s_plastic, S_k_by_s_plastic):
+def by_sine_sum_by_s_plastic(j, n, C_k_by_s_plastic, S_k_by_s_plastic):
     """Their derivatives by s_plastic, of those that depend on it."""
     return (
-        (((2*n - 1)*(2*n - 1))*C_m_by_s_plastic[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_plastic[2*j - 2*n])/2 + ((2*n - 1)*S_c_by_s_plastic[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_plastic[2*j - 2*n])/2 - C_k_by_s_plastic[2*j + 2*n - 2]/2 + C_k_by_s_plastic[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_plastic[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m_by_s_plastic[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_plastic[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c_by_s_plastic[2*j - 2*n])/2 + S_k_by_s_plastic[2*j + 2*n - 2]/2 + S_k_by_s_plastic[2*j - 2*n]/2,
+        -C_k_by_s_plastic[2*j + 2*n - 2]/2 + C_k_by_s_plastic[2*j - 2*n]/2,
+        S_k_by_s_plastic[2*j + 2*n - 2]/2 + S_k_by_s_plastic[2*j - 2*n]/2,
     )
 
 
-def by_cosine(j, cycles, phi, C_f, C_g, S_g, C_w_w, G5_elastic_cos, G6_elastic_cos, G4_plastic_cos, G5_plastic_cos):
+def by_cosine(j, m, c, cycles, s_elastic, s_plastic, phi, C_f, C_g, S_g, C_w_w, G5_elastic_cos, G6_elastic_cos, G4_plastic_cos, G5_plastic_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
+        (pi*c*(2*j - 1))/2,
+        -((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*s_elastic + 2*s_plastic),
         G5_elastic_cos[j],
         G6_elastic_cos[j],
         G4_plastic_cos[j],
@@ -418,9 +477,10 @@ def by_cosine(j, cycles, phi, C_f, C_g, S_g, C_w_w, G5_elastic_cos, G6_elastic_c
     )
 
 
-def by_cosine_by_s_elastic(j, cycles, phi, C_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, C_w_w_by_s_elastic, G5_elastic_cos_by_s_elastic, G6_elastic_cos_by_s_elastic, G4_plastic_cos_by_s_elastic, G5_plastic_cos_by_s_elastic):
+def by_cosine_by_s_elastic(j, m, cycles, s_elastic, s_plastic, phi, C_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, C_w_w_by_s_elastic, G5_elastic_cos_by_s_elastic, G6_elastic_cos_by_s_elastic, G4_plastic_cos_by_s_elastic, G5_plastic_cos_by_s_elastic):
     """Their derivatives by s_elastic, of those that depend on it."""
     return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_elastic + s_plastic)*(s_elastic + s_plastic))),
         G5_elastic_cos_by_s_elastic[j],
         G6_elastic_cos_by_s_elastic[j],
         G4_plastic_cos_by_s_elastic[j],
@@ -430,9 +490,10 @@ def by_cosine_by_s_elastic(j, cycles, phi, C_f_by_s_elastic, C_g_by_s_elastic, S
     )
 
 
-def by_cosine_by_s_plastic(j, cycles, phi, C_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, C_w_w_by_s_plastic, G5_elastic_cos_by_s_plastic, G6_elastic_cos_by_s_plastic, G4_plastic_cos_by_s_plastic, G5_plastic_cos_by_s_plastic):
+def by_cosine_by_s_plastic(j, m, cycles, s_elastic, s_plastic, phi, C_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, C_w_w_by_s_plastic, G5_elastic_cos_by_s_plastic, G6_elastic_cos_by_s_plastic, G4_plastic_cos_by_s_plastic, G5_plastic_cos_by_s_plastic):
     """Their derivatives by s_plastic, of those that depend on it."""
     return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_elastic + s_plastic)*(s_elastic + s_plastic))),
         G5_elastic_cos_by_s_plastic[j],
         G6_elastic_cos_by_s_plastic[j],
         G4_plastic_cos_by_s_plastic[j],
@@ -447,27 +508,27 @@ def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
-def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_cosine_sum(j, n, C_k, S_k):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
-        -(((2*n - 1)*(2*n - 1))*S_m[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m[2*j - 2*n])/2 + ((2*n - 1)*C_c[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 - S_k[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m[2*j - 2*n])/2 - ((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 + C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
+        S_k[2*j + 2*n - 2]/2 - S_k[2*j - 2*n]/2,
+        C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
     )
 
 
-def by_cosine_sum_by_s_elastic(j, n, C_m_by_s_elastic, S_m_by_s_elastic, C_c_by_s_elastic, S_c_by_s_elastic, C_k_by_s_elastic, S_k_by_s_elastic):
+def by_cosine_sum_by_s_elastic(j, n, C_k_by_s_elastic, S_k_by_s_elastic):
     """Their derivatives by s_elastic, of those that depend on it."""
     return (
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_elastic[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m_by_s_elastic[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_elastic[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c_by_s_elastic[2*j - 2*n])/2 + S_k_by_s_elastic[2*j + 2*n - 2]/2 - S_k_by_s_elastic[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m_by_s_elastic[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_elastic[2*j - 2*n])/2 - ((2*n - 1)*S_c_by_s_elastic[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_elastic[2*j - 2*n])/2 + C_k_by_s_elastic[2*j + 2*n - 2]/2 + C_k_by_s_elastic[2*j - 2*n]/2,
+        S_k_by_s_elastic[2*j + 2*n - 2]/2 - S_k_by_s_elastic[2*j - 2*n]/2,
+        C_k_by_s_elastic[2*j + 2*n - 2]/2 + C_k_by_s_elastic[2*j - 2*n]/2,
     )
 
 
-def by_cosine_sum_by_s_plastic(j, n, C_m_by_s_plastic, S_m_by_s_plastic, C_c_by_s_plastic, S_c_by_s_plastic, C_k_by_s_plastic, S_k_by_s_plastic):
+def by_cosine_sum_by_s_plastic(j, n, C_k_by_s_plastic, S_k_by_s_plastic):
     """Their derivatives by s_plastic, of those that depend on it."""
     return (
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_plastic[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m_by_s_plastic[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_plastic[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c_by_s_plastic[2*j - 2*n])/2 + S_k_by_s_plastic[2*j + 2*n - 2]/2 - S_k_by_s_plastic[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m_by_s_plastic[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_plastic[2*j - 2*n])/2 - ((2*n - 1)*S_c_by_s_plastic[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_plastic[2*j - 2*n])/2 + C_k_by_s_plastic[2*j + 2*n - 2]/2 + C_k_by_s_plastic[2*j - 2*n]/2,
+        S_k_by_s_plastic[2*j + 2*n - 2]/2 - S_k_by_s_plastic[2*j - 2*n]/2,
+        C_k_by_s_plastic[2*j + 2*n - 2]/2 + C_k_by_s_plastic[2*j - 2*n]/2,
     )
 
 
@@ -872,6 +933,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
+    rates = False
     m, c, k, F_y, h, F, Omega, cycles = case
     N = (len(z) - 8)//2
     at_a = 0
@@ -887,22 +949,17 @@ def residual(case, z, R):
     s_elastic = z[at_s_elastic]
     s_plastic = z[at_s_plastic]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m, m), 2, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_c = harmonic_integrals((c, c), 1, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
-    C_c = over_c[0][0]
-    S_c = over_c[1][0]
-    over_k = harmonic_integrals((h + k, h), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
+    over_phases = harmonic_integrals((0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, max(4*N - 2, 2*N + cycles - 1), rates)
+    over_k = weighted_integrals(over_phases, (h + k, h), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_f = harmonic_integrals((-F_y, F_y), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
+    over_f = weighted_integrals(over_phases, (-F_y, F_y), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 2*N + cycles - 1)
+    over_g = weighted_integrals(over_phases, (F, F), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
-    over_w_w = harmonic_integrals((k, 0.0), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
+    over_w_w = weighted_integrals(over_phases, (k, 0.0), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_w_w = over_w_w[0][0]
     S_w_w = over_w_w[1][0]
     series_elastic = breaks_on_phases(0, (0.0, s_elastic, s_elastic + s_plastic), -1)
@@ -925,17 +982,17 @@ def residual(case, z, R):
     G5_plastic_sin = over_beta5_plastic[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5 = by_sine(j, cycles, phi, S_f, C_g, S_g, S_w_w, G5_elastic_sin, G6_elastic_sin, G4_plastic_sin, G5_plastic_sin)
-        R[row] = q0*z[at_c5_elastic] + q1*z[at_c6_elastic] + q2*z[at_c4_plastic] + q3*z[at_c5_plastic] + q4*z[at_w] + q5
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine(j, m, c, cycles, s_elastic, s_plastic, phi, S_f, C_g, S_g, S_w_w, G5_elastic_sin, G6_elastic_sin, G4_plastic_sin, G5_plastic_sin)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2*z[at_c5_elastic] + q3*z[at_c6_elastic] + q4*z[at_c4_plastic] + q5*z[at_c5_plastic] + q6*z[at_w] + q7
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5 = by_cosine(j, cycles, phi, C_f, C_g, S_g, C_w_w, G5_elastic_cos, G6_elastic_cos, G4_plastic_cos, G5_plastic_cos)
-        R[row] = q0*z[at_c5_elastic] + q1*z[at_c6_elastic] + q2*z[at_c4_plastic] + q3*z[at_c5_plastic] + q4*z[at_w] + q5
+        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine(j, m, c, cycles, s_elastic, s_plastic, phi, C_f, C_g, S_g, C_w_w, G5_elastic_cos, G6_elastic_cos, G4_plastic_cos, G5_plastic_cos)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2*z[at_c5_elastic] + q3*z[at_c6_elastic] + q4*z[at_c4_plastic] + q5*z[at_c5_plastic] + q6*z[at_w] + q7
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1, q2, q3, q4 = jump_4_elastic(m, c, k, h, F, Omega, s_elastic, s_plastic, phi, beta_elastic, beta_plastic)
@@ -987,6 +1044,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
+    rates = True
     m, c, k, F_y, h, F, Omega, cycles = case
     N = (len(z) - 8)//2
     at_a = 0
@@ -1002,42 +1060,29 @@ def jacobian(case, z, J):
     s_elastic = z[at_s_elastic]
     s_plastic = z[at_s_plastic]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m, m), 2, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
-    C_m = over_m[0][0]
-    C_m_by_s_elastic = over_m[0][1]
-    C_m_by_s_plastic = over_m[0][2]
-    S_m = over_m[1][0]
-    S_m_by_s_elastic = over_m[1][1]
-    S_m_by_s_plastic = over_m[1][2]
-    over_c = harmonic_integrals((c, c), 1, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
-    C_c = over_c[0][0]
-    C_c_by_s_elastic = over_c[0][1]
-    C_c_by_s_plastic = over_c[0][2]
-    S_c = over_c[1][0]
-    S_c_by_s_elastic = over_c[1][1]
-    S_c_by_s_plastic = over_c[1][2]
-    over_k = harmonic_integrals((h + k, h), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
+    over_phases = harmonic_integrals((0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, max(4*N - 2, 2*N + cycles - 1), rates)
+    over_k = weighted_integrals(over_phases, (h + k, h), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_k = over_k[0][0]
     C_k_by_s_elastic = over_k[0][1]
     C_k_by_s_plastic = over_k[0][2]
     S_k = over_k[1][0]
     S_k_by_s_elastic = over_k[1][1]
     S_k_by_s_plastic = over_k[1][2]
-    over_f = harmonic_integrals((-F_y, F_y), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
+    over_f = weighted_integrals(over_phases, (-F_y, F_y), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_f = over_f[0][0]
     C_f_by_s_elastic = over_f[0][1]
     C_f_by_s_plastic = over_f[0][2]
     S_f = over_f[1][0]
     S_f_by_s_elastic = over_f[1][1]
     S_f_by_s_plastic = over_f[1][2]
-    over_g = harmonic_integrals((F, F), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 2*N + cycles - 1)
+    over_g = weighted_integrals(over_phases, (F, F), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_g = over_g[0][0]
     C_g_by_s_elastic = over_g[0][1]
     C_g_by_s_plastic = over_g[0][2]
     S_g = over_g[1][0]
     S_g_by_s_elastic = over_g[1][1]
     S_g_by_s_plastic = over_g[1][2]
-    over_w_w = harmonic_integrals((k, 0.0), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, 4*N - 1)
+    over_w_w = weighted_integrals(over_phases, (k, 0.0), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_w_w = over_w_w[0][0]
     C_w_w_by_s_elastic = over_w_w[0][1]
     C_w_w_by_s_plastic = over_w_w[0][2]
@@ -1085,47 +1130,51 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, _ = by_sine(j, cycles, phi, S_f, C_g, S_g, S_w_w, G5_elastic_sin, G6_elastic_sin, G4_plastic_sin, G5_plastic_sin)
-        J[row, at_c5_elastic] += q0
-        J[row, at_c6_elastic] += q1
-        J[row, at_c4_plastic] += q2
-        J[row, at_c5_plastic] += q3
-        J[row, at_w] += q4
-        q0, q1, q2, q3, q4, q5 = by_sine_by_s_elastic(j, cycles, phi, S_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, S_w_w_by_s_elastic, G5_elastic_sin_by_s_elastic, G6_elastic_sin_by_s_elastic, G4_plastic_sin_by_s_elastic, G5_plastic_sin_by_s_elastic)
-        J[row, at_s_elastic] += q0*z[at_c5_elastic] + q1*z[at_c6_elastic] + q2*z[at_c4_plastic] + q3*z[at_c5_plastic] + q4*z[at_w] + q5
-        q0, q1, q2, q3, q4, q5 = by_sine_by_s_plastic(j, cycles, phi, S_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, S_w_w_by_s_plastic, G5_elastic_sin_by_s_plastic, G6_elastic_sin_by_s_plastic, G4_plastic_sin_by_s_plastic, G5_plastic_sin_by_s_plastic)
-        J[row, at_s_plastic] += q0*z[at_c5_elastic] + q1*z[at_c6_elastic] + q2*z[at_c4_plastic] + q3*z[at_c5_plastic] + q4*z[at_w] + q5
+        q0, q1, q2, q3, q4, q5, q6, _ = by_sine(j, m, c, cycles, s_elastic, s_plastic, phi, S_f, C_g, S_g, S_w_w, G5_elastic_sin, G6_elastic_sin, G4_plastic_sin, G5_plastic_sin)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        J[row, at_c5_elastic] += q2
+        J[row, at_c6_elastic] += q3
+        J[row, at_c4_plastic] += q4
+        J[row, at_c5_plastic] += q5
+        J[row, at_w] += q6
+        q0, q1, q2, q3, q4, q5, q6 = by_sine_by_s_elastic(j, m, cycles, s_elastic, s_plastic, phi, S_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, S_w_w_by_s_elastic, G5_elastic_sin_by_s_elastic, G6_elastic_sin_by_s_elastic, G4_plastic_sin_by_s_elastic, G5_plastic_sin_by_s_elastic)
+        J[row, at_s_elastic] += q0*z[at_a + j-1] + q1*z[at_c5_elastic] + q2*z[at_c6_elastic] + q3*z[at_c4_plastic] + q4*z[at_c5_plastic] + q5*z[at_w] + q6
+        q0, q1, q2, q3, q4, q5, q6 = by_sine_by_s_plastic(j, m, cycles, s_elastic, s_plastic, phi, S_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, S_w_w_by_s_plastic, G5_elastic_sin_by_s_plastic, G6_elastic_sin_by_s_plastic, G4_plastic_sin_by_s_plastic, G5_plastic_sin_by_s_plastic)
+        J[row, at_s_plastic] += q0*z[at_a + j-1] + q1*z[at_c5_elastic] + q2*z[at_c6_elastic] + q3*z[at_c4_plastic] + q4*z[at_c5_plastic] + q5*z[at_w] + q6
         q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_elastic(j, n, C_m_by_s_elastic, S_m_by_s_elastic, C_c_by_s_elastic, S_c_by_s_elastic, C_k_by_s_elastic, S_k_by_s_elastic)
+            q0, q1 = by_sine_sum_by_s_elastic(j, n, C_k_by_s_elastic, S_k_by_s_elastic)
             J[row, at_s_elastic] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_sine_sum_by_s_plastic(j, n, C_m_by_s_plastic, S_m_by_s_plastic, C_c_by_s_plastic, S_c_by_s_plastic, C_k_by_s_plastic, S_k_by_s_plastic)
+            q0, q1 = by_sine_sum_by_s_plastic(j, n, C_k_by_s_plastic, S_k_by_s_plastic)
             J[row, at_s_plastic] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, _ = by_cosine(j, cycles, phi, C_f, C_g, S_g, C_w_w, G5_elastic_cos, G6_elastic_cos, G4_plastic_cos, G5_plastic_cos)
-        J[row, at_c5_elastic] += q0
-        J[row, at_c6_elastic] += q1
-        J[row, at_c4_plastic] += q2
-        J[row, at_c5_plastic] += q3
-        J[row, at_w] += q4
-        q0, q1, q2, q3, q4, q5 = by_cosine_by_s_elastic(j, cycles, phi, C_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, C_w_w_by_s_elastic, G5_elastic_cos_by_s_elastic, G6_elastic_cos_by_s_elastic, G4_plastic_cos_by_s_elastic, G5_plastic_cos_by_s_elastic)
-        J[row, at_s_elastic] += q0*z[at_c5_elastic] + q1*z[at_c6_elastic] + q2*z[at_c4_plastic] + q3*z[at_c5_plastic] + q4*z[at_w] + q5
-        q0, q1, q2, q3, q4, q5 = by_cosine_by_s_plastic(j, cycles, phi, C_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, C_w_w_by_s_plastic, G5_elastic_cos_by_s_plastic, G6_elastic_cos_by_s_plastic, G4_plastic_cos_by_s_plastic, G5_plastic_cos_by_s_plastic)
-        J[row, at_s_plastic] += q0*z[at_c5_elastic] + q1*z[at_c6_elastic] + q2*z[at_c4_plastic] + q3*z[at_c5_plastic] + q4*z[at_w] + q5
+        q0, q1, q2, q3, q4, q5, q6, _ = by_cosine(j, m, c, cycles, s_elastic, s_plastic, phi, C_f, C_g, S_g, C_w_w, G5_elastic_cos, G6_elastic_cos, G4_plastic_cos, G5_plastic_cos)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        J[row, at_c5_elastic] += q2
+        J[row, at_c6_elastic] += q3
+        J[row, at_c4_plastic] += q4
+        J[row, at_c5_plastic] += q5
+        J[row, at_w] += q6
+        q0, q1, q2, q3, q4, q5, q6 = by_cosine_by_s_elastic(j, m, cycles, s_elastic, s_plastic, phi, C_f_by_s_elastic, C_g_by_s_elastic, S_g_by_s_elastic, C_w_w_by_s_elastic, G5_elastic_cos_by_s_elastic, G6_elastic_cos_by_s_elastic, G4_plastic_cos_by_s_elastic, G5_plastic_cos_by_s_elastic)
+        J[row, at_s_elastic] += q0*z[at_b + j-1] + q1*z[at_c5_elastic] + q2*z[at_c6_elastic] + q3*z[at_c4_plastic] + q4*z[at_c5_plastic] + q5*z[at_w] + q6
+        q0, q1, q2, q3, q4, q5, q6 = by_cosine_by_s_plastic(j, m, cycles, s_elastic, s_plastic, phi, C_f_by_s_plastic, C_g_by_s_plastic, S_g_by_s_plastic, C_w_w_by_s_plastic, G5_elastic_cos_by_s_plastic, G6_elastic_cos_by_s_plastic, G4_plastic_cos_by_s_plastic, G5_plastic_cos_by_s_plastic)
+        J[row, at_s_plastic] += q0*z[at_b + j-1] + q1*z[at_c5_elastic] + q2*z[at_c6_elastic] + q3*z[at_c4_plastic] + q4*z[at_c5_plastic] + q5*z[at_w] + q6
         q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_elastic(j, n, C_m_by_s_elastic, S_m_by_s_elastic, C_c_by_s_elastic, S_c_by_s_elastic, C_k_by_s_elastic, S_k_by_s_elastic)
+            q0, q1 = by_cosine_sum_by_s_elastic(j, n, C_k_by_s_elastic, S_k_by_s_elastic)
             J[row, at_s_elastic] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_cosine_sum_by_s_plastic(j, n, C_m_by_s_plastic, S_m_by_s_plastic, C_c_by_s_plastic, S_c_by_s_plastic, C_k_by_s_plastic, S_k_by_s_plastic)
+            q0, q1 = by_cosine_sum_by_s_plastic(j, n, C_k_by_s_plastic, S_k_by_s_plastic)
             J[row, at_s_plastic] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1, q2, q3, _ = jump_4_elastic(m, c, k, h, F, Omega, s_elastic, s_plastic, phi, beta_elastic, beta_plastic)

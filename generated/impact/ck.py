@@ -18,7 +18,7 @@ m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of th
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
 MATHEMATICS = "60a1273cf14125cd1eb2543c9252fa2021bf76471d24f83f47d6894167212d1b"  # of the conditions, by srepr
-BODY = "1446208fda26b65ede2d40244fd73b7c45018909e9fa9f87bcc882417869fea9"  # of the text below
+BODY = "9ed836ea8fbcee4d4ee923f2e772b41134ec8409e5bd19fdc1cc9eb14c52a28a"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -48,7 +48,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -60,13 +66,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -79,6 +95,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -100,11 +125,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def flight_by_0(m, c, k, F, s_flight, mu_flight):
@@ -313,7 +337,8 @@ def residual(case, z, R):
     at_phi = N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    mu_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6 = flight_by_0(m, c, k, F, s_flight, mu_flight)
     R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*entry(z, at_d_flight, number_d_flight, 2) + q5*entry(z, at_d_flight, number_d_flight, 3) + q6
@@ -326,7 +351,7 @@ def residual(case, z, R):
     row += 1
     for l in range(3, N):
         q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        R[row] = q0*entry(z, at_d_flight, number_d_flight, l) + q1*entry(z, at_d_flight, number_d_flight, l-3) + q2*entry(z, at_d_flight, number_d_flight, l-2) + q3*entry(z, at_d_flight, number_d_flight, l-1) + q4*entry(z, at_d_flight, number_d_flight, l+1) + q5*entry(z, at_d_flight, number_d_flight, l+2) + q6*entry(z, at_d_flight, number_d_flight, l+3) + q7
+        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*entry(z, at_d_flight, number_d_flight, l+1) + q5*entry(z, at_d_flight, number_d_flight, l+2) + q6*entry(z, at_d_flight, number_d_flight, l+3) + q7
         row += 1
     q0, q1, q2 = displacement_flight(s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
@@ -354,8 +379,9 @@ def jacobian(case, z, J):
     at_phi = N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    mu_flight = legendre_moments(N + 5, Omega*s_flight, phi)
-    nu_flight = legendre_moments(N + 5, Omega*s_flight, phi + pi/2)
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, q5, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
@@ -398,15 +424,15 @@ def jacobian(case, z, J):
     row += 1
     for l in range(3, N):
         q0, q1, q2, q3, q4, q5, q6, _ = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        put(J, row, at_d_flight, number_d_flight, l, q0)
-        put(J, row, at_d_flight, number_d_flight, l-3, q1)
-        put(J, row, at_d_flight, number_d_flight, l-2, q2)
-        put(J, row, at_d_flight, number_d_flight, l-1, q3)
+        J[row, at_d_flight + l] += q0
+        J[row, at_d_flight + l-3] += q1
+        J[row, at_d_flight + l-2] += q2
+        J[row, at_d_flight + l-1] += q3
         put(J, row, at_d_flight, number_d_flight, l+1, q4)
         put(J, row, at_d_flight, number_d_flight, l+2, q5)
         put(J, row, at_d_flight, number_d_flight, l+3, q6)
         q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        J[row, at_s_flight] += q0*entry(z, at_d_flight, number_d_flight, l) + q1*entry(z, at_d_flight, number_d_flight, l-3) + q2*entry(z, at_d_flight, number_d_flight, l-2) + q3*entry(z, at_d_flight, number_d_flight, l-1) + q4*entry(z, at_d_flight, number_d_flight, l+1) + q5*entry(z, at_d_flight, number_d_flight, l+2) + q6*entry(z, at_d_flight, number_d_flight, l+3) + q7
+        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*entry(z, at_d_flight, number_d_flight, l+1) + q5*entry(z, at_d_flight, number_d_flight, l+2) + q6*entry(z, at_d_flight, number_d_flight, l+3) + q7
         q0 = flight_by_l_by_phi(l, F, nu_flight)
         J[row, at_phi] += q0
         row += 1

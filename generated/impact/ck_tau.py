@@ -18,7 +18,7 @@ m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of th
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
 MATHEMATICS = "fc8877d7aca8301680e0628a9e8962698c58c0f5c0f8b381d4dd1a7e0af6c1d5"  # of the conditions, by srepr
-BODY = "cf8f21ea66310e569c1917564deb7ecb5a462e069097d5f56fa24cff5c6fd3c5"  # of the text below
+BODY = "f3ae35032f0ea46e6676f466c926c7afdad2965e1a920da3627b33e2179e6d1f"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -48,7 +48,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -60,13 +66,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -79,6 +95,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -100,11 +125,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def flight_by_0(m, c, k, F, s_flight, mu_flight):
@@ -271,7 +295,8 @@ def residual(case, z, R):
     at_phi = N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    mu_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
     row = 0
     q0, q1, q2, q3, q4, q5 = flight_by_0(m, c, k, F, s_flight, mu_flight)
     R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*entry(z, at_d_flight, number_d_flight, 2) + q5
@@ -281,7 +306,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N):
         q0, q1, q2, q3, q4, q5 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        R[row] = q0*entry(z, at_d_flight, number_d_flight, l) + q1*entry(z, at_d_flight, number_d_flight, l-2) + q2*entry(z, at_d_flight, number_d_flight, l-1) + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
+        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
         row += 1
     q0, q1, q2 = displacement_flight(s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
@@ -309,8 +334,9 @@ def jacobian(case, z, J):
     at_phi = N + 3
     s_flight = z[at_s_flight]
     phi = z[at_phi]
-    mu_flight = legendre_moments(N + 5, Omega*s_flight, phi)
-    nu_flight = legendre_moments(N + 5, Omega*s_flight, phi + pi/2)
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
@@ -337,13 +363,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N):
         q0, q1, q2, q3, q4, _ = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        put(J, row, at_d_flight, number_d_flight, l, q0)
-        put(J, row, at_d_flight, number_d_flight, l-2, q1)
-        put(J, row, at_d_flight, number_d_flight, l-1, q2)
+        J[row, at_d_flight + l] += q0
+        J[row, at_d_flight + l-2] += q1
+        J[row, at_d_flight + l-1] += q2
         put(J, row, at_d_flight, number_d_flight, l+1, q3)
         put(J, row, at_d_flight, number_d_flight, l+2, q4)
         q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        J[row, at_s_flight] += q0*entry(z, at_d_flight, number_d_flight, l) + q1*entry(z, at_d_flight, number_d_flight, l-2) + q2*entry(z, at_d_flight, number_d_flight, l-1) + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
+        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
         q0 = flight_by_l_by_phi(l, F, nu_flight)
         J[row, at_phi] += q0
         row += 1

@@ -18,7 +18,7 @@ m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of th
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
 MATHEMATICS = "7161c964817a05ff69a265262e1746fa231a4eb7d206ad0db1caaa77d4568387"  # of the conditions, by srepr
-BODY = "85b1d78d34159f18b2d89eb9a7d08aea8f1597d1edb28337a2dad6754338a5ce"  # of the text below
+BODY = "f13c78156e6f9a025657b524b4e7aa1d6f5b2e572c5d3e7ddf6acb8b29bdf80f"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -48,7 +48,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -60,13 +66,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -79,6 +95,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -100,11 +125,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def crossing_by_0(m, c, k, F, s_crossing, mu_crossing):
@@ -314,7 +338,8 @@ def residual(case, z, R):
     at_phi = N + 3
     s_crossing = z[at_s_crossing]
     phi = z[at_phi]
-    mu_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6 = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
     R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*entry(z, at_d_crossing, number_d_crossing, 2) + q5*entry(z, at_d_crossing, number_d_crossing, 3) + q6
@@ -327,7 +352,7 @@ def residual(case, z, R):
     row += 1
     for l in range(3, N):
         q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing)
-        R[row] = q0*entry(z, at_d_crossing, number_d_crossing, l) + q1*entry(z, at_d_crossing, number_d_crossing, l-3) + q2*entry(z, at_d_crossing, number_d_crossing, l-2) + q3*entry(z, at_d_crossing, number_d_crossing, l-1) + q4*entry(z, at_d_crossing, number_d_crossing, l+1) + q5*entry(z, at_d_crossing, number_d_crossing, l+2) + q6*entry(z, at_d_crossing, number_d_crossing, l+3) + q7
+        R[row] = q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*entry(z, at_d_crossing, number_d_crossing, l+1) + q5*entry(z, at_d_crossing, number_d_crossing, l+2) + q6*entry(z, at_d_crossing, number_d_crossing, l+3) + q7
         row += 1
     q0, q1, q2, q3 = displacement_crossing(s_crossing)
     R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1]
@@ -355,8 +380,9 @@ def jacobian(case, z, J):
     at_phi = N + 3
     s_crossing = z[at_s_crossing]
     phi = z[at_phi]
-    mu_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
-    nu_crossing = legendre_moments(N + 5, Omega*s_crossing, phi + pi/2)
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
+    nu_crossing = over_crossing[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, q5, _ = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
@@ -399,15 +425,15 @@ def jacobian(case, z, J):
     row += 1
     for l in range(3, N):
         q0, q1, q2, q3, q4, q5, q6, _ = crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing)
-        put(J, row, at_d_crossing, number_d_crossing, l, q0)
-        put(J, row, at_d_crossing, number_d_crossing, l-3, q1)
-        put(J, row, at_d_crossing, number_d_crossing, l-2, q2)
-        put(J, row, at_d_crossing, number_d_crossing, l-1, q3)
+        J[row, at_d_crossing + l] += q0
+        J[row, at_d_crossing + l-3] += q1
+        J[row, at_d_crossing + l-2] += q2
+        J[row, at_d_crossing + l-1] += q3
         put(J, row, at_d_crossing, number_d_crossing, l+1, q4)
         put(J, row, at_d_crossing, number_d_crossing, l+2, q5)
         put(J, row, at_d_crossing, number_d_crossing, l+3, q6)
         q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing)
-        J[row, at_s_crossing] += q0*entry(z, at_d_crossing, number_d_crossing, l) + q1*entry(z, at_d_crossing, number_d_crossing, l-3) + q2*entry(z, at_d_crossing, number_d_crossing, l-2) + q3*entry(z, at_d_crossing, number_d_crossing, l-1) + q4*entry(z, at_d_crossing, number_d_crossing, l+1) + q5*entry(z, at_d_crossing, number_d_crossing, l+2) + q6*entry(z, at_d_crossing, number_d_crossing, l+3) + q7
+        J[row, at_s_crossing] += q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*entry(z, at_d_crossing, number_d_crossing, l+1) + q5*entry(z, at_d_crossing, number_d_crossing, l+2) + q6*entry(z, at_d_crossing, number_d_crossing, l+3) + q7
         q0 = crossing_by_l_by_phi(l, F, nu_crossing)
         J[row, at_phi] += q0
         row += 1

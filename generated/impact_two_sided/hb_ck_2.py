@@ -19,7 +19,7 @@ m, c, k, F, Omega, g, r, cycles (an integer: periods of the forcing in one of th
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -30,7 +30,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "a6b19d48f0360131a717089d98345e69095646f9ac156cc05f3ec1163a980a03"  # of the conditions, by srepr
-BODY = "f51b4829485e940e744649bed7529db5c7e3bad75f485a6951d64a57093c3a16"  # of the text below
+BODY = "a33349b27f4e9304a891782f7128813ecf3dde71c10d1d2c4cebc958000aec34"  # of the text below
 
 
 def break_series(begin, length):
@@ -69,7 +69,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -80,59 +86,106 @@ def spherical_bessel(count, x):
     return j
 
 
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
+def multiples(angle, highest):
+    """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
+    As products of turns by 16 and by less: two functions for 16 values, and a few roundings.
+    """
+    cosines, sines = np.zeros(highest + 1), np.zeros(highest + 1)
+    for k in range(min(16, highest + 1)):
+        cosines[k], sines[k] = cos(k * angle), sin(k * angle)
+    for begin in range(16, highest + 1, 16):
+        c, s = cos(begin * angle), sin(begin * angle)
+        for k in range(begin, min(begin + 16, highest + 1)):
+            near_c, near_s = cosines[k - begin], sines[k - begin]
+            cosines[k], sines[k] = c * near_c - s * near_s, s * near_c + c * near_s
+    return cosines, sines
+
+
+def harmonic_integrals(ends, period, highest, rates):
+    """Return the integrals of the cosine and the sine of ``k omega_0 t`` over each phase.
 
     Parameters
     ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
     ends : tuple of float, length P + 1
         Where the phases begin, and where the last one ends.
     period : float
         ``omega_0 = 2 pi/period``; a multiple of the cell.
     highest : int
         Largest k.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
+    ndarray, shape (P, 2, 1 + P or 1, highest + 1)
+        For each phase, with the cosine and with the sine: row 0 the integrals, row 1 + q their
+        derivatives by the duration of phase q.
     """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    found = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
+    begin_c, begin_s = np.ones(highest + 1), np.zeros(highest + 1)
+    for p in range(phases):
+        t, end = ends[p], ends[p + 1]
+        half_c, half_s = multiples(pi * (end - t) / period, highest)
+        for k in range(highest + 1):
+            h_c, h_s, b_c, b_s = half_c[k], half_s[k], begin_c[k], begin_s[k]
+            half = pi * k * (end - t) / period
+            size = (end - t) * (h_s / half if half != 0.0 else 1.0)
+            middle_c, middle_s = b_c * h_c - b_s * h_s, b_s * h_c + b_c * h_s
+            end_c, end_s = middle_c * h_c - middle_s * h_s, middle_s * h_c + middle_c * h_s
+            over_c, over_s = size * middle_c, size * middle_s
+            found[p, 0, 0, k], found[p, 1, 0, k] = over_c, over_s
+            if rates:
+                change_c = (over_c - end * end_c + t * b_c) / cell
+                change_s = (over_s - end * end_s + t * b_s) / cell
+                for q in range(phases):
+                    later, now = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
+                    found[p, 0, 1 + q, k] = change_c + later * end_c - now * b_c
+                    found[p, 1, 1 + q, k] = change_s + later * end_s - now * b_s
+            begin_c[k], begin_s[k] = end_c, end_s
+    return found
+
+
+def weighted_integrals(integrals, weights, power, ends, period):
+    """Return the integrals over a cell of a weight times harmonics.
+
+    Parameters
+    ----------
+    integrals : ndarray
+        From `harmonic_integrals`.
+    weights : tuple of float, length P
+        The weight on each phase.
+    power : int
+        Of ``omega_0``, by which all is multiplied, as derivatives of harmonics are.
+    ends, period
+        Those of `integrals`.
+
+    Returns
+    -------
+    ndarray, shape (2, 1 + P or 1, 2 highest + 1)
+        With the cosine and with the sine, rows as in `integrals`.  Entry -k is that of -k, as
+        Python counts from the end.
+    """
+    phases, _, rows, length = integrals.shape
+    scale, cell = (2 * pi / period) ** power, ends[phases]
+    found = np.zeros((2, rows, 2 * length - 1))
+    for p in range(phases):
+        weight = weights[p] * scale
+        if weight != 0.0:
+            for wave in range(2):
+                for row in range(rows):
+                    for k in range(length):
+                        found[wave, row, k] += weight * integrals[p, wave, row, k]
+    for wave in range(2):
+        for row in range(1, rows):
+            for k in range(length):
+                found[wave, row, k] -= power / cell * found[wave, 0, k]
+        for row in range(rows):
+            for k in range(1, length):
+                value = found[wave, row, k]
+                found[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
+    return found
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -295,18 +348,21 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     return total
 
 
-def by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin):
+def by_sine(j, m, c, k, cycles, s_crossing, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
+        (-4*(pi*pi)*(j*j)*m + 4*(pi*pi)*j*m + k*(s_crossing*s_crossing) - (pi*pi)*m)/(2*s_crossing),
+        -(pi*c*(2*j - 1))/2,
         G2_crossing_sin[j],
         G3_crossing_sin[j],
         -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2,
     )
 
 
-def by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing):
+def by_sine_by_s_crossing(j, m, k, cycles, s_crossing, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
+        (4*(pi*pi)*(j*j)*m - 4*(pi*pi)*j*m + k*(s_crossing*s_crossing) + (pi*pi)*m)/(2*(s_crossing*s_crossing)),
         G2_crossing_sin_by_s_crossing[j],
         G3_crossing_sin_by_s_crossing[j],
         -(sin(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2,
@@ -318,34 +374,21 @@ def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
-def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
-    return (
-        (((2*n - 1)*(2*n - 1))*C_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m[2*j - 2*n])/2 + ((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 - C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m[2*j - 2*n])/2 + ((2*n - 1)*C_c[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 + S_k[2*j - 2*n]/2,
-    )
-
-
-def by_sine_sum_by_s_crossing(j, n, C_m_by_s_crossing, S_m_by_s_crossing, C_c_by_s_crossing, S_c_by_s_crossing, C_k_by_s_crossing, S_k_by_s_crossing):
-    """Their derivatives by s_crossing, of those that depend on it."""
-    return (
-        (((2*n - 1)*(2*n - 1))*C_m_by_s_crossing[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_crossing[2*j - 2*n])/2 + ((2*n - 1)*S_c_by_s_crossing[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_crossing[2*j - 2*n])/2 - C_k_by_s_crossing[2*j + 2*n - 2]/2 + C_k_by_s_crossing[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_crossing[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m_by_s_crossing[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_crossing[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c_by_s_crossing[2*j - 2*n])/2 + S_k_by_s_crossing[2*j + 2*n - 2]/2 + S_k_by_s_crossing[2*j - 2*n]/2,
-    )
-
-
-def by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos):
+def by_cosine(j, m, c, k, cycles, s_crossing, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
+        (pi*c*(2*j - 1))/2,
+        (-4*(pi*pi)*(j*j)*m + 4*(pi*pi)*j*m + k*(s_crossing*s_crossing) - (pi*pi)*m)/(2*s_crossing),
         G2_crossing_cos[j],
         G3_crossing_cos[j],
         (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2,
     )
 
 
-def by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing):
+def by_cosine_by_s_crossing(j, m, k, cycles, s_crossing, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
+        (4*(pi*pi)*(j*j)*m - 4*(pi*pi)*j*m + k*(s_crossing*s_crossing) + (pi*pi)*m)/(2*(s_crossing*s_crossing)),
         G2_crossing_cos_by_s_crossing[j],
         G3_crossing_cos_by_s_crossing[j],
         (sin(phi)*S_g_by_s_crossing[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_crossing[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_crossing[cycles - 2*j + 1])/2,
@@ -355,22 +398,6 @@ def by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing
 def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     """Their derivatives by phi, of those that depend on it."""
     return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
-
-
-def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
-    """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
-    return (
-        -(((2*n - 1)*(2*n - 1))*S_m[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m[2*j - 2*n])/2 + ((2*n - 1)*C_c[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 - S_k[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m[2*j - 2*n])/2 - ((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 + C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
-    )
-
-
-def by_cosine_sum_by_s_crossing(j, n, C_m_by_s_crossing, S_m_by_s_crossing, C_c_by_s_crossing, S_c_by_s_crossing, C_k_by_s_crossing, S_k_by_s_crossing):
-    """Their derivatives by s_crossing, of those that depend on it."""
-    return (
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_crossing[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m_by_s_crossing[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_crossing[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c_by_s_crossing[2*j - 2*n])/2 + S_k_by_s_crossing[2*j + 2*n - 2]/2 - S_k_by_s_crossing[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m_by_s_crossing[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_crossing[2*j - 2*n])/2 - ((2*n - 1)*S_c_by_s_crossing[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_crossing[2*j - 2*n])/2 + C_k_by_s_crossing[2*j + 2*n - 2]/2 + C_k_by_s_crossing[2*j - 2*n]/2,
-    )
 
 
 def jump_1_crossing(r, s_crossing, beta_crossing):
@@ -462,6 +489,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
+    rates = False
     m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a = 0
@@ -472,16 +500,8 @@ def residual(case, z, R):
     at_phi = 2*N + 3
     s_crossing = z[at_s_crossing]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m,), 2, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_c = harmonic_integrals((c,), 1, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
-    C_c = over_c[0][0]
-    S_c = over_c[1][0]
-    over_k = harmonic_integrals((k,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
-    C_k = over_k[0][0]
-    S_k = over_k[1][0]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
+    over_phases = harmonic_integrals((0.0, s_crossing), 2*s_crossing, max(4*N - 2, 2*N + cycles - 1), rates)
+    over_g = weighted_integrals(over_phases, (F,), 0, (0.0, s_crossing), 2*s_crossing)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     series_crossing = breaks_on_phases(0, (0.0, s_crossing), -1)
@@ -495,18 +515,12 @@ def residual(case, z, R):
     G3_crossing_sin = over_beta3_crossing[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0, q1, q2 = by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
-        R[row] = q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
-        for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+        q0, q1, q2, q3, q4 = by_sine(j, m, c, k, cycles, s_crossing, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2*z[at_c2_crossing] + q3*z[at_c3_crossing] + q4
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2 = by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
-        R[row] = q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
-        for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
+        q0, q1, q2, q3, q4 = by_cosine(j, m, c, k, cycles, s_crossing, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
+        R[row] = q0*z[at_a + j-1] + q1*z[at_b + j-1] + q2*z[at_c2_crossing] + q3*z[at_c3_crossing] + q4
         row += 1
     q0, q1 = jump_1_crossing(r, s_crossing, beta_crossing)
     R[row] = q0*z[at_c2_crossing] + q1*z[at_c3_crossing]
@@ -530,6 +544,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
+    rates = True
     m, c, k, F, Omega, g, r, cycles = case
     N = (len(z) - 4)//2
     at_a = 0
@@ -540,22 +555,8 @@ def jacobian(case, z, J):
     at_phi = 2*N + 3
     s_crossing = z[at_s_crossing]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m,), 2, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
-    C_m = over_m[0][0]
-    C_m_by_s_crossing = over_m[0][1]
-    S_m = over_m[1][0]
-    S_m_by_s_crossing = over_m[1][1]
-    over_c = harmonic_integrals((c,), 1, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
-    C_c = over_c[0][0]
-    C_c_by_s_crossing = over_c[0][1]
-    S_c = over_c[1][0]
-    S_c_by_s_crossing = over_c[1][1]
-    over_k = harmonic_integrals((k,), 0, (0.0, s_crossing), 2*s_crossing, 4*N - 1)
-    C_k = over_k[0][0]
-    C_k_by_s_crossing = over_k[0][1]
-    S_k = over_k[1][0]
-    S_k_by_s_crossing = over_k[1][1]
-    over_g = harmonic_integrals((F,), 0, (0.0, s_crossing), 2*s_crossing, 2*N + cycles - 1)
+    over_phases = harmonic_integrals((0.0, s_crossing), 2*s_crossing, max(4*N - 2, 2*N + cycles - 1), rates)
+    over_g = weighted_integrals(over_phases, (F,), 0, (0.0, s_crossing), 2*s_crossing)
     C_g = over_g[0][0]
     C_g_by_s_crossing = over_g[0][1]
     S_g = over_g[1][0]
@@ -577,34 +578,26 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0, q1, _ = by_sine(j, cycles, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
-        J[row, at_c2_crossing] += q0
-        J[row, at_c3_crossing] += q1
-        q0, q1, q2 = by_sine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing)
-        J[row, at_s_crossing] += q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
+        q0, q1, q2, q3, _ = by_sine(j, m, c, k, cycles, s_crossing, phi, C_g, S_g, G2_crossing_sin, G3_crossing_sin)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        J[row, at_c2_crossing] += q2
+        J[row, at_c3_crossing] += q3
+        q0, q1, q2, q3 = by_sine_by_s_crossing(j, m, k, cycles, s_crossing, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_sin_by_s_crossing, G3_crossing_sin_by_s_crossing)
+        J[row, at_s_crossing] += q0*z[at_a + j-1] + q1*z[at_c2_crossing] + q2*z[at_c3_crossing] + q3
         q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
-        for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            J[row, at_a + n-1] += q0
-            J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_crossing(j, n, C_m_by_s_crossing, S_m_by_s_crossing, C_c_by_s_crossing, S_c_by_s_crossing, C_k_by_s_crossing, S_k_by_s_crossing)
-            J[row, at_s_crossing] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, _ = by_cosine(j, cycles, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
-        J[row, at_c2_crossing] += q0
-        J[row, at_c3_crossing] += q1
-        q0, q1, q2 = by_cosine_by_s_crossing(j, cycles, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing)
-        J[row, at_s_crossing] += q0*z[at_c2_crossing] + q1*z[at_c3_crossing] + q2
+        q0, q1, q2, q3, _ = by_cosine(j, m, c, k, cycles, s_crossing, phi, C_g, S_g, G2_crossing_cos, G3_crossing_cos)
+        J[row, at_a + j-1] += q0
+        J[row, at_b + j-1] += q1
+        J[row, at_c2_crossing] += q2
+        J[row, at_c3_crossing] += q3
+        q0, q1, q2, q3 = by_cosine_by_s_crossing(j, m, k, cycles, s_crossing, phi, C_g_by_s_crossing, S_g_by_s_crossing, G2_crossing_cos_by_s_crossing, G3_crossing_cos_by_s_crossing)
+        J[row, at_s_crossing] += q0*z[at_b + j-1] + q1*z[at_c2_crossing] + q2*z[at_c3_crossing] + q3
         q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
-        for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
-            J[row, at_a + n-1] += q0
-            J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_crossing(j, n, C_m_by_s_crossing, S_m_by_s_crossing, C_c_by_s_crossing, S_c_by_s_crossing, C_k_by_s_crossing, S_k_by_s_crossing)
-            J[row, at_s_crossing] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1 = jump_1_crossing(r, s_crossing, beta_crossing)
     J[row, at_c2_crossing] += q0

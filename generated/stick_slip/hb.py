@@ -28,62 +28,109 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "385615971e9d854b37db0055fd6bbd7304bca2b030141d58c4c9ca9e6caf1100"  # of the conditions, by srepr
-BODY = "9c286eaaf98af6622e6015f3b7605929caa49759a6729e5c54aef293f5eed5f3"  # of the text below
+BODY = "230af261535f197f5b059da4613fe86f2470ab5b0c6b428f6b04cbd30ccd5179"  # of the text below
 
 
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
+def multiples(angle, highest):
+    """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
+    As products of turns by 16 and by less: two functions for 16 values, and a few roundings.
+    """
+    cosines, sines = np.zeros(highest + 1), np.zeros(highest + 1)
+    for k in range(min(16, highest + 1)):
+        cosines[k], sines[k] = cos(k * angle), sin(k * angle)
+    for begin in range(16, highest + 1, 16):
+        c, s = cos(begin * angle), sin(begin * angle)
+        for k in range(begin, min(begin + 16, highest + 1)):
+            near_c, near_s = cosines[k - begin], sines[k - begin]
+            cosines[k], sines[k] = c * near_c - s * near_s, s * near_c + c * near_s
+    return cosines, sines
+
+
+def harmonic_integrals(ends, period, highest, rates):
+    """Return the integrals of the cosine and the sine of ``k omega_0 t`` over each phase.
 
     Parameters
     ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
     ends : tuple of float, length P + 1
         Where the phases begin, and where the last one ends.
     period : float
         ``omega_0 = 2 pi/period``; a multiple of the cell.
     highest : int
         Largest k.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
+    ndarray, shape (P, 2, 1 + P or 1, highest + 1)
+        For each phase, with the cosine and with the sine: row 0 the integrals, row 1 + q their
+        derivatives by the duration of phase q.
     """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    found = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
+    begin_c, begin_s = np.ones(highest + 1), np.zeros(highest + 1)
+    for p in range(phases):
+        t, end = ends[p], ends[p + 1]
+        half_c, half_s = multiples(pi * (end - t) / period, highest)
+        for k in range(highest + 1):
+            h_c, h_s, b_c, b_s = half_c[k], half_s[k], begin_c[k], begin_s[k]
+            half = pi * k * (end - t) / period
+            size = (end - t) * (h_s / half if half != 0.0 else 1.0)
+            middle_c, middle_s = b_c * h_c - b_s * h_s, b_s * h_c + b_c * h_s
+            end_c, end_s = middle_c * h_c - middle_s * h_s, middle_s * h_c + middle_c * h_s
+            over_c, over_s = size * middle_c, size * middle_s
+            found[p, 0, 0, k], found[p, 1, 0, k] = over_c, over_s
+            if rates:
+                change_c = (over_c - end * end_c + t * b_c) / cell
+                change_s = (over_s - end * end_s + t * b_s) / cell
+                for q in range(phases):
+                    later, now = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
+                    found[p, 0, 1 + q, k] = change_c + later * end_c - now * b_c
+                    found[p, 1, 1 + q, k] = change_s + later * end_s - now * b_s
+            begin_c[k], begin_s[k] = end_c, end_s
+    return found
+
+
+def weighted_integrals(integrals, weights, power, ends, period):
+    """Return the integrals over a cell of a weight times harmonics.
+
+    Parameters
+    ----------
+    integrals : ndarray
+        From `harmonic_integrals`.
+    weights : tuple of float, length P
+        The weight on each phase.
+    power : int
+        Of ``omega_0``, by which all is multiplied, as derivatives of harmonics are.
+    ends, period
+        Those of `integrals`.
+
+    Returns
+    -------
+    ndarray, shape (2, 1 + P or 1, 2 highest + 1)
+        With the cosine and with the sine, rows as in `integrals`.  Entry -k is that of -k, as
+        Python counts from the end.
+    """
+    phases, _, rows, length = integrals.shape
+    scale, cell = (2 * pi / period) ** power, ends[phases]
+    found = np.zeros((2, rows, 2 * length - 1))
+    for p in range(phases):
+        weight = weights[p] * scale
+        if weight != 0.0:
+            for wave in range(2):
+                for row in range(rows):
+                    for k in range(length):
+                        found[wave, row, k] += weight * integrals[p, wave, row, k]
+    for wave in range(2):
+        for row in range(1, rows):
+            for k in range(length):
+                found[wave, row, k] -= power / cell * found[wave, 0, k]
+        for row in range(rows):
+            for k in range(1, length):
+                value = found[wave, row, k]
+                found[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
+    return found
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -133,123 +180,129 @@ def by_one_by_s_slip(C_k_by_s_slip, C_f_by_s_slip):
     )
 
 
-def by_one_sum(n, C_m, S_m, C_k, S_k):
+def by_one_sum(n, C_k, S_k):
     """Coefficients: residual, orthogonal to 1."""
     return (
-        -(n*n)*S_m[n] + S_k[n],
-        -(n*n)*C_m[n] + C_k[n],
+        S_k[n],
+        C_k[n],
     )
 
 
-def by_one_sum_by_s_stick(n, C_m_by_s_stick, S_m_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
+def by_one_sum_by_s_stick(n, C_k_by_s_stick, S_k_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
-        -(n*n)*S_m_by_s_stick[n] + S_k_by_s_stick[n],
-        -(n*n)*C_m_by_s_stick[n] + C_k_by_s_stick[n],
+        S_k_by_s_stick[n],
+        C_k_by_s_stick[n],
     )
 
 
-def by_one_sum_by_s_slip(n, C_m_by_s_slip, S_m_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
+def by_one_sum_by_s_slip(n, C_k_by_s_slip, S_k_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        -(n*n)*S_m_by_s_slip[n] + S_k_by_s_slip[n],
-        -(n*n)*C_m_by_s_slip[n] + C_k_by_s_slip[n],
+        S_k_by_s_slip[n],
+        C_k_by_s_slip[n],
     )
 
 
-def by_sine(j, S_k, S_f):
+def by_sine(j, M, s_stick, s_slip, S_k, S_f):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
+        -(2*(pi*pi)*M*(j*j))/(s_slip + s_stick),
         -S_f[j],
     )
 
 
-def by_sine_by_s_stick(j, S_k_by_s_stick, S_f_by_s_stick):
+def by_sine_by_s_stick(j, M, s_stick, s_slip, S_k_by_s_stick, S_f_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
         S_k_by_s_stick[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         -S_f_by_s_stick[j],
     )
 
 
-def by_sine_by_s_slip(j, S_k_by_s_slip, S_f_by_s_slip):
+def by_sine_by_s_slip(j, M, s_stick, s_slip, S_k_by_s_slip, S_f_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
         S_k_by_s_slip[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         -S_f_by_s_slip[j],
     )
 
 
-def by_sine_sum(j, n, C_m, S_m, C_k, S_k):
+def by_sine_sum(j, n, C_k, S_k):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
-        ((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 - C_k[j + n]/2 + C_k[j - n]/2,
-        -((n*n)*S_m[j + n])/2 - ((n*n)*S_m[j - n])/2 + S_k[j + n]/2 + S_k[j - n]/2,
+        -C_k[j + n]/2 + C_k[j - n]/2,
+        S_k[j + n]/2 + S_k[j - n]/2,
     )
 
 
-def by_sine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
+def by_sine_sum_by_s_stick(j, n, C_k_by_s_stick, S_k_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
-        ((n*n)*C_m_by_s_stick[j + n])/2 - ((n*n)*C_m_by_s_stick[j - n])/2 - C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
-        -((n*n)*S_m_by_s_stick[j + n])/2 - ((n*n)*S_m_by_s_stick[j - n])/2 + S_k_by_s_stick[j + n]/2 + S_k_by_s_stick[j - n]/2,
+        -C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
+        S_k_by_s_stick[j + n]/2 + S_k_by_s_stick[j - n]/2,
     )
 
 
-def by_sine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
+def by_sine_sum_by_s_slip(j, n, C_k_by_s_slip, S_k_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        ((n*n)*C_m_by_s_slip[j + n])/2 - ((n*n)*C_m_by_s_slip[j - n])/2 - C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
-        -((n*n)*S_m_by_s_slip[j + n])/2 - ((n*n)*S_m_by_s_slip[j - n])/2 + S_k_by_s_slip[j + n]/2 + S_k_by_s_slip[j - n]/2,
+        -C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
+        S_k_by_s_slip[j + n]/2 + S_k_by_s_slip[j - n]/2,
     )
 
 
-def by_cosine(j, C_k, C_f):
+def by_cosine(j, M, s_stick, s_slip, C_k, C_f):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
+        -(2*(pi*pi)*M*(j*j))/(s_slip + s_stick),
         -C_f[j],
     )
 
 
-def by_cosine_by_s_stick(j, C_k_by_s_stick, C_f_by_s_stick):
+def by_cosine_by_s_stick(j, M, s_stick, s_slip, C_k_by_s_stick, C_f_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
         C_k_by_s_stick[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         -C_f_by_s_stick[j],
     )
 
 
-def by_cosine_by_s_slip(j, C_k_by_s_slip, C_f_by_s_slip):
+def by_cosine_by_s_slip(j, M, s_stick, s_slip, C_k_by_s_slip, C_f_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
         C_k_by_s_slip[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         -C_f_by_s_slip[j],
     )
 
 
-def by_cosine_sum(j, n, C_m, S_m, C_k, S_k):
+def by_cosine_sum(j, n, C_k, S_k):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
-        -((n*n)*S_m[j + n])/2 + ((n*n)*S_m[j - n])/2 + S_k[j + n]/2 - S_k[j - n]/2,
-        -((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 + C_k[j + n]/2 + C_k[j - n]/2,
+        S_k[j + n]/2 - S_k[j - n]/2,
+        C_k[j + n]/2 + C_k[j - n]/2,
     )
 
 
-def by_cosine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
+def by_cosine_sum_by_s_stick(j, n, C_k_by_s_stick, S_k_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
-        -((n*n)*S_m_by_s_stick[j + n])/2 + ((n*n)*S_m_by_s_stick[j - n])/2 + S_k_by_s_stick[j + n]/2 - S_k_by_s_stick[j - n]/2,
-        -((n*n)*C_m_by_s_stick[j + n])/2 - ((n*n)*C_m_by_s_stick[j - n])/2 + C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
+        S_k_by_s_stick[j + n]/2 - S_k_by_s_stick[j - n]/2,
+        C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
     )
 
 
-def by_cosine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
+def by_cosine_sum_by_s_slip(j, n, C_k_by_s_slip, S_k_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        -((n*n)*S_m_by_s_slip[j + n])/2 + ((n*n)*S_m_by_s_slip[j - n])/2 + S_k_by_s_slip[j + n]/2 - S_k_by_s_slip[j - n]/2,
-        -((n*n)*C_m_by_s_slip[j + n])/2 - ((n*n)*C_m_by_s_slip[j - n])/2 + C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
+        S_k_by_s_slip[j + n]/2 - S_k_by_s_slip[j - n]/2,
+        C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
     )
 
 
@@ -312,6 +365,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
+    rates = False
     M, K, V, mu_s, mu_k, F_N = case
     N = (len(z) - 3)//2
     at_a0 = 0
@@ -321,34 +375,32 @@ def residual(case, z, R):
     at_s_slip = 2*N + 2
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
-    over_m = harmonic_integrals((M, M), 2, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_k = harmonic_integrals((0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_phases = harmonic_integrals((0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N, rates)
+    over_k = weighted_integrals(over_phases, (0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_f = harmonic_integrals((0.0, F_N*mu_k), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_f = weighted_integrals(over_phases, (0.0, F_N*mu_k), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
     row = 0
     q0, q1 = by_one(C_k, C_f)
     R[row] = q0*z[at_a0] + q1
     for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_k, S_k)
+        q0, q1 = by_one_sum(n, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_sine(j, S_k, S_f)
-        R[row] = q0*z[at_a0] + q1
+        q0, q1, q2 = by_sine(j, M, s_stick, s_slip, S_k, S_f)
+        R[row] = q0*z[at_a0] + q1*z[at_a + j-1] + q2
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1 = by_cosine(j, C_k, C_f)
-        R[row] = q0*z[at_a0] + q1
+        q0, q1, q2 = by_cosine(j, M, s_stick, s_slip, C_k, C_f)
+        R[row] = q0*z[at_a0] + q1*z[at_b + j-1] + q2
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1 = event_stick(K, mu_s, F_N)
@@ -367,6 +419,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
+    rates = True
     M, K, V, mu_s, mu_k, F_N = case
     N = (len(z) - 3)//2
     at_a0 = 0
@@ -376,21 +429,15 @@ def jacobian(case, z, J):
     at_s_slip = 2*N + 2
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
-    over_m = harmonic_integrals((M, M), 2, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
-    C_m = over_m[0][0]
-    C_m_by_s_stick = over_m[0][1]
-    C_m_by_s_slip = over_m[0][2]
-    S_m = over_m[1][0]
-    S_m_by_s_stick = over_m[1][1]
-    S_m_by_s_slip = over_m[1][2]
-    over_k = harmonic_integrals((0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_phases = harmonic_integrals((0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N, rates)
+    over_k = weighted_integrals(over_phases, (0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_k = over_k[0][0]
     C_k_by_s_stick = over_k[0][1]
     C_k_by_s_slip = over_k[0][2]
     S_k = over_k[1][0]
     S_k_by_s_stick = over_k[1][1]
     S_k_by_s_slip = over_k[1][2]
-    over_f = harmonic_integrals((0.0, F_N*mu_k), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_f = weighted_integrals(over_phases, (0.0, F_N*mu_k), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_f = over_f[0][0]
     C_f_by_s_stick = over_f[0][1]
     C_f_by_s_slip = over_f[0][2]
@@ -406,44 +453,46 @@ def jacobian(case, z, J):
     q0, q1 = by_one_by_s_slip(C_k_by_s_slip, C_f_by_s_slip)
     J[row, at_s_slip] += q0*z[at_a0] + q1
     for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_k, S_k)
+        q0, q1 = by_one_sum(n, C_k, S_k)
         J[row, at_a + n-1] += q0
         J[row, at_b + n-1] += q1
-        q0, q1 = by_one_sum_by_s_stick(n, C_m_by_s_stick, S_m_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
+        q0, q1 = by_one_sum_by_s_stick(n, C_k_by_s_stick, S_k_by_s_stick)
         J[row, at_s_stick] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-        q0, q1 = by_one_sum_by_s_slip(n, C_m_by_s_slip, S_m_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
+        q0, q1 = by_one_sum_by_s_slip(n, C_k_by_s_slip, S_k_by_s_slip)
         J[row, at_s_slip] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, _ = by_sine(j, S_k, S_f)
+        q0, q1, _ = by_sine(j, M, s_stick, s_slip, S_k, S_f)
         J[row, at_a0] += q0
-        q0, q1 = by_sine_by_s_stick(j, S_k_by_s_stick, S_f_by_s_stick)
-        J[row, at_s_stick] += q0*z[at_a0] + q1
-        q0, q1 = by_sine_by_s_slip(j, S_k_by_s_slip, S_f_by_s_slip)
-        J[row, at_s_slip] += q0*z[at_a0] + q1
+        J[row, at_a + j-1] += q1
+        q0, q1, q2 = by_sine_by_s_stick(j, M, s_stick, s_slip, S_k_by_s_stick, S_f_by_s_stick)
+        J[row, at_s_stick] += q0*z[at_a0] + q1*z[at_a + j-1] + q2
+        q0, q1, q2 = by_sine_by_s_slip(j, M, s_stick, s_slip, S_k_by_s_slip, S_f_by_s_slip)
+        J[row, at_s_slip] += q0*z[at_a0] + q1*z[at_a + j-1] + q2
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
+            q0, q1 = by_sine_sum_by_s_stick(j, n, C_k_by_s_stick, S_k_by_s_stick)
             J[row, at_s_stick] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_sine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
+            q0, q1 = by_sine_sum_by_s_slip(j, n, C_k_by_s_slip, S_k_by_s_slip)
             J[row, at_s_slip] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, _ = by_cosine(j, C_k, C_f)
+        q0, q1, _ = by_cosine(j, M, s_stick, s_slip, C_k, C_f)
         J[row, at_a0] += q0
-        q0, q1 = by_cosine_by_s_stick(j, C_k_by_s_stick, C_f_by_s_stick)
-        J[row, at_s_stick] += q0*z[at_a0] + q1
-        q0, q1 = by_cosine_by_s_slip(j, C_k_by_s_slip, C_f_by_s_slip)
-        J[row, at_s_slip] += q0*z[at_a0] + q1
+        J[row, at_b + j-1] += q1
+        q0, q1, q2 = by_cosine_by_s_stick(j, M, s_stick, s_slip, C_k_by_s_stick, C_f_by_s_stick)
+        J[row, at_s_stick] += q0*z[at_a0] + q1*z[at_b + j-1] + q2
+        q0, q1, q2 = by_cosine_by_s_slip(j, M, s_stick, s_slip, C_k_by_s_slip, C_f_by_s_slip)
+        J[row, at_s_slip] += q0*z[at_a0] + q1*z[at_b + j-1] + q2
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
+            q0, q1 = by_cosine_sum_by_s_stick(j, n, C_k_by_s_stick, S_k_by_s_stick)
             J[row, at_s_stick] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_cosine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
+            q0, q1 = by_cosine_sum_by_s_slip(j, n, C_k_by_s_slip, S_k_by_s_slip)
             J[row, at_s_slip] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, _ = event_stick(K, mu_s, F_N)

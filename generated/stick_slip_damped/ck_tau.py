@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "a496b5b6bff00d3289e4cd3e076b9772a4451588b8fbc98344a91c6ba3bc9445"  # of the conditions, by srepr
-BODY = "0ff7b6de5d42396b3861cb287764d530af0cec1d69478dc1e21386103f654398"  # of the text below
+BODY = "9cb5df5494a087f4cdc18b0773cdd7560ed07504ced73726dfae4610691757a1"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -41,6 +41,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -62,11 +71,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip):
@@ -247,7 +255,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        R[row] = q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-2) + q2*entry(z, at_d_slip, number_d_slip, l-1) + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -305,13 +313,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        put(J, row, at_d_slip, number_d_slip, l, q0)
-        put(J, row, at_d_slip, number_d_slip, l-2, q1)
-        put(J, row, at_d_slip, number_d_slip, l-1, q2)
+        J[row, at_d_slip + l] += q0
+        J[row, at_d_slip + l-2] += q1
+        J[row, at_d_slip + l-1] += q2
         put(J, row, at_d_slip, number_d_slip, l+1, q3)
         put(J, row, at_d_slip, number_d_slip, l+2, q4)
         q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
-        J[row, at_s_slip] += q0*entry(z, at_d_slip, number_d_slip, l) + q1*entry(z, at_d_slip, number_d_slip, l-2) + q2*entry(z, at_d_slip, number_d_slip, l-1) + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0

@@ -24,7 +24,7 @@ M, K, V, mu_s, mu_k, F_N, c, w.
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -35,7 +35,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "384821b2442ba125bfc89f5fa9f53499019d6452a105dd60bec0e7340c3865f3"  # of the conditions, by srepr
-BODY = "073084da9f1972b93cad7b3ca683dc962464a7334bf5cf8bd2013429579b3889"  # of the text below
+BODY = "2318abde0d1d125224a9a1f366ff45b8e652a8e6db41d72c5324894d899245c7"  # of the text below
 
 
 def break_series(begin, length):
@@ -116,7 +116,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -127,59 +133,106 @@ def spherical_bessel(count, x):
     return j
 
 
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
+def multiples(angle, highest):
+    """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
+    As products of turns by 16 and by less: two functions for 16 values, and a few roundings.
+    """
+    cosines, sines = np.zeros(highest + 1), np.zeros(highest + 1)
+    for k in range(min(16, highest + 1)):
+        cosines[k], sines[k] = cos(k * angle), sin(k * angle)
+    for begin in range(16, highest + 1, 16):
+        c, s = cos(begin * angle), sin(begin * angle)
+        for k in range(begin, min(begin + 16, highest + 1)):
+            near_c, near_s = cosines[k - begin], sines[k - begin]
+            cosines[k], sines[k] = c * near_c - s * near_s, s * near_c + c * near_s
+    return cosines, sines
+
+
+def harmonic_integrals(ends, period, highest, rates):
+    """Return the integrals of the cosine and the sine of ``k omega_0 t`` over each phase.
 
     Parameters
     ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
     ends : tuple of float, length P + 1
         Where the phases begin, and where the last one ends.
     period : float
         ``omega_0 = 2 pi/period``; a multiple of the cell.
     highest : int
         Largest k.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
+    ndarray, shape (P, 2, 1 + P or 1, highest + 1)
+        For each phase, with the cosine and with the sine: row 0 the integrals, row 1 + q their
+        derivatives by the duration of phase q.
     """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    found = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
+    begin_c, begin_s = np.ones(highest + 1), np.zeros(highest + 1)
+    for p in range(phases):
+        t, end = ends[p], ends[p + 1]
+        half_c, half_s = multiples(pi * (end - t) / period, highest)
+        for k in range(highest + 1):
+            h_c, h_s, b_c, b_s = half_c[k], half_s[k], begin_c[k], begin_s[k]
+            half = pi * k * (end - t) / period
+            size = (end - t) * (h_s / half if half != 0.0 else 1.0)
+            middle_c, middle_s = b_c * h_c - b_s * h_s, b_s * h_c + b_c * h_s
+            end_c, end_s = middle_c * h_c - middle_s * h_s, middle_s * h_c + middle_c * h_s
+            over_c, over_s = size * middle_c, size * middle_s
+            found[p, 0, 0, k], found[p, 1, 0, k] = over_c, over_s
+            if rates:
+                change_c = (over_c - end * end_c + t * b_c) / cell
+                change_s = (over_s - end * end_s + t * b_s) / cell
+                for q in range(phases):
+                    later, now = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
+                    found[p, 0, 1 + q, k] = change_c + later * end_c - now * b_c
+                    found[p, 1, 1 + q, k] = change_s + later * end_s - now * b_s
+            begin_c[k], begin_s[k] = end_c, end_s
+    return found
+
+
+def weighted_integrals(integrals, weights, power, ends, period):
+    """Return the integrals over a cell of a weight times harmonics.
+
+    Parameters
+    ----------
+    integrals : ndarray
+        From `harmonic_integrals`.
+    weights : tuple of float, length P
+        The weight on each phase.
+    power : int
+        Of ``omega_0``, by which all is multiplied, as derivatives of harmonics are.
+    ends, period
+        Those of `integrals`.
+
+    Returns
+    -------
+    ndarray, shape (2, 1 + P or 1, 2 highest + 1)
+        With the cosine and with the sine, rows as in `integrals`.  Entry -k is that of -k, as
+        Python counts from the end.
+    """
+    phases, _, rows, length = integrals.shape
+    scale, cell = (2 * pi / period) ** power, ends[phases]
+    found = np.zeros((2, rows, 2 * length - 1))
+    for p in range(phases):
+        weight = weights[p] * scale
+        if weight != 0.0:
+            for wave in range(2):
+                for row in range(rows):
+                    for k in range(length):
+                        found[wave, row, k] += weight * integrals[p, wave, row, k]
+    for wave in range(2):
+        for row in range(1, rows):
+            for k in range(length):
+                found[wave, row, k] -= power / cell * found[wave, 0, k]
+        for row in range(rows):
+            for k in range(1, length):
+                value = found[wave, row, k]
+                found[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
+    return found
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -384,34 +437,35 @@ def by_one_by_s_slip(C_k_by_s_slip, C_f_by_s_slip, G3_stick_cos_by_s_slip, G4_st
     )
 
 
-def by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_one_sum(n, C_c, S_c, C_k, S_k):
     """Coefficients: residual, orthogonal to 1."""
     return (
-        -(n*n)*S_m[n] + n*C_c[n] + S_k[n],
-        -(n*n)*C_m[n] - n*S_c[n] + C_k[n],
+        n*C_c[n] + S_k[n],
+        -n*S_c[n] + C_k[n],
     )
 
 
-def by_one_sum_by_s_stick(n, C_m_by_s_stick, S_m_by_s_stick, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
+def by_one_sum_by_s_stick(n, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
-        -(n*n)*S_m_by_s_stick[n] + n*C_c_by_s_stick[n] + S_k_by_s_stick[n],
-        -(n*n)*C_m_by_s_stick[n] - n*S_c_by_s_stick[n] + C_k_by_s_stick[n],
+        n*C_c_by_s_stick[n] + S_k_by_s_stick[n],
+        -n*S_c_by_s_stick[n] + C_k_by_s_stick[n],
     )
 
 
-def by_one_sum_by_s_slip(n, C_m_by_s_slip, S_m_by_s_slip, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
+def by_one_sum_by_s_slip(n, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        -(n*n)*S_m_by_s_slip[n] + n*C_c_by_s_slip[n] + S_k_by_s_slip[n],
-        -(n*n)*C_m_by_s_slip[n] - n*S_c_by_s_slip[n] + C_k_by_s_slip[n],
+        n*C_c_by_s_slip[n] + S_k_by_s_slip[n],
+        -n*S_c_by_s_slip[n] + C_k_by_s_slip[n],
     )
 
 
-def by_sine(j, S_k, S_f, G3_stick_sin, G4_stick_sin, G5_stick_sin, G3_slip_sin, G4_slip_sin, G5_slip_sin):
+def by_sine(j, M, s_stick, s_slip, S_k, S_f, G3_stick_sin, G4_stick_sin, G5_stick_sin, G3_slip_sin, G4_slip_sin, G5_slip_sin):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
         S_k[j]/2,
+        -(2*(pi*pi)*M*(j*j))/(s_slip + s_stick),
         G3_stick_sin[j],
         G4_stick_sin[j],
         G5_stick_sin[j],
@@ -422,10 +476,11 @@ def by_sine(j, S_k, S_f, G3_stick_sin, G4_stick_sin, G5_stick_sin, G3_slip_sin, 
     )
 
 
-def by_sine_by_s_stick(j, S_k_by_s_stick, S_f_by_s_stick, G3_stick_sin_by_s_stick, G4_stick_sin_by_s_stick, G5_stick_sin_by_s_stick, G3_slip_sin_by_s_stick, G4_slip_sin_by_s_stick, G5_slip_sin_by_s_stick):
+def by_sine_by_s_stick(j, M, s_stick, s_slip, S_k_by_s_stick, S_f_by_s_stick, G3_stick_sin_by_s_stick, G4_stick_sin_by_s_stick, G5_stick_sin_by_s_stick, G3_slip_sin_by_s_stick, G4_slip_sin_by_s_stick, G5_slip_sin_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
         S_k_by_s_stick[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         G3_stick_sin_by_s_stick[j],
         G4_stick_sin_by_s_stick[j],
         G5_stick_sin_by_s_stick[j],
@@ -436,10 +491,11 @@ def by_sine_by_s_stick(j, S_k_by_s_stick, S_f_by_s_stick, G3_stick_sin_by_s_stic
     )
 
 
-def by_sine_by_s_slip(j, S_k_by_s_slip, S_f_by_s_slip, G3_stick_sin_by_s_slip, G4_stick_sin_by_s_slip, G5_stick_sin_by_s_slip, G3_slip_sin_by_s_slip, G4_slip_sin_by_s_slip, G5_slip_sin_by_s_slip):
+def by_sine_by_s_slip(j, M, s_stick, s_slip, S_k_by_s_slip, S_f_by_s_slip, G3_stick_sin_by_s_slip, G4_stick_sin_by_s_slip, G5_stick_sin_by_s_slip, G3_slip_sin_by_s_slip, G4_slip_sin_by_s_slip, G5_slip_sin_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
         S_k_by_s_slip[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         G3_stick_sin_by_s_slip[j],
         G4_stick_sin_by_s_slip[j],
         G5_stick_sin_by_s_slip[j],
@@ -450,34 +506,35 @@ def by_sine_by_s_slip(j, S_k_by_s_slip, S_f_by_s_slip, G3_stick_sin_by_s_slip, G
     )
 
 
-def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_sine_sum(j, n, C_c, S_c, C_k, S_k):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
-        ((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 + (n*S_c[j + n])/2 + (n*S_c[j - n])/2 - C_k[j + n]/2 + C_k[j - n]/2,
-        -((n*n)*S_m[j + n])/2 - ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 - (n*C_c[j - n])/2 + S_k[j + n]/2 + S_k[j - n]/2,
+        (n*S_c[j + n])/2 + (n*S_c[j - n])/2 - C_k[j + n]/2 + C_k[j - n]/2,
+        (n*C_c[j + n])/2 - (n*C_c[j - n])/2 + S_k[j + n]/2 + S_k[j - n]/2,
     )
 
 
-def by_sine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
+def by_sine_sum_by_s_stick(j, n, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
-        ((n*n)*C_m_by_s_stick[j + n])/2 - ((n*n)*C_m_by_s_stick[j - n])/2 + (n*S_c_by_s_stick[j + n])/2 + (n*S_c_by_s_stick[j - n])/2 - C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
-        -((n*n)*S_m_by_s_stick[j + n])/2 - ((n*n)*S_m_by_s_stick[j - n])/2 + (n*C_c_by_s_stick[j + n])/2 - (n*C_c_by_s_stick[j - n])/2 + S_k_by_s_stick[j + n]/2 + S_k_by_s_stick[j - n]/2,
+        (n*S_c_by_s_stick[j + n])/2 + (n*S_c_by_s_stick[j - n])/2 - C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
+        (n*C_c_by_s_stick[j + n])/2 - (n*C_c_by_s_stick[j - n])/2 + S_k_by_s_stick[j + n]/2 + S_k_by_s_stick[j - n]/2,
     )
 
 
-def by_sine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
+def by_sine_sum_by_s_slip(j, n, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        ((n*n)*C_m_by_s_slip[j + n])/2 - ((n*n)*C_m_by_s_slip[j - n])/2 + (n*S_c_by_s_slip[j + n])/2 + (n*S_c_by_s_slip[j - n])/2 - C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
-        -((n*n)*S_m_by_s_slip[j + n])/2 - ((n*n)*S_m_by_s_slip[j - n])/2 + (n*C_c_by_s_slip[j + n])/2 - (n*C_c_by_s_slip[j - n])/2 + S_k_by_s_slip[j + n]/2 + S_k_by_s_slip[j - n]/2,
+        (n*S_c_by_s_slip[j + n])/2 + (n*S_c_by_s_slip[j - n])/2 - C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
+        (n*C_c_by_s_slip[j + n])/2 - (n*C_c_by_s_slip[j - n])/2 + S_k_by_s_slip[j + n]/2 + S_k_by_s_slip[j - n]/2,
     )
 
 
-def by_cosine(j, C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos, G4_slip_cos, G5_slip_cos):
+def by_cosine(j, M, s_stick, s_slip, C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos, G4_slip_cos, G5_slip_cos):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
         C_k[j]/2,
+        -(2*(pi*pi)*M*(j*j))/(s_slip + s_stick),
         G3_stick_cos[j],
         G4_stick_cos[j],
         G5_stick_cos[j],
@@ -488,10 +545,11 @@ def by_cosine(j, C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos
     )
 
 
-def by_cosine_by_s_stick(j, C_k_by_s_stick, C_f_by_s_stick, G3_stick_cos_by_s_stick, G4_stick_cos_by_s_stick, G5_stick_cos_by_s_stick, G3_slip_cos_by_s_stick, G4_slip_cos_by_s_stick, G5_slip_cos_by_s_stick):
+def by_cosine_by_s_stick(j, M, s_stick, s_slip, C_k_by_s_stick, C_f_by_s_stick, G3_stick_cos_by_s_stick, G4_stick_cos_by_s_stick, G5_stick_cos_by_s_stick, G3_slip_cos_by_s_stick, G4_slip_cos_by_s_stick, G5_slip_cos_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
         C_k_by_s_stick[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         G3_stick_cos_by_s_stick[j],
         G4_stick_cos_by_s_stick[j],
         G5_stick_cos_by_s_stick[j],
@@ -502,10 +560,11 @@ def by_cosine_by_s_stick(j, C_k_by_s_stick, C_f_by_s_stick, G3_stick_cos_by_s_st
     )
 
 
-def by_cosine_by_s_slip(j, C_k_by_s_slip, C_f_by_s_slip, G3_stick_cos_by_s_slip, G4_stick_cos_by_s_slip, G5_stick_cos_by_s_slip, G3_slip_cos_by_s_slip, G4_slip_cos_by_s_slip, G5_slip_cos_by_s_slip):
+def by_cosine_by_s_slip(j, M, s_stick, s_slip, C_k_by_s_slip, C_f_by_s_slip, G3_stick_cos_by_s_slip, G4_stick_cos_by_s_slip, G5_stick_cos_by_s_slip, G3_slip_cos_by_s_slip, G4_slip_cos_by_s_slip, G5_slip_cos_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
         C_k_by_s_slip[j]/2,
+        (2*(pi*pi)*M*(j*j))/(((s_slip + s_stick)*(s_slip + s_stick))),
         G3_stick_cos_by_s_slip[j],
         G4_stick_cos_by_s_slip[j],
         G5_stick_cos_by_s_slip[j],
@@ -516,27 +575,27 @@ def by_cosine_by_s_slip(j, C_k_by_s_slip, C_f_by_s_slip, G3_stick_cos_by_s_slip,
     )
 
 
-def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_cosine_sum(j, n, C_c, S_c, C_k, S_k):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
-        -((n*n)*S_m[j + n])/2 + ((n*n)*S_m[j - n])/2 + (n*C_c[j + n])/2 + (n*C_c[j - n])/2 + S_k[j + n]/2 - S_k[j - n]/2,
-        -((n*n)*C_m[j + n])/2 - ((n*n)*C_m[j - n])/2 - (n*S_c[j + n])/2 + (n*S_c[j - n])/2 + C_k[j + n]/2 + C_k[j - n]/2,
+        (n*C_c[j + n])/2 + (n*C_c[j - n])/2 + S_k[j + n]/2 - S_k[j - n]/2,
+        -(n*S_c[j + n])/2 + (n*S_c[j - n])/2 + C_k[j + n]/2 + C_k[j - n]/2,
     )
 
 
-def by_cosine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
+def by_cosine_sum_by_s_stick(j, n, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick):
     """Their derivatives by s_stick, of those that depend on it."""
     return (
-        -((n*n)*S_m_by_s_stick[j + n])/2 + ((n*n)*S_m_by_s_stick[j - n])/2 + (n*C_c_by_s_stick[j + n])/2 + (n*C_c_by_s_stick[j - n])/2 + S_k_by_s_stick[j + n]/2 - S_k_by_s_stick[j - n]/2,
-        -((n*n)*C_m_by_s_stick[j + n])/2 - ((n*n)*C_m_by_s_stick[j - n])/2 - (n*S_c_by_s_stick[j + n])/2 + (n*S_c_by_s_stick[j - n])/2 + C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
+        (n*C_c_by_s_stick[j + n])/2 + (n*C_c_by_s_stick[j - n])/2 + S_k_by_s_stick[j + n]/2 - S_k_by_s_stick[j - n]/2,
+        -(n*S_c_by_s_stick[j + n])/2 + (n*S_c_by_s_stick[j - n])/2 + C_k_by_s_stick[j + n]/2 + C_k_by_s_stick[j - n]/2,
     )
 
 
-def by_cosine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
+def by_cosine_sum_by_s_slip(j, n, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        -((n*n)*S_m_by_s_slip[j + n])/2 + ((n*n)*S_m_by_s_slip[j - n])/2 + (n*C_c_by_s_slip[j + n])/2 + (n*C_c_by_s_slip[j - n])/2 + S_k_by_s_slip[j + n]/2 - S_k_by_s_slip[j - n]/2,
-        -((n*n)*C_m_by_s_slip[j + n])/2 - ((n*n)*C_m_by_s_slip[j - n])/2 - (n*S_c_by_s_slip[j + n])/2 + (n*S_c_by_s_slip[j - n])/2 + C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
+        (n*C_c_by_s_slip[j + n])/2 + (n*C_c_by_s_slip[j - n])/2 + S_k_by_s_slip[j + n]/2 - S_k_by_s_slip[j - n]/2,
+        -(n*S_c_by_s_slip[j + n])/2 + (n*S_c_by_s_slip[j - n])/2 + C_k_by_s_slip[j + n]/2 + C_k_by_s_slip[j - n]/2,
     )
 
 
@@ -1019,6 +1078,7 @@ def size(N):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
+    rates = False
     M, K, V, mu_s, mu_k, F_N, c, w = case
     N = (len(z) - 9)//2
     at_a0 = 0
@@ -1034,16 +1094,14 @@ def residual(case, z, R):
     at_s_slip = 2*N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
-    over_m = harmonic_integrals((M, M), 2, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_c = harmonic_integrals((0.0, -F_N*w + c), 1, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_phases = harmonic_integrals((0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N, rates)
+    over_c = weighted_integrals(over_phases, (0.0, -F_N*w + c), 1, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_c = over_c[0][0]
     S_c = over_c[1][0]
-    over_k = harmonic_integrals((0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_k = weighted_integrals(over_phases, (0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_f = harmonic_integrals((0.0, -F_N*(V*w - mu_k)), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_f = weighted_integrals(over_phases, (0.0, -F_N*(V*w - mu_k)), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
     series_stick = breaks_on_phases(0, (0.0, s_stick, s_slip + s_stick), 1)
@@ -1074,21 +1132,21 @@ def residual(case, z, R):
     q0, q1, q2, q3, q4, q5, q6, q7 = by_one(C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos, G4_slip_cos, G5_slip_cos)
     R[row] = q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
     for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
+        q0, q1 = by_one_sum(n, C_c, S_c, C_k, S_k)
         R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine(j, S_k, S_f, G3_stick_sin, G4_stick_sin, G5_stick_sin, G3_slip_sin, G4_slip_sin, G5_slip_sin)
-        R[row] = q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_sine(j, M, s_stick, s_slip, S_k, S_f, G3_stick_sin, G4_stick_sin, G5_stick_sin, G3_slip_sin, G4_slip_sin, G5_slip_sin)
+        R[row] = q0*z[at_a0] + q1*z[at_a + j-1] + q2*z[at_c3_stick] + q3*z[at_c4_stick] + q4*z[at_c5_stick] + q5*z[at_c3_slip] + q6*z[at_c4_slip] + q7*z[at_c5_slip] + q8
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine(j, C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos, G4_slip_cos, G5_slip_cos)
-        R[row] = q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_cosine(j, M, s_stick, s_slip, C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos, G4_slip_cos, G5_slip_cos)
+        R[row] = q0*z[at_a0] + q1*z[at_b + j-1] + q2*z[at_c3_stick] + q3*z[at_c4_stick] + q4*z[at_c5_stick] + q5*z[at_c3_slip] + q6*z[at_c4_slip] + q7*z[at_c5_slip] + q8
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1, q2, q3, q4, q5, q6, q7 = jump_2_stick(M, K, V, mu_k, F_N, c, w, s_stick, s_slip, beta_stick, beta_slip)
@@ -1143,6 +1201,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
+    rates = True
     M, K, V, mu_s, mu_k, F_N, c, w = case
     N = (len(z) - 9)//2
     at_a0 = 0
@@ -1158,28 +1217,22 @@ def jacobian(case, z, J):
     at_s_slip = 2*N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
-    over_m = harmonic_integrals((M, M), 2, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
-    C_m = over_m[0][0]
-    C_m_by_s_stick = over_m[0][1]
-    C_m_by_s_slip = over_m[0][2]
-    S_m = over_m[1][0]
-    S_m_by_s_stick = over_m[1][1]
-    S_m_by_s_slip = over_m[1][2]
-    over_c = harmonic_integrals((0.0, -F_N*w + c), 1, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_phases = harmonic_integrals((0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N, rates)
+    over_c = weighted_integrals(over_phases, (0.0, -F_N*w + c), 1, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_c = over_c[0][0]
     C_c_by_s_stick = over_c[0][1]
     C_c_by_s_slip = over_c[0][2]
     S_c = over_c[1][0]
     S_c_by_s_stick = over_c[1][1]
     S_c_by_s_slip = over_c[1][2]
-    over_k = harmonic_integrals((0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_k = weighted_integrals(over_phases, (0.0, K), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_k = over_k[0][0]
     C_k_by_s_stick = over_k[0][1]
     C_k_by_s_slip = over_k[0][2]
     S_k = over_k[1][0]
     S_k_by_s_stick = over_k[1][1]
     S_k_by_s_slip = over_k[1][2]
-    over_f = harmonic_integrals((0.0, -F_N*(V*w - mu_k)), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick, 2*N + 1)
+    over_f = weighted_integrals(over_phases, (0.0, -F_N*(V*w - mu_k)), 0, (0.0, s_stick, s_slip + s_stick), s_slip + s_stick)
     C_f = over_f[0][0]
     C_f_by_s_stick = over_f[0][1]
     C_f_by_s_slip = over_f[0][2]
@@ -1253,56 +1306,58 @@ def jacobian(case, z, J):
     q0, q1, q2, q3, q4, q5, q6, q7 = by_one_by_s_slip(C_k_by_s_slip, C_f_by_s_slip, G3_stick_cos_by_s_slip, G4_stick_cos_by_s_slip, G5_stick_cos_by_s_slip, G3_slip_cos_by_s_slip, G4_slip_cos_by_s_slip, G5_slip_cos_by_s_slip)
     J[row, at_s_slip] += q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
     for n in range(1, N + 1):
-        q0, q1 = by_one_sum(n, C_m, S_m, C_c, S_c, C_k, S_k)
+        q0, q1 = by_one_sum(n, C_c, S_c, C_k, S_k)
         J[row, at_a + n-1] += q0
         J[row, at_b + n-1] += q1
-        q0, q1 = by_one_sum_by_s_stick(n, C_m_by_s_stick, S_m_by_s_stick, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
+        q0, q1 = by_one_sum_by_s_stick(n, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
         J[row, at_s_stick] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-        q0, q1 = by_one_sum_by_s_slip(n, C_m_by_s_slip, S_m_by_s_slip, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
+        q0, q1 = by_one_sum_by_s_slip(n, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
         J[row, at_s_slip] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
     row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, _ = by_sine(j, S_k, S_f, G3_stick_sin, G4_stick_sin, G5_stick_sin, G3_slip_sin, G4_slip_sin, G5_slip_sin)
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = by_sine(j, M, s_stick, s_slip, S_k, S_f, G3_stick_sin, G4_stick_sin, G5_stick_sin, G3_slip_sin, G4_slip_sin, G5_slip_sin)
         J[row, at_a0] += q0
-        J[row, at_c3_stick] += q1
-        J[row, at_c4_stick] += q2
-        J[row, at_c5_stick] += q3
-        J[row, at_c3_slip] += q4
-        J[row, at_c4_slip] += q5
-        J[row, at_c5_slip] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_stick(j, S_k_by_s_stick, S_f_by_s_stick, G3_stick_sin_by_s_stick, G4_stick_sin_by_s_stick, G5_stick_sin_by_s_stick, G3_slip_sin_by_s_stick, G4_slip_sin_by_s_stick, G5_slip_sin_by_s_stick)
-        J[row, at_s_stick] += q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_sine_by_s_slip(j, S_k_by_s_slip, S_f_by_s_slip, G3_stick_sin_by_s_slip, G4_stick_sin_by_s_slip, G5_stick_sin_by_s_slip, G3_slip_sin_by_s_slip, G4_slip_sin_by_s_slip, G5_slip_sin_by_s_slip)
-        J[row, at_s_slip] += q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
+        J[row, at_a + j-1] += q1
+        J[row, at_c3_stick] += q2
+        J[row, at_c4_stick] += q3
+        J[row, at_c5_stick] += q4
+        J[row, at_c3_slip] += q5
+        J[row, at_c4_slip] += q6
+        J[row, at_c5_slip] += q7
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_sine_by_s_stick(j, M, s_stick, s_slip, S_k_by_s_stick, S_f_by_s_stick, G3_stick_sin_by_s_stick, G4_stick_sin_by_s_stick, G5_stick_sin_by_s_stick, G3_slip_sin_by_s_stick, G4_slip_sin_by_s_stick, G5_slip_sin_by_s_stick)
+        J[row, at_s_stick] += q0*z[at_a0] + q1*z[at_a + j-1] + q2*z[at_c3_stick] + q3*z[at_c4_stick] + q4*z[at_c5_stick] + q5*z[at_c3_slip] + q6*z[at_c4_slip] + q7*z[at_c5_slip] + q8
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_sine_by_s_slip(j, M, s_stick, s_slip, S_k_by_s_slip, S_f_by_s_slip, G3_stick_sin_by_s_slip, G4_stick_sin_by_s_slip, G5_stick_sin_by_s_slip, G3_slip_sin_by_s_slip, G4_slip_sin_by_s_slip, G5_slip_sin_by_s_slip)
+        J[row, at_s_slip] += q0*z[at_a0] + q1*z[at_a + j-1] + q2*z[at_c3_stick] + q3*z[at_c4_stick] + q4*z[at_c5_stick] + q5*z[at_c3_slip] + q6*z[at_c4_slip] + q7*z[at_c5_slip] + q8
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_c, S_c, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
+            q0, q1 = by_sine_sum_by_s_stick(j, n, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
             J[row, at_s_stick] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_sine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
+            q0, q1 = by_sine_sum_by_s_slip(j, n, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
             J[row, at_s_slip] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, _ = by_cosine(j, C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos, G4_slip_cos, G5_slip_cos)
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = by_cosine(j, M, s_stick, s_slip, C_k, C_f, G3_stick_cos, G4_stick_cos, G5_stick_cos, G3_slip_cos, G4_slip_cos, G5_slip_cos)
         J[row, at_a0] += q0
-        J[row, at_c3_stick] += q1
-        J[row, at_c4_stick] += q2
-        J[row, at_c5_stick] += q3
-        J[row, at_c3_slip] += q4
-        J[row, at_c4_slip] += q5
-        J[row, at_c5_slip] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_stick(j, C_k_by_s_stick, C_f_by_s_stick, G3_stick_cos_by_s_stick, G4_stick_cos_by_s_stick, G5_stick_cos_by_s_stick, G3_slip_cos_by_s_stick, G4_slip_cos_by_s_stick, G5_slip_cos_by_s_stick)
-        J[row, at_s_stick] += q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
-        q0, q1, q2, q3, q4, q5, q6, q7 = by_cosine_by_s_slip(j, C_k_by_s_slip, C_f_by_s_slip, G3_stick_cos_by_s_slip, G4_stick_cos_by_s_slip, G5_stick_cos_by_s_slip, G3_slip_cos_by_s_slip, G4_slip_cos_by_s_slip, G5_slip_cos_by_s_slip)
-        J[row, at_s_slip] += q0*z[at_a0] + q1*z[at_c3_stick] + q2*z[at_c4_stick] + q3*z[at_c5_stick] + q4*z[at_c3_slip] + q5*z[at_c4_slip] + q6*z[at_c5_slip] + q7
+        J[row, at_b + j-1] += q1
+        J[row, at_c3_stick] += q2
+        J[row, at_c4_stick] += q3
+        J[row, at_c5_stick] += q4
+        J[row, at_c3_slip] += q5
+        J[row, at_c4_slip] += q6
+        J[row, at_c5_slip] += q7
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_cosine_by_s_stick(j, M, s_stick, s_slip, C_k_by_s_stick, C_f_by_s_stick, G3_stick_cos_by_s_stick, G4_stick_cos_by_s_stick, G5_stick_cos_by_s_stick, G3_slip_cos_by_s_stick, G4_slip_cos_by_s_stick, G5_slip_cos_by_s_stick)
+        J[row, at_s_stick] += q0*z[at_a0] + q1*z[at_b + j-1] + q2*z[at_c3_stick] + q3*z[at_c4_stick] + q4*z[at_c5_stick] + q5*z[at_c3_slip] + q6*z[at_c4_slip] + q7*z[at_c5_slip] + q8
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = by_cosine_by_s_slip(j, M, s_stick, s_slip, C_k_by_s_slip, C_f_by_s_slip, G3_stick_cos_by_s_slip, G4_stick_cos_by_s_slip, G5_stick_cos_by_s_slip, G3_slip_cos_by_s_slip, G4_slip_cos_by_s_slip, G5_slip_cos_by_s_slip)
+        J[row, at_s_slip] += q0*z[at_a0] + q1*z[at_b + j-1] + q2*z[at_c3_stick] + q3*z[at_c4_stick] + q4*z[at_c5_stick] + q5*z[at_c3_slip] + q6*z[at_c4_slip] + q7*z[at_c5_slip] + q8
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_c, S_c, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_stick(j, n, C_m_by_s_stick, S_m_by_s_stick, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
+            q0, q1 = by_cosine_sum_by_s_stick(j, n, C_c_by_s_stick, S_c_by_s_stick, C_k_by_s_stick, S_k_by_s_stick)
             J[row, at_s_stick] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_cosine_sum_by_s_slip(j, n, C_m_by_s_slip, S_m_by_s_slip, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
+            q0, q1 = by_cosine_sum_by_s_slip(j, n, C_c_by_s_slip, S_c_by_s_slip, C_k_by_s_slip, S_k_by_s_slip)
             J[row, at_s_slip] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     q0, q1, q2, q3, q4, q5, q6, _ = jump_2_stick(M, K, V, mu_k, F_N, c, w, s_stick, s_slip, beta_stick, beta_slip)

@@ -27,11 +27,12 @@ DRIVER: tuple[Any, ...] = (
     iteration.scale_rows,
     linear.factorise,
     linear.solve_factorised,
+    iteration.correct,
     iteration.iterate_scene,
 )
 
 #: What a kernel does that only NumPy can: plain Python, even where the rest is compiled.
-PLAIN = ("motion", "coefficients", "phase_motion")
+PLAIN = ("motion", "coefficients", "integrated", "phase_motion")
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """LU factors of small systems, as Python that numba compiles with the kernel.
 
-At forty unknowns LAPACK is no faster, and its call from Python takes longer.
+At forty unknowns LAPACK is no faster, and its call from Python takes longer.  Zeros below the
+diagonal, of which bands and borders have many, cost nothing.
 """
 
 from typing import Any
@@ -28,6 +29,8 @@ def factorise(A: Matrix, rows: Any) -> bool:
                 A[k, j], A[pivot, j] = A[pivot, j], A[k, j]
         right = A[k, k + 1 :]
         for i in range(k + 1, n):
+            if A[i, k] == 0:
+                continue
             factor = A[i, k] / A[k, k]
             A[i, k] = factor
             row = A[i, k + 1 :]
@@ -42,10 +45,15 @@ def solve_factorised(A: Matrix, rows: Any, b: Vector) -> None:
     for k in range(n):
         pivot = rows[k]
         b[k], b[pivot] = b[pivot], b[k]
-    for k in range(n):
-        for i in range(k + 1, n):
-            b[i] -= A[i, k] * b[k]
-    for k in range(n - 1, -1, -1):
-        b[k] /= A[k, k]
-        for i in range(k):
-            b[i] -= A[i, k] * b[k]
+    for i in range(n):
+        row, value = A[i], b[i]
+        for j in range(i):
+            value -= row[j] * b[j]
+        b[i] = value
+    for later in range(n):
+        i = n - 1 - later
+        row, value = A[i], b[i]
+        for back in range(later):
+            j = n - 1 - back
+            value -= row[j] * b[j]
+        b[i] = value / row[i]

@@ -48,7 +48,8 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
     orbit : SceneMotion
         A solution of the equations.
     allowed : callable
-        How far below 0 a demand may fall; see `allowance` for those of an expansion.
+        How far below 0 a demand may fall; see `allowance` for those of an expansion.  Where
+        it is infinite, the size of the demand is not looked at.
     """
     durations = orbit.cell_durations
     total, unit = float(np.sum(durations)), orbit.case.units.time
@@ -128,15 +129,16 @@ def _demand(orbit: SceneMotion, p: int, words: str, form: Form, allowed: float) 
     if not np.isfinite(scale):
         return [f"in {phase.name}, where {words}: the motion is not finite"]
     parts = chebyshev.pieces(value, scale)
-    points = chebyshev.candidates(parts)
-    values = value(points)
-    worst = int(np.argmin(values))
-    if values[worst] < -allowed * scale:
-        where = _state(orbit, p, float(points[worst]))
-        return [
-            f"in {phase.name}, not true that {words}: by {-values[worst] / scale:.3g} of its "
-            f"size {where} (allowed: {allowed:.2g})"
-        ]
+    if allowed < np.inf:
+        points = chebyshev.candidates(parts)
+        values = value(points)
+        worst = int(np.argmin(values))
+        if values[worst] < -allowed * scale:
+            where = _state(orbit, p, float(points[worst]))
+            return [
+                f"in {phase.name}, not true that {words}: by {-values[worst] / scale:.3g} of "
+                f"its size {where} (allowed: {allowed:.2g})"
+            ]
     if vanishes_by_event(orbit, p, form):
         slope = float(chebyshev.derivative_at(parts, np.ones(1), 1)[0])
         if not slope < 0:

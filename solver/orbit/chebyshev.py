@@ -26,6 +26,9 @@ NOISE = 1e-8
 #: Shortest piece: of a function with more waves than that no sample of float64 says enough.
 SHORTEST = 2.0**-12
 
+#: Coefficients below this part of the largest are rounding errors of the values.
+ROUNDING = 1e-14
+
 #: How far off the real axis, or beyond the ends, a root may be found and still be tried.
 NEAR = 1e-3
 
@@ -45,12 +48,11 @@ class Piece:
 
     def critical_points(self) -> Vector:
         """Return where the derivative vanishes, and points too near to that to tell."""
-        slope = chebyshev.chebder(self.coefficients)
-        size = np.abs(slope).max(initial=0.0)
-        if size == 0:
+        sizes = np.abs(self.coefficients)
+        kept = int(np.nonzero(sizes > ROUNDING * sizes.max(initial=0.0))[0].max(initial=0)) + 1
+        if kept == 1:
             return np.empty(0)
-        kept = np.nonzero(np.abs(slope) > 1e-15 * size)[0][-1] + 1
-        roots = chebyshev.chebroots(slope[:kept])
+        roots = chebyshev.chebroots(chebyshev.chebder(self.coefficients[:kept]))
         near = (np.abs(roots.imag) <= NEAR) & (np.abs(roots.real) <= 1 + NEAR)
         w = np.clip(roots[near].real, -1.0, 1.0)
         return np.asarray(self.start + (self.end - self.start) * (1 + w) / 2)

@@ -6,14 +6,6 @@ from ..arrays import Vector
 from ..case.cell import Form
 from .motion import SceneMotion
 
-#: Each term of a form by itself.
-UNIT_FORMS: tuple[Form, ...] = (
-    (1.0, 0.0, 0.0, 0.0),
-    (0.0, 1.0, 0.0, 0.0),
-    (0.0, 0.0, 1.0, 0.0),
-    (0.0, 0.0, 0.0, 1.0),
-)
-
 
 def terms(orbit: SceneMotion, p: int, form: Form, u: Vector) -> Vector:
     """Return the terms of a linear form in the state, at local times of a phase."""
@@ -34,14 +26,12 @@ def terms(orbit: SceneMotion, p: int, form: Form, u: Vector) -> Vector:
 
 def scale_of(orbit: SceneMotion, p: int, form: Form) -> float:
     """Return the size of a form on a phase: of its terms, added without sign."""
-    values = terms(orbit, p, form, np.linspace(0.0, 1.0, 65))
-    return float(np.abs(values).max(axis=1).sum())
+    return float(np.abs(form) @ orbit.sizes[p])
 
 
 def vanishes_by_event(orbit: SceneMotion, p: int, form: Form) -> bool:
     """Whether a demand is the event that ends the phase, but for a factor."""
-    event_form = orbit.cell.phases[p].event
-    sizes = np.array([scale_of(orbit, p, unit) for unit in UNIT_FORMS])
+    event_form, sizes = orbit.cell.phases[p].event, orbit.sizes[p]
     demand, event = np.array(form) * sizes, np.array(event_form) * sizes
     if not event.any() or not demand.any():
         return False

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from ..arrays import Vector
+from ..arrays import Matrix, Vector
 from ..case.case import Case
 from ..case.cell import Cell
-from .extremes import extremes
+from .extremes import LOOK, extremes
 
 if TYPE_CHECKING:
     from ..stability.stability import Complex, Stability
@@ -108,6 +108,21 @@ class SceneMotion:
             )
             for index, p in enumerate([*self._of_cell] * cell.cells)
         )
+
+    @cached_property
+    def sizes(self) -> Matrix:
+        """Sizes of x, x', the cosine of the forcing and 1 on each phase, without units.
+
+        The largest of 65 values on each, enough for a scale.
+        """
+        cell, durations = self.case.cell, self.cell_durations
+        found = np.ones((len(cell.phases), 4))
+        for p, s in enumerate(durations):
+            angle = self.angle + cell.omega * float(np.sum(durations[:p]))
+            cosine = np.cos(angle + cell.omega * s * LOOK)
+            rows = (self.part(p, LOOK, 0), self.part(p, LOOK, 1), cosine)
+            found[p, :3] = [np.abs(row).max() for row in rows]
+        return found
 
     @property
     def _of_cell(self) -> range:

@@ -4,6 +4,7 @@ import ast
 import hashlib
 import math
 import os
+import re
 import subprocess
 import sys
 import types
@@ -18,6 +19,7 @@ from galerkin.oscillators import SCENES, case_of
 
 from nonsmooth.codegen.emission.expressions import floating, math_names, python
 from nonsmooth.codegen.emission.kernel import RUNTIME, module_source
+from nonsmooth.codegen.emission.orthogonal import with_known
 from nonsmooth.codegen.emission.terms import terms
 from nonsmooth.codegen.emission.used import with_used
 from nonsmooth.codegen.galerkin import Block, Condition
@@ -117,6 +119,32 @@ def test_the_order_of_a_series_is_its_highest_harmonic(kernel):
     sines[2], z[-2], u = 1.0, 1.0, np.linspace(0, 1, 5)
     got = half.motion(case_of("S6"), z, 0, u, 0)
     np.testing.assert_allclose(got, np.sin(5 * np.pi * u), atol=1e-14)
+
+
+@pytest.mark.parametrize("name", ["S1", "S3b"])
+def test_a_residual_forms_no_derivatives_of_its_tables(name):
+    text = source(name, "hb")
+    residual, jacobian = text.partition("def residual(")[2].split("def jacobian(")
+    assert ("rates = False" in residual, "rates = True" in residual) == (name == "S3b", False)
+    assert ("rates = True" in jacobian) == (name == "S3b")  # of the other all is known
+    assert not re.search(r"^ +[CS]_\w+_by_", residual, flags=re.MULTILINE)
+
+
+def test_a_known_entry_stands_in_its_place():
+    whole = Table(table, lambda indices, time: sp.S.Zero, "", known=lambda index: None)
+    j = sp.Symbol("j", integer=True, positive=True)
+
+    def known(index):
+        return p * sp.KroneckerDelta(j, n) if index == j - n else sp.S.Zero
+
+    tables = (replace(whole, known=known),)
+    sum_ = sp.Sum((q * table[j - n] + table[j + n] + s) * d[n], (n, 1, N))
+    found = with_known(Condition("row", "", sum_ + table[j], index=j), tables)
+    assert found.expression == p * q * d[j] + sp.Sum(s * d[n], (n, 1, N))
+    row = Condition("row", "", sum_ + table[j], index=j)
+    assert with_known(row, (whole,)) is row
+    with pytest.raises(ValueError, match="more than one term"):
+        with_known(replace(row, index=None), tables)
 
 
 def test_a_parameter_may_not_be_called_like_a_function_of_a_kernel():

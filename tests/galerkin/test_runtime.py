@@ -9,7 +9,12 @@ from galerkin.oscillators import case_of
 from numpy.polynomial import Polynomial
 from scipy.special import eval_sh_legendre
 
-from nonsmooth.codegen.emission.runtime.harmonics import harmonic_integrals, series_on_phase
+from nonsmooth.codegen.emission.runtime.harmonics import (
+    harmonic_integrals,
+    multiples,
+    series_on_phase,
+    weighted_integrals,
+)
 from nonsmooth.codegen.emission.runtime.moments import legendre_moments, spherical_bessel
 from nonsmooth.codegen.emission.runtime.phases import phase_motion
 from nonsmooth.codegen.emission.runtime.unknowns import entry, put
@@ -52,7 +57,10 @@ def test_legendre_moments_are_integrals(kappa):
     for theta in (0.0, 0.7, -4.0, 9.0):
         wave = np.cos(kappa * NODES + theta)
         expected = [np.sum(WEIGHTS * eval_sh_legendre(l, NODES) * wave) for l in range(12)]
-        got = legendre_moments(12, kappa, theta)
+        got, turned = legendre_moments(12, kappa, theta)
+        np.testing.assert_allclose(
+            turned, legendre_moments(12, kappa, theta + np.pi / 2)[0], rtol=0, atol=1e-14
+        )
         np.testing.assert_allclose(got, expected, rtol=0, atol=1e-14)  # of NumPy's weights
 
 
@@ -91,10 +99,15 @@ def test_integrals_of_harmonics(power, turns):
     weights, highest = (1.3, -0.4, 0.0), 7
 
     def table(durations):
-        ends = ends_of(durations)
-        return np.array(harmonic_integrals(weights, power, ends, turns * ends[-1], highest))
+        ends, period = ends_of(durations), turns * float(np.sum(durations))
+        integrals = harmonic_integrals(ends, period, highest, rates)
+        return weighted_integrals(integrals, weights, power, ends, period)
 
+    rates = False
+    alone = table(DURATIONS)
+    rates = True
     found = table(DURATIONS)
+    np.testing.assert_array_equal(alone, found[:, :1])
     omega = 2 * np.pi / (turns * DURATIONS.sum())
     for row, wave in enumerate((np.cos, np.sin)):
         for k in range(-highest, highest + 1):
@@ -105,6 +118,22 @@ def test_integrals_of_harmonics(power, turns):
     rates = differences(lambda s: table(s)[:, 0], DURATIONS)
     for q, rate in enumerate(rates):
         np.testing.assert_allclose(found[:, 1 + q], rate, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("angle", [0.3, -2.0, 0.0, np.pi / 7, 3.1])
+def test_multiples_of_an_angle_keep_their_digits(angle):
+    """What is lost is what the angle itself has lost: k roundings of it, at most."""
+    cosines, sines = multiples(angle, 801)
+    with mpmath.workdps(30):
+        for k in (0, 1, 15, 16, 17, 31, 160, 799, 801):
+            allowed = 4e-16 + 2e-16 * abs(k * angle)
+            assert abs(cosines[k] - mpmath.cos(k * mpmath.mpf(angle))) <= allowed
+            assert abs(sines[k] - mpmath.sin(k * mpmath.mpf(angle))) <= allowed
+    for few in (0, 1, 15, 16):
+        assert [q.tolist() for q in multiples(angle, few)] == [
+            cosines[: few + 1].tolist(),
+            sines[: few + 1].tolist(),
+        ]
 
 
 def breaks(sign):

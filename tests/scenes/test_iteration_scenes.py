@@ -20,7 +20,9 @@ IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")
 
 
-def solve(residual, jacobian, start, durations=1, forced=False, seen=None, **options):
+def solve(
+    residual, jacobian, start, durations=1, forced=False, seen=None, filled=None, **options
+):
     """Solve small systems of a coefficient, durations and maybe the phase of a forcing."""
 
     def fill_residual(case, z, R):
@@ -29,6 +31,8 @@ def solve(residual, jacobian, start, durations=1, forced=False, seen=None, **opt
         R[:] = residual(z)
 
     def fill_jacobian(case, z, J):
+        if filled is not None:
+            filled.append(z.copy())
         J[:] = jacobian(z)
 
     iteration = linked(fill_residual, fill_jacobian, durations, forced)
@@ -50,6 +54,33 @@ def test_converges_quadratically_to_the_last_digit() -> None:
     assert outcome.iterations <= 6
     assert outcome.correction <= ROUNDOFF
     assert outcome.residual_norm == 0
+
+
+def test_a_jacobian_is_used_while_corrections_shrink_fast() -> None:
+    """One from 1 % off; with a new one at every step it would be four."""
+    seen, filled = [], []
+    near = solve(quadratic, quadratic_jacobian, [0.5, 2.02], seen=seen, filled=filled)
+    assert near.converged
+    assert near.unknowns.tolist() == [1, 2]
+    assert (near.iterations, len(filled)) == (1, 1)
+    assert len(seen) > 5
+
+
+def test_a_jacobian_is_not_used_where_corrections_shrink_slowly() -> None:
+    """From far off the corrections halve at first: then nothing is gained by an old one."""
+    filled = []
+    far = solve(quadratic, quadratic_jacobian, [0.5, 3.4], filled=filled)
+    assert far.converged
+    assert far.unknowns.tolist() == [1, 2]
+    assert len(filled) == far.iterations > 1
+    assert abs(filled[1][1] - 2) < abs(filled[0][1] - 2) / 2
+
+
+def test_coefficients_converge_where_the_times_have_long_done_so() -> None:
+    """A slope 1 % off: each correction of the coefficient leaves a hundredth of it."""
+    outcome = solve(lambda z: [z[0] - 1, z[1] - 2], lambda z: np.diag([0.99, 1]), [0.5, 2])
+    assert outcome.converged
+    assert outcome.unknowns == pytest.approx([1, 2], rel=1e-10)
 
 
 def test_the_start_is_not_overwritten() -> None:

@@ -18,7 +18,7 @@ m, c, k, F_N, mu_s, mu_k, F, Omega, cycles (an integer: periods of the forcing i
 Plain Python as it stands; the solver compiles the same functions with numba.
 """
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "f32e23c3366fcd0abeadc0e8bb30d3308716493191d1398f5b51ed51a608509b"  # of the conditions, by srepr
-BODY = "36af1bbfabba122ba07e5ddb7af695a45776a5a30c1e157373e28412ca2acf15"  # of the text below
+BODY = "09a10df02076dae9803794ef2a2c8393d68e91b779a2ff1b302705a64486b217"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -48,7 +48,13 @@ def spherical_bessel(count, x):
         j[1] = (j[0] - cos(x)) / x
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
-    top = count + 20 + int(2 * sqrt(x))
+    if turn == count - 1:
+        return j
+    top, left = count, 1.0
+    while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
+        top += 1
+        q = 2 * top + 1
+        left *= (x * q / (q * q - 2 * x * x)) ** 2
     ratio = 0.0
     for n in range(top, turn, -1):
         ratio = x / ((2 * n + 1) - x * ratio)
@@ -60,13 +66,23 @@ def spherical_bessel(count, x):
 
 
 def legendre_moments(count, kappa, theta):
-    """Return ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``; ``kappa >= 0``."""
-    moments = spherical_bessel(count, kappa / 2)
+    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+
+    Returns
+    -------
+    ndarray, shape (2, count)
+        ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
+        turn on, with ``theta + pi/2``.
+    """
+    bessel = spherical_bessel(count, kappa / 2)
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
+    moments = np.empty((2, count))
     for l in range(count):
         turn = l % 4
-        moments[l] *= c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
+        ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
+        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
 
 
@@ -79,6 +95,15 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def integrated(d):
+    """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
+    found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
+    found[1:] += half
+    found[:-2] -= half[1:]
+    found[0] += half[0]
+    return found
 
 
 def phase_motion(x, v, d, s, u, derivative):
@@ -100,11 +125,10 @@ def phase_motion(x, v, d, s, u, derivative):
     w = 2 * np.asarray(u) - 1
     if derivative == 2:
         return legendre.legval(w, parts)
-    rate = s * legendre.legval(w, legendre.legint(parts, 1, lbnd=-1, scl=0.5))
     if derivative == 1:
-        return v + rate
-    twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)
-    return x + s * v * np.asarray(u) + s * s * legendre.legval(w, twice)
+        return v + s * legendre.legval(w, integrated(parts))
+    twice = legendre.legval(w, integrated(integrated(parts)))
+    return x + s * v * np.asarray(u) + s * s * twice
 
 
 def slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide):
@@ -265,7 +289,8 @@ def residual(case, z, R):
     at_phi = N + 4
     s_slide = z[at_s_slide]
     phi = z[at_phi]
-    mu_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
     row = 0
     q0, q1, q2, q3, q4, q5 = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
     R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5
@@ -275,7 +300,7 @@ def residual(case, z, R):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
-        R[row] = q0*entry(z, at_d_slide, number_d_slide, l) + q1*entry(z, at_d_slide, number_d_slide, l-2) + q2*entry(z, at_d_slide, number_d_slide, l-1) + q3*entry(z, at_d_slide, number_d_slide, l+1) + q4*entry(z, at_d_slide, number_d_slide, l+2) + q5
+        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*entry(z, at_d_slide, number_d_slide, l+1) + q4*entry(z, at_d_slide, number_d_slide, l+2) + q5
         row += 1
     q0, q1, q2, q3 = displacement_slide(s_slide)
     R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1]
@@ -303,8 +328,9 @@ def jacobian(case, z, J):
     at_phi = N + 4
     s_slide = z[at_s_slide]
     phi = z[at_phi]
-    mu_slide = legendre_moments(N + 7, Omega*s_slide, phi)
-    nu_slide = legendre_moments(N + 7, Omega*s_slide, phi + pi/2)
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
+    nu_slide = over_slide[1]
     J[:, :] = 0.0
     row = 0
     q0, q1, q2, q3, q4, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
@@ -331,13 +357,13 @@ def jacobian(case, z, J):
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, _ = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
-        put(J, row, at_d_slide, number_d_slide, l, q0)
-        put(J, row, at_d_slide, number_d_slide, l-2, q1)
-        put(J, row, at_d_slide, number_d_slide, l-1, q2)
+        J[row, at_d_slide + l] += q0
+        J[row, at_d_slide + l-2] += q1
+        J[row, at_d_slide + l-1] += q2
         put(J, row, at_d_slide, number_d_slide, l+1, q3)
         put(J, row, at_d_slide, number_d_slide, l+2, q4)
         q0, q1, q2, q3, q4, q5 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
-        J[row, at_s_slide] += q0*entry(z, at_d_slide, number_d_slide, l) + q1*entry(z, at_d_slide, number_d_slide, l-2) + q2*entry(z, at_d_slide, number_d_slide, l-1) + q3*entry(z, at_d_slide, number_d_slide, l+1) + q4*entry(z, at_d_slide, number_d_slide, l+2) + q5
+        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*entry(z, at_d_slide, number_d_slide, l+1) + q4*entry(z, at_d_slide, number_d_slide, l+2) + q5
         q0 = slide_by_l_by_phi(l, F, nu_slide)
         J[row, at_phi] += q0
         row += 1

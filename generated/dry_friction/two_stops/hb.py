@@ -28,62 +28,109 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "82f5c25fc9e92b529b8d33f76136b99bdb7442d9b1ddba23e38ac0276b266e9b"  # of the conditions, by srepr
-BODY = "b227f01e4420b62487c7567a59889246ef8db0e13503498fa44cf7831d57c41c"  # of the text below
+BODY = "1b4dd57e25c28781ae8a622f841345d881ca38358f7841a4a10efa8d6ac77e08"  # of the text below
 
 
-def harmonic_integrals(weights, power, ends, period, highest):
-    """Return the integrals of a weight times harmonics, over a cell.
+def multiples(angle, highest):
+    """Return ``cos(k angle)`` and ``sin(k angle)`` for k up to `highest`.
 
-    These are the cosine and the sine of ``k omega_0 t``.  The integrals are multiplied by a
-    power of ``omega_0``, as derivatives of harmonics are.
+    As products of turns by 16 and by less: two functions for 16 values, and a few roundings.
+    """
+    cosines, sines = np.zeros(highest + 1), np.zeros(highest + 1)
+    for k in range(min(16, highest + 1)):
+        cosines[k], sines[k] = cos(k * angle), sin(k * angle)
+    for begin in range(16, highest + 1, 16):
+        c, s = cos(begin * angle), sin(begin * angle)
+        for k in range(begin, min(begin + 16, highest + 1)):
+            near_c, near_s = cosines[k - begin], sines[k - begin]
+            cosines[k], sines[k] = c * near_c - s * near_s, s * near_c + c * near_s
+    return cosines, sines
+
+
+def harmonic_integrals(ends, period, highest, rates):
+    """Return the integrals of the cosine and the sine of ``k omega_0 t`` over each phase.
 
     Parameters
     ----------
-    weights : tuple of float, length P
-        The weight on each phase.
-    power : int
-        Of ``omega_0``.
     ends : tuple of float, length P + 1
         Where the phases begin, and where the last one ends.
     period : float
         ``omega_0 = 2 pi/period``; a multiple of the cell.
     highest : int
         Largest k.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    cosines, sines : ndarray, shape (P + 1, 2 highest + 1)
-        Row 0 the integrals, row 1 + q their derivatives by the duration of phase q.  Entry -k
-        is that of -k, as Python counts from the end.
+    ndarray, shape (P, 2, 1 + P or 1, highest + 1)
+        For each phase, with the cosine and with the sine: row 0 the integrals, row 1 + q their
+        derivatives by the duration of phase q.
     """
-    phases, length, cell = len(weights), 2 * highest + 1, ends[len(ends) - 1]
-    scale = (2 * pi / period) ** power
-    cosines, sines = np.zeros((phases + 1, length)), np.zeros((phases + 1, length))
-    for k in range(highest + 1):
-        omega = 2 * pi * k / period
-        begin_c, begin_s = cos(omega * ends[0]), sin(omega * ends[0])
-        for p in range(phases):
-            t, end, weight = ends[p], ends[p + 1], weights[p] * scale
-            end_c, end_s = cos(omega * end), sin(omega * end)
-            half = omega * (end - t) / 2
-            size = (end - t) * (sin(half) / half if half != 0.0 else 1.0)
-            middle = omega * (t + end) / 2
-            over_c, over_s = size * cos(middle), size * sin(middle)
-            cosines[0, k] += weight * over_c
-            sines[0, k] += weight * over_s
-            for q in range(phases):
-                later = (1.0 if p >= q else 0.0) - end / cell
-                now = (1.0 if p > q else 0.0) - t / cell
-                change_c = end_c * later - begin_c * now + (1 - power) * over_c / cell
-                change_s = end_s * later - begin_s * now + (1 - power) * over_s / cell
-                cosines[1 + q, k] += weight * change_c
-                sines[1 + q, k] += weight * change_s
-            begin_c, begin_s = end_c, end_s
-        if k > 0:
-            for row in range(phases + 1):
-                cosines[row, length - k] = cosines[row, k]
-                sines[row, length - k] = -sines[row, k]
-    return cosines, sines
+    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    found = np.zeros((phases, 2, 1 + phases if rates else 1, highest + 1))
+    begin_c, begin_s = np.ones(highest + 1), np.zeros(highest + 1)
+    for p in range(phases):
+        t, end = ends[p], ends[p + 1]
+        half_c, half_s = multiples(pi * (end - t) / period, highest)
+        for k in range(highest + 1):
+            h_c, h_s, b_c, b_s = half_c[k], half_s[k], begin_c[k], begin_s[k]
+            half = pi * k * (end - t) / period
+            size = (end - t) * (h_s / half if half != 0.0 else 1.0)
+            middle_c, middle_s = b_c * h_c - b_s * h_s, b_s * h_c + b_c * h_s
+            end_c, end_s = middle_c * h_c - middle_s * h_s, middle_s * h_c + middle_c * h_s
+            over_c, over_s = size * middle_c, size * middle_s
+            found[p, 0, 0, k], found[p, 1, 0, k] = over_c, over_s
+            if rates:
+                change_c = (over_c - end * end_c + t * b_c) / cell
+                change_s = (over_s - end * end_s + t * b_s) / cell
+                for q in range(phases):
+                    later, now = (1.0 if p >= q else 0.0), (1.0 if p > q else 0.0)
+                    found[p, 0, 1 + q, k] = change_c + later * end_c - now * b_c
+                    found[p, 1, 1 + q, k] = change_s + later * end_s - now * b_s
+            begin_c[k], begin_s[k] = end_c, end_s
+    return found
+
+
+def weighted_integrals(integrals, weights, power, ends, period):
+    """Return the integrals over a cell of a weight times harmonics.
+
+    Parameters
+    ----------
+    integrals : ndarray
+        From `harmonic_integrals`.
+    weights : tuple of float, length P
+        The weight on each phase.
+    power : int
+        Of ``omega_0``, by which all is multiplied, as derivatives of harmonics are.
+    ends, period
+        Those of `integrals`.
+
+    Returns
+    -------
+    ndarray, shape (2, 1 + P or 1, 2 highest + 1)
+        With the cosine and with the sine, rows as in `integrals`.  Entry -k is that of -k, as
+        Python counts from the end.
+    """
+    phases, _, rows, length = integrals.shape
+    scale, cell = (2 * pi / period) ** power, ends[phases]
+    found = np.zeros((2, rows, 2 * length - 1))
+    for p in range(phases):
+        weight = weights[p] * scale
+        if weight != 0.0:
+            for wave in range(2):
+                for row in range(rows):
+                    for k in range(length):
+                        found[wave, row, k] += weight * integrals[p, wave, row, k]
+    for wave in range(2):
+        for row in range(1, rows):
+            for k in range(length):
+                found[wave, row, k] -= power / cell * found[wave, 0, k]
+        for row in range(rows):
+            for k in range(1, length):
+                value = found[wave, row, k]
+                found[wave, row, 2 * length - 1 - k] = value if wave == 0 else -value
+    return found
 
 
 def harmonic_motion(mean, a, b, numbers, omega_0, t, derivative):
@@ -109,19 +156,28 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def by_sine(j, cycles, phi, S_f, C_g, S_g):
+def by_sine(j, m, cycles, s_slide, s_stop, phi, S_f, C_g, S_g):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
-    return -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2 - S_f[2*j - 1]
+    return (
+        -((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*s_slide + 2*s_stop),
+        -(sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 - (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2 - S_f[2*j - 1],
+    )
 
 
-def by_sine_by_s_slide(j, cycles, phi, S_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide):
+def by_sine_by_s_slide(j, m, cycles, s_slide, s_stop, phi, S_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide):
     """Their derivatives by s_slide, of those that depend on it."""
-    return -(sin(phi)*C_g_by_s_slide[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_slide[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_slide[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_slide[cycles - 2*j + 1])/2 - S_f_by_s_slide[2*j - 1]
+    return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_slide + s_stop)*(s_slide + s_stop))),
+        -(sin(phi)*C_g_by_s_slide[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_slide[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_slide[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_slide[cycles - 2*j + 1])/2 - S_f_by_s_slide[2*j - 1],
+    )
 
 
-def by_sine_by_s_stop(j, cycles, phi, S_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop):
+def by_sine_by_s_stop(j, m, cycles, s_slide, s_stop, phi, S_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop):
     """Their derivatives by s_stop, of those that depend on it."""
-    return -(sin(phi)*C_g_by_s_stop[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_stop[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_stop[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_stop[cycles - 2*j + 1])/2 - S_f_by_s_stop[2*j - 1]
+    return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_slide + s_stop)*(s_slide + s_stop))),
+        -(sin(phi)*C_g_by_s_stop[cycles + 2*j - 1])/2 + (sin(phi)*C_g_by_s_stop[cycles - 2*j + 1])/2 - (cos(phi)*S_g_by_s_stop[cycles + 2*j - 1])/2 + (cos(phi)*S_g_by_s_stop[cycles - 2*j + 1])/2 - S_f_by_s_stop[2*j - 1],
+    )
 
 
 def by_sine_by_phi(j, cycles, phi, C_g, S_g):
@@ -129,43 +185,52 @@ def by_sine_by_phi(j, cycles, phi, C_g, S_g):
     return (sin(phi)*S_g[cycles + 2*j - 1])/2 - (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 + (cos(phi)*C_g[cycles - 2*j + 1])/2
 
 
-def by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_sine_sum(j, n, C_c, S_c, C_k, S_k):
     """Coefficients: residual, orthogonal to sin(j omega_0 t)."""
     return (
-        (((2*n - 1)*(2*n - 1))*C_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m[2*j - 2*n])/2 + ((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 - C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m[2*j - 2*n])/2 + ((2*n - 1)*C_c[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 + S_k[2*j - 2*n]/2,
+        ((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 - C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
+        ((2*n - 1)*C_c[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 + S_k[2*j - 2*n]/2,
     )
 
 
-def by_sine_sum_by_s_slide(j, n, C_m_by_s_slide, S_m_by_s_slide, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide):
+def by_sine_sum_by_s_slide(j, n, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide):
     """Their derivatives by s_slide, of those that depend on it."""
     return (
-        (((2*n - 1)*(2*n - 1))*C_m_by_s_slide[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_slide[2*j - 2*n])/2 + ((2*n - 1)*S_c_by_s_slide[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_slide[2*j - 2*n])/2 - C_k_by_s_slide[2*j + 2*n - 2]/2 + C_k_by_s_slide[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_slide[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m_by_s_slide[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_slide[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c_by_s_slide[2*j - 2*n])/2 + S_k_by_s_slide[2*j + 2*n - 2]/2 + S_k_by_s_slide[2*j - 2*n]/2,
+        ((2*n - 1)*S_c_by_s_slide[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_slide[2*j - 2*n])/2 - C_k_by_s_slide[2*j + 2*n - 2]/2 + C_k_by_s_slide[2*j - 2*n]/2,
+        ((2*n - 1)*C_c_by_s_slide[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c_by_s_slide[2*j - 2*n])/2 + S_k_by_s_slide[2*j + 2*n - 2]/2 + S_k_by_s_slide[2*j - 2*n]/2,
     )
 
 
-def by_sine_sum_by_s_stop(j, n, C_m_by_s_stop, S_m_by_s_stop, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop):
+def by_sine_sum_by_s_stop(j, n, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop):
     """Their derivatives by s_stop, of those that depend on it."""
     return (
-        (((2*n - 1)*(2*n - 1))*C_m_by_s_stop[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_stop[2*j - 2*n])/2 + ((2*n - 1)*S_c_by_s_stop[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_stop[2*j - 2*n])/2 - C_k_by_s_stop[2*j + 2*n - 2]/2 + C_k_by_s_stop[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_stop[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*S_m_by_s_stop[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_stop[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c_by_s_stop[2*j - 2*n])/2 + S_k_by_s_stop[2*j + 2*n - 2]/2 + S_k_by_s_stop[2*j - 2*n]/2,
+        ((2*n - 1)*S_c_by_s_stop[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_stop[2*j - 2*n])/2 - C_k_by_s_stop[2*j + 2*n - 2]/2 + C_k_by_s_stop[2*j - 2*n]/2,
+        ((2*n - 1)*C_c_by_s_stop[2*j + 2*n - 2])/2 - ((2*n - 1)*C_c_by_s_stop[2*j - 2*n])/2 + S_k_by_s_stop[2*j + 2*n - 2]/2 + S_k_by_s_stop[2*j - 2*n]/2,
     )
 
 
-def by_cosine(j, cycles, phi, C_f, C_g, S_g):
+def by_cosine(j, m, cycles, s_slide, s_stop, phi, C_f, C_g, S_g):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
-    return (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2 - C_f[2*j - 1]
+    return (
+        -((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*s_slide + 2*s_stop),
+        (sin(phi)*S_g[cycles + 2*j - 1])/2 + (sin(phi)*S_g[cycles - 2*j + 1])/2 - (cos(phi)*C_g[cycles + 2*j - 1])/2 - (cos(phi)*C_g[cycles - 2*j + 1])/2 - C_f[2*j - 1],
+    )
 
 
-def by_cosine_by_s_slide(j, cycles, phi, C_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide):
+def by_cosine_by_s_slide(j, m, cycles, s_slide, s_stop, phi, C_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide):
     """Their derivatives by s_slide, of those that depend on it."""
-    return (sin(phi)*S_g_by_s_slide[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_slide[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_slide[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_slide[cycles - 2*j + 1])/2 - C_f_by_s_slide[2*j - 1]
+    return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_slide + s_stop)*(s_slide + s_stop))),
+        (sin(phi)*S_g_by_s_slide[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_slide[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_slide[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_slide[cycles - 2*j + 1])/2 - C_f_by_s_slide[2*j - 1],
+    )
 
 
-def by_cosine_by_s_stop(j, cycles, phi, C_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop):
+def by_cosine_by_s_stop(j, m, cycles, s_slide, s_stop, phi, C_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop):
     """Their derivatives by s_stop, of those that depend on it."""
-    return (sin(phi)*S_g_by_s_stop[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_stop[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_stop[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_stop[cycles - 2*j + 1])/2 - C_f_by_s_stop[2*j - 1]
+    return (
+        ((pi*pi)*m*((2*j - 1)*(2*j - 1)))/(2*((s_slide + s_stop)*(s_slide + s_stop))),
+        (sin(phi)*S_g_by_s_stop[cycles + 2*j - 1])/2 + (sin(phi)*S_g_by_s_stop[cycles - 2*j + 1])/2 - (cos(phi)*C_g_by_s_stop[cycles + 2*j - 1])/2 - (cos(phi)*C_g_by_s_stop[cycles - 2*j + 1])/2 - C_f_by_s_stop[2*j - 1],
+    )
 
 
 def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
@@ -173,27 +238,27 @@ def by_cosine_by_phi(j, cycles, phi, C_g, S_g):
     return (sin(phi)*C_g[cycles + 2*j - 1])/2 + (sin(phi)*C_g[cycles - 2*j + 1])/2 + (cos(phi)*S_g[cycles + 2*j - 1])/2 + (cos(phi)*S_g[cycles - 2*j + 1])/2
 
 
-def by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k):
+def by_cosine_sum(j, n, C_c, S_c, C_k, S_k):
     """Coefficients: residual, orthogonal to cos(j omega_0 t)."""
     return (
-        -(((2*n - 1)*(2*n - 1))*S_m[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m[2*j - 2*n])/2 + ((2*n - 1)*C_c[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 - S_k[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m[2*j - 2*n])/2 - ((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 + C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
+        ((2*n - 1)*C_c[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c[2*j - 2*n])/2 + S_k[2*j + 2*n - 2]/2 - S_k[2*j - 2*n]/2,
+        -((2*n - 1)*S_c[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c[2*j - 2*n])/2 + C_k[2*j + 2*n - 2]/2 + C_k[2*j - 2*n]/2,
     )
 
 
-def by_cosine_sum_by_s_slide(j, n, C_m_by_s_slide, S_m_by_s_slide, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide):
+def by_cosine_sum_by_s_slide(j, n, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide):
     """Their derivatives by s_slide, of those that depend on it."""
     return (
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_slide[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m_by_s_slide[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_slide[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c_by_s_slide[2*j - 2*n])/2 + S_k_by_s_slide[2*j + 2*n - 2]/2 - S_k_by_s_slide[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m_by_s_slide[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_slide[2*j - 2*n])/2 - ((2*n - 1)*S_c_by_s_slide[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_slide[2*j - 2*n])/2 + C_k_by_s_slide[2*j + 2*n - 2]/2 + C_k_by_s_slide[2*j - 2*n]/2,
+        ((2*n - 1)*C_c_by_s_slide[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c_by_s_slide[2*j - 2*n])/2 + S_k_by_s_slide[2*j + 2*n - 2]/2 - S_k_by_s_slide[2*j - 2*n]/2,
+        -((2*n - 1)*S_c_by_s_slide[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_slide[2*j - 2*n])/2 + C_k_by_s_slide[2*j + 2*n - 2]/2 + C_k_by_s_slide[2*j - 2*n]/2,
     )
 
 
-def by_cosine_sum_by_s_stop(j, n, C_m_by_s_stop, S_m_by_s_stop, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop):
+def by_cosine_sum_by_s_stop(j, n, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop):
     """Their derivatives by s_stop, of those that depend on it."""
     return (
-        -(((2*n - 1)*(2*n - 1))*S_m_by_s_stop[2*j + 2*n - 2])/2 + (((2*n - 1)*(2*n - 1))*S_m_by_s_stop[2*j - 2*n])/2 + ((2*n - 1)*C_c_by_s_stop[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c_by_s_stop[2*j - 2*n])/2 + S_k_by_s_stop[2*j + 2*n - 2]/2 - S_k_by_s_stop[2*j - 2*n]/2,
-        -(((2*n - 1)*(2*n - 1))*C_m_by_s_stop[2*j + 2*n - 2])/2 - (((2*n - 1)*(2*n - 1))*C_m_by_s_stop[2*j - 2*n])/2 - ((2*n - 1)*S_c_by_s_stop[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_stop[2*j - 2*n])/2 + C_k_by_s_stop[2*j + 2*n - 2]/2 + C_k_by_s_stop[2*j - 2*n]/2,
+        ((2*n - 1)*C_c_by_s_stop[2*j + 2*n - 2])/2 + ((2*n - 1)*C_c_by_s_stop[2*j - 2*n])/2 + S_k_by_s_stop[2*j + 2*n - 2]/2 - S_k_by_s_stop[2*j - 2*n]/2,
+        -((2*n - 1)*S_c_by_s_stop[2*j + 2*n - 2])/2 + ((2*n - 1)*S_c_by_s_stop[2*j - 2*n])/2 + C_k_by_s_stop[2*j + 2*n - 2]/2 + C_k_by_s_stop[2*j - 2*n]/2,
     )
 
 
@@ -288,6 +353,7 @@ def size(order):
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
+    rates = False
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
@@ -298,34 +364,32 @@ def residual(case, z, R):
     s_slide = z[at_s_slide]
     s_stop = z[at_s_stop]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m, m), 2, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
-    C_m = over_m[0][0]
-    S_m = over_m[1][0]
-    over_c = harmonic_integrals((c, 0.0), 1, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
+    over_phases = harmonic_integrals((0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, max(4*N - 2, 2*N + cycles - 1), rates)
+    over_c = weighted_integrals(over_phases, (c, 0.0), 1, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
     C_c = over_c[0][0]
     S_c = over_c[1][0]
-    over_k = harmonic_integrals((k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
+    over_k = weighted_integrals(over_phases, (k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
     C_k = over_k[0][0]
     S_k = over_k[1][0]
-    over_f = harmonic_integrals((F_N*mu_k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
+    over_f = weighted_integrals(over_phases, (F_N*mu_k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
     C_f = over_f[0][0]
     S_f = over_f[1][0]
-    over_g = harmonic_integrals((F, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 2*N + cycles - 1)
+    over_g = weighted_integrals(over_phases, (F, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
     row = 0
     for j in range(1, N + 1):
-        q0 = by_sine(j, cycles, phi, S_f, C_g, S_g)
-        R[row] = q0
+        q0, q1 = by_sine(j, m, cycles, s_slide, s_stop, phi, S_f, C_g, S_g)
+        R[row] = q0*z[at_a + j-1] + q1
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0 = by_cosine(j, cycles, phi, C_f, C_g, S_g)
-        R[row] = q0
+        q0, q1 = by_cosine(j, m, cycles, s_slide, s_stop, phi, C_f, C_g, S_g)
+        R[row] = q0*z[at_b + j-1] + q1
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_c, S_c, C_k, S_k)
             R[row] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     R[row] = 0.0
@@ -346,6 +410,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
+    rates = True
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
     N = (len(z) - 3)//2
     at_a = 0
@@ -356,33 +421,29 @@ def jacobian(case, z, J):
     s_slide = z[at_s_slide]
     s_stop = z[at_s_stop]
     phi = z[at_phi]
-    over_m = harmonic_integrals((m, m), 2, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
-    C_m = over_m[0][0]
-    C_m_by_s_slide = over_m[0][1]
-    C_m_by_s_stop = over_m[0][2]
-    S_m = over_m[1][0]
-    S_m_by_s_slide = over_m[1][1]
-    S_m_by_s_stop = over_m[1][2]
-    over_c = harmonic_integrals((c, 0.0), 1, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
+    over_phases = harmonic_integrals((0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, max(4*N - 2, 2*N + cycles - 1), rates)
+    over_c = weighted_integrals(over_phases, (c, 0.0), 1, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
     C_c = over_c[0][0]
     C_c_by_s_slide = over_c[0][1]
     C_c_by_s_stop = over_c[0][2]
     S_c = over_c[1][0]
     S_c_by_s_slide = over_c[1][1]
     S_c_by_s_stop = over_c[1][2]
-    over_k = harmonic_integrals((k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
+    over_k = weighted_integrals(over_phases, (k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
     C_k = over_k[0][0]
     C_k_by_s_slide = over_k[0][1]
     C_k_by_s_stop = over_k[0][2]
     S_k = over_k[1][0]
     S_k_by_s_slide = over_k[1][1]
     S_k_by_s_stop = over_k[1][2]
-    over_f = harmonic_integrals((F_N*mu_k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 4*N - 1)
+    over_f = weighted_integrals(over_phases, (F_N*mu_k, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
+    C_f = over_f[0][0]
     C_f_by_s_slide = over_f[0][1]
     C_f_by_s_stop = over_f[0][2]
+    S_f = over_f[1][0]
     S_f_by_s_slide = over_f[1][1]
     S_f_by_s_stop = over_f[1][2]
-    over_g = harmonic_integrals((F, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop, 2*N + cycles - 1)
+    over_g = weighted_integrals(over_phases, (F, 0.0), 0, (0.0, s_slide, s_slide + s_stop), 2*s_slide + 2*s_stop)
     C_g = over_g[0][0]
     C_g_by_s_slide = over_g[0][1]
     C_g_by_s_stop = over_g[0][2]
@@ -392,35 +453,39 @@ def jacobian(case, z, J):
     J[:, :] = 0.0
     row = 0
     for j in range(1, N + 1):
-        q0 = by_sine_by_s_slide(j, cycles, phi, S_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide)
-        J[row, at_s_slide] += q0
-        q0 = by_sine_by_s_stop(j, cycles, phi, S_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop)
-        J[row, at_s_stop] += q0
+        q0, _ = by_sine(j, m, cycles, s_slide, s_stop, phi, S_f, C_g, S_g)
+        J[row, at_a + j-1] += q0
+        q0, q1 = by_sine_by_s_slide(j, m, cycles, s_slide, s_stop, phi, S_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide)
+        J[row, at_s_slide] += q0*z[at_a + j-1] + q1
+        q0, q1 = by_sine_by_s_stop(j, m, cycles, s_slide, s_stop, phi, S_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop)
+        J[row, at_s_stop] += q0*z[at_a + j-1] + q1
         q0 = by_sine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
-            q0, q1 = by_sine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_sine_sum(j, n, C_c, S_c, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_sine_sum_by_s_slide(j, n, C_m_by_s_slide, S_m_by_s_slide, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide)
+            q0, q1 = by_sine_sum_by_s_slide(j, n, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide)
             J[row, at_s_slide] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_sine_sum_by_s_stop(j, n, C_m_by_s_stop, S_m_by_s_stop, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop)
+            q0, q1 = by_sine_sum_by_s_stop(j, n, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop)
             J[row, at_s_stop] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for j in range(1, N + 1):
-        q0 = by_cosine_by_s_slide(j, cycles, phi, C_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide)
-        J[row, at_s_slide] += q0
-        q0 = by_cosine_by_s_stop(j, cycles, phi, C_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop)
-        J[row, at_s_stop] += q0
+        q0, _ = by_cosine(j, m, cycles, s_slide, s_stop, phi, C_f, C_g, S_g)
+        J[row, at_b + j-1] += q0
+        q0, q1 = by_cosine_by_s_slide(j, m, cycles, s_slide, s_stop, phi, C_f_by_s_slide, C_g_by_s_slide, S_g_by_s_slide)
+        J[row, at_s_slide] += q0*z[at_b + j-1] + q1
+        q0, q1 = by_cosine_by_s_stop(j, m, cycles, s_slide, s_stop, phi, C_f_by_s_stop, C_g_by_s_stop, S_g_by_s_stop)
+        J[row, at_s_stop] += q0*z[at_b + j-1] + q1
         q0 = by_cosine_by_phi(j, cycles, phi, C_g, S_g)
         J[row, at_phi] += q0
         for n in range(1, N + 1):
-            q0, q1 = by_cosine_sum(j, n, C_m, S_m, C_c, S_c, C_k, S_k)
+            q0, q1 = by_cosine_sum(j, n, C_c, S_c, C_k, S_k)
             J[row, at_a + n-1] += q0
             J[row, at_b + n-1] += q1
-            q0, q1 = by_cosine_sum_by_s_slide(j, n, C_m_by_s_slide, S_m_by_s_slide, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide)
+            q0, q1 = by_cosine_sum_by_s_slide(j, n, C_c_by_s_slide, S_c_by_s_slide, C_k_by_s_slide, S_k_by_s_slide)
             J[row, at_s_slide] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
-            q0, q1 = by_cosine_sum_by_s_stop(j, n, C_m_by_s_stop, S_m_by_s_stop, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop)
+            q0, q1 = by_cosine_sum_by_s_stop(j, n, C_c_by_s_stop, S_c_by_s_stop, C_k_by_s_stop, S_k_by_s_stop)
             J[row, at_s_stop] += q0*z[at_a + n-1] + q1*z[at_b + n-1]
         row += 1
     for n in range(1, N + 1):

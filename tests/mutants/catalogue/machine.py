@@ -277,15 +277,15 @@ MUTANTS = (
     _emission(
         "the ratios of Bessel functions begin too low",
         "runtime/moments",
-        "top = count + 20 + int(2 * sqrt(x))",
-        "top = count + 1",
+        "while left > 1e-18:",
+        "while left > 1e-2:",
         RUNTIME,
     ),
     _emission(
         "integrals of harmonics: the length of the period is forgotten",
         "runtime/harmonics",
-        "(1 - power) * over_c / cell",
-        "over_c / cell",
+        "found[wave, row, k] -= power / cell * found[wave, 0, k]",
+        "found[wave, row, k] -= 0.0",
         RUNTIME,
     ),
     _emission(
@@ -312,8 +312,8 @@ MUTANTS = (
     _emission(
         "the displacement of a phase integrated over twice the time",
         "runtime/phases",
-        "twice = legendre.legint(parts, 2, lbnd=-1, scl=0.5)",
-        "twice = legendre.legint(parts, 2, lbnd=-1, scl=1.0)",
+        "integrated(integrated(parts))",
+        "2 * integrated(integrated(parts))",
         RUNTIME,
     ),
 )
