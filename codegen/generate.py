@@ -1,7 +1,8 @@
 """Write ``generated/``: one module a method, a file only when its text changes.
 
 Input: the records of the methods, the scenes and the expansions.  Output: the folder, complete
-and with nothing else: the modules of the paper's methods, and a folder for each scene.
+and with nothing else: the modules of the paper's methods, a folder for each scene, and one for
+the structures of `space`.
 """
 
 import os
@@ -15,6 +16,7 @@ from .expansions import kernels
 from .scene import Scene
 from .shortcuts.emit import module_source
 from .shortcuts.methods import METHODS, SOLVED, of_the_paper
+from .space import emission as space
 
 #: The folder of the generated modules, beside the folder of this file.
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
@@ -38,7 +40,7 @@ def sources() -> dict[str, str]:
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
         files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}
-    return files
+    return files | space.sources()
 
 
 def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:
