@@ -9,26 +9,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 
 from numpy import cos, exp, expm1, sin, sqrt
 
-NAME = 'beam-crack'
-TITLE = 'a beam with an open crack, as a hinge with a rotational spring'
-SOURCE = ''
-BARE = 'beam'
-HALF_ORDER = 2  # m: (-1)**m u^(2m) = lambda u
-FELT = 2  # the derivative that the attachment feels
-BROKEN = 1  # the one that jumps there
-CLASS = 0
-KIND = 'compliance'
-JUMP = 1  # of the broken derivative under a unit load
-RATES = (-1, 7, 15, 23)  # powers of 1/N of an eigenvalue's error, for 0, 1, ... forced modes
-
-#: Name, symbol, unit, default, what it is; the last is what is attached.
-PARAMETERS = (
-    ('length', 'L', 'm', 1.0, 'length between the supports'),
-    ('bending_stiffness', 'EI', 'N m^2', 1.0, 'bending stiffness'),
-    ('mass_per_length', 'rho_A', 'kg/m', 1.0, 'mass per length'),
-    ('compliance', 'theta', 'rad/(N m)', 10.0, 'angle per moment'),
-)
-
 MATHEMATICS = "cf04f8637539ff61b95c2446063ffca3ca4da78d989b4028e93e9c993be0a1b1"  # of the closed forms, by srepr
 BODY = "24b7ba75a241e834cc49febcda9eeada7f3eb451a2a659a038751e10ba5e6156"  # of the text below
 

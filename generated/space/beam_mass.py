@@ -9,26 +9,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 
 from numpy import cos, exp, expm1, sin, sqrt
 
-NAME = 'beam-mass'
-TITLE = 'a beam with a mass'
-SOURCE = ''
-BARE = 'beam'
-HALF_ORDER = 2  # m: (-1)**m u^(2m) = lambda u
-FELT = 0  # the derivative that the attachment feels
-BROKEN = 3  # the one that jumps there
-CLASS = 2
-KIND = 'inertia'
-JUMP = 1  # of the broken derivative under a unit load
-RATES = (3, 11, 19, 27)  # powers of 1/N of an eigenvalue's error, for 0, 1, ... forced modes
-
-#: Name, symbol, unit, default, what it is; the last is what is attached.
-PARAMETERS = (
-    ('length', 'L', 'm', 1.0, 'length between the supports'),
-    ('bending_stiffness', 'EI', 'N m^2', 1.0, 'bending stiffness'),
-    ('mass_per_length', 'rho_A', 'kg/m', 1.0, 'mass per length'),
-    ('mass', 'm_0', 'kg', 10.0, 'mass attached'),
-)
-
 MATHEMATICS = "df603288b3004aebb3f4c473b332d6e078f8c93e52892d2ffa181ea13b3ad3b0"  # of the closed forms, by srepr
 BODY = "7df3948ba69e78bd5c26373415ea6774a1b64d5f1003083ec8513b06d672803c"  # of the text below
 

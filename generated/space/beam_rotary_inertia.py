@@ -9,26 +9,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 
 from numpy import cos, exp, expm1, sin, sqrt
 
-NAME = 'beam-rotary-inertia'
-TITLE = 'a beam with a rotary inertia'
-SOURCE = ''
-BARE = 'beam'
-HALF_ORDER = 2  # m: (-1)**m u^(2m) = lambda u
-FELT = 1  # the derivative that the attachment feels
-BROKEN = 2  # the one that jumps there
-CLASS = 1
-KIND = 'inertia'
-JUMP = -1  # of the broken derivative under a unit load
-RATES = (1, 9, 17, 25)  # powers of 1/N of an eigenvalue's error, for 0, 1, ... forced modes
-
-#: Name, symbol, unit, default, what it is; the last is what is attached.
-PARAMETERS = (
-    ('length', 'L', 'm', 1.0, 'length between the supports'),
-    ('bending_stiffness', 'EI', 'N m^2', 1.0, 'bending stiffness'),
-    ('mass_per_length', 'rho_A', 'kg/m', 1.0, 'mass per length'),
-    ('inertia', 'J', 'kg m^2', 10.0, 'moment of inertia'),
-)
-
 MATHEMATICS = "11154631c748b6ea9538ddb734a61c04c2029a855335465a9e4cd71ef943608a"  # of the closed forms, by srepr
 BODY = "13afbd4b4d815648c6356306351a90af921d97f4ed067f0eb25c5278cbf69493"  # of the text below
 

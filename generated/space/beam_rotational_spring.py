@@ -9,26 +9,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 
 from numpy import cos, exp, expm1, sin, sqrt
 
-NAME = 'beam-rotational-spring'
-TITLE = 'a beam with a rotational spring'
-SOURCE = 'L. Gu and B. H. Tongue, J. Sound Vib. 119 (1987), [10] of the paper'
-BARE = 'beam'
-HALF_ORDER = 2  # m: (-1)**m u^(2m) = lambda u
-FELT = 1  # the derivative that the attachment feels
-BROKEN = 2  # the one that jumps there
-CLASS = 1
-KIND = 'stiffness'
-JUMP = -1  # of the broken derivative under a unit load
-RATES = (1, 9, 17, 25)  # powers of 1/N of an eigenvalue's error, for 0, 1, ... forced modes
-
-#: Name, symbol, unit, default, what it is; the last is what is attached.
-PARAMETERS = (
-    ('length', 'L', 'm', 1.0, 'length between the supports'),
-    ('bending_stiffness', 'EI', 'N m^2', 1.0, 'bending stiffness'),
-    ('mass_per_length', 'rho_A', 'kg/m', 1.0, 'mass per length'),
-    ('stiffness', 'k_r', 'N m/rad', 10.0, 'stiffness of the spring'),
-)
-
 MATHEMATICS = "a3549a30d2ab1c4530c94ff5f7404845d7f4c175bb8f221dc704cc1d258d3673"  # of the closed forms, by srepr
 BODY = "eb8513b44875b982a8bfec31bc26e2e31e50887aed06cc13a9bfa47055966944"  # of the text below
 

@@ -9,26 +9,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 
 from numpy import cos, exp, expm1, sin, sqrt
 
-NAME = 'beam-spring'
-TITLE = 'a beam with a spring'
-SOURCE = ''
-BARE = 'beam'
-HALF_ORDER = 2  # m: (-1)**m u^(2m) = lambda u
-FELT = 0  # the derivative that the attachment feels
-BROKEN = 3  # the one that jumps there
-CLASS = 2
-KIND = 'stiffness'
-JUMP = 1  # of the broken derivative under a unit load
-RATES = (3, 11, 19, 27)  # powers of 1/N of an eigenvalue's error, for 0, 1, ... forced modes
-
-#: Name, symbol, unit, default, what it is; the last is what is attached.
-PARAMETERS = (
-    ('length', 'L', 'm', 1.0, 'length between the supports'),
-    ('bending_stiffness', 'EI', 'N m^2', 1.0, 'bending stiffness'),
-    ('mass_per_length', 'rho_A', 'kg/m', 1.0, 'mass per length'),
-    ('stiffness', 'k', 'N/m', 10.0, 'stiffness of the spring'),
-)
-
 MATHEMATICS = "ef98fe88976a4483fa6814da673ee506ee1285955d1c2ed0a65325a877463817"  # of the closed forms, by srepr
 BODY = "d601cee581374de6b975d3bd4c461aee7973d477063370a54b436a049d1225c4"  # of the text below
 

@@ -9,26 +9,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 
 from numpy import cos, sin, sqrt
 
-NAME = 'string-mass'
-TITLE = 'a string, cable or rod with a mass'
-SOURCE = ''
-BARE = 'string'
-HALF_ORDER = 1  # m: (-1)**m u^(2m) = lambda u
-FELT = 0  # the derivative that the attachment feels
-BROKEN = 1  # the one that jumps there
-CLASS = 0
-KIND = 'inertia'
-JUMP = -1  # of the broken derivative under a unit load
-RATES = (1, 5, 9, 13)  # powers of 1/N of an eigenvalue's error, for 0, 1, ... forced modes
-
-#: Name, symbol, unit, default, what it is; the last is what is attached.
-PARAMETERS = (
-    ('length', 'L', 'm', 1.0, 'length between the supports'),
-    ('tension', 'T', 'N', 1.0, 'tension of a string or cable; of a rod, E A'),
-    ('mass_per_length', 'rho_L', 'kg/m', 1.0, 'mass per length'),
-    ('mass', 'm_0', 'kg', 10.0, 'mass attached'),
-)
-
 MATHEMATICS = "c3ab41e17edae94f6a6591d4ec0d2d47dc8b76a3943dcf5ad2503154886de95e"  # of the closed forms, by srepr
 BODY = "4fc25dcfc2b28a8acc1d8514a54ad37c9dbcb37fc71e6217691b40ef6d4556e0"  # of the text below
 

@@ -9,26 +9,6 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 
 from numpy import cos, sin, sqrt
 
-NAME = 'string-spring'
-TITLE = 'a string, cable or rod with a spring'
-SOURCE = ''
-BARE = 'string'
-HALF_ORDER = 1  # m: (-1)**m u^(2m) = lambda u
-FELT = 0  # the derivative that the attachment feels
-BROKEN = 1  # the one that jumps there
-CLASS = 0
-KIND = 'stiffness'
-JUMP = -1  # of the broken derivative under a unit load
-RATES = (1, 5, 9, 13)  # powers of 1/N of an eigenvalue's error, for 0, 1, ... forced modes
-
-#: Name, symbol, unit, default, what it is; the last is what is attached.
-PARAMETERS = (
-    ('length', 'L', 'm', 1.0, 'length between the supports'),
-    ('tension', 'T', 'N', 1.0, 'tension of a string or cable; of a rod, E A'),
-    ('mass_per_length', 'rho_L', 'kg/m', 1.0, 'mass per length'),
-    ('stiffness', 'k', 'N/m', 10.0, 'stiffness of the spring'),
-)
-
 MATHEMATICS = "de5c7e2db4752941033b3dcfaf1247421d05670375498d4b7da5350a9f399675"  # of the closed forms, by srepr
 BODY = "557a1122a6831c411087077c56add9f0867667d5d2215bf4ae2e915376d135d0"  # of the text below
 

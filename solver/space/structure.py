@@ -3,9 +3,8 @@
 import types
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
 from importlib import import_module
-from pathlib import Path
+from typing import Any
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated.space"
 
@@ -25,24 +24,21 @@ class Parameter:
     what: str
 
 
+@dataclass(frozen=True)
 class Structure:
-    """A bare structure with one thing attached, from its generated module.
+    """A bare structure with one thing attached, as it was generated.
 
     Parameters
     ----------
-    module : module
-        Of ``generated/space``.
-
-    Attributes
-    ----------
-    name, title, source, bare, kind : str
-        ``kind`` is ``"stiffness"``, ``"inertia"`` or ``"compliance"``.
+    name, title, source : str
+    bare : str
+        ``"beam"`` or ``"string"``.
     m : int
         Half the order of its equation.
     felt, broken : int
         The derivative that the attachment feels, and the one that jumps.
-    k : int
-        The class of its modes.
+    kind : str
+        ``"stiffness"``, ``"inertia"`` or ``"compliance"``.
     jump : int
         Of the broken derivative under a unit load: 1 or -1.
     rates : tuple of int
@@ -51,23 +47,22 @@ class Structure:
         The last is what is attached.
     """
 
-    def __init__(self, module: types.ModuleType) -> None:
-        self.module = module
-        self.name: str = module.NAME
-        self.title: str = module.TITLE
-        self.source: str = module.SOURCE
-        self.bare: str = module.BARE
-        self.kind: str = module.KIND
-        self.m: int = module.HALF_ORDER
-        self.felt: int = module.FELT
-        self.broken: int = module.BROKEN
-        self.k: int = module.CLASS
-        self.jump: int = module.JUMP
-        self.rates: tuple[int, ...] = module.RATES
-        self.parameters = tuple(Parameter(*row) for row in module.PARAMETERS)
+    name: str
+    title: str
+    source: str
+    bare: str
+    m: int
+    felt: int
+    broken: int
+    kind: str
+    jump: int
+    rates: tuple[int, ...]
+    parameters: tuple[Parameter, ...]
 
-    def __repr__(self) -> str:
-        return f"<{self.name}: {self.title} (C{self.k})>"
+    @property
+    def k(self) -> int:
+        """The class of its modes."""
+        return self.broken - 1
 
     @property
     def attached(self) -> Parameter:
@@ -79,18 +74,21 @@ class Structure:
         """How many forced modes there are."""
         return len(self.rates) - 1
 
+    @property
+    def module(self) -> types.ModuleType:
+        """Its closed forms, imported when they are asked for."""
+        return import_module(f"{_GENERATED}.{self.name.replace('-', '_')}")
+
 
 def names() -> tuple[str, ...]:
-    """Return the names of the structures: the modules of ``generated/space``.
+    """Return the names of the structures.
 
     Examples
     --------
     >>> "beam-mass" in names()
     True
     """
-    folders = import_module(_GENERATED).__path__
-    found = {path.stem for folder in folders for path in Path(folder).glob("[a-z]*.py")}
-    return tuple(sorted(name.replace("_", "-") for name in found))
+    return tuple(_records())
 
 
 def load(name: str) -> Structure:
@@ -109,9 +107,11 @@ def load(name: str) -> Structure:
         raise UnknownStructure(
             f"structure: got {name!r}, expected one of {', '.join(known)}{hint}"
         )
-    return _loaded(wanted)
+    record = dict(_records()[wanted])
+    parameters = tuple(Parameter(*row) for row in record.pop("parameters"))
+    return Structure(name=wanted, parameters=parameters, **record)
 
 
-@cache
-def _loaded(name: str) -> Structure:
-    return Structure(import_module(f"{_GENERATED}.{name.replace('-', '_')}"))
+def _records() -> dict[str, dict[str, Any]]:
+    found: dict[str, dict[str, Any]] = import_module(f"{_GENERATED}.structures").STRUCTURES
+    return found

@@ -38,6 +38,10 @@ if TYPE_CHECKING:
     from .solver.shortcuts.orbit.oscillator import StickSlip
     from .solver.shortcuts.search.family import Family, family
     from .solver.shortcuts.search.sweep import Row, Sweep
+    from .solver.space.mode import Mode
+    from .solver.space.modes import Modes, ToleranceNotMet, modes
+    from .solver.space.structure import UnknownStructure
+    from .solver.space.structure import names as structures
     from .solver.sweep import SceneSweep
 
     __version__: str
@@ -50,6 +54,8 @@ _HOMES = {
     "ExactSceneOrbit": ("solver.flow.exact", "ExactSceneOrbit"),
     "Family": ("solver.shortcuts.search.family", "Family"),
     "FileError": ("files.errors", "FileError"),
+    "Mode": ("solver.space.mode", "Mode"),
+    "Modes": ("solver.space.modes", "Modes"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "NotCertified": ("solver.shortcuts.choice.choice", "NotCertified"),
     "Orbit": ("solver.shortcuts.orbit.orbit", "Orbit"),
@@ -60,15 +66,19 @@ _HOMES = {
     "SceneSweep": ("solver.sweep", "SceneSweep"),
     "StickSlip": ("solver.shortcuts.orbit.oscillator", "StickSlip"),
     "Sweep": ("solver.shortcuts.search.sweep", "Sweep"),
+    "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),
     "TooSlow": ("solver.shortcuts.choice.choice", "TooSlow"),
     "UnknownScene": ("solver.case.registry", "UnknownScene"),
+    "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
     "family": ("solver.shortcuts.search.family", "family"),
     "load": ("files.api", "load"),
+    "modes": ("solver.space.modes", "modes"),
     "save": ("files.api", "save"),
     "scenes": ("scene_files.find", "names"),
     "solve": ("oscillators", "solve"),
+    "structures": ("solver.space.structure", "names"),
     "sweep": ("oscillators", "sweep"),
 }
 
@@ -78,6 +88,8 @@ __all__ = [
     "ExactSceneOrbit",
     "Family",
     "FileError",
+    "Mode",
+    "Modes",
     "NoOrbit",
     "NotCertified",
     "Orbit",
@@ -88,17 +100,21 @@ __all__ = [
     "SceneSweep",
     "StickSlip",
     "Sweep",
+    "ToleranceNotMet",
     "TooSlow",
     "UnknownScene",
+    "UnknownStructure",
     "__version__",
     "equations",
     "exact",
     "family",
     "load",
+    "modes",
     "save",
     "scene",
     "scenes",
     "solve",
+    "structures",
     "sweep",
 ]
 
