@@ -38,7 +38,10 @@ STRING = Bare(
     T,
 )
 
-_GU = "L. Gu and B. H. Tongue, J. Sound Vib. 119 (1987), [10] of the paper"
+# As the paper cites them in Section 1.
+_GU = "K. Gu and B. H. Tongue, J. Appl. Mech. 54 (1987) 904-909"
+_LIN = "H. P. Lin and N. C. Perkins, J. Sound Vib. 179 (1995) 131-149"
+_SHEN = "M.-H. H. Shen and C. Pierre, J. Sound Vib. 138 (1990) 115-134"
 
 _ALL = (
     Structure(
@@ -86,6 +89,7 @@ _ALL = (
         kind="compliance",
         attached=Parameter("compliance", theta, "rad/(N m)", 10.0, "angle per moment"),
         strength=theta * EI / L,
+        source=_SHEN,
     ),
     Structure(
         "string-mass",
@@ -95,6 +99,7 @@ _ALL = (
         kind="inertia",
         attached=Parameter("mass", m_0, "kg", 10.0, "mass attached"),
         strength=m_0 / (rho_L * L),
+        source=_LIN,
     ),
     Structure(
         "string-spring",

@@ -11,7 +11,7 @@ unit, default, what it is, and the last is what is attached.
 STRUCTURES = {
     'beam-rotational-spring': {
         'title': 'a beam with a rotational spring',
-        'source': 'L. Gu and B. H. Tongue, J. Sound Vib. 119 (1987), [10] of the paper',
+        'source': 'K. Gu and B. H. Tongue, J. Appl. Mech. 54 (1987) 904-909',
         'bare': 'beam',
         'm': 2,
         'felt': 1,
@@ -79,7 +79,7 @@ STRUCTURES = {
     },
     'beam-crack': {
         'title': 'a beam with an open crack, as a hinge with a rotational spring',
-        'source': '',
+        'source': 'M.-H. H. Shen and C. Pierre, J. Sound Vib. 138 (1990) 115-134',
         'bare': 'beam',
         'm': 2,
         'felt': 2,
@@ -96,7 +96,7 @@ STRUCTURES = {
     },
     'string-mass': {
         'title': 'a string, cable or rod with a mass',
-        'source': '',
+        'source': 'H. P. Lin and N. C. Perkins, J. Sound Vib. 179 (1995) 131-149',
         'bare': 'string',
         'm': 1,
         'felt': 0,

@@ -17,6 +17,9 @@ from .shapes import jump_mismatch, shape_of
 #: Relative error of an eigenvalue below which rounding, and not the expansion, is seen.
 ROUNDING = 1e-14
 
+#: Order from which a rate is fitted.
+FROM = 4
+
 
 @dataclass(frozen=True)
 class Line:
@@ -90,12 +93,14 @@ class Convergence:
     def rate(self, line: Line) -> float | None:
         """Return the fitted power of the order in the error of the eigenvalue.
 
-        Over the errors above rounding; None of fewer than three.
+        Over the errors above rounding, from order `FROM` on; None of fewer than three.
         """
         points = [
             (row.order, abs(row.eigenvalue_error))
             for row in self.of(line)
-            if row.eigenvalue_error is not None and abs(row.eigenvalue_error) > ROUNDING
+            if row.eigenvalue_error is not None
+            and abs(row.eigenvalue_error) > ROUNDING
+            and row.order >= FROM
         ]
         if len(points) < 3:
             return None

@@ -50,7 +50,8 @@ def as_position(value: object) -> Fraction:
     except (ValueError, TypeError, ZeroDivisionError, OverflowError):
         raise ValueError(f"position: got {value!r:.60}, {expected}") from None
     if not 0 < found < 1 or not 0 < float(found) < 1:
-        raise ValueError(f"position: got {value!r:.60}, {expected}")
+        said = str(value) if isinstance(value, Fraction) else repr(value)
+        raise ValueError(f"position: got {said:.60}, {expected}")
     return found
 
 
