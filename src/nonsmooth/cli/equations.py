@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -15,6 +15,10 @@ from . import tex
 from .output import check_target, write_bytes, write_text
 from .problems import Problem
 from .progress import busy
+from .space.named import is_structure
+
+if TYPE_CHECKING:
+    from nonsmooth.codegen.printing.sections import Section
 
 METHODS = ("hb", "hb-c1", "c1")
 
@@ -37,6 +41,7 @@ Examples:
   nonsmooth equations --method c1 --expand 2
   nonsmooth equations --method hb-symmetric    what is solved for hb, hb-c1
   nonsmooth equations impact --method ck-tau -o impact.pdf
+  nonsmooth equations beam-mass
 """
 
 
@@ -84,8 +89,8 @@ def equations(
 ) -> None:  # fmt: skip
     """Print the equations that SymPy derives, with the numbers of the paper.
 
-    SCENE is the name of an oscillator, or the path of its file, a program that is run;
-    without it the equations are those of the paper, of stick-slip.
+    SCENE is the name of an oscillator, or the path of its file, a program that is run, or a
+    structure of 'nonsmooth modes'; without it the equations are those of the paper.
     Text is plain ASCII where the terminal has no other characters, or with LC_ALL=C.
     """
     check_target(output, ())
@@ -167,16 +172,32 @@ def _of_scene(
     to_file: bool,
 ) -> str:  # fmt: skip
     """Return the document of a scene."""
-    from nonsmooth.codegen import show  # noqa: PLC0415
     from nonsmooth.codegen.printing import html, latex, text  # noqa: PLC0415
 
-    shown = show.sections(scene, [method] if method else (), functions)
-    title = f"Galerkin equations of {show.scene_named(scene).title}"
+    shown, title = _sections(scene, [method] if method else [], functions)
     if format_ == "html":
         return html.page_of(shown, title)
     if format_ == "text":
         return text.text_of(shown, to_file or _terminal_has_unicode())
     return latex.fragment_of(shown) if fragment else latex.document_of(shown, title)
+
+
+def _sections(
+    scene: str, methods: list[str], functions: int | None
+) -> "tuple[list[Section], str]":
+    """Return the sections on a scene, or on a structure, and their title."""
+    if is_structure(scene):
+        from nonsmooth.codegen.space import structure_named  # noqa: PLC0415
+        from nonsmooth.codegen.space.show import sections  # noqa: PLC0415
+
+        if functions is not None:
+            raise ValueError(f"functions: got {functions}, {scene} has forced modes, all shown")
+        name = scene.replace("_", "-")
+        return sections(name, methods), f"Modes of {structure_named(name).title}"
+    from nonsmooth.codegen import show  # noqa: PLC0415
+
+    title = f"Galerkin equations of {show.scene_named(scene).title}"
+    return show.sections(scene, methods, functions), title
 
 
 def _terminal_has_unicode() -> bool:
