@@ -1,7 +1,7 @@
 """Modes of beams and strings with one attachment, by three expansions in space.
 
-`structure` finds what was generated, `attached` puts numbers in, `sines`, `forced` and
-`pieces` are the expansions, each a set of bare modes; `secular` attaches the attachment and
-brackets every root, `exact` solves the characteristic equation, `bounds` proves how far a root
-is off, and `modes` and `convergence` are what users call.
+`structure` says what was generated, `attached` puts numbers in. Each of `expansions` is a set
+of modes of the bare structure; `eigenvalues` attaches the attachment by one scalar equation with
+a bracket a root, solves the exact one, and proves bounds. `modes` and `convergence` are what
+users call.
 """

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from . import secular
 from .attached import Attached
+from .eigenvalues import secular
+from .eigenvalues.exact import exact_modes
 from .errors import shape_errors
-from .exact import exact_modes
-from .methods import available, bare_modes, check_order, shown
-from .shapes import jump_mismatch, shape_of
+from .expansions.methods import available, bare_modes, check_order, shown
+from .expansions.shapes import jump_mismatch, shape_of
 
 #: Relative error of an eigenvalue below which rounding, and not the expansion, is seen.
 ROUNDING = 1e-14

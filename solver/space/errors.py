@@ -6,8 +6,8 @@ import numpy as np
 
 from ..arrays import Vector
 from .attached import Attached
-from .exact import ExactModes
-from .shapes import Shape
+from .eigenvalues.exact import ExactModes
+from .expansions.shapes import Shape
 
 #: Points of Gauss quadrature for each half wave of what is integrated, and at least.
 POINTS, LEAST = 8, 40

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ..arrays import Vector
 from .attached import Attached
-from .shapes import Shape, jump_mismatch
+from .expansions.shapes import Shape, jump_mismatch
 
 #: What the broken derivative is in mechanics, by the class.
 QUANTITIES = {0: "slope", 1: "moment", 2: "shear force"}

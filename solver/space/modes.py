@@ -8,11 +8,11 @@ from typing import Any, overload
 import numpy as np
 
 from ..case.parameters import is_number
-from . import bounds, secular
 from .attached import POSITION, Attached, attach
-from .bare import BareModes
-from .exact import ExactModes, exact_modes
-from .methods import (
+from .eigenvalues import bounds, secular
+from .eigenvalues.exact import ExactModes, exact_modes
+from .expansions.bare import BareModes
+from .expansions.methods import (
     HIGHEST,
     available,
     bare_modes,
@@ -21,8 +21,8 @@ from .methods import (
     generic_method,
     shown,
 )
+from .expansions.shapes import shape_of
 from .mode import Mode
-from .shapes import shape_of
 from .structure import Structure, load
 
 #: Method, order and number of modes where nothing else is said.

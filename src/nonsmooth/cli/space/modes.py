@@ -125,7 +125,7 @@ def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
     Problem
         If there are none such; with status 1 if no order is within the tolerance.
     """
-    from nonsmooth.solver.space.methods import METHODS  # noqa: PLC0415
+    from nonsmooth.solver.space.expansions.methods import METHODS  # noqa: PLC0415
     from nonsmooth.solver.space.modes import ToleranceNotMet  # noqa: PLC0415
     from nonsmooth.solver.space.modes import modes as modes_of  # noqa: PLC0415
 

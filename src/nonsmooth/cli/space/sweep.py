@@ -78,7 +78,7 @@ def lines_of(structure: "Structure", methods: str | None, forced: str | None) ->
         If one of them is unknown.
     """
     from nonsmooth.solver.space.convergence import Line  # noqa: PLC0415
-    from nonsmooth.solver.space.methods import METHODS, check_forced, generic_method  # noqa: PLC0415
+    from nonsmooth.solver.space.expansions.methods import METHODS, check_forced, generic_method  # noqa: PLC0415
 
     said = list(METHODS) if methods is None else [part.strip() for part in methods.split(",")]
     with as_problems({"method": "methods"}):

@@ -16,8 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
-from .bare import BareModes
+from ...arrays import Matrix, Vector
+from ..expansions.bare import BareModes
 from .bracketing import EPS, bracketed
 
 #: Units of rounding by which each term, and each eigenvalue, may be off.

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Protocol
 
-from ..arrays import Matrix, Vector
+from ...arrays import Matrix, Vector
 
 
 class Shapes(Protocol):

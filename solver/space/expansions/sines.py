@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
-from .attached import Attached
+from ...arrays import Matrix, Vector
+from ..attached import Attached
 from .bare import BareModes
 
 

@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from .attached import Attached
+from ..attached import Attached
+from ..eigenvalues.secular import number
+from ..structure import Structure
 from .bare import BareModes
 from .forced import ritz_forced
 from .pieces import piecewise
-from .secular import number
-from .structure import Structure
 
 #: ``ritz``: sines; ``ritz-ck``: sines and forced modes; ``ck``: functions of class C^k only.
 METHODS = ("ritz", "ritz-ck", "ck")

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import legendre
 
-from ..arrays import Matrix, Vector
-from .attached import Attached
+from ...arrays import Matrix, Vector
+from ..attached import Attached
 from .bare import BareModes
 
 

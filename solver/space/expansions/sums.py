@@ -7,9 +7,9 @@ from functools import lru_cache
 import numpy as np
 from scipy.special import zeta
 
-from ..arrays import Vector
-from .attached import Attached
-from .bracketing import EPS
+from ...arrays import Vector
+from ..attached import Attached
+from ..eigenvalues.bracketing import EPS
 
 #: Modes that are summed one by one.
 SUMMED = 20_000

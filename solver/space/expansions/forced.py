@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import eigh
 
-from ..arrays import Matrix, Vector
-from .attached import Attached
+from ...arrays import Matrix, Vector
+from ..attached import Attached
 from .bare import BareModes
 from .sines import Sines, ritz
 from .sums import left_out

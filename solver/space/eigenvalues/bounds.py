@@ -10,13 +10,13 @@ Radau tail below.  Each bound is widened by what rounding may have done.
 import numpy as np
 from scipy.linalg import LinAlgError, eigh
 
-from ..arrays import Vector
+from ...arrays import Vector
+from ..attached import Attached
+from ..expansions.bare import BareModes
+from ..expansions.sines import ritz
+from ..expansions.sums import left_out
 from . import secular
-from .attached import Attached
-from .bare import BareModes
 from .secular import Roots
-from .sines import ritz
-from .sums import left_out
 
 
 def above(roots: Roots) -> Vector:

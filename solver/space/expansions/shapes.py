@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Vector
-from .attached import Attached
+from ...arrays import Vector
+from ..attached import Attached
+from ..eigenvalues.secular import Roots
 from .bare import BareModes
-from .secular import Roots
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..arrays import Vector
+from ...arrays import Vector
 
 #: Steps: bisection alone takes a thousand to the least float, this some ten.
 STEPS = 1200

@@ -11,11 +11,11 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
-from .attached import Attached
+from ...arrays import Matrix, Vector
+from ..attached import Attached
+from ..expansions.sums import left_out
+from ..position import Integers
 from .bracketing import bracketed
-from .position import Integers
-from .sums import left_out
 
 #: Below this `beta` the closed form of a beam cancels; its power series there takes `TERMS`
 #: terms, sums over `MODES` modes.
