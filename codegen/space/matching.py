@@ -4,6 +4,8 @@ Input: a structure.  Output: the matrix of the conditions, and a proof that its 
 a power of `beta` times the characteristic equation.
 """
 
+from functools import cache
+
 import sympy as sp
 
 from ..system import DerivationError
@@ -36,6 +38,7 @@ def matrix(structure: Structure) -> sp.Matrix:
     return sp.Matrix(rows)
 
 
+@cache
 def check_determinant(structure: Structure) -> sp.Expr:
     """Return determinant over characteristic equation: a number times a power of `beta`.
 
