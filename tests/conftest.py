@@ -22,7 +22,13 @@ settings.register_profile("fixed", deadline=None, derandomize=True)
 settings.load_profile("fixed")
 
 #: Rooms whose tests share what they derive: one process runs them.
-SHARED = {"derivation": "paper", "shown": "paper", "galerkin": "machine", "show": "machine"}
+SHARED = {
+    "derivation": "paper",
+    "shown": "paper",
+    "galerkin": "machine",
+    "show": "machine",
+    "space": "space",
+}
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

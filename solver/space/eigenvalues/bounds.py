@@ -72,6 +72,7 @@ def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
         unknowns=len(nothing),
         shapes=sines.shapes,
         off=left.error,
+        inexact=np.ones(len(nothing)),
     )
 
 

@@ -66,9 +66,10 @@ def eigenvalues(bare: BareModes, kind: str, s: float, count: int) -> Roots:
     values = all_origins[order] + all_shifts[order]
     coupled = mark[order] < 0
     rounding = ROUNDINGS * EPS * values
+    rounding[~coupled] *= bare.inexact[mark[order][~coupled]]
     if coupled.any():
         found = _sensitivity(
-            poles, weights, h, kind, s, bare.off,
+            poles, poles * bare.inexact[felt], weights, h, kind, s, bare.off,
             all_origins[order][coupled], all_shifts[order][coupled],
         )  # fmt: skip
         rounding[coupled] += ROUNDINGS * EPS * found
@@ -89,19 +90,19 @@ def number(bare: BareModes, kind: str) -> int:
 
 
 def _sensitivity(
-    poles: Vector, weights: Vector, h: float, kind: str, s: float, off: float,
+    poles: Vector, inexact: Vector, weights: Vector, h: float, kind: str, s: float, off: float,
     origin: Vector, shift: Vector,
 ) -> Vector:  # fmt: skip
     """Return the sum of the moduli of the terms over the slope of the equation.
 
-    Times the unit of rounding, this is how far each root moves if every term and every bare
-    eigenvalue is off by that.
+    Times the unit of rounding, this is how far each root moves if every term is off by that,
+    and every bare eigenvalue by so many of its units.
     """
     gap = (poles[None, :] - origin[:, None]) - shift[:, None]
     gap = np.where(gap == 0, np.finfo(float).tiny, gap)
     terms = np.abs(weights / gap)
     slopes = terms / np.abs(gap)
-    sizes = h + off / EPS + (terms + slopes * poles).sum(axis=1)
+    sizes = h + off / EPS + (terms + slopes * inexact).sum(axis=1)
     if kind == "stiffness":
         return np.asarray((1 / s + sizes) / slopes.sum(axis=1))
     slope = h + (slopes * poles).sum(axis=1)

@@ -48,6 +48,8 @@ class BareModes:
     off : float
         By how much the sum of ``r_i^2/(Lambda_i - lambda)`` may be off, at most, but for
         the rounding of its terms.
+    inexact : ndarray, shape (P,)
+        By how many units of rounding each eigenvalue may be off.
     """
 
     eigenvalues: Vector
@@ -59,4 +61,5 @@ class BareModes:
     hinge_at_a: float
     unknowns: int
     shapes: Shapes
-    off: float = 0.0
+    off: float
+    inexact: Vector

@@ -106,6 +106,8 @@ def ritz_forced(attached: Attached, N: int, chosen: tuple[int, ...]) -> BareMode
         hinge_at_a=float(at_a[0]) if hinged else 0.0,
         unknowns=N + len(chosen),
         shapes=shapes,
+        off=0.0,
+        inexact=np.ones(N),
     )
     return _with_tails(found, attached, N, tails) if tails else found
 
@@ -147,4 +149,5 @@ def _with_tails(
         unknowns=sines.unknowns,
         shapes=WithForcedModes(attached, N, tails, unit),
         off=left.error,
+        inexact=np.ones(N + len(tails)),
     )

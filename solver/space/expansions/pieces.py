@@ -13,6 +13,7 @@ from numpy.polynomial import legendre
 
 from ...arrays import Matrix, Vector
 from ..attached import Attached
+from ..eigenvalues.bracketing import EPS
 from .bare import BareModes
 
 
@@ -179,6 +180,9 @@ def piecewise(
         hinge_at_a=0.0,
         unknowns=len(sigma) + compliant,
         shapes=PieceModes(modes),
+        off=4 * EPS * (hat_mass or float(np.sum((felt * sigma) ** 2))),
+        # singular values are off by a rounding error of the largest
+        inexact=1 + np.sqrt(len(sigma)) * sigma[0] / sigma,
     )
 
 

@@ -44,4 +44,6 @@ def ritz(attached: Attached, N: int) -> BareModes:
         hinge_at_a=0.0,
         unknowns=N,
         shapes=Sines(N),
+        off=0.0,
+        inexact=np.ones(N),
     )
