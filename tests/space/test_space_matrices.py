@@ -10,6 +10,7 @@ from nonsmooth.solver.space.eigenvalues.exact import exact_modes
 from nonsmooth.solver.space.expansions.forced import ForcedModes, ritz_forced
 from nonsmooth.solver.space.expansions.pieces import piecewise
 from nonsmooth.solver.space.expansions.sines import Sines
+from nonsmooth.solver.space.expansions.sums import _cosines
 from nonsmooth.solver.space.modes import at_order, modes
 
 
@@ -214,3 +215,13 @@ def test_a_place_in_metres_and_internal_forces_in_si_units() -> None:
         mode.shape(2.1)
     with pytest.raises(ValueError, match="a string has none"):
         modes("string-mass")[0].moment(0.5)
+
+
+@pytest.mark.parametrize(("p", "last", "a"), [(2, 1000, 0.3), (4, 4000, 0.01), (6, 1000, 0.41)])
+def test_sums_of_cosines_beyond_the_last_mode(p: int, last: int, a: float) -> None:
+    found, off = _cosines(p, last, a)
+    with mp.workdps(30):
+        n = range(1, last + 1)
+        before = mp.fsum(mp.cos(2 * mp.pi * k * mp.mpf(a)) / mp.mpf(k) ** p for k in n)
+        wanted = float(mp.re(mp.polylog(p, mp.e ** (2j * mp.pi * mp.mpf(a)))) - before)
+    assert abs(found - wanted) < off < 1e-2 * abs(wanted)

@@ -102,10 +102,13 @@ def test_two_forced_modes_and_32_sines_give_13_digits() -> None:
         assert off.min() > -1e-14  # Ritz values lie above
 
 
-@pytest.mark.parametrize(("order", "forced"), [(8, 0), (8, 1), (16, 3)])
+@pytest.mark.parametrize(
+    ("order", "forced"),
+    [(8, 1), (16, 3), *(pytest.param(*q, marks=pytest.mark.long) for q in ((8, 0), (64, 2)))],
+)
 def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
     proved = 0
-    for each in references():
+    for each in references()[:: 1 if order == 8 else 3]:
         one = of(each)
         bare = ritz_forced(one, order, tuple(range(1, forced + 1)))
         roots = secular.eigenvalues(bare, one.structure.kind, one.s, 6)
@@ -118,7 +121,7 @@ def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
         known = ~np.isnan(low)
         assert (low[known] <= exact[known]).all(), each
         proved += int(known.sum())
-    assert proved > 1000
+    assert proved > 300
 
 
 def test_the_allowance_for_rounding_is_no_more_than_that() -> None:

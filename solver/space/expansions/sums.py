@@ -11,8 +11,9 @@ from ...arrays import Vector
 from ..attached import Attached
 from ..eigenvalues.bracketing import EPS
 
-#: Modes that are summed one by one.
-SUMMED = 20_000
+#: Modes that are summed one by one: at least, and at most; between them so many that the
+#: cosine in ``r_n^2`` makes this many turns.
+FEWEST, MOST, TURNS = 1_000, 50_000, 40
 
 
 @dataclass(frozen=True)
@@ -31,12 +32,15 @@ class LeftOut:
     error: float
 
 
-def left_out(attached: Attached, N: int, most: int, summed: int = SUMMED) -> LeftOut:
+def left_out(attached: Attached, N: int, most: int, summed: int | None = None) -> LeftOut:
     """Return the sums over the modes beyond the first `N`, up to ``q = most``.
 
     Summed one by one they have their digits, but for the first of a load that converges
     slowly: that is the closed form less its first N terms.
     """
+    if summed is None:
+        turns = TURNS / float(min(attached.a, 1 - attached.a))
+        summed = int(min(max(FEWEST, turns), MOST))
     lower = 1 if attached.structure.kind == "compliance" else 0
     found, first_off = [], 0.0
     for q in range(1 + lower, most + 1 + lower):
@@ -60,20 +64,32 @@ def _summed(attached: Attached, N: int, q: int, last: int) -> tuple[float, float
     """Return the sum one by one and what it leaves, and how far off it may be.
 
     Beyond the last mode ``r_n^2`` is ``(n pi)^(2j) (1 -+ cos(2 pi n a))``: one, by the Hurwitz
-    zeta function, and a cosine, by summation by parts to first order.
+    zeta function, and a cosine; see `_cosines`.
     """
     weights, bare = _terms(attached, last)
     j = attached.structure.felt
     power = 2 * attached.structure.m * q - 2 * j
     unit = bare[N]  # whose powers do not overflow
     head = float(np.sum((weights[N:] * (unit / bare[N:]) ** q)[::-1]) * unit**-q)
-    a, middle = float(attached.a), last + 0.5
-    turned = math.sin(math.pi * math.fmod(2 * middle * a, 2.0)) / (2 * math.sin(math.pi * a))
-    scale = (math.pi * middle) ** -power
-    cosines = -scale * turned
-    rest = math.pi**-power * zeta(power, last + 1) - (-1) ** j * cosines
-    off = scale * power / middle / (2 * math.sin(math.pi * a)) ** 2
-    return head + rest, off + 2 * EPS * head
+    cosines, off = _cosines(power, last, float(attached.a))
+    rest = math.pi**-power * (zeta(power, last + 1) - (-1) ** j * cosines)
+    return head + rest, math.pi**-power * off + 2 * EPS * head
+
+
+def _cosines(p: int, last: int, a: float) -> tuple[float, float]:
+    """Return the sum of ``cos(2 pi n a)/n^p`` over ``n > last``, and how far it may be off.
+
+    With ``z = exp(2 pi i a)`` and ``F(t) = sum of exp((n + 1/2) (t + 2 pi i a))``, which is
+    ``i/(2 sin(pi a))`` at 0, it is the real part of ``z^(last + 1/2)`` times the Taylor series
+    of ``n^-p`` about ``last + 1/2``, with the derivatives of F for powers: three terms of it.
+    """
+    x, angle = last + 0.5, math.fmod((2 * last + 1) * a, 2.0) * math.pi
+    sine, cosine = math.sin(math.pi * a), math.cos(math.pi * a)
+    turned = math.sin(angle) / (2 * sine)
+    first = p / x * math.cos(angle) * cosine / (4 * sine**2)
+    second = p * (p + 1) / x**2 * math.sin(angle) * (1 + cosine**2) / (16 * sine**3)
+    third = p * (p + 1) * (p + 2) / (2 * x * sine) ** 3 / sine
+    return x**-p * (first + second - turned), x**-p * third
 
 
 @lru_cache(maxsize=8)
