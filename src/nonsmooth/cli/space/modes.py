@@ -194,7 +194,7 @@ def run_family(
         raise Problem("--vary: got --method all with it, expected one method")
     over = parse_vary(vary, log, attached)
     found: list[Modes] = []
-    with progress(len(over.values), "modes") as advance:
+    with progress(len(over.values), "sweep") as advance:
         for value, each in zip(over.labels, over.structures, strict=True):
             found += compute(each, wanted)
             advance(f"{over.name} = {value}")
@@ -205,7 +205,12 @@ def run_family(
         click.echo(text, nl=False)
     else:
         click.echo(shown.caption(attached))
-        click.echo(f"{over.name} varies; {found[0].shown}, N = {found[0].order}\n")
+        words = (
+            f"{found[0].shown}, N = {found[0].order}"
+            if wanted["tol"] is None
+            else "to a tolerance"
+        )
+        click.echo(f"{over.name} varies, in place of the value above; {words}\n")
         shown.family(over.name, over.labels, found)
     if output is not None:
         if output.suffix.lower() == ".json":
