@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from known import FELT, NAMES, attached
 
+from nonsmooth.report import space
 from nonsmooth.solver.space.attached import Attached
 from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.eigenvalues import secular
@@ -249,3 +250,14 @@ def test_no_root_is_missed_near_a_node() -> None:
         found = at_order(near, "ritz-ck", 16, 1, 8)
         assert [mode.number for mode in found] == list(range(1, 9))
         assert max(abs(mode.error) for mode in found) < 1e-2
+
+
+def test_the_table_of_the_report() -> None:
+    table = {row.name: row for row in space.rows()}
+    assert [len(row.errors) for row in table.values()] == [len(space.heads())] * 5
+    assert {name: row.k for name, row in table.items()}["beam-mass"] == 2
+    assert table["beam-crack"].errors[0] == "290%"  # the frequency of the sound beam
+    spring = table["beam-rotational-spring"].errors
+    assert float(spring[0]) == pytest.approx(6.5e-3, rel=0.02)
+    assert float(spring[1]) == pytest.approx(5.9e-11, rel=0.05)
+    assert spring[2] == "rounding"

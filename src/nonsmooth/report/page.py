@@ -15,6 +15,7 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip
 from nonsmooth.solver.shortcuts.search.kernels import module
 from nonsmooth.style import FLOOR
 
+from . import space
 from .captions import PLATES, Plate, flags
 from .case import MOST, Case
 from .claims import CLAIMS, GROUPS
@@ -222,6 +223,8 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         inside=FIRST <= belt.alpha <= LAST,
         alphas=(f"{FIRST:g}", f"{LAST:g}"),
         map=inline(pictures["claims"], "claims", words),
+        space=space.rows(),
+        space_heads=space.heads(),
         equations=_equations(),
         equation_style=STYLE,
         hashes={name: module(name).MATHEMATICS[:16] for name in GENERATED},
