@@ -82,12 +82,20 @@ class Attached:
     @property
     def description(self) -> str:
         """The parameters in one line, and the dimensionless strength."""
+        return self.described()
+
+    def described(self, varied: str = "") -> str:
+        """Return the same without what is varied, and what follows from it."""
         listed = ", ".join(
             f"{q.symbol} = {self.values[q.name]:g}{f' {q.unit}' if q.unit else ''}"
             for q in self.structure.parameters
+            if q.name != varied
         )
         place = str(self.a) if self.a.denominator <= 10**4 else f"{float(self.a):.12g}"
-        return f"{listed}; a = {place}, s = {self.s:.6g}"
+        derived = [] if varied == "position" else [f"a = {place}"]
+        if varied in ("", "position"):
+            derived.append(f"s = {self.s:.6g}")
+        return f"{listed}; {', '.join(derived)}"
 
 
 def attach(structure: Structure, position: object = POSITION, **given: float) -> Attached:

@@ -204,13 +204,13 @@ def run_family(
     if json_:
         click.echo(text, nl=False)
     else:
-        click.echo(shown.caption(attached))
+        click.echo(shown.caption(attached, over.name.replace("-", "_")))
         words = (
             f"{found[0].shown}, N = {found[0].order}"
             if wanted["tol"] is None
             else "to a tolerance"
         )
-        click.echo(f"{over.name} varies, in place of the value above; {words}\n")
+        click.echo(f"{over.name} varies; {words}\n")
         shown.family(over.name, over.labels, found)
     if output is not None:
         if output.suffix.lower() == ".json":

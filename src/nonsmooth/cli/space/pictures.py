@@ -176,5 +176,6 @@ def family_figure(over: "Vary", found: "Sequence[Modes]") -> Figure:
     figure.legend(loc="outside right center", frameon=False)
     expansion = found[0]
     words = f"{expansion.structure.name} by {expansion.shown}, N = {expansion.order}"
-    figure.supxlabel(f"{words}: {expansion.attached.description}", fontsize=7, wrap=True)
+    said = expansion.attached.described(over.name.replace("-", "_"))
+    figure.supxlabel(f"{words}: {said}", fontsize=7, wrap=True)
     return figure
