@@ -152,6 +152,8 @@ def test_pieces_satisfy_what_they_must(name: str) -> None:
     )
     if one.structure.kind == "compliance":
         hinge = shapes.hinge(x, 0)
+        assert np.diff(shapes.hinge(beside, 1))[0] == pytest.approx(one.structure.jump)
+        np.testing.assert_allclose(shapes.hinge(ends, 0), 0, atol=1e-15)
         assert weights @ hinge**2 == pytest.approx(bare.hinge_mass, rel=1e-13)
         np.testing.assert_allclose(low @ (weights * hinge), bare.felt[:6], atol=1e-14)
         left = hinge - bare.felt @ shapes.values(x, 0)
