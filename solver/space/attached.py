@@ -15,6 +15,10 @@ from .structure import Structure
 #: Dimensionless strengths beyond which rounding is not what is said of it.
 LEAST, MOST = 1e-9, 1e9
 
+#: The nearest that it may be to an end, as a part of the length: nearer, sums over modes that
+#: hardly move there would take too many of them.
+NEAREST = Fraction(1, 10_000)
+
 #: Where the attachment is if nothing else is said.
 POSITION = "3/10"
 
@@ -109,6 +113,10 @@ def attach(structure: Structure, position: object = POSITION, **given: float) ->
     errors, a = [], Fraction(1, 2)
     try:
         a = as_position(position)
+        if min(a, 1 - a) < NEAREST:
+            raise ValueError(
+                f"position: got {float(a):g}, expected {NEAREST} from an end or more"
+            )
     except ValueError as error:
         errors.append(str(error))
     known = {q.name: q for q in structure.parameters}

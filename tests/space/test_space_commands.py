@@ -116,6 +116,7 @@ MISTAKES = {
     ("beam-mass", "--position", "1"): "above 0 and below 1",
     ("beam-mass", "--position", "7/5"): "--position: got '7/5'",
     ("beam-mass", "--position", "1/0"): "--position: got '1/0'",
+    ("beam-mass", "--position", "1e-5"): "--position: got 1e-05, expected 1/10000 from an end",
     ("beam-mass", "--position", "middle"): "--position: got 'middle'",
     ("beam-mass", "--mass", "0"): "--mass: got 0.0, expected a number above 0 in kg (without",
     ("beam-spring", "--stiffness", "-5"): "beyond a critical one it buckles",

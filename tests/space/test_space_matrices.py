@@ -193,6 +193,15 @@ def test_a_mode_is_normalised_and_rises_from_its_first_end() -> None:
                 assert mode.shape(0.0, 1) > 0
 
 
+def test_nothing_is_proved_from_below_beyond_the_first_sine_left_out() -> None:
+    one = attached("beam-spring", "2/7")
+    found = at_order(one, "ritz-ck", 2, 1, 3)
+    first_left_out = one.bare(np.array([3]))[0]
+    assert [mode.eigenvalue < first_left_out for mode in found] == [True, True, False]
+    assert [mode.bounds[0] is None for mode in found] == [False, False, True]
+    assert found[2].proved_within is None
+
+
 def test_no_digit_is_lost_for_a_weak_attachment() -> None:
     """The shift from the bare eigenvalue, 1e-8 of it, keeps its digits."""
     one = attached("beam-spring", "3/10", 1e-6)

@@ -2,8 +2,8 @@
 
 The equation is that of `secular` with all modes, whose sum is the closed form that SymPy
 derived. Between two wave numbers ``n pi`` that are felt it is monotone; the unknown is the
-distance from the nearer one, and sines are taken from the nearest ``n pi``, so that neither a
-weak attachment nor one near a node costs digits.
+distance from the nearer one, and sines are taken from there, so that neither a weak attachment
+nor one near a node costs digits.
 """
 
 from dataclasses import dataclass
@@ -106,12 +106,10 @@ class ExactModes:
 
 
 class _Sines:
-    """Sines and cosines of ``beta``, ``beta a`` and ``beta b``, from the nearest ``n pi``."""
+    """Sines and cosines of ``beta``, ``beta a``, ``beta b`` for ``beta = n pi + offset``."""
 
     def __init__(self, attached: Attached, n: Integers, offset: Vector) -> None:
         a, b = float(attached.a), float(1 - attached.a)
-        nearest = np.rint(offset / np.pi).astype(int)
-        n, offset = n + nearest, offset - nearest * np.pi
         self.offset = np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
         sine, cosine = attached.sines(n)
         sign = np.where(n % 2 == 0, 1.0, -1.0)

@@ -115,13 +115,13 @@ MUTANTS = (
         "eigenvalues/bounds",
         "    valid = roots.values < attached.bare(np.array([N + 1]))[0]",
         "    valid = roots.values > 0",
-        COMMANDS,
+        MATRICES,
     ),
     _solver(
-        "the exact equation takes its sines from the wrong multiple of pi",
+        "sines behind the attachment have the sign of even modes",
         "eigenvalues/exact",
-        "nearest = np.rint(offset / np.pi).astype(int)",
-        "nearest = np.zeros_like(offset).astype(int)",
+        "_turned(-sign * sine, sign * cosine, self.offset * b)",
+        "_turned(-sine, cosine, self.offset * b)",
         REFERENCES,
     ),
     _solver(
