@@ -12,7 +12,7 @@ from .structures import structure_named
 
 n, N, i, j, l = sp.symbols("n N i j l", integer=True, positive=True)
 u, g = sp.Function("u"), sp.IndexedBase("g")
-phi, mu, r, S, left_over = (sp.IndexedBase(name) for name in ("phi", "mu", "r", "S", "s"))
+phi, bare, r, S, left_over = (sp.IndexedBase(name) for name in ("phi", "mu", "r", "S", "s"))
 G, zero = sp.Symbol("G"), sp.Integer(0)
 
 #: What is shown of each expansion, by its generic name.
@@ -136,7 +136,7 @@ def _exact(structure: Structure) -> Iterator[Equation]:
     wave = n * sp.pi
     around = (sp.sin(wave * a), sp.cos(wave * a), -sp.sin(wave * a))[structure.felt]
     yield Equation("", "modes without the attachment", (phi[n], sp.sqrt(2) * sp.sin(wave * x)))
-    yield Equation("", "their eigenvalues", (mu[n], wave ** (2 * structure.m)))
+    yield Equation("", "their eigenvalues", (bare[n], wave ** (2 * structure.m)))
     yield Equation(
         "", "what the attachment feels of them; where it is zero, the mode stays",
         (r[n], sp.sqrt(2) * wave**structure.felt * around),
@@ -145,9 +145,9 @@ def _exact(structure: Structure) -> Iterator[Equation]:
 
 def _scalar(structure: Structure, last: sp.Expr, tail: sp.Expr) -> sp.Expr:
     """Return the equation of an expansion, with sines up to `last` and a tail."""
-    total = sp.Sum(r[n] ** 2 / (mu[n] - lam), (n, 1, last)) + tail
+    total = sp.Sum(r[n] ** 2 / (bare[n] - lam), (n, 1, last)) + tail
     if structure.kind == "compliance":
-        inside = sp.Sum(r[n] ** 2 / (mu[n] ** 2 * (mu[n] - lam)), (n, 1, last)) + tail
+        inside = sp.Sum(r[n] ** 2 / (bare[n] ** 2 * (bare[n] - lam)), (n, 1, last)) + tail
         return 1 - s * lam * (S[2] + lam * inside)
     factor = s if structure.kind == "stiffness" else -s * lam
     return 1 + factor * total
@@ -159,7 +159,7 @@ def _ritz(structure: Structure) -> Iterator[Equation]:
     if structure.kind == "compliance":
         yield Equation(
             "", "no sine has a jump: the modes are those without the attachment, at any order",
-            (lam, mu[n]),
+            (lam, bare[n]),
         )  # fmt: skip
         return
     yield Equation(
@@ -197,7 +197,7 @@ def _forced_modes(structure: Structure) -> Iterator[Equation]:
             yield Equation("", f"forced mode {number}; `a < x`", (g[number], right))
     lowest = 2 if structure.kind == "compliance" else 1
     for number in range(lowest, lowest + 2):
-        whole = sp.Sum(r[n] ** 2 / mu[n] ** number, (n, 1, sp.oo))
+        whole = sp.Sum(r[n] ** 2 / bare[n] ** number, (n, 1, sp.oo))
         sides = (S[number], whole, forced_modes.static_sum(structure, number))
         yield Equation("", "sum of what is felt, a Bernoulli polynomial of `a`", sides)
 
@@ -205,7 +205,7 @@ def _forced_modes(structure: Structure) -> Iterator[Equation]:
 def _products(structure: Structure) -> Iterator[Equation]:
     primes = "'" * structure.m
     primed = sp.IndexedBase(f"g{primes}")
-    sine = (Inner(phi[n], g[i]), r[n] / mu[n] ** i)
+    sine = (Inner(phi[n], g[i]), r[n] / bare[n] ** i)
     yield Equation("", "inner product with a sine: one term", sine)
     yield Equation("", "inner product of two", (Inner(g[i], g[j]), S[i + j]))
     but = ", on both sides; zero for the first by itself"
@@ -214,7 +214,7 @@ def _products(structure: Structure) -> Iterator[Equation]:
 
 
 def _tails(structure: Structure, K: sp.Symbol) -> Iterator[Equation]:
-    rest = sp.Sum(r[n] ** 2 / mu[n] ** i, (n, N + 1, sp.oo))
+    rest = sp.Sum(r[n] ** 2 / bare[n] ** i, (n, N + 1, sp.oo))
     yield Equation("", "sums over the modes left out", (left_over[i], rest))
     tail = sp.Function("t_K")(lam)
     yield Equation("", "all conditions as one equation", (_scalar(structure, N, tail), zero))

@@ -11,7 +11,7 @@ from nonsmooth.cli import cli
 
 COMMANDS = (
     "scenes", "generate", "equations", "solve", "sweep", "roots", "stability", "tradeoff",
-    "report",
+    "report", "modes",
 )  # fmt: skip
 
 

@@ -98,10 +98,10 @@ def _sensitivity(
     Times the unit of rounding, this is how far each root moves if every term is off by that,
     and every bare eigenvalue by so many of its units.
     """
-    gap = (poles[None, :] - origin[:, None]) - shift[:, None]
-    gap = np.where(gap == 0, np.finfo(float).tiny, gap)
-    terms = np.abs(weights / gap)
-    slopes = terms / np.abs(gap)
+    away = (poles[None, :] - origin[:, None]) - shift[:, None]
+    away = np.where(away == 0, np.finfo(float).tiny, away)
+    terms = np.abs(weights / away)
+    slopes = terms / np.abs(away)
     sizes = h + off / EPS + (terms + slopes * inexact).sum(axis=1)
     if kind == "stiffness":
         return np.asarray((1 / s + sizes) / slopes.sum(axis=1))
@@ -164,8 +164,8 @@ class _Function:
         self.own_weight = np.where(self.own, weights[None, :], 0.0).sum(axis=1)
 
     def __call__(self, shift: Vector) -> Vector:
-        gap = np.where(self.own, 1.0, self.distance - shift[:, None])
-        others = np.where(self.own, 0.0, self.weights[None, :] / gap).sum(axis=1)
+        away = np.where(self.own, 1.0, self.distance - shift[:, None])
+        others = np.where(self.own, 0.0, self.weights[None, :] / away).sum(axis=1)
         factor = np.where(self.at_pole, shift, 1.0)
         total = factor * (self.h + others) - self.own_weight
         if self.kind == "stiffness":

@@ -43,10 +43,10 @@ def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape
         found = np.zeros(len(bare.eigenvalues))
         found[roots.untouched[i]] = 1.0
     else:
-        gap = (bare.eigenvalues - roots.origin[i]) - roots.shift[i]
+        away = (bare.eigenvalues - roots.origin[i]) - roots.shift[i]
         # rounding may put a root on a pole of which next to nothing is felt
-        gap = np.where(gap == 0, np.finfo(float).eps * bare.eigenvalues, gap)
-        found = bare.felt / gap
+        away = np.where(away == 0, np.finfo(float).eps * bare.eigenvalues, away)
+        found = bare.felt / away
         if attached.structure.kind == "compliance":
             found, hinge = found * float(roots.values[i]), 1.0
     found_norm = found @ found + hinge * (hinge * bare.hinge_mass + 2 * bare.felt @ found)
