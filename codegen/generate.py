@@ -2,7 +2,7 @@
 
 Input: the records of the methods, the scenes and the expansions.  Output: the folder,
 complete and with nothing else: the modules of the paper's methods, a table of those that every
-scene has, and a folder for each scene.
+scene has, a folder for each scene, and one for the structures of `space`.
 """
 
 import os
@@ -15,6 +15,7 @@ from . import scenes
 from .emission import kernel, methods, scene_numbers
 from .expansions import kernels
 from .scene import Scene
+from .space import emission as space
 
 #: The folder of the generated modules, beside the folder of this file.
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
@@ -38,7 +39,7 @@ def sources() -> dict[str, str]:
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
         files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}
-    return files
+    return files | space.sources()
 
 
 def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:

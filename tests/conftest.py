@@ -32,6 +32,7 @@ SHARED = {
     **dict.fromkeys(("test_twin", "test_extremes", "test_command_line"), "paper"),
     **dict.fromkeys(("test_frozen_numbers", "test_documentation"), "paper"),
     **dict.fromkeys(("galerkin", "show"), "machine"),
+    "space": "space",
 }
 
 

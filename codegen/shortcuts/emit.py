@@ -5,15 +5,15 @@ Output: one module a method, self-contained: closed forms as `lambdify` writes t
 the loops over the indices.  The text depends on the mathematics alone.
 """
 
-import inspect
 import re
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 import sympy as sp
 
-from ..emission.printer import NumericPrinter, digest
-from ..system import ClosedForm, GalerkinSystem
+from ..emission.closed_forms import function_source
+from ..emission.printer import digest
+from ..system import GalerkinSystem
 from .loops.c1 import C1_LOOPS
 from .loops.c1_bands import C1_BAND_LOOPS
 from .loops.c1_orbits import C1_ORBIT_LOOPS
@@ -72,25 +72,6 @@ CONTENTS_SYMMETRIC = """Unknowns ``z``: {unknowns}.
 
 #: What the modules that are not a method of the paper by themselves offer.
 OTHER_CONTENTS = {"c1-reduced": CONTENTS_REDUCED, "hb-symmetric": CONTENTS_SYMMETRIC}
-
-
-def _expression_source(form: ClosedForm, value: sp.Expr) -> str:
-    """Return what `sympy.lambdify` writes behind ``return`` for one value of `form`."""
-    settings = {"fully_qualified_modules": False, "allow_unknown_functions": True}
-    printer = NumericPrinter(settings)
-    function = sp.lambdify(form.arguments, value, modules="math", printer=printer)
-    return inspect.getsource(function).partition("return ")[2].strip()
-
-
-def function_source(form: ClosedForm) -> str:
-    """Return the source of one closed form: a value a line, as `lambdify` writes it."""
-    arguments = ", ".join(str(argument) for argument in form.arguments)
-    values = [_expression_source(form, value) for value in form.values]
-    if len(values) == 1:
-        result = values[0]
-    else:
-        result = "(\n" + "".join(f"        {value},\n" for value in values) + "    )"
-    return f'def {form.name}({arguments}):\n    """{form.summary}"""\n    return {result}\n'
 
 
 def mathematics(system: GalerkinSystem) -> str:

@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from .solver.shortcuts.search.family import Family
     from .solver.shortcuts.search.sweep import Row, Sweep
     from .solver.simulation.record import Simulation
+    from .solver.space.mode import Mode
+    from .solver.space.modes import Modes, ToleranceNotMet, modes
+    from .solver.space.structure import UnknownStructure
+    from .solver.space.structure import names as structures
     from .solver.sweep import SceneSweep
 
     __version__: str
@@ -53,6 +57,8 @@ _HOMES = {
     "ExactSceneOrbit": ("solver.flow.exact", "ExactSceneOrbit"),
     "Family": ("solver.shortcuts.search.family", "Family"),
     "FileError": ("files.errors", "FileError"),
+    "Mode": ("solver.space.mode", "Mode"),
+    "Modes": ("solver.space.modes", "Modes"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "NotCertified": ("solver.not_certified", "NotCertified"),
     "Orbit": ("solver.shortcuts.orbit.orbit", "Orbit"),
@@ -65,16 +71,20 @@ _HOMES = {
     "Simulation": ("solver.simulation.record", "Simulation"),
     "StickSlip": ("solver.shortcuts.orbit.oscillator", "StickSlip"),
     "Sweep": ("solver.shortcuts.search.sweep", "Sweep"),
+    "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),
     "TooSlow": ("solver.not_certified", "TooSlow"),
     "UnknownScene": ("solver.case.registry", "UnknownScene"),
+    "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
     "family": ("families", "family"),
     "load": ("files.api", "load"),
+    "modes": ("solver.space.modes", "modes"),
     "save": ("files.api", "save"),
     "scenes": ("scene_files.find", "names"),
     "simulate": ("oscillators", "simulate"),
     "solve": ("oscillators", "solve"),
+    "structures": ("solver.space.structure", "names"),
     "sweep": ("oscillators", "sweep"),
 }
 
@@ -84,6 +94,8 @@ __all__ = [
     "ExactSceneOrbit",
     "Family",
     "FileError",
+    "Mode",
+    "Modes",
     "NoOrbit",
     "NotCertified",
     "Orbit",
@@ -96,18 +108,22 @@ __all__ = [
     "Simulation",
     "StickSlip",
     "Sweep",
+    "ToleranceNotMet",
     "TooSlow",
     "UnknownScene",
+    "UnknownStructure",
     "__version__",
     "equations",
     "exact",
     "family",
     "load",
+    "modes",
     "save",
     "scene",
     "scenes",
     "simulate",
     "solve",
+    "structures",
     "sweep",
 ]
 

@@ -11,7 +11,7 @@ from nonsmooth.cli import cli
 
 COMMANDS = (
     "scenes", "generate", "equations", "solve", "sweep", "simulate", "roots", "digits",
-    "tradeoff", "report",
+    "tradeoff", "report", "modes",
 )  # fmt: skip
 
 

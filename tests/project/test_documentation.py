@@ -114,6 +114,10 @@ DOCUMENTS = (
     "simulate impact --cycles 2",
     "scenes",
     "scenes stick-slip-damped",
+    "modes",
+    "modes beam-mass --method all",
+    "modes beam-crack --vary position=1/4:1/2:2",
+    "sweep string-mass --orders 2,3",
 )
 
 
@@ -124,7 +128,7 @@ OF_A_SCENE = ("parameters", "units", "coefficients")
 def keys(document: object) -> set[str]:
     """Return all keys of a JSON document, those of what it contains included."""
     if isinstance(document, dict):
-        if "scene" in document:
+        if "scene" in document or "structure" in document:
             document = document | dict.fromkeys(set(OF_A_SCENE) & set(document))
         return {*document, *itertools.chain(*map(keys, document.values()))}
     if isinstance(document, list):

@@ -1,4 +1,4 @@
-"""The command line: ``nonsmooth scenes``, ``generate``, ``equations``, ``solve``, ``sweep``.
+"""The command line: ``nonsmooth scenes``, ``generate``, ``equations``, ``solve``, ``modes``.
 
 Results go to stdout, progress and messages to stderr.  Exit status: 0 done, 1 no converged
 and admissible orbit (or, for ``generate --check``, a difference), 2 bad input, 130
@@ -20,6 +20,8 @@ from .problems import Problem
 from .scenes import command as scene_command
 from .scenes import simulate as simulation
 from .scenes.shown import listing
+from .space import modes
+from .space import named as structures
 from .version import show_version
 
 EXAMPLES = """\b
@@ -30,6 +32,7 @@ Examples:
   nonsmooth equations --format latex -o equations.tex
   nonsmooth scenes
   nonsmooth solve impact --gap 0.2
+  nonsmooth modes beam-mass --position 1/3
 """
 
 
@@ -38,7 +41,7 @@ class _ReaderLeft(Exception):  # noqa: N818
 
 
 class _Commands(click.Group):
-    """Commands, some of which take a scene as their first argument.
+    """Commands, some of which take a scene or a structure as their first argument.
 
     Click does not make their broken pipe an exit with 1: that is for no orbit.
     """
@@ -48,6 +51,7 @@ class _Commands(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name, command, rest = super().resolve_command(ctx, args)
         quiet = ctx.resilient_parsing
+        name, command, rest = structures.resolved(name, command, rest, quiet=quiet)
         return scene_command.resolved(name, command, rest, quiet=quiet)
 
     def invoke(self, ctx: click.Context) -> Any:
@@ -96,7 +100,14 @@ simulate = scene_command.SceneCommand(
     epilog=simulation.EPILOG.format(scene="impact", flag="gap", value=0.2),
 )  # fmt: skip
 
-for command in (listing.scenes, generate.generate, equations.equations, *_verbs(), simulate):
+for command in (
+    listing.scenes,
+    generate.generate,
+    equations.equations,
+    *_verbs(),
+    simulate,
+    modes.modes,
+):
     cli.add_command(command)
 
 

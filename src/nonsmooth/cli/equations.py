@@ -15,6 +15,7 @@ from .output import check_target, write_bytes, write_text
 from .problems import Problem
 from .progress import busy
 from .scenes.default import DEFAULT
+from .space.named import is_structure
 
 if TYPE_CHECKING:
     from nonsmooth.codegen.printing.sections import Section
@@ -38,6 +39,7 @@ Examples:
   nonsmooth equations --method c1 --expand 2
   nonsmooth equations --method hb-symmetric    what is solved for hb, hb-c1
   nonsmooth equations impact --method ck-tau -o impact.pdf
+  nonsmooth equations beam-mass
 """
 
 
@@ -92,8 +94,8 @@ def equations(
 ) -> None:  # fmt: skip
     """Print the equations that SymPy derives, with the numbers of the paper.
 
-    SCENE is the name of an oscillator, or the path of its file, a program that is run;
-    without it the equations are those of the paper, of stick-slip.
+    SCENE is the name of an oscillator, or the path of its file, a program that is run, or a
+    structure of 'nonsmooth modes'; without it the equations are those of the paper.
     Text is plain ASCII where the terminal has no other characters, or with LC_ALL=C.
     """
     check_target(output, ())
@@ -114,8 +116,8 @@ def equations(
             unicode = output is not None or _terminal_has_unicode()
             if of_any or OWN is None:
                 name = scene or DEFAULT
-                parts = _sections(name, method, functions, motion)
-                text = _of_scene(name, parts, chosen, fragment, unicode)
+                parts, title = _sections(name, method, functions, motion)
+                text = _text_of(parts, title, chosen, fragment, unicode)
             else:
                 text = OWN.document(method, order, chosen, fragment, unicode)
     except SceneFileError as error:
@@ -159,21 +161,31 @@ def _format(format_: str | None, output: Path | None) -> str:
 
 def _sections(
     scene: str, method: str | None, functions: int | None, motion: str | None
-) -> "list[Section]":
-    """Return the sections of the document of a scene."""
+) -> "tuple[list[Section], str]":
+    """Return the sections on a scene, or on a structure, and their title."""
+    methods = [method] if method else []
+    if is_structure(scene):
+        from nonsmooth.codegen.space import structure_named  # noqa: PLC0415
+        from nonsmooth.codegen.space.show import sections  # noqa: PLC0415
+
+        if functions is not None:
+            raise ValueError(f"functions: got {functions}, {scene} has forced modes, all shown")
+        if motion is not None:
+            raise ValueError(f"motion: got {motion!r}, expected a SCENE that has several")
+        name = scene.replace("_", "-")
+        return sections(name, methods), f"Modes of {structure_named(name).title}"
     from nonsmooth.codegen import show  # noqa: PLC0415
-
-    return show.sections(scene, [method] if method else (), functions, motion)
-
-
-def _of_scene(
-    scene: str, shown: "list[Section]", format_: str, fragment: bool, unicode: bool
-) -> str:
-    """Return the document of a scene."""
-    from nonsmooth.codegen import show  # noqa: PLC0415
-    from nonsmooth.codegen.printing import html, latex, text  # noqa: PLC0415
 
     title = f"Galerkin equations of {show.scene_named(scene).title}"
+    return show.sections(scene, methods, functions, motion), title
+
+
+def _text_of(
+    shown: "list[Section]", title: str, format_: str, fragment: bool, unicode: bool
+) -> str:
+    """Return the document of some sections."""
+    from nonsmooth.codegen.printing import html, latex, text  # noqa: PLC0415
+
     if format_ == "html":
         return html.page_of(shown, title)
     if format_ == "text":

@@ -1,6 +1,6 @@
-"""What is ours and what is the paper's: the C1 series with other tests, in numbers."""
+"""What is not the paper's own: the C1 series with other tests, and the idea in space."""
 
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.shortcuts.orbit import exact
@@ -56,3 +56,60 @@ def remark(case: Case) -> str:
         "their slopes where slip begins. The same series tested with the Legendre polynomials "
         f"instead is ours, and not in the paper: c1-tau. {numbers} {WHY}"
     )
+
+
+#: What is shown: the structures that the paper names.
+STRUCTURES = (
+    "beam-rotational-spring",
+    "beam-spring",
+    "beam-mass",
+    "beam-crack",
+    "string-mass",
+)
+
+#: Method, order and forced modes of each column.
+EXPANSIONS = (("ritz", 16, None), ("ritz-ck", 8, 1), ("ritz-ck", 8, 2), ("ck", 4, None))
+
+#: Relative error of a frequency below which only rounding is seen.
+LEAST = 1e-15
+
+
+@dataclass(frozen=True)
+class SpaceRow:
+    """One structure: its class, and the error of its lowest frequency by each expansion."""
+
+    title: str
+    name: str
+    k: int
+    errors: tuple[str, ...]
+
+
+def space_heads() -> tuple[str, ...]:
+    """Return the headings of the columns: the expansion and its size."""
+    words = {"ritz": "{N} sines", "ck": "Cᵏ functions, N = {N}"}
+    forced = "{N} sines, {K} forced mode{s}"
+    return tuple(
+        words.get(method, forced).format(N=N, K=K, s="s" if K != 1 else "")
+        for method, N, K in EXPANSIONS
+    )
+
+
+def space_rows() -> list[SpaceRow]:
+    """Return the table of the remark, computed anew."""
+    from nonsmooth.solver.space.modes import modes  # noqa: PLC0415
+
+    found = []
+    for name in STRUCTURES:
+        errors = []
+        for method, order, forced in EXPANSIONS:
+            expansion = modes(name, method, order, forced, count=1)
+            errors.append(_shown(abs(expansion[0].error)))
+        structure = expansion.structure
+        found.append(SpaceRow(structure.title, name, structure.k, tuple(errors)))
+    return found
+
+
+def _shown(error: float) -> str:
+    if error < LEAST:
+        return "rounding"
+    return f"{error:.1e}" if error < 0.1 else f"{error:.0%}"

@@ -21,7 +21,7 @@ from .case import MOST, Case
 from .claims import CLAIMS, GROUPS
 from .finding import VERDICTS, Claim, verdict
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
-from .ours import remark
+from .ours import remark, space_heads, space_rows
 from .words import number, percent, signed
 
 #: Modules of the mathematics that the page rests on, and the orders in its table.
@@ -227,6 +227,8 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         inside=FIRST <= belt.alpha <= LAST,
         alphas=(f"{FIRST:g}", f"{LAST:g}"),
         map=inline(pictures["claims"], "claims", words),
+        space=space_rows(),
+        space_heads=space_heads(),
         equations=_equations(),
         equation_style=STYLE,
         hashes={name: module(name).MATHEMATICS[:16] for name in GENERATED},

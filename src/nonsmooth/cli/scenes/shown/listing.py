@@ -49,7 +49,7 @@ def scenes(scene: str | None, json_: bool) -> None:
 
 def _list(found: "Sequence[dict[str, Any]]") -> None:
     rows = [(s["name"], s["class"], _phases(s), s["what"]) for s in found]
-    click.echo(_columns(("scene", "class", "phases", "what it is"), rows))
+    click.echo(columns(("scene", "class", "phases", "what it is"), rows))
 
 
 def _phases(found: dict[str, Any]) -> str:
@@ -58,7 +58,7 @@ def _phases(found: dict[str, Any]) -> str:
     return "; ".join(", ".join(order["phases"]) for order in orders)
 
 
-def _columns(heads: tuple[str, ...], rows: "Sequence[tuple[str, ...]]") -> str:
+def columns(heads: tuple[str, ...], rows: "Sequence[tuple[str, ...]]") -> str:
     """Return rows under their headings; the last column goes on in the next line."""
     widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)][:-1]
     lines = []
@@ -80,7 +80,7 @@ def _describe(found: dict[str, Any]) -> None:
          f"{q['what']}; {q['expected']}")
         for q in found["parameters"]
     ]  # fmt: skip
-    click.echo(_columns(("parameter", "symbol", "unit", "default", "what it is"), rows))
+    click.echo(columns(("parameter", "symbol", "unit", "default", "what it is"), rows))
     for words in found["requires"]:
         click.echo(_wrapped(f"  expected: {words}", "  "))
     for phase in found["phases"]:

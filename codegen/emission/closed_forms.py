@@ -1,0 +1,27 @@
+"""Closed forms as functions of plain Python, as `sympy.lambdify` writes them."""
+
+import inspect
+
+import sympy as sp
+
+from ..system import ClosedForm
+from .printer import NumericPrinter
+
+
+def _expression_source(form: ClosedForm, value: sp.Expr) -> str:
+    """Return what `sympy.lambdify` writes behind ``return`` for one value of `form`."""
+    settings = {"fully_qualified_modules": False, "allow_unknown_functions": True}
+    printer = NumericPrinter(settings)
+    function = sp.lambdify(form.arguments, value, modules="math", printer=printer)
+    return inspect.getsource(function).partition("return ")[2].strip()
+
+
+def function_source(form: ClosedForm) -> str:
+    """Return the source of one closed form: a value a line, as `lambdify` writes it."""
+    arguments = ", ".join(str(argument) for argument in form.arguments)
+    values = [_expression_source(form, value) for value in form.values]
+    if len(values) == 1:
+        result = values[0]
+    else:
+        result = "(\n" + "".join(f"        {value},\n" for value in values) + "    )"
+    return f'def {form.name}({arguments}):\n    """{form.summary}"""\n    return {result}\n'

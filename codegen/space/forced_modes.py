@@ -1,0 +1,134 @@
+"""The forced modes: the static answers to a unit load at `a`, and to one another.
+
+``g_1`` answers the unit load that works on the felt derivative (of a compliance, a unit jump
+of the broken one), ``g_q`` the load ``g_(q-1)``; in the modes ``phi_n = sqrt(2) sin(n pi x)``
+of the bare structure, ``g_q = sum of r_n/mu_n^q phi_n`` with ``r_n = phi_n^(j)(a)``.
+
+Input: a structure.  Output: polynomials on each side of `a`, and the sums of
+``r_n^2/mu_n^q``, which are Bernoulli polynomials of `a`.
+"""
+
+from functools import cache
+
+import sympy as sp
+
+from ..system import DerivationError, require_zero
+from .data import Structure, a, x
+
+#: Forced modes that are emitted: the third leaves no more than rounding of low modes.
+MOST = 3
+
+#: Pieces of a function: left of `a` in ``x``, right of it in ``x`` as well.
+Pieces = tuple[sp.Expr, sp.Expr]
+
+
+def forced_mode(structure: Structure, q: int) -> Pieces:
+    """Return the pieces of ``g_q``."""
+    return _forced_mode(structure.m, structure.felt, structure.jump_of_load, q)
+
+
+@cache
+def _forced_mode(m: int, felt: int, jump: int, q: int) -> Pieces:
+    """Return the pieces of ``g_q`` by those of the mode before.
+
+    Odd powers of the distance from an end satisfy its conditions; ``(-1)^m g^(2m)`` is the
+    mode before, and what is left are ``2m`` constants, which the joints at `a` fix.
+    """
+    c = sp.symbols(f"c0:{2 * m}")
+    left = right = sp.Integer(0)
+    if q > 1:
+        before = _forced_mode(m, felt, jump, q - 1)
+        left, right = _integrated(before[0], m), _integrated(before[1].subs(x, 1 - x), m)
+    left += sum(c[i] * x ** (2 * i + 1) for i in range(m))
+    right = (right + sum(c[m + i] * x ** (2 * i + 1) for i in range(m))).subs(x, 1 - x)
+    joints = [
+        sp.diff(right - left, x, d).subs(x, a)
+        - (jump if q == 1 and d == 2 * m - 1 - felt else 0)
+        for d in range(2 * m)
+    ]
+    solution = sp.solve(list(map(sp.expand, joints)), c, dict=True)[0]
+    return sp.expand(left.subs(solution)), sp.expand(right.subs(solution))
+
+
+def _integrated(load: sp.Expr, m: int) -> sp.Expr:
+    """Return what answers a load that is a polynomial, with zeros at ``x = 0``."""
+    found = sp.Poly(load, x)
+    for _ in range(2 * m):
+        found = found.integrate(x)
+    return (-1) ** m * found.as_expr()
+
+
+def left_coefficients(structure: Structure, q: int) -> tuple[sp.Expr, ...]:
+    """Return the coefficients of the left piece of ``g_q``, of ``x, x^3, x^5, ...``.
+
+    The right piece has the same of ``1 - x``, `a` and ``1 - a`` interchanged, with the sign
+    ``(-1)^j``: checked here.
+    """
+    return _left_coefficients(structure.m, structure.felt, structure.jump_of_load, q)
+
+
+@cache
+def _left_coefficients(m: int, felt: int, jump: int, q: int) -> tuple[sp.Expr, ...]:
+    left, right = _forced_mode(m, felt, jump, q)
+    mirrored = left.subs({x: 1 - x, a: 1 - a}, simultaneous=True)
+    require_zero([(f"g_{q} seen from the other end", mirrored - (-1) ** felt * right)])
+    powers = sp.Poly(left, x)
+    even = [c for (power,), c in powers.terms() if power % 2 == 0]
+    if any(even):
+        raise DerivationError(f"g_{q} does not satisfy the conditions at x = 0")
+    return tuple(
+        sp.factor(powers.coeff_monomial(x**power)) for power in range(1, powers.degree() + 1, 2)
+    )
+
+
+def static_sum(structure: Structure, q: int) -> sp.Expr:
+    """Return ``S_q``, the sum of ``r_n^2/mu_n^q``: the felt derivative of ``g_q`` at `a`.
+
+    Of a compliance `q` starts at 2: ``S_1`` diverges.
+    """
+    if structure.kind == "compliance" and q == 1:
+        raise ValueError(f"{structure.name}: S_1 diverges")
+    left, _ = forced_mode(structure, q)
+    found = sp.diff(left, x, structure.felt).subs(x, a)
+    require_zero([(f"S_{q} by Bernoulli polynomials", found - by_bernoulli(structure, q))])
+    return sp.factor(found)
+
+
+def by_bernoulli(structure: Structure, q: int) -> sp.Expr:
+    """Return ``S_q`` from the Fourier series of the Bernoulli polynomials, independently.
+
+    ``r_n^2 = (n pi)^(2j) (1 -+ cos(2 pi n a))``, and the sum of ``cos(2 pi n a)/n^(2p)`` is
+    ``(-1)^(p+1) (2 pi)^(2p) B_2p(a)/(2 (2p)!)`` for ``0 <= a <= 1``.
+    """
+    p = structure.m * q - structure.felt
+    unit = sp.Integer((-1) ** (p + 1) * 2 ** (2 * p)) / (2 * sp.factorial(2 * p))
+    sign = -1 if structure.felt % 2 == 0 else 1
+    return unit * (sp.bernoulli(2 * p) + sign * sp.bernoulli(2 * p, a))
+
+
+def inner(structure: Structure, p: int, q: int, derivative: int) -> sp.Expr:
+    """Return the integral of ``g_p^(d) g_q^(d)`` over the length, piece by piece."""
+    sides = zip(forced_mode(structure, p), forced_mode(structure, q), strict=True)
+    limits = ((x, 0, a), (x, a, 1))
+    return sp.factor(
+        sum(
+            sp.integrate(
+                sp.expand(sp.diff(f, x, derivative) * sp.diff(g, x, derivative)), where
+            )
+            for (f, g), where in zip(sides, limits, strict=True)
+        )
+    )
+
+
+def inner_with_sine(structure: Structure, q: int, derivative: int) -> sp.Expr:
+    """Return the integral of ``phi_n^(d) g_q^(d)``: one term, from two subintervals."""
+    n = sp.Symbol("n", integer=True, positive=True)
+    phi = sp.sqrt(2) * sp.sin(n * sp.pi * x)
+    limits = ((x, 0, a), (x, a, 1))
+    whole = sum(
+        sp.integrate(
+            sp.expand(sp.diff(phi, x, derivative) * sp.diff(piece, x, derivative)), where
+        )
+        for piece, where in zip(forced_mode(structure, q), limits, strict=True)
+    )
+    return sp.factor(sp.expand(whole))

@@ -1,0 +1,1 @@
+"""Beams and strings with one attachment; written by ``nonsmooth generate``."""

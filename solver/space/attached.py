@@ -1,0 +1,165 @@
+"""A structure with numbers: checked parameters in SI units, and what is left of them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from ..arrays import Vector
+from ..case.parameters import ParameterError, is_number
+from .position import Integers, as_position, sines
+from .structure import Structure
+
+#: Dimensionless strengths beyond which rounding is not what is said of it.
+LEAST, MOST = 1e-9, 1e9
+
+#: The nearest that it may be to an end, as a part of the length: nearer, sums over modes that
+#: hardly move there would take too many of them.
+NEAREST = Fraction(1, 10_000)
+
+#: Where the attachment is if nothing else is said.
+POSITION = "3/10"
+
+
+@dataclass(frozen=True)
+class Attached:
+    """A structure with its attachment in numbers.
+
+    Parameters
+    ----------
+    structure : Structure
+    values : mapping
+        Its parameters in SI units, by name.
+    a : Fraction
+        The place of the attachment, as a part of the length.
+    """
+
+    structure: Structure
+    values: Mapping[str, float] = field(hash=False)
+    a: Fraction
+
+    @cached_property
+    def _arguments(self) -> tuple[float, ...]:
+        return tuple(self.values[q.name] for q in self.structure.parameters)
+
+    @cached_property
+    def s(self) -> float:
+        """The dimensionless strength of the attachment."""
+        return float(self.structure.module.strength(*self._arguments))
+
+    @cached_property
+    def frequency_unit(self) -> float:
+        """The angular frequency over ``beta**m``, in rad/s."""
+        return float(self.structure.module.frequency(*self._arguments))
+
+    @cached_property
+    def restoring(self) -> float:
+        """The bending stiffness in N m^2, or the tension in N."""
+        return float(self.structure.module.restoring(*self._arguments))
+
+    @property
+    def length(self) -> float:
+        """The length in metres."""
+        return self.values["length"]
+
+    def sines(self, n: Integers) -> tuple[Vector, Vector]:
+        """Return ``sin(n pi a)`` and ``cos(n pi a)``."""
+        return sines(n, self.a)
+
+    def felt(self, n: Integers) -> Vector:
+        """Return ``r_n = phi_n^(j)(a)``: what the attachment feels of each bare mode.
+
+        Zero, exactly, of modes with a node there (of a rotation, an antinode).
+        """
+        j = self.structure.felt
+        sine, cosine = self.sines(n)
+        wave = np.asarray(n, dtype=float) * np.pi
+        around = (sine, cosine, -sine)[j]
+        return np.asarray(np.sqrt(2.0) * wave**j * around)
+
+    def bare(self, n: Integers) -> Vector:
+        """Return ``mu_n = (n pi)^(2m)``, the eigenvalues without the attachment."""
+        return (np.asarray(n, dtype=float) * np.pi) ** (2 * self.structure.m)
+
+    @property
+    def description(self) -> str:
+        """The parameters in one line, and the dimensionless strength."""
+        return self.described()
+
+    def described(self, varied: str = "") -> str:
+        """Return the same without what is varied, and what follows from it."""
+        listed = ", ".join(
+            f"{q.symbol} = {self.values[q.name]:g}{f' {q.unit}' if q.unit else ''}"
+            for q in self.structure.parameters
+            if q.name != varied
+        )
+        place = str(self.a) if self.a.denominator <= 10**4 else f"{float(self.a):.12g}"
+        derived = [] if varied == "position" else [f"a = {place}"]
+        if varied in ("", "position"):
+            derived.append(f"s = {self.s:.6g}")
+        return f"{listed}; {', '.join(derived)}"
+
+
+def attach(structure: Structure, position: object = POSITION, **given: float) -> Attached:
+    """Return a structure with its parameters; those not given are the defaults.
+
+    Raises
+    ------
+    ParameterError
+        With all mistakes at once.
+    """
+    errors, a = [], Fraction(1, 2)
+    try:
+        a = as_position(position)
+        if min(a, 1 - a) < NEAREST:
+            raise ValueError(
+                f"position: got {float(a):g}, expected {NEAREST} from an end or more"
+            )
+    except ValueError as error:
+        errors.append(str(error))
+    known = {q.name: q for q in structure.parameters}
+    for name in sorted(given.keys() - known.keys()):
+        expected = ", ".join(("position", *known))
+        errors.append(f"{name}: unknown, expected some of {expected}")
+    values = {q.name: given.get(q.name, q.default) for q in structure.parameters}
+    for name, value in values.items():
+        unit = f" in {known[name].unit}"
+        if not is_number(value) or not value > 0:
+            errors.append(f"{name}: got {value!r:.60}, expected a number above 0{unit}")
+            errors[-1] += _why_not(structure, name, value)
+    if not errors:
+        found = Attached(structure, {name: float(v) for name, v in values.items()}, a)
+        errors += _extremes(found)
+        if not errors:
+            return found
+    raise ParameterError(errors)
+
+
+def _why_not(structure: Structure, name: str, value: object) -> str:
+    """Return what a number that is not positive would mean."""
+    attached = structure.attached
+    if name != attached.name or not is_number(value):
+        return ""
+    if value == 0:
+        return f" (without the attachment beta L is n pi: it is the bare {structure.bare})"
+    if structure.kind == "stiffness":
+        return " (a negative stiffness destabilises: beyond a critical one it buckles)"
+    return ""
+
+
+def _extremes(found: Attached) -> list[str]:
+    """Return what is beyond the range in which the digits are known."""
+    errors = []
+    with np.errstate(all="ignore"):
+        for what, value in (("strength", found.s), ("frequency", found.frequency_unit)):
+            if not np.isfinite(value) or value <= 0:
+                errors.append(f"their {what} is {value!r}, beyond float64")
+    if not errors and not LEAST <= found.s <= MOST:
+        name = found.structure.attached.name
+        errors.append(
+            f"{name}: got {found.values[name]:g}, a dimensionless strength of {found.s:.3g}, "
+            f"expected one from {LEAST:g} to {MOST:g}"
+        )
+    return errors

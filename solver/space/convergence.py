@@ -1,0 +1,209 @@
+"""How fast the expansions converge: the errors of one mode over the orders, and rates."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from .attached import Attached
+from .eigenvalues import secular
+from .eigenvalues.exact import exact_modes
+from .errors import shape_errors
+from .expansions.methods import available, bare_modes, check_order, shown
+from .expansions.shapes import jump_mismatch, shape_of
+
+#: Relative error of an eigenvalue below which rounding, and not the expansion, is seen.
+ROUNDING = 1e-14
+
+#: Order from which a rate is fitted.
+FROM = 4
+
+
+@dataclass(frozen=True)
+class Line:
+    """One expansion of a study: a method and its number of forced modes."""
+
+    method: str
+    forced: int = 0
+
+    def name(self, attached: Attached) -> str:
+        """Return it with the class of the structure: ``ritz-c1(2)``."""
+        found = shown(attached.structure, self.method)
+        return f"{found}({self.forced})" if self.forced > 1 else found
+
+
+@dataclass(frozen=True)
+class ConvergenceRow:
+    """One mode by one expansion at one order.
+
+    Parameters
+    ----------
+    method : str
+    forced, order, unknowns : int
+    beta : float or None
+        None where the expansion has fewer modes.
+    error : float or None
+        Of the frequency, relative.
+    eigenvalue_error : float or None
+    shape, discontinuous : float or None
+        Relative L2 error of the displacement, and of the first derivative that jumps.
+    jump_mismatch : float or None
+    """
+
+    method: str
+    forced: int
+    order: int
+    unknowns: int
+    beta: float | None = None
+    error: float | None = None
+    eigenvalue_error: float | None = None
+    shape: float | None = None
+    discontinuous: float | None = None
+    jump_mismatch: float | None = None
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """The rows of a study of one mode.
+
+    Parameters
+    ----------
+    attached : Attached
+    number : int
+        Of the mode, from 1.
+    lines : tuple of Line
+    rows : tuple of ConvergenceRow
+    """
+
+    attached: Attached
+    number: int
+    lines: tuple[Line, ...]
+    rows: tuple[ConvergenceRow, ...]
+
+    def of(self, line: Line) -> list[ConvergenceRow]:
+        """Return the rows of one expansion that have the mode."""
+        return [
+            row
+            for row in self.rows
+            if (row.method, row.forced) == (line.method, line.forced) and row.beta is not None
+        ]
+
+    def rate(self, line: Line) -> float | None:
+        """Return the fitted power of the order in the error of the eigenvalue.
+
+        Over the errors above rounding, from order `FROM` on; None of fewer than three.
+        """
+        points = [
+            (row.order, abs(row.eigenvalue_error))
+            for row in self.of(line)
+            if row.eigenvalue_error is not None
+            and abs(row.eigenvalue_error) > ROUNDING
+            and row.order >= FROM
+        ]
+        if len(points) < 3:
+            return None
+        orders, errors = np.log(np.array(points)).T
+        return float(np.polyfit(orders, errors, 1)[0])
+
+    def expected(self, line: Line) -> int | None:
+        """Return the power that the class and the forced modes say; None of ``ck``."""
+        if line.method == "ck" or (
+            self.attached.structure.kind == "compliance" and line.forced == 0
+        ):
+            return None
+        return -self.attached.structure.rates[line.forced]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the study as plain numbers."""
+        structure = self.attached.structure
+        return {
+            "structure": structure.name,
+            "class": f"C{structure.k}",
+            "parameters": dict(self.attached.values),
+            "position": str(self.attached.a),
+            "strength": self.attached.s,
+            "number": self.number,
+            "rows": [asdict(row) for row in self.rows],
+            "rates": [
+                {
+                    "method": line.method,
+                    "forced": line.forced,
+                    "fitted": self.rate(line),
+                    "expected": self.expected(line),
+                }
+                for line in self.lines
+            ],
+        }
+
+
+def convergence(
+    attached: Attached,
+    lines: Sequence[Line],
+    orders: Iterable[int],
+    number: int = 1,
+    done: Callable[[str], None] = lambda words: None,
+) -> Convergence:
+    """Return one mode by some expansions over some orders.
+
+    Parameters
+    ----------
+    attached : Attached
+    lines : sequence of Line
+    orders : iterable of int
+    number : int
+        Of the mode, from 1.
+    done : callable
+        Is told what has been computed.
+
+    Raises
+    ------
+    ValueError
+        If an order is out of the range of a method.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.space.attached import attach
+    >>> from nonsmooth.solver.space.structure import load
+    >>> study = convergence(attach(load("string-mass")), [Line("ritz-ck", 1)], (8, 16, 32))
+    >>> f"{study.rate(study.lines[0]):.0f}", study.expected(study.lines[0])
+    ('-5', -5)
+    """
+    if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+        raise ValueError(f"mode: got {number!r}, expected a whole number from 1")
+    rows = []
+    for line in lines:
+        for order in orders:
+            rows.append(_row(attached, line, check_order(line.method, order), number))
+            done(f"{line.name(attached)}, N = {order}")
+    return Convergence(attached, number, tuple(lines), tuple(rows))
+
+
+def _row(attached: Attached, line: Line, order: int, number: int) -> ConvergenceRow:
+    bare = bare_modes(attached, line.method, order, line.forced)
+    head = ConvergenceRow(line.method, line.forced, order, bare.unknowns)
+    if available(attached, bare) < number:
+        return head
+    roots = secular.eigenvalues(bare, attached.structure.kind, attached.s, number)
+    exact, i = exact_modes(attached, number), number - 1
+    off = secular.difference(roots, exact.origins, exact.shifts, i) / float(
+        exact.eigenvalues[i]
+    )
+    shape = shape_of(attached, bare, roots, i)
+    errors = shape_errors(attached, shape, exact, number, order)
+    value = float(roots.values[i])
+    mismatch = jump_mismatch(attached, shape, value)
+    untouched = bool(exact.untouched[i]) or not math.isfinite(mismatch)
+    return ConvergenceRow(
+        method=line.method,
+        forced=line.forced,
+        order=order,
+        unknowns=bare.unknowns,
+        beta=value ** (1 / (2 * attached.structure.m)),
+        error=math.expm1(0.5 * math.log1p(off)),
+        eigenvalue_error=off,
+        shape=errors[0],
+        discontinuous=errors[-1],
+        jump_mismatch=None if untouched else mismatch,
+    )

@@ -1,0 +1,1 @@
+"""Eigenvalues: the attachment as a scalar equation, exact ones, proved bounds."""

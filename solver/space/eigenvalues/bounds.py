@@ -1,0 +1,99 @@
+"""Bounds on eigenvalues from both sides, without the exact solution.
+
+The receptance of all modes is that of the sines and a tail. Gauss quadrature, which is what
+forced modes are, gives a tail that is too small; Gauss-Radau quadrature with a node at the
+first mode left out gives one that is too large, as long as ``lambda < mu_(N+1)``. So
+eigenvalues of Ritz and Ritz with forced modes lie above the exact ones, and those with the
+Radau tail below.  Each bound is widened by what rounding may have done.
+"""
+
+import numpy as np
+from scipy.linalg import LinAlgError, eigh
+
+from ...arrays import Vector
+from ..attached import Attached
+from ..expansions.bare import BareModes
+from ..expansions.sines import ritz
+from ..expansions.sums import left_out
+from . import secular
+from .secular import Roots
+
+
+def above(roots: Roots) -> Vector:
+    """Return upper bounds from Ritz values, which lie above the exact ones."""
+    return roots.values + roots.rounding
+
+
+def below(attached: Attached, N: int, K: int, count: int) -> Vector:
+    """Return lower bounds of the lowest eigenvalues, from N sines and K forced modes.
+
+    What is not bounded is NaN: eigenvalues beyond ``mu_(N+1)``, and all of a compliance
+    without a forced mode.
+    """
+    found = np.full(count, np.nan)
+    structure = attached.structure
+    bare = _with_radau_tail(attached, N, K)
+    if bare is None:
+        return found
+    roots = secular.eigenvalues(bare, structure.kind, attached.s, count)
+    valid = roots.values < attached.bare(np.array([N + 1]))[0]
+    found[: len(valid)][valid] = (roots.values - roots.rounding)[valid]
+    return found
+
+
+def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
+    """Return modes whose receptance is not below the exact one; none if rounding forbids it."""
+    sines = ritz(attached, N)
+    compliant = attached.structure.kind == "compliance"
+    if compliant and K == 0:
+        return None
+    free = K - compliant
+    next_bare = float(attached.bare(np.array([N + 1]))[0])
+    count = 2 * free + 1
+    left = left_out(attached, N, count + compliant)
+    moments = left.sums[int(compliant) :] * next_bare ** np.arange(float(count))
+    try:
+        nodes, weights = _radau(moments)
+    except LinAlgError:
+        return None
+    if not (np.isfinite(weights).all() and (weights >= 0).all() and (nodes > 0).all()):
+        return None
+    poles = next_bare / nodes
+    felt = sines.at_a / sines.eigenvalues if compliant else sines.at_a
+    nothing = np.zeros(N + len(poles))
+    return BareModes(
+        eigenvalues=np.append(sines.eigenvalues, poles),
+        felt=np.append(felt, np.sqrt(weights * poles)),
+        at_a=nothing,
+        jumps=nothing,
+        hinge_mass=0.0,
+        hinge_rest=left.sums[0] - float(weights @ poles) if compliant else 0.0,
+        hinge_at_a=0.0,
+        unknowns=len(nothing),
+        shapes=sines.shapes,
+        off=left.error,
+        inexact=np.ones(len(nothing)),
+    )
+
+
+def _radau(moments: Vector) -> tuple[Vector, Vector]:
+    """Return nodes and weights of the quadrature on [0, 1] with a node at 1.
+
+    Parameters
+    ----------
+    moments : ndarray, shape (2 n + 1,)
+        Of the measure: integrals of 1, x, ..., for n free nodes.
+
+    Returns
+    -------
+    tuple of ndarray
+        The nodes, that at 1 first and then descending, and their weights.
+    """
+    n = (len(moments) - 1) // 2
+    if n == 0:
+        return np.ones(1), moments[:1].copy()
+    reduced = moments[:-1] - moments[1:]  # of the measure times 1 - x
+    index = np.arange(n)[:, None] + np.arange(n)[None, :]
+    theta, vectors = eigh(reduced[index + 1], reduced[index])
+    weights = (reduced[:n] @ vectors) ** 2 / (1 - theta)
+    return np.append(1.0, theta[::-1]), np.append(moments[0] - weights.sum(), weights[::-1])

@@ -1,0 +1,206 @@
+"""The exact eigenvalues: the characteristic equation, a bracket a root.
+
+The equation is that of `secular` with all modes, whose sum is the closed form that SymPy
+derived. Between two wave numbers ``n pi`` that are felt it is monotone; the unknown is the
+distance from the nearer one, and sines are taken from there, so that neither a weak attachment
+nor one near a node costs digits.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from ...arrays import Matrix, Vector
+from ..attached import Attached
+from ..expansions.sums import left_out
+from ..position import Integers
+from .bracketing import bracketed
+
+#: Below this `beta` the closed form of a beam cancels; its power series there takes `TERMS`
+#: terms, sums over `MODES` modes.
+SMALL, TERMS, MODES = 1.5, 16, 500
+
+
+@dataclass(frozen=True)
+class ExactModes:
+    """Exact wave numbers of a structure, the lowest first: ``n pi + offset``.
+
+    Parameters
+    ----------
+    attached : Attached
+    n : ndarray of int, shape (count,)
+    offset : ndarray, shape (count,)
+    untouched : ndarray of bool, shape (count,)
+        Whether the mode is ``sin(n pi x)``, which the attachment does not feel.
+    """
+
+    attached: Attached
+    n: Integers
+    offset: Vector
+    untouched: Vector
+
+    @property
+    def beta(self) -> Vector:
+        """The wave numbers times the length."""
+        return np.asarray(self.n * np.pi + self.offset)
+
+    @property
+    def eigenvalues(self) -> Vector:
+        """``beta^(2m)``."""
+        return self.beta ** (2 * self.attached.structure.m)
+
+    @property
+    def origins(self) -> Vector:
+        """The eigenvalues ``(n pi)^(2m)`` of the bare structure from which the shifts are."""
+        return self.attached.bare(self.n)
+
+    @property
+    def shifts(self) -> Vector:
+        """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
+        p, d = self.n * np.pi, self.offset
+        square = d * (2 * p + d)
+        if self.attached.structure.m == 1:
+            return np.asarray(square)
+        return np.asarray(square * (2 * p**2 + square))
+
+    def shape(self, number: int, x: Vector, derivative: int) -> Vector:
+        """Return a derivative of a mode, in units of the length; its scale is any.
+
+        At the attachment itself, the mean of both sides.
+
+        Parameters
+        ----------
+        number : int
+            From 1.
+        x : ndarray
+            Places in units of the length.
+        derivative : int
+            Up to ``2m - 1``.
+        """
+        x, i = np.asarray(x, dtype=float), number - 1
+        n, offset = int(self.n[i]), float(self.offset[i])
+        if self.untouched[i] or offset == 0:
+            wave = n * np.pi
+            return wave**derivative * np.sin(wave * x + derivative * np.pi / 2)
+        a, b = float(self.attached.a), float(1 - self.attached.a)
+        j = self.attached.structure.felt
+        left = self._side(n, offset, x, b, derivative, mirrored=False)
+        right = self._side(n, offset, 1 - x, a, derivative, mirrored=True)
+        right = (-1) ** (j + derivative) * right
+        return np.where(x < a, left, np.where(x > a, right, (left + right) / 2))
+
+    def _side(
+        self, n: int, offset: float, x: Vector, b: float, derivative: int, *, mirrored: bool
+    ) -> Vector:
+        """Return the response at ``x <= 1 - b``, the attachment at ``1 - b``."""
+        module, beta = self.attached.structure.module, n * np.pi + offset
+        around = _Sines(self.attached, np.array([n]), np.array([offset]))
+        sine, cosine = (
+            (around.sin_a, around.cos_a) if mirrored else (around.sin_b, around.cos_b)
+        )
+        inside = np.clip(x, 0, 1 - b)
+        over = module.shape_over_sine(beta, inside, sine[0], cosine[0])[derivative]
+        rest = module.shape_rest(beta, inside, b)[derivative]
+        return np.asarray(over / around.sin[0] + rest)
+
+
+class _Sines:
+    """Sines and cosines of ``beta``, ``beta a``, ``beta b`` for ``beta = n pi + offset``."""
+
+    def __init__(self, attached: Attached, n: Integers, offset: Vector) -> None:
+        a, b = float(attached.a), float(1 - attached.a)
+        self.offset = np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
+        sine, cosine = attached.sines(n)
+        sign = np.where(n % 2 == 0, 1.0, -1.0)
+        self.sin = sign * np.sin(self.offset)
+        self.sin_a, self.cos_a = _turned(sine, cosine, self.offset * a)
+        # n pi b is n pi less n pi a
+        self.sin_b, self.cos_b = _turned(-sign * sine, sign * cosine, self.offset * b)
+
+
+def _turned(sine: Vector, cosine: Vector, by: Vector) -> tuple[Vector, Vector]:
+    return sine * np.cos(by) + cosine * np.sin(by), cosine * np.cos(by) - sine * np.sin(by)
+
+
+@lru_cache(maxsize=64)
+def exact_modes(attached: Attached, count: int) -> ExactModes:
+    """Return the lowest exact modes of a structure."""
+    n = np.arange(1, 2 * count + 3)
+    felt = attached.felt(n) != 0
+    coupled, kept = n[felt][: count + 2], n[~felt][:count]
+    low, high = coupled[:-1], coupled[1:]
+    if attached.structure.kind != "stiffness":
+        low, high = np.append(0, low), np.append(coupled[0], high)
+    low, high = low[:count], high[:count]
+    origin, offset = _roots(attached, low, high)
+    every_n, every_offset = np.append(origin, kept), np.append(offset, np.zeros(len(kept)))
+    untouched = np.append(np.zeros(len(origin), bool), np.ones(len(kept), bool))
+    order = np.argsort(every_n * np.pi + every_offset, kind="stable")[:count]
+    return ExactModes(attached, every_n[order], every_offset[order], untouched[order])
+
+
+def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers, Vector]:
+    """Return the nearer end of each bracket, and the distance from it."""
+    half = (high - low) * np.pi / 2
+    above = _Equation(attached, low)
+    start = -1.0 if attached.structure.kind == "stiffness" else 1.0
+    below = np.sign(above(half)) != start
+    origin = np.where(below, low, high)
+    end = np.where(below, half, -half)
+    function = _Equation(attached, origin)
+    zero = np.zeros_like(end)
+    return origin, bracketed(function, zero, end, function.at_origin(), function(end))
+
+
+@lru_cache(maxsize=64)
+def _series(attached: Attached) -> Vector:
+    """Return the coefficients of the power series of the receptance in lambda."""
+    return left_out(attached, 0, TERMS, MODES).sums
+
+
+class _Equation:
+    """The characteristic equation times the distance from the wave number at the origin.
+
+    Where that is 0, which is none, the equation itself.
+    """
+
+    def __init__(self, attached: Attached, origin: Integers) -> None:
+        self.attached, self.origin = attached, origin
+        self.series = _series(attached) if attached.structure.m == 2 else None
+
+    def at_origin(self) -> Vector:
+        """Return its limit there."""
+        attached, n = self.attached, self.origin
+        m, wave = attached.structure.m, self.origin * np.pi
+        weight = attached.felt(n) ** 2
+        if attached.structure.kind == "compliance":
+            weight = 2 * attached.sines(n)[0] ** 2
+        with np.errstate(divide="ignore", invalid="ignore"):
+            limit = -attached.s * weight / (2 * m * wave ** (2 * m - 1))
+        if attached.structure.kind != "stiffness":
+            limit = -limit * wave ** (2 * m)
+        return np.where(n == 0, 1.0, limit)
+
+    def __call__(self, offset: Vector) -> Vector:
+        structure = self.attached.structure
+        beta = self.origin * np.pi + offset
+        factor = np.where(self.origin == 0, 1.0, offset)
+        G = factor * self._receptance(beta, offset)
+        if structure.kind == "stiffness":
+            return np.asarray(factor + self.attached.s * G)
+        return np.asarray(factor - self.attached.s * beta ** (2 * structure.m) * G)
+
+    def _receptance(self, beta: Vector, offset: Vector) -> Vector:
+        """Return the receptance; of a compliance over lambda."""
+        module = self.attached.structure.module
+        a, b = float(self.attached.a), float(1 - self.attached.a)
+        q = _Sines(self.attached, self.origin, offset)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            over = module.receptance_over_sine(beta, q.sin_a, q.cos_a, q.sin_b, q.cos_b)
+            closed = over / q.sin + module.receptance_rest(beta, a, b)
+        if self.series is None:
+            return np.asarray(closed)
+        powers: Matrix = beta[:, None] ** (2 * self.attached.structure.m * np.arange(TERMS))
+        near = np.where(beta[:, None] < SMALL, powers, 0.0) @ self.series
+        return np.where(beta < SMALL, near, closed)

@@ -1,0 +1,94 @@
+"""The three expansions by name, and what can be had of each."""
+
+from collections.abc import Sequence
+
+from ..attached import Attached
+from ..eigenvalues.secular import number
+from ..structure import Structure
+from .bare import BareModes
+from .forced import ritz_forced
+from .pieces import piecewise
+
+#: ``ritz``: sines; ``ritz-ck``: sines and forced modes; ``ck``: functions of class C^k only.
+METHODS = ("ritz", "ritz-ck", "ck")
+
+#: Highest orders: sines are sums, Legendre pieces dense matrices.
+HIGHEST = {"ritz": 4096, "ritz-ck": 512, "ck": 100}
+
+
+def generic_method(structure: Structure, method: object) -> str:
+    """Return the generic name of a method, which may be spelled with the class.
+
+    Raises
+    ------
+    ValueError
+        If there is none of this name.
+    """
+    if isinstance(method, str):
+        wanted = method.replace(f"c{structure.k}", "ck")
+        if wanted in METHODS:
+            return wanted
+    expected = f"one of {', '.join(METHODS)}: {structure.name} is C{structure.k}"
+    raise ValueError(f"method: got {method!r}, expected {expected}")
+
+
+def shown(structure: Structure, method: str) -> str:
+    """Return the name of a method with the class of the structure: ``ritz-c1``."""
+    return method.replace("ck", f"c{structure.k}")
+
+
+def check_forced(structure: Structure, method: str, forced: int | None) -> int:
+    """Return how many forced modes a method has.
+
+    Raises
+    ------
+    ValueError
+        If there are not so many, or the method has none.
+    """
+    if method != "ritz-ck":
+        if forced is not None:
+            raise ValueError(f"forced: got {forced!r}, {method} has no forced modes")
+        return 0
+    most, found = structure.most_forced, 1 if forced is None else forced
+    if isinstance(found, bool) or not isinstance(found, int) or not 1 <= found <= most:
+        raise ValueError(f"forced: got {forced!r}, expected a whole number from 1 to {most}")
+    return found
+
+
+def check_order(method: str, order: object) -> int:
+    """Return the order of a method.
+
+    Raises
+    ------
+    ValueError
+        If it is not a whole number in the range of the method.
+    """
+    most = HIGHEST[method]
+    if isinstance(order, bool) or not isinstance(order, int) or not 1 <= order <= most:
+        expected = f"a whole number from 1 to {most}"
+        raise ValueError(f"order: got {order!r}, expected {expected} for {method}")
+    return order
+
+
+def bare_modes(
+    attached: Attached, method: str, order: int, forced: int | Sequence[int] = 0
+) -> BareModes:
+    """Return the bare modes of a method at an order.
+
+    Parameters
+    ----------
+    attached : Attached
+    method, order : str, int
+        Checked.
+    forced : int or sequence of int
+        How many forced modes, the first ones, or which.
+    """
+    if method == "ck":
+        return piecewise(attached, order)
+    chosen = tuple(range(1, forced + 1)) if isinstance(forced, int) else tuple(forced)
+    return ritz_forced(attached, order, chosen)
+
+
+def available(attached: Attached, bare: BareModes) -> int:
+    """Return how many modes an expansion has."""
+    return number(bare, attached.structure.kind)

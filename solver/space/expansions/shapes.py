@@ -1,0 +1,78 @@
+"""The shape of a mode from its eigenvalue: what each bare mode has of it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arrays import Vector
+from ..attached import Attached
+from ..eigenvalues.secular import Roots
+from .bare import BareModes
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A mode shape in the bare modes of an expansion, with a mean square of one.
+
+    Parameters
+    ----------
+    bare : BareModes
+    coefficients : ndarray
+        Of the bare modes.
+    hinge : float
+        Of the function with a unit jump, of a compliance.
+    """
+
+    bare: BareModes
+    coefficients: Vector
+    hinge: float
+
+    def values(self, x: Vector, derivative: int) -> Vector:
+        """Return a derivative at places `x` in units of the length."""
+        x = np.asarray(x, dtype=float)
+        found = self.coefficients @ self.bare.shapes.values(x, derivative)
+        if self.hinge:
+            found = found + self.hinge * self.bare.shapes.hinge(x, derivative)
+        return np.asarray(found)
+
+
+def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape:
+    """Return the shape of the `i`-th of some eigenvalues, rising where ``x = 0``."""
+    hinge = 0.0
+    if roots.untouched[i] >= 0:
+        found = np.zeros(len(bare.eigenvalues))
+        found[roots.untouched[i]] = 1.0
+    else:
+        away = (bare.eigenvalues - roots.origin[i]) - roots.shift[i]
+        # rounding may put a root on a pole of which next to nothing is felt
+        away = np.where(away == 0, np.finfo(float).eps * bare.eigenvalues, away)
+        found = bare.felt / away
+        if attached.structure.kind == "compliance":
+            found, hinge = found * float(roots.values[i]), 1.0
+    found_norm = found @ found + hinge * (hinge * bare.hinge_mass + 2 * bare.felt @ found)
+    scale = float(1 / np.sqrt(found_norm))
+    shape = Shape(bare, found * scale, hinge * scale)
+    if shape.values(np.zeros(1), 1)[0] < 0:
+        return Shape(bare, -shape.coefficients, -shape.hinge)
+    return shape
+
+
+def jump(attached: Attached, shape: Shape) -> float:
+    """Return the jump of the broken derivative at the attachment."""
+    return float(shape.bare.jumps @ shape.coefficients + attached.structure.jump * shape.hinge)
+
+
+def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float:
+    """Return the jump over what the law of the attachment says it is, less one.
+
+    An error that needs no exact solution; -1 where the functions have no jump.
+    """
+    structure, bare = attached.structure, shape.bare
+    felt = float(bare.at_a @ shape.coefficients + bare.hinge_at_a * shape.hinge)
+    factor = {
+        "stiffness": -attached.s,
+        "inertia": attached.s * eigenvalue,
+        "compliance": attached.s,
+    }[structure.kind]
+    law = structure.jump * factor * felt
+    return jump(attached, shape) / law - 1 if law else float("nan")

@@ -1,0 +1,49 @@
+"""Ritz: sines only, the modes of the bare structure, which are exact."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arrays import Matrix, Vector
+from ..attached import Attached
+from .bare import BareModes
+
+
+@dataclass(frozen=True)
+class Sines:
+    """The functions ``sqrt(2) sin(n pi x)``, n = 1, ..., N."""
+
+    N: int
+
+    def values(self, x: Vector, derivative: int) -> Matrix:
+        """Return a derivative of each at places `x`, shape (N, len(x))."""
+        wave = np.pi * np.arange(1, self.N + 1)[:, None]
+        turned = wave * np.asarray(x)[None, :] + derivative * np.pi / 2
+        return np.asarray(np.sqrt(2.0) * wave**derivative * np.sin(turned))
+
+    def hinge(self, x: Vector, derivative: int) -> Vector:
+        """Return zeros: sines have no jump."""
+        return np.zeros_like(np.asarray(x, dtype=float))
+
+
+def ritz(attached: Attached, N: int) -> BareModes:
+    """Return the bare modes of the expansion in N sines.
+
+    Of a compliance nothing is felt of any: sines have no jump in the slope.
+    """
+    n = np.arange(1, N + 1)
+    felt = attached.felt(n)
+    compliant = attached.structure.kind == "compliance"
+    return BareModes(
+        eigenvalues=attached.bare(n),
+        felt=np.zeros(N) if compliant else felt,
+        at_a=felt,
+        jumps=np.zeros(N),
+        hinge_mass=0.0,
+        hinge_rest=0.0,
+        hinge_at_a=0.0,
+        unknowns=N,
+        shapes=Sines(N),
+        off=0.0,
+        inexact=np.ones(N),
+    )

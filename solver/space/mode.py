@@ -1,0 +1,158 @@
+"""One mode: its frequency, how far it is off, and its shape."""
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..arrays import Vector
+from .attached import Attached
+from .expansions.shapes import Shape, jump_mismatch
+
+#: What the broken derivative is in mechanics, by the class.
+QUANTITIES = {0: "slope", 1: "moment", 2: "shear force"}
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A mode of a structure with an attachment.
+
+    Parameters
+    ----------
+    number : int
+        From 1, the lowest.
+    eigenvalue : float
+        ``lambda = beta^(2m)``.
+    exact_beta : float
+        Of the exact mode of this number.
+    error : float
+        Frequency over the exact one, less one.
+    bounds : tuple of (float or None)
+        Of the exact eigenvalue, proved; `low` is None where nothing is proved.
+    node : int or None
+        The `n` of an exact mode ``sin(n pi x/L)`` with a node at the attachment (of a
+        rotation, an antinode), which does not feel it; else None.
+    """
+
+    number: int
+    eigenvalue: float
+    exact_beta: float
+    error: float
+    bounds: tuple[float | None, float]
+    node: int | None
+    _attached: Attached = field(repr=False)
+    _shape: Shape = field(repr=False)
+
+    @property
+    def beta(self) -> float:
+        """The wave number times the length."""
+        return float(self.eigenvalue ** (1 / (2 * self._attached.structure.m)))
+
+    @property
+    def frequency(self) -> float:
+        """The frequency in Hz."""
+        return math.sqrt(self.eigenvalue) * self._attached.frequency_unit / (2 * math.pi)
+
+    @property
+    def node_at_attachment(self) -> bool:
+        """Whether the exact mode does not feel the attachment."""
+        return self.node is not None
+
+    @property
+    def proved_within(self) -> float | None:
+        """How far the frequency can be off, relative, by the bounds; None without both."""
+        low, high = self.bounds
+        return None if low is None else (math.sqrt(high) - math.sqrt(low)) / math.sqrt(low)
+
+    @property
+    def jump_mismatch(self) -> float | None:
+        """The jump at the attachment over that of its law, less one; None of a node.
+
+        It needs no exact solution; -1 where the expansion has no jump.
+        """
+        if self.node is not None:
+            return None
+        found = jump_mismatch(self._attached, self._shape, self.eigenvalue)
+        return found if math.isfinite(found) else None
+
+    def shape(self, x: npt.ArrayLike, derivative: int = 0) -> Vector:
+        """Return the displacement or a derivative of it at places from 0 to the length.
+
+        Parameters
+        ----------
+        x : array_like
+            In metres.
+        derivative : int
+            From 0 to ``2m``.
+
+        Returns
+        -------
+        ndarray
+            In 1/m^derivative: the mean square of the displacement is one.  At the attachment
+            itself, the mean of both sides.
+
+        Raises
+        ------
+        ValueError
+            If a place is not on the structure.
+        """
+        places, length = np.asarray(x, dtype=float), self._attached.length
+        if not ((places >= 0) & (places <= length)).all():
+            raise ValueError(f"x: got {x!r:.60}, expected places from 0 to {length:g} m")
+        found = self._shape.values(np.atleast_1d(places) / length, derivative)
+        return (found / length**derivative).reshape(places.shape)
+
+    def moment(self, x: npt.ArrayLike) -> Vector:
+        """Return the bending moment ``E I u''`` of a beam, in N.
+
+        For a displacement without a unit, as `shape` has it.
+
+        Raises
+        ------
+        ValueError
+            Of a string, which has none.
+        """
+        return self._of_beam("moment", x, 2)
+
+    def shear_force(self, x: npt.ArrayLike) -> Vector:
+        """Return the shear force ``E I u'''`` of a beam, in N/m; see `moment`.
+
+        Raises
+        ------
+        ValueError
+            Of a string, which has none.
+        """
+        return self._of_beam("shear force", x, 3)
+
+    def _of_beam(self, what: str, x: npt.ArrayLike, derivative: int) -> Vector:
+        if self._attached.structure.m != 2:
+            raise ValueError(f"{what}: a {self._attached.structure.bare} has none")
+        return self._attached.restoring * self.shape(x, derivative)
+
+    @property
+    def quantity(self) -> str:
+        """What jumps at the attachment: slope, moment or shear force."""
+        return QUANTITIES[self._attached.structure.k]
+
+    def discontinuous(self, x: npt.ArrayLike) -> Vector:
+        """Return the first discontinuous derivative: slope, moment or shear force."""
+        broken = self._attached.structure.broken
+        if broken == 1:
+            return self.shape(x, 1)
+        return self._of_beam(self.quantity, x, broken)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the mode as plain numbers; bounds are those of the eigenvalue."""
+        return {
+            "number": self.number,
+            "beta": self.beta,
+            "frequency": self.frequency,
+            "eigenvalue": self.eigenvalue,
+            "exact": {"beta": self.exact_beta},
+            "error": self.error,
+            "bounds": list(self.bounds),
+            "jump_mismatch": self.jump_mismatch,
+            "node": self.node,
+        }

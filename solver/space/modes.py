@@ -1,0 +1,260 @@
+"""The modes of a structure with an attachment, by one of three expansions."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, overload
+
+import numpy as np
+
+from ..case.parameters import is_number
+from .attached import POSITION, Attached, attach
+from .eigenvalues import bounds, secular
+from .eigenvalues.exact import ExactModes, exact_modes
+from .expansions.bare import BareModes
+from .expansions.methods import (
+    HIGHEST,
+    available,
+    bare_modes,
+    check_forced,
+    check_order,
+    generic_method,
+    shown,
+)
+from .expansions.shapes import shape_of
+from .mode import Mode
+from .structure import Structure, load
+
+#: Method, order and number of modes where nothing else is said.
+METHOD, ORDER, COUNT = "ritz-ck", 8, 6
+
+#: Orders that a tolerance tries, the lowest first.
+TRIED = (*range(1, 17), 20, 24, 28, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 1024, 4096)
+
+
+class ToleranceNotMet(ValueError):  # noqa: N818  (named like the other errors of the package)
+    """No order of a method brings all modes within the tolerance."""
+
+
+@dataclass(frozen=True)
+class Modes(Sequence[Mode]):
+    """The lowest modes of a structure, by one expansion.
+
+    Parameters
+    ----------
+    attached : Attached
+    method : str
+    order : int
+    forced : int
+        Forced modes beside the sines.
+    unknowns : int
+    found : tuple of Mode
+    exact : ExactModes
+        The exact modes of these numbers.
+    """
+
+    attached: Attached
+    method: str
+    order: int
+    forced: int
+    unknowns: int
+    found: tuple[Mode, ...] = field(repr=False)
+    exact: ExactModes = field(repr=False)
+
+    @overload
+    def __getitem__(self, index: int) -> Mode: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Mode, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> Mode | tuple[Mode, ...]:
+        return self.found[index]
+
+    def __len__(self) -> int:
+        return len(self.found)
+
+    def __iter__(self) -> Iterator[Mode]:
+        return iter(self.found)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} modes of {self.structure.name} by {self.shown}, N = {self.order}>"
+
+    @property
+    def structure(self) -> Structure:
+        """The structure without its numbers."""
+        return self.attached.structure
+
+    @property
+    def shown(self) -> str:
+        """The method with the class in its name: ``ritz-c1``, with two forced modes (2)."""
+        name = shown(self.structure, self.method)
+        return f"{name}({self.forced})" if self.forced > 1 else name
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return structure, method and modes as plain numbers."""
+        a, s = self.attached, self.structure
+        return {
+            "structure": s.name,
+            "class": f"C{s.k}",
+            "parameters": dict(a.values),
+            "position": str(a.a),
+            "strength": a.s,
+            "method": self.method,
+            "order": self.order,
+            "forced": self.forced,
+            "unknowns": self.unknowns,
+            "modes": [mode.as_dict() for mode in self],
+        }
+
+
+def modes(
+    structure: str | Attached,
+    method: str = METHOD,
+    order: int | None = None,
+    forced: int | None = None,
+    count: int | None = None,
+    tol: float | None = None,
+    position: object = POSITION,
+    **parameters: float,
+) -> Modes:
+    """Return the lowest modes of a beam or a string with one attachment.
+
+    Parameters
+    ----------
+    structure : str or Attached
+        One of ``nonsmooth.structures()``; or what an earlier result has as ``attached``.
+    method : {"ritz-ck", "ritz", "ck"}
+        Sines and forced modes, sines alone, or functions of class C^k only; also spelled with
+        the class, as ``"ritz-c1"``.
+    order : int, optional
+        N: the number of sines, or the degree on each side of the attachment; 8 if not given.
+    forced : int, optional
+        With ``"ritz-ck"``: forced modes, 1 to 3; 1 if not given.
+    count : int, optional
+        How many modes; 6 if not given, or as many as there are.
+    tol : float, optional
+        In place of an order: the lowest whose frequencies are all within it, relative.  By
+        the proved bounds; of ``"ck"``, and where none is proved, by the error.
+    position : str, float or Fraction
+        Of the attachment, as a part of the length: ``"3/10"`` or 0.3.
+    **parameters : float
+        In SI units: ``length``, ``bending_stiffness`` (of a beam) or ``tension`` (of a string),
+        ``mass_per_length``, and what is attached: ``stiffness``, ``mass``, ``inertia`` or
+        ``compliance``.
+
+    Returns
+    -------
+    Modes
+        A sequence of `Mode`.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not one of these.
+    ToleranceNotMet
+        If no order is within the tolerance.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> found = ns.modes("beam-rotational-spring", position="3/10", stiffness=10)
+    >>> round(found[0].beta, 8), f"{found[0].error:.0e}"
+    (3.44973697, '6e-11')
+    >>> [mode.number for mode in found if mode.node_at_attachment]
+    [5]
+    """
+    attached = structure if isinstance(structure, Attached) else None
+    if attached is None:
+        attached = attach(load(structure), position, **parameters)  # type: ignore[arg-type]
+    elif parameters or position != POSITION:
+        raise ValueError("structure: got one with numbers, and parameters beside it")
+    method = generic_method(attached.structure, method)
+    K = check_forced(attached.structure, method, forced)
+    if tol is None:
+        return at_order(attached, method, ORDER if order is None else order, K, count)
+    if order is not None:
+        raise ValueError(f"tol: got {tol!r} with order {order!r}, expected one of them")
+    if not is_number(tol) or not 0 < tol < 1:
+        raise ValueError(f"tol: got {tol!r}, expected a number above 0 and below 1")
+    return _to_tolerance(attached, method, K, COUNT if count is None else count, float(tol))
+
+
+def at_order(attached: Attached, method: str, order: int, K: int, count: int | None) -> Modes:
+    """Return the modes of a checked method at an order.
+
+    Raises
+    ------
+    ValueError
+        If the order is out of range, or there are fewer modes than wanted.
+    """
+    bare = bare_modes(attached, method, check_order(method, order), K)
+    wanted = _count(available(attached, bare), count, method, order)
+    roots = secular.eigenvalues(bare, attached.structure.kind, attached.s, wanted)
+    exact = exact_modes(attached, wanted)
+    low = np.full(wanted, np.nan)
+    if method != "ck":
+        low = bounds.below(attached, order, K, wanted)
+    high = bounds.above(roots)
+    found = tuple(
+        _mode(attached, bare, roots, exact, i, float(low[i]), float(high[i]))
+        for i in range(wanted)
+    )
+    return Modes(attached, method, order, K, bare.unknowns, found, exact)
+
+
+def _count(there_are: int, count: int | None, method: str, order: int) -> int:
+    if count is None:
+        return min(COUNT, there_are)
+    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+        raise ValueError(f"count: got {count!r}, expected a whole number from 1")
+    if count > there_are:
+        raise ValueError(
+            f"count: got {count}, {method} at order {order} has {there_are} modes; "
+            "expected fewer, or a higher order"
+        )
+    return count
+
+
+def _mode(
+    attached: Attached, bare: BareModes, roots: secular.Roots, exact: ExactModes, i: int,
+    low: float, high: float,
+) -> Mode:  # fmt: skip
+    return Mode(
+        number=i + 1,
+        eigenvalue=float(roots.values[i]),
+        exact_beta=float(exact.beta[i]),
+        error=_frequency_error(roots, exact, i),
+        bounds=(low if math.isfinite(low) else None, high),
+        node=int(exact.n[i]) if exact.untouched[i] else None,
+        _attached=attached,
+        _shape=shape_of(attached, bare, roots, i),
+    )
+
+
+def _frequency_error(roots: secular.Roots, exact: ExactModes, i: int) -> float:
+    """Return frequency over the exact one less one."""
+    off = secular.difference(roots, exact.origins, exact.shifts, i)
+    return math.expm1(0.5 * math.log1p(off / float(exact.eigenvalues[i])))
+
+
+def _to_tolerance(attached: Attached, method: str, K: int, count: int, tol: float) -> Modes:
+    last = None
+    for order in TRIED:
+        if order > HIGHEST[method]:
+            break
+        try:
+            found = at_order(attached, method, order, K, count)
+        except ValueError:
+            if order < max(count, 2):
+                continue  # fewer modes than wanted
+            raise
+        last = max(_off(mode) for mode in found)
+        if last <= tol:
+            return found
+    reached = "" if last is None else f"; order {found.order} reaches {last:.1e}"
+    name = shown(attached.structure, method)
+    raise ToleranceNotMet(f"tol: got {tol:g}, no order of {name} is within it{reached}")
+
+
+def _off(mode: Mode) -> float:
+    return abs(mode.error) if mode.proved_within is None else mode.proved_within

@@ -1,0 +1,117 @@
+"""Structures that were generated, in numbers."""
+
+import types
+from dataclasses import dataclass
+from difflib import get_close_matches
+from importlib import import_module
+from typing import Any
+
+_GENERATED = f"{__package__.rpartition('.solver')[0]}.generated.space"
+
+
+class UnknownStructure(ValueError):  # noqa: N818  (named like the other errors of the package)
+    """There is no structure of the name that was given."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a structure, in SI units."""
+
+    name: str
+    symbol: str
+    unit: str
+    default: float
+    what: str
+
+
+@dataclass(frozen=True)
+class Structure:
+    """A bare structure with one thing attached, as it was generated.
+
+    Parameters
+    ----------
+    name, title, source : str
+    bare : str
+        ``"beam"`` or ``"string"``.
+    m : int
+        Half the order of its equation.
+    felt, broken : int
+        The derivative that the attachment feels, and the one that jumps.
+    kind : str
+        ``"stiffness"``, ``"inertia"`` or ``"compliance"``.
+    jump : int
+        Of the broken derivative under a unit load: 1 or -1.
+    rates : tuple of int
+        Powers of 1/N of the error of an eigenvalue, for 0, 1, ... forced modes.
+    parameters : tuple of Parameter
+        The last is what is attached.
+    """
+
+    name: str
+    title: str
+    source: str
+    bare: str
+    m: int
+    felt: int
+    broken: int
+    kind: str
+    jump: int
+    rates: tuple[int, ...]
+    parameters: tuple[Parameter, ...]
+
+    @property
+    def k(self) -> int:
+        """The class of its modes."""
+        return self.broken - 1
+
+    @property
+    def attached(self) -> Parameter:
+        """The parameter that is attached."""
+        return self.parameters[-1]
+
+    @property
+    def most_forced(self) -> int:
+        """How many forced modes there are."""
+        return len(self.rates) - 1
+
+    @property
+    def module(self) -> types.ModuleType:
+        """Its closed forms, imported when they are asked for."""
+        return import_module(f"{_GENERATED}.{self.name.replace('-', '_')}")
+
+
+def names() -> tuple[str, ...]:
+    """Return the names of the structures.
+
+    Examples
+    --------
+    >>> "beam-mass" in names()
+    True
+    """
+    return tuple(_records())
+
+
+def load(name: str) -> Structure:
+    """Return a structure by its name.
+
+    Raises
+    ------
+    UnknownStructure
+        Naming the nearest structure that there is.
+    """
+    known = names()
+    wanted = name.replace("_", "-") if isinstance(name, str) else ""
+    if wanted not in known:
+        close = get_close_matches(wanted, known, 1)
+        hint = f"; did you mean {close[0]}?" if close else ""
+        raise UnknownStructure(
+            f"structure: got {name!r}, expected one of {', '.join(known)}{hint}"
+        )
+    record = dict(_records()[wanted])
+    parameters = tuple(Parameter(*row) for row in record.pop("parameters"))
+    return Structure(name=wanted, parameters=parameters, **record)
+
+
+def _records() -> dict[str, dict[str, Any]]:
+    found: dict[str, dict[str, Any]] = import_module(f"{_GENERATED}.structures").STRUCTURES
+    return found

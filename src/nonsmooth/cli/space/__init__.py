@@ -1,0 +1,1 @@
+"""``nonsmooth modes``, and ``sweep`` of a structure: modes of beams and strings in space."""

@@ -1,0 +1,227 @@
+"""``nonsmooth modes STRUCTURE``: the lowest modes by one expansion, or by all three."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..output import PICTURES, check_target, write_text, write_whole
+from ..problems import Problem
+from ..progress import progress
+from .named import StructureCommand, known
+from .options import as_problems, attached_from, command_of
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.space.attached import Attached
+    from nonsmooth.solver.space.modes import Modes
+    from nonsmooth.solver.space.structure import Structure
+
+#: What modes can be written as.
+SUFFIXES = (".json", ".csv", *PICTURES)
+
+#: What asks for every expansion.
+ALL = "all"
+
+EPILOG = """\b
+Examples:
+  nonsmooth modes
+  nonsmooth modes beam-rotational-spring --position 3/10 --stiffness 10
+  nonsmooth sweep beam-crack --orders 1-40
+  nonsmooth equations beam-mass
+"""
+
+HELP = """Compute the lowest modes of {name}.
+
+{title}; its modes are of class C{k}. The methods are those of the paper, in space: ritz has
+sines, ritz-ck sines and forced modes, ck functions of class C{k} only. Every mode comes with
+its error against the exact one and, where they hold, with proved bounds."""
+
+EPILOG_OF = """\b
+Examples:
+  nonsmooth modes {structure} --position 3/10 --{flag} 10
+  nonsmooth modes {structure} --method all --order 12 -o modes.png
+  nonsmooth modes {structure} --forced 2 --tol 1e-12 --count 3
+  nonsmooth modes {structure} --vary position=1/20:1/2:10
+"""
+
+
+@click.command(cls=StructureCommand, epilog=EPILOG)
+@click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
+def modes(json_: bool) -> None:
+    """Compute the lowest modes of a beam or a string with something attached.
+
+    STRUCTURE is one of those that are listed without it; 'nonsmooth modes STRUCTURE --help'
+    has its parameters.
+    """
+    from nonsmooth.solver.space.structure import load  # noqa: PLC0415
+
+    from ..scenes.shown.listing import columns  # noqa: PLC0415
+
+    structures = [load(name) for name in known()]
+    if json_:
+        from nonsmooth.files.json_text import as_json  # noqa: PLC0415
+
+        listed = [
+            {"name": q.name, "class": f"C{q.k}", "what": q.title, "source": q.source}
+            for q in structures
+        ]
+        click.echo(as_json({"structures": listed}))
+        return
+    rows = [(q.name, f"C{q.k}", f"--{q.attached.name}", q.title) for q in structures]
+    click.echo(columns(("structure", "class", "attached", "what it is"), rows))
+
+
+def command(structure: "Structure", said: str) -> click.Command:
+    """Return ``nonsmooth modes`` of a structure, which the user called so."""
+    k, most = structure.k, structure.most_forced
+    options: list[click.Parameter] = [
+        click.Option(
+            ["--method"], help=f"ritz, ritz-c{k}, c{k}, or all.  [default: ritz-c{k}]"
+        ),
+        click.Option(["--order"], type=int, help="N, the size.  [default: 8]"),
+        click.Option(
+            ["--forced"], type=int, metavar="K",
+            help=f"Forced modes of ritz-c{k}, 1 to {most}.  [default: 1]",
+        ),
+        click.Option(["--count"], type=int, help="How many modes.  [default: 6]"),
+        click.Option(
+            ["--tol"], type=float, help="Choose N: largest relative error of a frequency."
+        ),
+        click.Option(
+            ["--vary"], metavar="NAME=FROM:TO:POINTS",
+            help="Modes over a parameter or the position.",
+        ),
+        click.Option(["--log"], is_flag=True, help="With --vary: points by a constant factor."),
+        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
+        click.Option(
+            ["-o", "--output"], type=click.Path(path_type=Path),
+            help="Write the modes: .json, .csv; or a picture .png, .svg, .pdf.",
+        ),
+    ]  # fmt: skip
+
+    def callback(
+        case: Path | None, json_: bool, output: Path | None, vary: str | None, log: bool,
+        **rest: Any,
+    ) -> int:  # fmt: skip
+        check_target(output, SUFFIXES)
+        wanted = {q: rest.pop(q) for q in ("method", "order", "forced", "count", "tol")}
+        attached = attached_from(structure, case, rest)
+        if vary is None and log:
+            raise Problem("--log: expected --vary with it")
+        if vary is not None:
+            return run_family(attached, wanted, vary, log, json_, output)
+        return run(attached, wanted, json_, output)
+
+    words = {"name": structure.name, "k": k, "title": structure.title.capitalize()}
+    epilog = EPILOG_OF.format(structure=said, flag=structure.attached.name.replace("_", "-"))
+    return command_of(structure, callback, options, HELP.format(**words), epilog)
+
+
+def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
+    """Return the modes by the method that is wanted, or by each.
+
+    Raises
+    ------
+    Problem
+        If there are none such; with status 1 if no order is within the tolerance.
+    """
+    from nonsmooth.solver.space.expansions.methods import METHODS  # noqa: PLC0415
+    from nonsmooth.solver.space.modes import ToleranceNotMet  # noqa: PLC0415
+    from nonsmooth.solver.space.modes import modes as modes_of  # noqa: PLC0415
+
+    given = {name: value for name, value in wanted.items() if value is not None}
+    methods = METHODS if given.get("method") == ALL else (given.get("method"),)
+    given.pop("method", None)
+    forced = given.pop("forced", None)
+    found = []
+    for method in methods:
+        arguments = given | ({} if method is None else {"method": method})
+        if forced is not None and (len(methods) == 1 or method == "ritz-ck"):
+            arguments["forced"] = forced
+        try:
+            with as_problems():
+                found.append(modes_of(attached, **arguments))
+        except Problem as problem:
+            if isinstance(problem.__cause__, ToleranceNotMet):
+                raise Problem(str(problem), 1) from problem
+            if str(problem).startswith("--method"):
+                raise Problem(f"{problem}; or {ALL}") from problem
+            raise
+    return found
+
+
+def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path | None) -> int:
+    """Compute the modes, show them, write them; the exit status."""
+    from . import documents, shown  # noqa: PLC0415
+
+    found = compute(attached, wanted)
+    text = documents.text(attached.structure, documents.of_modes(found))
+    if json_:
+        click.echo(text, nl=False)
+    else:
+        click.echo(shown.caption(attached))
+        shown.modes(found)
+        click.echo(f"\n{shown.legend(attached.structure)}")
+    _warn(found)
+    if output is not None:
+        if output.suffix.lower() == ".json":
+            write_text(output, text)
+        elif output.suffix.lower() == ".csv":
+            write_whole(output, lambda target: documents.write_modes(found, target))
+        else:
+            from .pictures import modes_picture  # noqa: PLC0415
+
+            write_whole(output, lambda target: modes_picture(found, target))
+    return 0
+
+
+def _warn(found: "list[Modes]") -> None:
+    for expansion in found:
+        if expansion.structure.kind == "compliance" and expansion.method == "ritz":
+            words = "sines have no jump: these are the modes of the sound beam"
+            click.echo(f"nonsmooth: ritz: {words}", err=True)
+
+
+def run_family(
+    attached: "Attached", wanted: dict[str, Any], vary: str, log: bool, json_: bool,
+    output: Path | None,
+) -> int:  # fmt: skip
+    """Compute the modes over a parameter, show them, write them; the exit status."""
+    from . import documents, shown  # noqa: PLC0415
+    from .vary import parse_vary  # noqa: PLC0415
+
+    if wanted["method"] == ALL:
+        raise Problem("--vary: got --method all with it, expected one method")
+    over = parse_vary(vary, log, attached)
+    found: list[Modes] = []
+    with progress(len(over.values), "sweep") as advance:
+        for value, each in zip(over.labels, over.structures, strict=True):
+            found += compute(each, wanted)
+            advance(f"{over.name} = {value}")
+    text = documents.text(
+        attached.structure, documents.of_family(over.name, over.values, found)
+    )
+    if json_:
+        click.echo(text, nl=False)
+    else:
+        click.echo(shown.caption(attached, over.name.replace("-", "_")))
+        words = (
+            f"{found[0].shown}, N = {found[0].order}"
+            if wanted["tol"] is None
+            else "to a tolerance"
+        )
+        click.echo(f"{over.name} varies; {words}\n")
+        shown.family(over.name, over.labels, found)
+    if output is not None:
+        if output.suffix.lower() == ".json":
+            write_text(output, text)
+        elif output.suffix.lower() == ".csv":
+            write_whole(
+                output,
+                lambda target: documents.write_modes(found, target, over.name, over.values),
+            )
+        else:
+            from .pictures import family_picture  # noqa: PLC0415
+
+            write_whole(output, lambda target: family_picture(over, found, target))
+    return 0

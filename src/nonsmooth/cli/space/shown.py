@@ -1,0 +1,146 @@
+"""Tables of modes, at most 80 columns wide, and what stands above and below them."""
+
+import textwrap
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from ..columns import print_table, table_of
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.space.attached import Attached
+    from nonsmooth.solver.space.convergence import Convergence
+    from nonsmooth.solver.space.mode import Mode
+    from nonsmooth.solver.space.modes import Modes
+    from nonsmooth.solver.space.structure import Structure
+
+#: Columns of a table and of what stands above it.
+WIDTH = 80
+
+
+def caption(attached: "Attached", varied: str = "") -> str:
+    """Return the structure with its class, and its parameters but for what is varied."""
+    structure = attached.structure
+    head = f"{structure.name}: {structure.title} (C{structure.k})"
+    glued = (
+        attached.described(varied).replace(" ", "\0").replace(",\0", ", ").replace(";\0", "; ")
+    )
+    lines = [line.replace("\0", " ") for line in textwrap.wrap(glued, WIDTH)]
+    return "\n".join([head, *lines]) + "\n"
+
+
+def modes(found: "Sequence[Modes]") -> None:
+    """Print the modes by each expansion, a mode after the other."""
+    several = len(found) > 1
+    table = table_of(
+        "mode", *(["method"] if several else []),
+        "f [Hz]", "beta", "f/f_ex-1", "proved", "jump law", "node",
+    )  # fmt: skip
+    longest = max(map(len, found))
+    for place in range(longest):
+        for expansion in found:
+            if place < len(expansion):
+                mode = expansion[place]
+                name = [expansion.shown] if several else []
+                table.add_row(str(mode.number), *name, *_cells(mode))
+    for expansion in found:
+        click.echo(f"{expansion.shown}, N = {expansion.order}: {expansion.unknowns} unknowns")
+    click.echo()
+    print_table(table)
+
+
+def _cells(mode: "Mode") -> list[str]:
+    proved = mode.proved_within
+    return [
+        f"{mode.frequency:.9g}",
+        f"{mode.beta:.10g}",
+        f"{mode.error:.1e}",
+        "" if proved is None else f"{proved:.1e}",
+        _law(mode.jump_mismatch),
+        "" if mode.node is None else f"n = {mode.node}",
+    ]
+
+
+def _law(mismatch: float | None) -> str:
+    if mismatch is None:
+        return ""
+    return "no jump" if mismatch == -1 else f"{mismatch:.1e}"
+
+
+def legend(structure: "Structure") -> str:
+    """Return what the headings mean."""
+    broken, felt = _primes(structure.broken), _primes(structure.felt)
+    law = {
+        "stiffness": f"s {felt}",
+        "inertia": f"s lambda {felt}",
+        "compliance": f"s {felt}",
+    }[structure.kind]
+    sign = _sign(structure)
+    parts = [
+        "beta: wave number times the length",
+        "f_ex: the exact frequency",
+        "proved: how far f can be off, by bounds on both sides that do not know it",
+        f"jump law: [{broken}]/({sign}{law}) - 1 at the attachment",
+        "node: the mode is sin(n pi x/L), which the attachment does not feel",
+    ]
+    return textwrap.fill("; ".join(parts) + ".", WIDTH)
+
+
+def _sign(structure: "Structure") -> str:
+    negative = structure.jump * (-1 if structure.kind == "stiffness" else 1) < 0
+    return "-" if negative else ""
+
+
+def _primes(derivative: int) -> str:
+    return "u" + "'" * derivative
+
+
+def convergence(study: "Convergence") -> None:
+    """Print one row an expansion and order, and the rates."""
+    structure = study.attached.structure
+    names = {(line.method, line.forced): line.name(study.attached) for line in study.lines}
+    table = table_of(
+        "method", "N", "unknowns", "beta", "lam/lam_ex-1", "u",
+        _primes(structure.broken), "jump law",
+    )  # fmt: skip
+    for row in study.rows:
+        head = (names[row.method, row.forced], str(row.order), str(row.unknowns))
+        if row.beta is None:
+            table.add_row(*head, "no such mode", "", "", "", "")
+            continue
+        table.add_row(
+            *head,
+            f"{row.beta:.10g}",
+            f"{row.eigenvalue_error:.1e}",
+            f"{row.shape:.1e}",
+            f"{row.discontinuous:.1e}",
+            _law(row.jump_mismatch),
+        )
+    print_table(table)
+    click.echo("\nPower of N in the error of lambda, fitted from N = 4 on above rounding:\n")
+    rates = table_of("method", "fitted", "expected")
+    for line in study.lines:
+        fitted, expected = study.rate(line), study.expected(line)
+        rates.add_row(
+            line.name(study.attached),
+            "" if fitted is None else f"{fitted:.2f}",
+            _expected(line.method, expected),
+        )
+    print_table(rates)
+
+
+def _expected(method: str, expected: int | None) -> str:
+    if expected is not None:
+        return str(expected)
+    return "faster than any" if method == "ck" else "none: it does not converge"
+
+
+def family(name: str, values: Sequence[str], found: "Sequence[Modes]") -> None:
+    """Print the wave numbers of the modes, a row a value of a parameter."""
+    count = max(map(len, found))
+    table = table_of(name, *(f"beta_{i + 1}" for i in range(count)), "off at most")
+    for value, expansion in zip(values, found, strict=True):
+        off = max(abs(mode.error) for mode in expansion)
+        table.add_row(value, *(f"{mode.beta:.8g}" for mode in expansion), f"{off:.1e}")
+    print_table(table)

@@ -1,0 +1,201 @@
+"""What SymPy derives of a structure, against equations and integrals written by hand."""
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+from known import NAMES, attached
+
+from nonsmooth.codegen.space import STRUCTURES, collapse, forced_modes, green, matching, series
+from nonsmooth.codegen.space.data import a, b, beta, s
+from nonsmooth.codegen.space.show import sections
+from nonsmooth.codegen.system import DerivationError
+from nonsmooth.solver.space.structure import load
+
+CLASSES = {
+    "beam-rotational-spring": 1,
+    "beam-rotary-inertia": 1,
+    "beam-spring": 2,
+    "beam-mass": 2,
+    "beam-crack": 0,
+    "string-mass": 0,
+    "string-spring": 0,
+}
+
+PLACE, WAVE, STRENGTH = mp.mpf(3) / 10, mp.mpf("4.7"), mp.mpf(7)
+
+
+def by_hand(name: str, k: mp.mpf, at: mp.mpf, strength: mp.mpf) -> mp.mpf:
+    """Return the left side of the characteristic equation, as it stands in textbooks."""
+    rest = 1 - at
+    ss, hh = mp.sin(k * at) * mp.sin(k * rest), mp.sinh(k * at) * mp.sinh(k * rest)
+    cc, ch = mp.cos(k * at) * mp.cos(k * rest), mp.cosh(k * at) * mp.cosh(k * rest)
+    sine, sinh = mp.sin(k), mp.sinh(k)
+    turning, pushing = ch * sine - cc * sinh, ss * sinh - hh * sine
+    return {
+        "beam-rotational-spring": 2 * k * sine * sinh + strength * turning,
+        "beam-rotary-inertia": 2 * sine * sinh - strength * k**3 * turning,
+        "beam-spring": 2 * k**3 * sine * sinh + strength * pushing,
+        "beam-mass": 2 * sine * sinh - strength * k * pushing,
+        "beam-crack": 2 * sine * sinh - strength * k * pushing,
+        "string-mass": sine - strength * k * ss,
+        "string-spring": k * sine + strength * ss,
+    }[name]
+
+
+def matching_determinant(name: str, k: mp.mpf, at: mp.mpf, strength: mp.mpf) -> mp.mpf:
+    """Return the determinant of the matching conditions, written out from the laws."""
+    rest, m = 1 - at, 2 if name.startswith("beam") else 1
+
+    def value(kind: str, side: str, d: int) -> mp.mpf:
+        at_, sign = (at, 1) if side == "left" else (rest, (-1) ** d)
+        sine, cosine = (mp.sin, mp.cos) if kind == "sin" else (mp.sinh, mp.cosh)
+        turn = (-1) ** (d // 2) if kind == "sin" else 1
+        return sign * turn * k**d * (sine if d % 2 == 0 else cosine)(k * at_)
+
+    laws = {  # broken derivative, felt derivative, factor
+        "beam-rotational-spring": (2, 1, strength),
+        "beam-rotary-inertia": (2, 1, -strength * k**4),
+        "beam-spring": (3, 0, -strength),
+        "beam-mass": (3, 0, strength * k**4),
+        "beam-crack": (1, 2, strength),
+        "string-mass": (1, 0, -strength * k**2),
+        "string-spring": (1, 0, strength),
+    }
+    broken, felt, factor = laws[name]
+    kinds = ("sin", "sinh")[:m]
+    rows = []
+    for d in range(2 * m):
+        law = factor if d == broken else 0
+        left = [-value(q, "left", d) - law * value(q, "left", felt) for q in kinds]
+        rows.append(left + [value(q, "right", d) for q in kinds])
+    return mp.det(mp.matrix(rows))
+
+
+def at_the_point(expression: sp.Expr) -> mp.mpf:
+    values = {a: PLACE, b: 1 - PLACE, beta: WAVE, s: STRENGTH}
+    return sp.lambdify(list(values), expression, "mpmath")(*values.values())
+
+
+def test_the_class_is_deduced() -> None:
+    assert {name: structure.k for name, structure in STRUCTURES.items()} == CLASSES
+    assert {name: load(name).k for name in NAMES} == CLASSES
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_characteristic_equation_is_that_of_the_textbooks(name: str) -> None:
+    with mp.workdps(30):
+        found = at_the_point(green.characteristic(STRUCTURES[name]))
+        wanted = by_hand(name, WAVE, PLACE, STRENGTH)
+        assert abs(found / wanted - 1) < mp.mpf(10) ** -25
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_it_is_the_determinant_of_the_matching_conditions(name: str) -> None:
+    with mp.workdps(30):
+        factor = at_the_point(matching.check_determinant(STRUCTURES[name]))
+        wanted = matching_determinant(name, WAVE, PLACE, STRENGTH)
+        found = factor * by_hand(name, WAVE, PLACE, STRENGTH)
+        assert abs(found / wanted - 1) < mp.mpf(10) ** -25
+
+
+def test_a_wrong_law_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
+    structure = STRUCTURES["string-spring"]
+    wrong = green.characteristic(structure) + s * sp.sin(beta)
+    monkeypatch.setattr(matching, "characteristic", lambda _: wrong)
+    with pytest.raises(DerivationError, match="string-spring: the determinant"):
+        matching.check_determinant.__wrapped__(structure)
+
+
+@pytest.mark.parametrize(
+    "name", ["string-mass", pytest.param("beam-crack", marks=pytest.mark.long)]
+)
+def test_inner_products_in_closed_form(name: str) -> None:
+    structure, n = STRUCTURES[name], sp.Symbol("n", integer=True, positive=True)
+    one = attached(name)
+    for q in (1, 2):
+        found = forced_modes.inner_with_sine(structure, q, 0).subs(a, sp.Rational(3, 10))
+        numbers = np.arange(1, 5)
+        wanted = one.felt(numbers) / one.bare(numbers) ** q
+        values = [float(found.subs(n, int(k))) for k in numbers]
+        np.testing.assert_allclose(values, wanted, rtol=1e-13)
+    product = forced_modes.inner(structure, 1, 1, 0)
+    assert sp.expand(product - forced_modes.static_sum(structure, 2)) == 0
+
+
+def test_a_sum_that_diverges_is_refused() -> None:
+    with pytest.raises(ValueError, match="S_1 diverges"):
+        forced_modes.static_sum(STRUCTURES["beam-crack"], 1)
+
+
+def test_the_first_sums() -> None:
+    wanted = {
+        "string-mass": (a * b, a**2 * b**2 / 3),
+        "beam-spring": (
+            a**2 * b**2 / 3,
+            a**2 * b**2 * (3 * a**4 - 6 * a**3 - a**2 + 4 * a + 2) / 945,
+        ),
+        "beam-rotational-spring": (
+            (3 * a**2 - 3 * a + 1) / 3,
+            (42 * a**6 - 126 * a**5 + 105 * a**4 - 21 * a**2 + 2) / 945,
+        ),
+    }
+    for name, sums in wanted.items():
+        for q, value in enumerate(sums, 1):
+            found = forced_modes.static_sum(STRUCTURES[name], q)
+            assert sp.expand(found - value.subs(b, 1 - a)) == 0
+
+
+def test_tails_have_the_moments_of_what_is_left_out() -> None:
+    """A measure with K points is its own Gauss quadrature: the tail is exact."""
+    lam = sp.Symbol("lambda", positive=True)
+    nodes, weights = [sp.Rational(1, 5), sp.Rational(1, 11), sp.Rational(1, 29)], [3, 7, 2]
+    for K in (1, 2, 3):
+        pairs = list(zip(nodes[:K], weights, strict=False))
+        moments = [sum(w * x**power for x, w in pairs) for power in range(1, 2 * K + 1)]
+        values = dict(zip(collapse.sums(2 * K), moments, strict=True))
+        exact = sum(w * x / (1 - lam * x) for x, w in pairs)
+        found = collapse.tail(K).subs(values)
+        assert sp.simplify(found.subs(lam, 2) - exact.subs(lam, 2)) == 0
+
+
+def test_rates_by_class_and_forced_modes() -> None:
+    rates = {name: [collapse.rate(STRUCTURES[name], K) for K in range(4)] for name in NAMES}
+    assert rates["beam-rotational-spring"] == [1, 9, 17, 25]
+    assert rates["beam-mass"] == [3, 11, 19, 27]
+    assert rates["beam-crack"][1:] == [7, 15, 23]
+    assert rates["string-mass"] == [1, 5, 9, 13]
+
+
+def test_integration_of_legendre_polynomials() -> None:
+    v = np.linspace(0, 1, 7)
+    for degree in (1, 4, 7):
+        whole = np.polynomial.legendre.Legendre.basis(degree, domain=[0, 1]).integ(lbnd=0)
+        factor = float(series.integral_factor().subs({series.l: degree, series.h: 1}))
+        above = np.polynomial.legendre.Legendre.basis(degree + 1, domain=[0, 1])
+        below = np.polynomial.legendre.Legendre.basis(degree - 1, domain=[0, 1])
+        np.testing.assert_allclose(factor * (above(v) - below(v)), whole(v), atol=1e-15)
+
+
+def test_the_equations_of_every_structure_are_shown(run) -> None:
+    for name in ("string-spring", "beam-crack"):
+        found = sections(name)
+        assert [len(part.equations) > 2 for part in found[:2]] == [True, True]
+        assert found[0].heading.startswith(f"{name} (`C^{CLASSES[name]}`)")
+    status, out, _ = run("equations", "string-spring", "--method", "ritz-c0")
+    assert status == 0
+    assert "forced mode 2" in out
+    assert "Legendre" not in out
+    for format_ in ("latex", "html"):
+        status, out, _ = run(
+            "equations", "string-spring", "--method", "ck", "--format", format_
+        )
+        assert status == 0
+        assert "string" in out
+
+
+def test_what_cannot_be_shown_is_said(run) -> None:
+    status, _, err = run("equations", "string-spring", "--method", "hb")
+    assert (status, "--method: got 'hb', expected one of ritz, ritz-ck, ck" in err) == (2, True)
+    status, _, err = run("equations", "string-spring", "--functions", "2")
+    assert (status, "--functions: got 2" in err) == (2, True)
