@@ -99,7 +99,7 @@ class Entrance:
         Generic names of methods, and what they are called here.
     case : callable
         ``case(oscillator)``: the same as a case of the scene.
-    solve, sweep, exact : callable
+    solve, sweep, exact, family : callable
         The verbs.
     """
 
@@ -110,6 +110,7 @@ class Entrance:
     solve: Callable[..., Any]
     sweep: Callable[..., Any]
     exact: Callable[[Any], Any]
+    family: Callable[..., Any]
 
     def own_name(self, method: object) -> object:
         """Return what a method is called here, if it is one of these by either name."""

@@ -1,9 +1,8 @@
 """One orbit of a case by one method, or the reason why there is none."""
 
 import operator
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from .case.methods import FIRST
 from .compiling import PLAIN_ORDER
 from .iteration.attempt import attempt
 from .iteration.start import rough_times
+from .motions import of_any_motion
 from .no_orbit import NoOrbit
 from .orbit.orbit import SceneOrbit
 from .simulation.settle import rough_times_by_simulation
@@ -81,38 +81,6 @@ def solve_case(
     if case.scene.motions:
         return of_any_motion(case, lambda each: _orbit(each, method, order, functions))
     return _orbit(case, method, order, functions)
-
-
-#: What is found for the case of one motion.
-Found = TypeVar("Found")
-
-
-def of_any_motion(case: Case, find: Callable[[Case], Found]) -> Found:
-    """Return what is found for the first motion of a case for which there is something.
-
-    Raises
-    ------
-    NoOrbit
-        If there is nothing for any; with the reasons of each.
-    """
-    tried: list[str] = []
-    iterations = 0
-    for each in case.each_motion:
-        try:
-            return find(each)
-        except NoOrbit as finding:
-            if not case.scene.motions:
-                raise
-            tried += [f"{each.scene.motion}: {why}" for why in finding.reasons]
-            iterations += finding.iterations
-    motions = ", ".join(case.scene.motions)
-    error = NoOrbit(
-        f"{case.scene.name}: no admissible orbit of any motion ({motions}) was found",
-        False,
-        tuple(tried),
-    )
-    error.iterations = iterations
-    raise error
 
 
 def with_motion(case: Case) -> Case:

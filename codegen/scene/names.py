@@ -19,7 +19,7 @@ TAKEN = frozenset(
 #: Names that kernels and equations use themselves: unknowns, indices, functions.
 _RESERVED = re.compile(
     r"(N|R|J|T|z|p|u|l|n|j|t|x|v|a|b|a0|q\d+|phi|row|case|angle|forcing|omega_0"
-    r"|np|pi|cycles|cos|sin|sqrt|exp|abs|range|len|legendre"
+    r"|np|pi|cycles|cos|sin|sqrt|exp|abs|max|range|len|legendre"
     r"|(at|by|number|over|ends|series|event|displacement|velocity|derivative|impact|jump|memory)_\w+"
     r"|[CS]_[mckfgw](_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
     r"|entry|put|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"

@@ -11,6 +11,7 @@ from ..case.case import Case
 from ..case.kernel import SceneKernel
 from ..iteration.newton import Outcome, newton
 from ..iteration.start import RoughTimes, rough_times, with_coefficients
+from ..motions import of_any_motion
 from ..no_orbit import NoOrbit
 from ..orbit import admissible
 from ..orbit.motion import SceneMotion
@@ -94,7 +95,7 @@ def exact_orbit(
         If no start leads to an admissible orbit; with what each led to.
     """
     if case.scene.motions:
-        return _of_any_motion(case)
+        return of_any_motion(case, exact_orbit)
     given = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
@@ -123,12 +124,6 @@ def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
             tried.append(settled.words)
         else:
             yield settled.times
-
-
-def _of_any_motion(case: Case) -> ExactSceneOrbit:
-    from ..solve import of_any_motion  # noqa: PLC0415  (it solves by expansions, which read this)
-
-    return of_any_motion(case, exact_orbit)
 
 
 def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes | None:

@@ -44,4 +44,10 @@ def _exact(belt: StickSlip) -> Any:
     return exact(belt)
 
 
-ENTRANCES = (Entrance(StickSlip, SCENE, METHODS, case_of, _solve, _sweep, _exact),)
+def _family(belt: StickSlip, *arguments: Any, **options: Any) -> Any:
+    from .search.family import family  # noqa: PLC0415
+
+    return family(belt, *arguments, **options)
+
+
+ENTRANCES = (Entrance(StickSlip, SCENE, METHODS, case_of, _solve, _sweep, _exact, _family),)

@@ -52,8 +52,8 @@ def first_zero(powers: Vector) -> float | None:
 
     Examples
     --------
-    >>> first_zero(np.array([1.0, -4.0, 3.0]))
-    0.333333...
+    >>> round(first_zero(np.array([1.0, -4.0, 3.0])), 12)
+    0.333333333333
     >>> first_zero(np.array([1.0, -2.0, 1.001]))
     """
     degree = len(powers) - 1

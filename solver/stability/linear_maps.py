@@ -43,7 +43,7 @@ class Switch:
     size: float
 
     @property
-    def crossing(self) -> float:
+    def approach(self) -> float:
         """The rate at which the event is crossed."""
         return float(self.gradient @ self.rates_before) + self.drift
 
@@ -59,7 +59,7 @@ def saltation(switch: Switch) -> Matrix:
     ``S = R + (F+ - R F- - R_t) n^T / (n F- + h_t)``: derived by SymPy in
     ``codegen/scene/saltation.py``.
     """
-    change = np.outer(switch.jump, switch.gradient) / switch.crossing
+    change = np.outer(switch.jump, switch.gradient) / switch.approach
     return np.asarray(switch.law + change)
 
 
@@ -69,7 +69,7 @@ def determinant(switch: Switch) -> float:
     Another way than by the entries: one checks the other.
     """
     law = switch.law
-    change = float(switch.gradient @ adjugate(law) @ switch.jump) / switch.crossing
+    change = float(switch.gradient @ adjugate(law) @ switch.jump) / switch.approach
     return float(np.linalg.det(law)) + change
 
 

@@ -7,14 +7,17 @@ the error of the motion between the switches, which is larger than that of the t
 """
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..case.cell import Phase
 from ..flow import flow
-from ..orbit.motion import SceneMotion
 from .linear_maps import Switch, contraction, determinant, rates, saltation, transition
+
+if TYPE_CHECKING:
+    from ..orbit.motion import SceneMotion
 
 #: Rounding that a check allows, as a part of the size of what it adds.
 ROUNDING = 1e-10
@@ -47,7 +50,7 @@ class Monodromy:
     forgotten: int
 
 
-def monodromy(motion: SceneMotion) -> Monodromy:
+def monodromy(motion: "SceneMotion") -> Monodromy:
     """Return the monodromy of a cell of an orbit, checked.
 
     Raises
@@ -63,12 +66,12 @@ def monodromy(motion: SceneMotion) -> Monodromy:
     for p, phase in enumerate(cell.phases):
         s = float(motion.cell_durations[p])
         switch = _switch(motion, p, starts, ends)
-        if not abs(switch.crossing) > TOUCH * switch.size:
+        if not abs(switch.approach) > TOUCH * switch.size:
             raise NoMultipliersError(
                 f"the event that ends {phase.name} is touched, not crossed: "
                 "perturbations are not mapped linearly"
             )
-        slow = min(1.0, abs(switch.crossing) / switch.size)
+        slow = min(1.0, abs(switch.approach) / switch.size)
         forces = motion.case.cell.carrying(p).memory
         along, across = transition(phase, s, forces), saltation(switch)
         matrix = across @ along @ matrix
@@ -81,7 +84,7 @@ def monodromy(motion: SceneMotion) -> Monodromy:
     return Monodromy(matrix, size, len(memory) + held)
 
 
-def _states(motion: SceneMotion) -> tuple[Matrix, Matrix]:
+def _states(motion: "SceneMotion") -> tuple[Matrix, Matrix]:
     """Return displacement and velocity at the start and at the end of each phase."""
     both = np.array([0.0, 1.0])
     phases = range(len(motion.case.cell.phases))
@@ -89,7 +92,7 @@ def _states(motion: SceneMotion) -> tuple[Matrix, Matrix]:
     return found[:, :, 0], found[:, :, 1]
 
 
-def _switch(motion: SceneMotion, p: int, starts: Matrix, ends: Matrix) -> Switch:
+def _switch(motion: "SceneMotion", p: int, starts: Matrix, ends: Matrix) -> Switch:
     """Return the switch at the end of a phase; the motion after it is not yet mirrored."""
     cell, raw = motion.cell, motion.case.cell
     phase, after = cell.phases[p], (p + 1) % len(cell.phases)

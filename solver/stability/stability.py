@@ -1,14 +1,16 @@
 """The multipliers of an orbit, whether it is stable, and how far it is from the boundary."""
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from ..arrays import Vector
-from ..orbit.motion import SceneMotion
 from .monodromy import Monodromy, monodromy
+
+if TYPE_CHECKING:
+    from ..orbit.motion import SceneMotion
 
 Complex: TypeAlias = npt.NDArray[np.complex128]
 
@@ -46,7 +48,7 @@ class Stability:
         return None if abs(self.margin) <= self.rounding else self.margin > 0
 
 
-def stability(motion: SceneMotion) -> Stability:
+def stability(motion: "SceneMotion") -> Stability:
     """Return the multipliers of an orbit, at its own times and states.
 
     Parameters

@@ -1,15 +1,17 @@
 """The stability of an orbit in words and as a document."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ..orbit.motion import SceneMotion
 from .monodromy import NoMultipliersError
+
+if TYPE_CHECKING:
+    from ..orbit.motion import SceneMotion
 
 #: What `stable` means.
 VERDICTS = {True: "stable", False: "unstable", None: "neither stable nor unstable to rounding"}
 
 
-def in_words(motion: SceneMotion) -> str:
+def in_words(motion: "SceneMotion") -> str:
     """Return the multipliers of an orbit and whether it is stable, in one line.
 
     Examples
@@ -36,7 +38,7 @@ def _numbers(values: list[complex]) -> str:
     return ", ".join(f"{value.real:.5g}" for value in values)
 
 
-def document(motion: SceneMotion) -> dict[str, Any]:
+def document(motion: "SceneMotion") -> dict[str, Any]:
     """Return the multipliers of an orbit and its verdict; None for what there is not."""
     try:
         values, stable = motion.multipliers, motion.stable

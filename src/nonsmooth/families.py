@@ -96,9 +96,10 @@ def family(
         from .solver.family import family_case  # noqa: PLC0415
 
         return family_case(case, parameter, _numbers(values), **given, **more)
-    from .solver.shortcuts.search.family import family as of_the_paper  # noqa: PLC0415
+    from .solver.shortcut import entrance_of  # noqa: PLC0415
 
-    return of_the_paper(case, parameter, values, **given, **more)
+    own: Family = entrance_of(case).family(case, parameter, values, **given, **more)
+    return own
 
 
 def _numbers(values: npt.ArrayLike) -> list[float]:

@@ -10,7 +10,7 @@ import pytest
 from nonsmooth.codegen import generate as stage
 
 KEYS = [
-    "schema",
+    *("schema", "scene", "class", "classes", "motion", "cycles"),
     "method",
     "order",
     "parameters",
@@ -25,6 +25,7 @@ KEYS = [
     "transition_mismatch",
     "multipliers",
     "stable",
+    *("phases", "forcing_phase", "memory", "extremes"),
     "exact",
     "errors",
     "estimate",
@@ -50,8 +51,9 @@ def test_solve_prints_the_fixed_keys(method: str, run) -> None:
     assert document["violations"] == []
     names = ["mass", "stiffness", "belt_speed", "mu_s", "mu_k", "normal_force"]
     assert list(document["parameters"]) == names
-    assert list(document["exact"]) == ["t1", "period"]
+    assert list(document["exact"]) == ["t1", "period", "forcing_phase", "durations"]
     names = ["period", "t1", "acceleration", "acceleration_aligned"]
+    names += ["times", "discontinuous"]
     assert list(document["errors"]) == names
     expected = document["period"] / document["exact"]["period"] - 1
     assert document["errors"]["period"] == pytest.approx(expected, abs=1e-15)

@@ -125,8 +125,8 @@ def test_the_order_of_a_series_is_its_highest_harmonic(kernel):
 def test_a_residual_forms_no_derivatives_of_its_tables(name):
     text = source(name, "hb")
     residual, jacobian = text.partition("def residual(")[2].split("def jacobian(")
-    assert ("rates = False" in residual, "rates = True" in residual) == (name == "S3b", False)
-    assert ("rates = True" in jacobian) == (name == "S3b")  # of the other all is known
+    assert ("rates = False" in residual, "rates = True" in residual) == (True, False)
+    assert "rates = True" in jacobian
     assert not re.search(r"^ +[CS]_\w+_by_", residual, flags=re.MULTILINE)
 
 

@@ -15,6 +15,7 @@ ALLOWED: Mapping[tuple[str, str], str] = {
     ("solver.orbit.orbit", "solver.accuracy.estimate"): "an estimate computes better orbits, "
     "and is found on the orbit that it is of",
     ("solver.case.case", "solver.case.registry"): "a case that is unpickled finds its scene",
+    ("solver.case.numbers", "solver.case.registry"): "a scene finds the folders of its motions",
     ("solver.shortcuts.search.solve", "solver.shortcuts.choice.choose"): "a tolerance is met "
     "by solving, and is one of the ways to ask for an orbit",
 }

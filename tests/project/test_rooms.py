@@ -33,7 +33,7 @@ OWN = re.compile(r"/(shortcuts|report)/|^(codegen/(scenes|expansions)|generated)
 
 #: Generic places whose text has such a name, and why.
 MAY_SAY = {
-    "src/nonsmooth/cli/scenes/default.py": {SCENE},  # the choice of the default scene
+    "src/nonsmooth/cli/scenes/default.py": {SCENE, "impact"},  # the default, and the example
     "src/nonsmooth/style.py": {"hb-c1"},  # one style for a method in all pictures
 }
 

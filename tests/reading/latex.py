@@ -25,7 +25,8 @@ SPACING = {
 SIGNS = {r"\sum": "∑", r"\int": "∫", r"\partial": "∂", r"\langle": "⟨", r"\rangle": "⟩"}
 NAMES = {rf"\{name}": name for name in ("sin", "cos", "max", "pi", "alpha", "gamma", "lambda")}
 NAMES |= {
-    rf"\{name}": name for name in ("eta", "mu", "omega", "phi", "psi", "rho", "tau", "xi")
+    rf"\{name}": name
+    for name in ("eta", "mu", "omega", "phi", "psi", "rho", "tau", "xi", "zeta")
 }
 
 #: Words of several letters; all others would be products of letters.

@@ -19,6 +19,7 @@ from . import equations, generate
 from .problems import Problem
 from .scenes import command as scene_command
 from .scenes import simulate as simulation
+from .scenes.default import EXAMPLE
 from .scenes.shown import listing
 from .space import modes
 from .space import named as structures
@@ -97,7 +98,7 @@ def _verbs() -> Iterable[click.Command]:
 simulate = scene_command.SceneCommand(
     "simulate", module="simulate", own=False, params=simulation.options(),
     help=simulation.HELP.format(name="a scene", title="Stick-slip without SCENE"),
-    epilog=simulation.EPILOG.format(scene="impact", flag="gap", value=0.2),
+    epilog=simulation.EPILOG.format(**EXAMPLE),
 )  # fmt: skip
 
 for command in (

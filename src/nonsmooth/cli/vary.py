@@ -27,11 +27,11 @@ class Vary:
         """The name of the parameter on the command line."""
         return self.parameter.replace("_", "-")
 
-    def values(self, start: int, stop: int) -> "Vector":
-        """Return the values from number `start` up to, not including, number `stop`."""
+    def values(self, start: int, end: int) -> "Vector":
+        """Return the values from number `start` up to, not including, number `end`."""
         import numpy as np  # noqa: PLC0415
 
-        numbers, steps = np.arange(start, stop), self.count - 1
+        numbers, steps = np.arange(start, end), self.count - 1
         part = numbers / steps
         if not self.log:
             found = self.first + numbers * ((self.last - self.first) / steps)

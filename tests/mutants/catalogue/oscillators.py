@@ -75,7 +75,7 @@ MUTANTS = (
     ),
     Mutant(
         "the first motion alone is tried",
-        "solver/solve.py", "    for each in case.each_motion:", "    for each in case.each_motion[:1]:",
+        "solver/motions.py", "    for each in case.each_motion:", "    for each in case.each_motion[:1]:",
         SHIPPED,
     ),
 )  # fmt: skip

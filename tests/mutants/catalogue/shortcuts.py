@@ -107,8 +107,8 @@ MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "a generic module knows a method of the paper",
         "solver/accuracy/estimate.py",
-        'BEST = "ck-tau"',
-        'BEST = "hb-c1"',
+        "MORE, LEAST, MOST = 4, 20, 60",
+        "MORE, LEAST, MOST, OTHER = 4, 20, 60, \"hb-c1\"",
         ROOMS,
     ),
     Mutant(

@@ -96,8 +96,8 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "the velocity does not jump",
         "simulate.py",
-        "State(end.x, rho * end.v + d, angle, still)",
-        "State(end.x, end.v + d, angle, still)",
+        "State(end.x, rho * speed + d, angle, still, state.memory)",
+        "State(end.x, speed + d, angle, still, state.memory)",
         MOTION,
     ),
     mistake(

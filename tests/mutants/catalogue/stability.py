@@ -16,8 +16,8 @@ MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "the delay of a perturbed event has the wrong sign",
         "codegen/scene/saltation.py",
-        "behind = law.jacobian(STATE) * moved - rates_after * delay",
-        "behind = law.jacobian(STATE) * moved + rates_after * delay",
+        "behind = law.jacobian(state) * moved - rates_after * delay",
+        "behind = law.jacobian(state) * moved + rates_after * delay",
         SALTATION,
     ),
     Mutant(
@@ -37,8 +37,8 @@ MUTANTS: tuple[Mutant, ...] = (
     numeric(
         "the sign of an impact in the saltation",
         "linear_maps.py",
-        "jump = switch.rates_after - switch.law @ switch.rates_before\n    return",
-        "jump = switch.rates_after + switch.law @ switch.rates_before\n    return",
+        "np.asarray(self.rates_after - self.law @ self.rates_before - self.turning)",
+        "np.asarray(self.rates_after + self.law @ self.rates_before - self.turning)",
     ),
     numeric(
         "the forcing does not move the event",
@@ -55,8 +55,8 @@ MUTANTS: tuple[Mutant, ...] = (
     numeric(
         "the determinant is not checked",
         "monodromy.py",
-        "    _check_determinant(matrix, size, expected)\n    return",
-        "    return",
+        "    _check_determinant(matrix, size, expected)\n    held",
+        "    held",
     ),
     numeric(
         "the rate of the motion is not checked",
@@ -67,7 +67,7 @@ MUTANTS: tuple[Mutant, ...] = (
     numeric(
         "an event that is touched has multipliers",
         "monodromy.py",
-        "if not abs(switch.crossing) > TOUCH * switch.size:",
+        "if not abs(switch.approach) > TOUCH * switch.size:",
         "if False:",
     ),
     numeric(
@@ -85,8 +85,8 @@ MUTANTS: tuple[Mutant, ...] = (
     numeric(
         "the zero of a held phase is computed",
         "stability.py",
-        "if found.singular:  # a held",
-        "if False:  # a held",
+        "values[zero], errors[zero] = 0.0, 0.0",
+        "errors[zero] = 0.0",
     ),
     numeric(
         "at the boundary an orbit is called stable",

@@ -7,7 +7,8 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.style import EXACT, SETTINGS, STYLES, save
+from nonsmooth.solver.case.methods import about
+from nonsmooth.style import EXACT, SETTINGS, save
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,9 +20,9 @@ if TYPE_CHECKING:
 
 #: The look of each expansion: that of its like in the paper.
 LOOKS: dict[str, dict[str, Any]] = {
-    "ritz": STYLES["hb"],
-    "ritz-ck": STYLES["hb-c1"],
-    "ck": STYLES["c1"],
+    "ritz": about("hb").look,
+    "ritz-ck": about("hb-ck").look,
+    "ck": about("ck").look,
 }
 
 #: Markers of one, two, three forced modes.

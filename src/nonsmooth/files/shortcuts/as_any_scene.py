@@ -13,7 +13,11 @@ SCENE, CLASS, PHASES = "stick-slip", "C1", ("stick", "slip")
 
 def head() -> dict[str, Any]:
     """Return which scene it is."""
-    return {"schema": 1, "scene": SCENE, "class": CLASS, "motion": None}
+    classes = [CLASS] * len(PHASES)
+    return {
+        "schema": 1, "scene": SCENE, "class": CLASS, "classes": classes, "motion": None,
+        "cycles": 1,
+    }  # fmt: skip
 
 
 def motion(found: Orbit | NoOrbit) -> dict[str, Any]:
@@ -23,7 +27,12 @@ def motion(found: Orbit | NoOrbit) -> dict[str, Any]:
         phases: list[dict[str, Any]] = [
             {"name": name, "duration": None, "start": dict(nothing)} for name in PHASES
         ]
-        return {"phases": phases, "forcing_phase": None, "extremes": dict(nothing)}
+        return {
+            "phases": phases,
+            "forcing_phase": None,
+            "memory": {},
+            "extremes": dict(nothing),
+        }
     starts, durations = (0.0, found.t1), (found.t1, found.period - found.t1)
     phases = [
         {
@@ -37,7 +46,7 @@ def motion(found: Orbit | NoOrbit) -> dict[str, Any]:
         for name, start, duration in zip(PHASES, starts, durations, strict=True)
     ]
     ends = {name: list(pair) for name, pair in found.extremes.items()}
-    return {"phases": phases, "forcing_phase": None, "extremes": ends}
+    return {"phases": phases, "forcing_phase": None, "memory": {}, "extremes": ends}
 
 
 def exact(reference: ExactOrbit) -> dict[str, Any]:

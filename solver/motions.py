@@ -1,0 +1,38 @@
+"""Scenes with several motions: each is tried in its turn."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from .case.case import Case
+from .no_orbit import NoOrbit
+
+#: What is found for the case of one motion.
+Found = TypeVar("Found")
+
+
+def of_any_motion(case: Case, find: Callable[[Case], Found]) -> Found:
+    """Return what is found for the first motion of a case for which there is something.
+
+    Raises
+    ------
+    NoOrbit
+        If there is nothing for any; with the reasons of each.
+    """
+    tried: list[str] = []
+    iterations = 0
+    for each in case.each_motion:
+        try:
+            return find(each)
+        except NoOrbit as finding:
+            if not case.scene.motions:
+                raise
+            tried += [f"{each.scene.motion}: {why}" for why in finding.reasons]
+            iterations += finding.iterations
+    motions = ", ".join(case.scene.motions)
+    error = NoOrbit(
+        f"{case.scene.name}: no admissible orbit of any motion ({motions}) was found",
+        False,
+        tuple(tried),
+    )
+    error.iterations = iterations
+    raise error
