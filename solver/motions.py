@@ -6,7 +6,7 @@ from typing import TypeVar
 from .case.case import Case
 from .no_orbit import NoOrbit
 
-#: What is found for the case of one motion.
+# What is found for the case of one motion.
 Found = TypeVar("Found")
 
 

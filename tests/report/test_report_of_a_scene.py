@@ -69,13 +69,16 @@ def test_a_fourier_series_rings_by_the_constant_of_gibbs() -> None:
 
 def test_the_theory_is_that_of_the_references() -> None:
     """Hold it against the measured rates of each class: K = 0, 1, 2, 3."""
-    expected = {"impact": [1, 1, 3, 3], "stick-slip": [1, 3, 3, 5]}
+    expected = {
+        "impact": [1, 1, 3, 3], "stick-slip": [1, 3, 3, 5], "clearance": [3, 5, 5, 7],
+        "elastic-plastic": [3, 5, 5, 7],
+    }  # fmt: skip
     for name, rates in expected.items():
-        cell = ns.scene(name)().cell
-        assert [rate_of_times(cell, K) for K in range(4)] == rates
-    belt = ns.scene("stick-slip")().cell
+        case = ns.scene(name)()
+        assert [rate_of_times(case, K) for K in range(4)] == rates
+    belt = ns.scene("stick-slip")()
     assert [rate_of_jump(belt, K) for K in range(4)] == [0.5, 1.5, 2.5, 3.5]
-    assert rate_of_jump(ns.scene("impact")().cell, 1) == 1  # as slowly as the times
+    assert rate_of_jump(ns.scene("impact")(), 1) == 1  # as slowly as the times
 
 
 def test_the_slopes_that_are_drawn_are_those_of_theory(found: Collected) -> None:

@@ -56,6 +56,7 @@ def run(case: "Case", said: str, output: Path) -> int:
         exact = exact_orbit(case)
     except NoOrbit as finding:
         raise Problem(str(finding), 1) from finding
+    case = exact.case  # of the motion that occurs, where the scene has several
     with progress(count(case), "report") as done:
         write_folder(output, lambda folder: build(case, exact, said, folder, done))
     return 0

@@ -137,8 +137,8 @@ def theory(found: Collected, way: Way, name: str) -> float:
     """Return the power of 1/N with which an error of a series should fall."""
     functions = way.functions or 0
     if name == "times":
-        return rate_of_times(found.case.cell, functions)
-    return rate_of_jump(found.case.cell, functions)
+        return rate_of_times(found.case, functions)
+    return rate_of_jump(found.case, functions)
 
 
 def _marked(way: Way) -> dict[str, Any]:

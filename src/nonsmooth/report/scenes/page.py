@@ -50,7 +50,7 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         k=scene.k,
         ringing=_overshoots(found),
         gibbs=f"{100 * GIBBS:.2f}",
-        rates=_rates(found),
+        rates=rates(found),
         errors=_errors(found),
         pictures={name: inline(svg, name, FIGURES[name][1]) for name, svg in pictures.items()},
         equations=equations,
@@ -91,7 +91,7 @@ def _overshoots(found: Collected) -> list[dict[str, str]]:
     ]
 
 
-def _rates(found: Collected) -> list[dict[str, str]]:
+def rates(found: Collected) -> list[dict[str, str]]:
     """Return the measured rate of each error of each way, and what theory has for it."""
     rows = []
     for way, points in found.curves.items():

@@ -9,25 +9,26 @@ more.  The derivative that jumps falls like its own harmonics, or as slowly as t
 
 import math
 
-from nonsmooth.solver.case.cell import Cell
+from nonsmooth.solver.case.case import Case
 
 
-def rate_of_times(cell: Cell, functions: int) -> int:
+def rate_of_times(case: Case, functions: int) -> int:
     """Return the power of 1/N with which the times of a series with K functions converge.
 
-    The least over the switches, with the class of the scene; `functions` is 0 of a plain
-    Fourier series.
+    The least over the switches, each with its own class; `functions` is 0 of a plain Fourier
+    series.
     """
-    found = []
-    for phase in cell.phases:
+    found, phases = [], case.cell.phases
+    for p, phase in enumerate(phases):
+        k, _ = case.scene.module.SWITCHES[(p + 1) % len(phases)]
         by_displacement = phase.event[0] != 0
         smooth = phase.rho == 1 and phase.d == 0
         r = 0 if by_displacement and smooth else 1
-        q = cell.k + functions + 2 - r
+        q = k + functions + 2 - r
         found.append(2 * math.ceil(q / 2) - 1)
-    return min(found)
+    return int(min(found))
 
 
-def rate_of_jump(cell: Cell, functions: int) -> float:
+def rate_of_jump(case: Case, functions: int) -> float:
     """Return the power of 1/N with which the derivative that jumps converges in L2."""
-    return min(functions + 0.5, float(rate_of_times(cell, functions)))
+    return min(functions + 0.5, float(rate_of_times(case, functions)))

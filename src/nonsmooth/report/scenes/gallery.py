@@ -1,0 +1,97 @@
+"""The figures and numbers of a scene's page, for a notebook: what the gallery is made of."""
+
+from collections.abc import Callable
+from typing import Any
+
+import matplotlib as mpl
+import matplotlib.pyplot as plt
+
+from nonsmooth.scene import find
+from nonsmooth.solver.case.case import Case
+from nonsmooth.solver.case.methods import about
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.style import SETTINGS
+
+from .collected import Collected, collect, overshoot
+from .figures import FIGURES
+from .page import rates
+from .theory import rate_of_times
+
+
+def page_of(case: Case, done: Callable[[str], None] = lambda what: None) -> Collected:
+    """Return all numbers of the page on a case, of the motion that occurs."""
+    exact = exact_orbit(case)
+    return collect(exact.case, exact, done)
+
+
+def show(found: Collected, *names: str) -> None:
+    """Draw figures of a page beside each other; names are those of `FIGURES`."""
+    with mpl.rc_context(SETTINGS):
+        size = (4.6 * len(names), 3.4)
+        axes = plt.subplots(1, len(names), figsize=size, layout="constrained")[1]
+        for place, name in zip([axes] if len(names) == 1 else axes, names, strict=True):
+            draw, _ = FIGURES[name]
+            draw(place, found)
+        plt.show()
+
+
+def table_of_rates(found: Collected) -> str:
+    """Return the measured rates beside those of theory, as text."""
+    rows: list[tuple[str, ...]] = [("expansion", "times", "theory", "jump", "theory")]
+    rows += [
+        tuple(row[name] for name in ROW) for row in rates(found)
+    ]  # fmt: skip
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        for row in rows
+    )
+
+
+#: What a line of the table of rates has.
+ROW = ("name", "times", "times_theory", "discontinuous", "discontinuous_theory")
+
+
+def overshoots(found: Collected) -> str:
+    """Return by how much each expansion goes beyond the largest jump, as text."""
+    return "\n".join(
+        f"{name:16} N = {orbit.order:2}: {100 * overshoot(orbit, found.exact):6.2f} %"
+        for name, orbit in found.ringing.items()
+    )
+
+
+def thesis(names: list[str], orders: tuple[int, ...] = (8, 11, 16, 22, 32)) -> Any:
+    """Return the paper's thesis over scenes: rate of the times by class and functions.
+
+    Parameters
+    ----------
+    names : list of str
+        Scenes.
+    orders : tuple of int
+        Over which the rates are fitted.
+
+    Returns
+    -------
+    list of tuple
+        Scene, class, functions (0: a plain Fourier series), measured power of 1/N, theory.
+    """
+    import numpy as np  # noqa: PLC0415
+
+    from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
+
+    from .collected import ways  # noqa: PLC0415
+
+    found = []
+    for name in names:
+        case = exact_orbit(find(name)()).case
+        for way in ways(case):
+            if not about(way.method).power:
+                continue
+            errors = [
+                solve_case(case, way.method, order, way.functions).errors for order in orders
+            ]
+            logarithms = np.log([error.times for error in errors if error is not None])
+            slope = -float(np.polyfit(np.log(orders), logarithms, 1)[0])
+            expected = rate_of_times(case, way.functions or 0)
+            found.append((name, f"C{case.scene.k}", way.functions or 0, slope, expected))
+    return found
