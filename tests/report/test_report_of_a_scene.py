@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.report.scenes import collected, figures
+from nonsmooth.report.scenes import collected, figures, gallery
 from nonsmooth.report.scenes.collected import Collected, collect, overshoot
 from nonsmooth.report.scenes.page import GIBBS, page
 from nonsmooth.report.scenes.theory import rate_of_jump, rate_of_times
@@ -146,3 +146,22 @@ def test_without_an_orbit_there_is_no_page(run, tmp_path: Path) -> None:
     status, _, err = run("report", "impact", "--gap", 50, "-o", tmp_path / "page")
     assert (status, "no admissible exact orbit" in err) == (1, True)
     assert not (tmp_path / "page").exists()
+
+
+def test_the_gallery_says_the_same_numbers(found: Collected) -> None:
+    lines = gallery.table_of_rates(found).splitlines()
+    assert lines[0].split() == ["expansion", "times", "theory", "jump", "theory"]
+    assert [line.split("  ")[0] for line in lines[1:]] == [way.name for way in found.curves]
+    for name, orbit in found.ringing.items():
+        percent = f"{100 * overshoot(orbit, found.exact):6.2f} %"
+        assert any(
+            line.startswith(name) and line.endswith(percent)
+            for line in gallery.overshoots(found).splitlines()
+        )
+
+
+def test_the_thesis_is_measured_beside_its_theory() -> None:
+    rows = gallery.thesis(["dry-friction"], orders=(8, 16, 32))
+    assert [row[:3] for row in rows] == [("dry-friction", "C1", K) for K in range(4)]
+    for _, _, _, measured, theory in rows:
+        assert measured == pytest.approx(theory, abs=0.3)

@@ -95,6 +95,6 @@ def legend(scene: "SceneNumbers", durations: bool = True) -> str:
         f"times: {largest}, as a part of T",
         f"{jumps}: L2 error of {jumps}, the first derivative that jumps",
         "estimate: of times, without the exact orbit",
-        "it: Newton iterations",
+        "it: Jacobians formed",
     ]
     return textwrap.fill("; ".join(parts) + ".", WIDTH)
