@@ -93,3 +93,9 @@ def test_values_and_orders_that_are_no_numbers() -> None:
         ns.family(belt, "mass", ["a"])
     with pytest.raises(ValueError, match="orders: got 5, expected whole numbers"):
         ns.sweep(belt, orders=5)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("more", [("--methods", "hb,c1"), ("--vary", "mass=1:2:3")])
+def test_c1_functions_without_a_method_that_has_them(run, more: tuple[str, ...]) -> None:
+    status, _, err = run("sweep", "--orders", "5", "--c1-terms", "3", *more)
+    assert (status, "--c1-terms: got 3 without hb-c1" in err) == (2, True)

@@ -6,6 +6,7 @@ interrupted.
 """
 
 import contextlib
+import io
 import os
 import sys
 from collections.abc import Iterable
@@ -117,10 +118,18 @@ def _fail(message: str, status: int) -> NoReturn:
     sys.exit(status)
 
 
+def _print_what_can_be() -> None:
+    """Let a character that a terminal does not have be a question mark, not an error."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+            stream.reconfigure(errors="replace")
+
+
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the command line; every mistake is one line and a status, never a traceback."""
     # For matrices as small as these threads cost more than they give: twice the time.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    _print_what_can_be()
     context: dict[str, Any] = {"prog_name": "nonsmooth", "standalone_mode": False}
     try:
         status = cli.main(arguments, **context)

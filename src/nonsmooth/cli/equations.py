@@ -127,7 +127,7 @@ def equations(
         option = {"order": "--expand", "scene": "SCENE"}.get(name, f"--{name}")
         raise Problem(f"{option}: {expected}") from error
     if output is None:
-        click.echo(text, nl=False)
+        click.echo(_for_stdout(text, chosen), nl=False)
     elif chosen == "pdf":
         write_bytes(output, tex.pdf(text))
     else:
@@ -191,6 +191,14 @@ def _text_of(
     if format_ == "text":
         return text.text_of(shown, unicode)
     return latex.fragment_of(shown) if fragment else latex.document_of(shown, title)
+
+
+def _for_stdout(text: str, format_: str) -> str:
+    """Return a document as stdout can take it: HTML with references for other characters."""
+    encoding = sys.stdout.encoding or "ascii"
+    if format_ != "html":
+        return text
+    return text.encode(encoding, "xmlcharrefreplace").decode(encoding)
 
 
 def _terminal_has_unicode() -> bool:

@@ -90,6 +90,9 @@ def sweep(
         )
         return sweep_generic(case, flags, methods, orders, functions, json_, output)
     names = None if methods is None else parse_methods(methods)
+    if c1_terms != 1 and "hb-c1" not in (names or (("c1",) if vary is not None else METHODS)):
+        chosen = ",".join(names or ["c1"])
+        raise Problem(f"--c1-terms: got {c1_terms} without hb-c1 among the methods {chosen}")
     if vary is not None:
         belt = belt_from(case, flags)
         job = family.job_from(vary, log, belt, flags, names, orders, c1_terms)

@@ -1,0 +1,32 @@
+"""Where a terminal does not have a character, the rest is printed, and nothing fails."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+
+def printed(encoding: str, *arguments: str) -> tuple[int, str, str]:
+    """Return status, stdout and stderr of the command line with an encoding."""
+    done = subprocess.run(
+        [sys.executable, "-m", "nonsmooth", *arguments],
+        capture_output=True,
+        env=os.environ | {"PYTHONIOENCODING": encoding},
+        check=False,
+    )
+    return done.returncode, done.stdout.decode(encoding), done.stderr.decode(encoding)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
+def test_the_verdicts_of_all_solutions_are_printed(encoding: str) -> None:
+    status, out, err = printed(encoding, "roots", "--order", "9")
+    assert (status, "Traceback" in err) == (0, False)
+    assert "the orbit" in out
+
+
+def test_a_page_has_references_for_what_is_not_there() -> None:
+    status, out, err = printed("latin-1", "equations", "--format", "html", "--method", "hb")
+    assert (status, err) == (0, "")
+    assert "213&#8211;224" in out
+    assert "?" not in out.partition("<body>")[2].replace("\u00bf", "")
