@@ -28,14 +28,22 @@ def in_words(motion: "SceneMotion") -> str:
     except NoMultipliersError as error:
         return f"no multipliers: {error}"
     name = "multiplier" if len(values) == 1 else "multipliers"
-    return f"{name} {_numbers([complex(value) for value in values])}: {VERDICTS[stable]}"
+    verdict = VERDICTS[stable]
+    if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
+        verdict += "; a multiplier is 1: the orbit is not isolated to first order"
+    return f"{name} {_numbers([complex(value) for value in values])}: {verdict}"
 
 
 def _numbers(values: list[complex]) -> str:
-    if len(values) == 2 and values[0].imag:
-        value = values[0]
-        return f"{value.real:.5g} +- {abs(value.imag):.5g}i of modulus {abs(value):.5g}"
-    return ", ".join(f"{value.real:.5g}" for value in values)
+    """Return multipliers as text: a pair once, with its modulus."""
+    parts = []
+    for value in values:
+        if value.imag > 0:
+            pair = f"{value.real:.5g} +- {value.imag:.5g}i"
+            parts.append(f"{pair} of modulus {abs(value):.5g}")
+        elif value.imag == 0:
+            parts.append(f"{value.real:.5g}")
+    return ", ".join(parts)
 
 
 def document(motion: "SceneMotion") -> dict[str, Any]:

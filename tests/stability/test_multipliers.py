@@ -15,6 +15,7 @@ from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.stability import monodromy as module
 from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
+from nonsmooth.solver.stability.words import in_words
 
 IMPACT = registry.load("impact")
 UNIT = {"damping": 0, "gap": 0, "restitution": 0.8}
@@ -292,3 +293,15 @@ def test_a_motion_that_remembers_is_followed_with_what_it_remembers(hardening: f
         assert orbit.multipliers[0] == pytest.approx(1, abs=1e-12)
         assert orbit.stable is None
     assert orbit.multipliers.sum() == pytest.approx(expected.sum(), abs=1e-6)
+
+
+def test_words_name_each_pair_once_and_say_where_an_orbit_is_not_isolated() -> None:
+    """Without damping a sliding mass has a continuum of orbits at half its frequency."""
+    plastic = in_words(ns.exact(ns.scene("elastic-plastic")()))
+    assert plastic == "multipliers -0.26174 +- 0.11629i of modulus 0.28641, 0: stable"
+    friction = ns.scene("dry-friction")(damping=0, frequency=0.5, mu_k=0.1, mu_s=0.1)
+    orbit = ns.exact(friction.of_motion("sliding"))
+    assert orbit.stable is None
+    assert "the orbit is not isolated to first order" in in_words(orbit)
+    clearance = ns.scene("clearance")(damping=0)
+    assert "isolated" not in in_words(ns.exact(clearance))
