@@ -30,7 +30,8 @@ DERIVE = """
 import sys
 from nonsmooth.codegen import generate, scenes
 if len(sys.argv) > 1:
-    scenes.names, generate.METHODS, generate.SOLVED = lambda: tuple(sys.argv[1:]), {}, {}
+    scenes.names, generate.SHORTCUTS = lambda: tuple(sys.argv[1:]), "left_out"
+    generate.space.sources = dict
 for name, text in generate.sources().items():
     if (generate.FOLDER / name).read_text("utf-8") != text:
         print(name)

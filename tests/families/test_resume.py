@@ -175,7 +175,6 @@ def refuses(run, target: Path, *arguments: object) -> None:
         (*C1[:-1], 9),
         (*C1, "--methods", "hb"),
         (*C1, "--methods", "c1,hb"),
-        (*C1, "--c1-terms", 2),
         *((*C1, f"--{name}", 0.3) for name in ("mass", "stiffness", "mu-s", "mu-k")),
         (*C1, "--normal-force", 401),
     ],
