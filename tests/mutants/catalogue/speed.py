@@ -66,10 +66,10 @@ MUTANTS = (
         ("tests/galerkin/test_references.py",),
     ),
     Mutant(
-        "the forcing meets no harmonic",
+        "a harmonic meets its mirror image in place of itself",
         "codegen/galerkin/harmonics.py",
         "            if root.is_positive:",
-        "            if root == n:",
+        "            if root.is_negative:",
         _row("S1-hb"),
     ),
     _emission(
