@@ -16,7 +16,7 @@ from nonsmooth.solver.shortcuts.choice.tolerance import cost, within
 from nonsmooth.solver.shortcuts.orbit.methods import METHODS
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
-EXAMPLES = int(os.environ.get("EXAMPLES", "1200"))
+EXAMPLES = int(os.environ.get("EXAMPLES", "800"))
 
 
 def belt_at(alpha: float) -> ns.StickSlip:

@@ -129,7 +129,7 @@ def exact_residual(method: str, z: list) -> np.ndarray:
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize(("N", "seed"), [(1, 1), (2, 2), (5, 3)])
+@pytest.mark.parametrize(("N", "seed"), [(1, 1), (2, 2), (4, 3)])
 def test_jacobian_is_the_derivative_of_the_residual(method: str, N: int, seed: int) -> None:
     z = unknowns(method, N, seed)
     h = mp.mpf(10) ** -15

@@ -51,7 +51,11 @@ def killed(after: int, *arguments: object) -> str:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "suffix"), [(C1, ".csv"), (HB, ".nc")], ids=["c1 as csv", "hb as netCDF"]
+    ("arguments", "suffix"),
+    [
+        pytest.param(C1, ".csv", id="c1 as csv"),
+        pytest.param(HB, ".nc", id="hb as netCDF", marks=pytest.mark.long),
+    ],
 )
 def test_a_sweep_killed_twice_ends_with_the_same_bytes(
     arguments: tuple[str, ...], suffix: str, run, tmp_path: Path, monkeypatch

@@ -21,8 +21,13 @@ REPEATED = ("S3c", "S5b", "S5c")
 #: Test functions of class C^3 have more rows of their own than there are at order 4.
 TOO_LOW = {("S4a", "ck", 4), ("S4b", "ck", 4)}
 
-#: Two functions a switch are tried on scenes of one phase, and here on one of two.
-COSTLY = {(name, "hb_ck_2") for name in ("S2a", "S2b", "S4a", "S4b", "S5a")}
+#: Two functions a switch are tried on scenes of one phase, and here on one of two; functions
+#: of class C^2 on one scene of two (the files of the others are compared in tests/scenes).
+COSTLY = {
+    *((name, "hb_ck_2") for name in ("S2a", "S2b", "S4a", "S4b", "S5a")),
+    *((name, "ck") for name in ("S2a", "S2b", "S4b")),
+    *((name, "hb_ck_1") for name in ("S2a", "S4b")),
+}
 
 
 @pytest.mark.parametrize(
@@ -31,7 +36,7 @@ COSTLY = {(name, "hb_ck_2") for name in ("S2a", "S2b", "S4a", "S4b", "S5a")}
         pytest.param(
             *q,
             id=f"{q[0]}-{q[1]}-{q[2]['order']}",
-            marks=pytest.mark.long if q[0] in REPEATED or (q[0], q[1]) in COSTLY else [],
+            marks=pytest.mark.long if q[0] in REPEATED or q[:2] in COSTLY else [],
         )
         for q in solutions("ck_tau", "ck", "hb", "hb_ck_1", "hb_ck_2")
         if (q[0], q[1], q[2]["order"]) not in TOO_LOW

@@ -70,8 +70,13 @@ class Workplace:
         )
 
     def pytest(self, tests: tuple[str, ...]) -> tuple[int, str]:
-        """Run tests up to the first failure and return pytest's status and its output."""
-        done = self._run("-m", "pytest", "-x", "-rfE", "-p", "no:cacheprovider", *tests)
+        """Run tests up to the first failure and return pytest's status and its output.
+
+        As `make test` does, without those that are long: nothing that catches a mistake is
+        left to them.
+        """
+        options = ("-x", "-rfE", "-p", "no:cacheprovider", "-m", "not long")
+        done = self._run("-m", "pytest", *options, *tests)
         return done.returncode, done.stdout + done.stderr
 
     def survives(self, mutant: Mutant) -> tuple[bool, str]:

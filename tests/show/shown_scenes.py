@@ -66,6 +66,9 @@ SCENES: dict[str, str | Scene] = {
     "elastic-plastic": "elastic-plastic",
 }
 
+#: Scenes of every run; those left out have phases of the same kinds.
+EVERY_RUN = ("impact", "stick-slip-damped", "stops", "elastic-plastic")
+
 #: Every method on a scene, and each kind of phase in the others.
 CASES = [
     *(("impact", method) for method in methods()),
@@ -79,6 +82,9 @@ CASES = [
     ("two-sided", "ck-tau"),
     ("elastic-plastic", "hb"),
     ("elastic-plastic", "ck-tau"),
+]
+CASES_OF_EVERY_RUN = [
+    case for case in CASES if case[0] in EVERY_RUN and case != ("stops", "ck")
 ]
 
 

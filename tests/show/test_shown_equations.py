@@ -5,9 +5,10 @@ import re
 import numpy as np
 import pytest
 import sympy as sp
+from every_run import tried
 from shown_evaluation import UnknownError
 from shown_numbers import Numbers
-from shown_scenes import CASES, SCENES, numbers
+from shown_scenes import CASES, CASES_OF_EVERY_RUN, EVERY_RUN, SCENES, numbers
 
 from nonsmooth.codegen.system import Equation
 
@@ -47,7 +48,7 @@ def is_condition(equation: Equation) -> bool:
     return equation.sides[-1] == 0 and len(equation.sides) == 3
 
 
-@pytest.mark.parametrize(("scene", "method"), CASES)
+@pytest.mark.parametrize(("scene", "method"), tried(CASES, every_run=CASES_OF_EVERY_RUN))
 def test_the_closed_forms_are_the_rows_of_the_kernel(scene: str, method: str) -> None:
     found = numbers(scene, method)
     shown = [
@@ -62,7 +63,7 @@ def test_the_closed_forms_are_the_rows_of_the_kernel(scene: str, method: str) ->
     assert shown == pytest.approx(list(rows[: len(shown)]), **CLOSE)
 
 
-@pytest.mark.parametrize(("scene", "method"), CASES)
+@pytest.mark.parametrize(("scene", "method"), tried(CASES, every_run=CASES_OF_EVERY_RUN))
 def test_both_sides_of_each_equation_agree(scene: str, method: str) -> None:
     found, seen = numbers(scene, method), 0
     for equation in found.record.equations:
@@ -83,7 +84,7 @@ def test_both_sides_of_each_equation_agree(scene: str, method: str) -> None:
     assert seen > len(found.record.equations) // 3
 
 
-@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("scene", tried(SCENES, every_run=EVERY_RUN))
 def test_every_unknown_is_explained(scene: str) -> None:
     for case in (q for q in CASES if q[0] == scene):
         found = numbers(*case)
@@ -97,7 +98,7 @@ def test_every_unknown_is_explained(scene: str) -> None:
         assert all(name in text for name in names)
 
 
-@pytest.mark.parametrize(("scene", "method"), CASES)
+@pytest.mark.parametrize(("scene", "method"), tried(CASES, every_run=CASES_OF_EVERY_RUN))
 def test_what_a_condition_looks_up_is_defined(scene: str, method: str) -> None:
     rows = numbers(scene, method).record.equations
     unknown = {str(block.symbol) for block in numbers(scene, method).conditions.blocks}

@@ -8,8 +8,9 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from every_run import tried
 from shown_reading import drawn_tokens, functions, typeset_tokens, wrong
-from shown_scenes import SCENES
+from shown_scenes import EVERY_RUN, SCENES
 
 from nonsmooth.cli import tex
 from nonsmooth.codegen.printing.html import page_of
@@ -42,7 +43,7 @@ def shown(scene: str) -> list[Equation]:
 
 
 @pytest.mark.usefixtures("functions")
-@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("scene", tried(SCENES, every_run=EVERY_RUN))
 def test_every_equation_reads_as_its_record(scene: str) -> None:
     found = []
     for row in dict.fromkeys(shown(scene)):
@@ -53,7 +54,7 @@ def test_every_equation_reads_as_its_record(scene: str) -> None:
 
 
 @pytest.mark.parametrize("unicode", [True, False])
-@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("scene", tried(SCENES, every_run=EVERY_RUN))
 def test_text_fits_a_terminal(scene: str, unicode: bool) -> None:
     text = text_of(parts(scene), unicode)
     assert [line for line in text.splitlines() if len(line) > 80] == []

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
-from shown_scenes import SCENES
+from every_run import tried
+from shown_scenes import EVERY_RUN, SCENES
 
 import nonsmooth as ns
 from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
@@ -116,7 +117,7 @@ def slopes(scene: Scene, p: int, state: dict[sp.Symbol, sp.Expr], order: int) ->
     return [q.subs({t: 0}) for q in functions[: order + 1]]
 
 
-@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("scene", tried(SCENES, every_run=EVERY_RUN))
 def test_the_jump_at_each_switch_is_that_of_the_equations_of_motion(scene: str) -> None:
     found = scene_named(SCENES[scene])
     drawn = random.Random(3)

@@ -70,3 +70,6 @@ REACHED = {
     "friction, equal at rest": (dry(0.4, 0.4, 0.4)(), (5.4, 2.5), 0.8, (0.2, -0.1), 30),
     "two-sided": (TWO_SIDED(), (2.6,), 0.15, (0.1, 0.9), 60),
 }  # fmt: skip
+
+#: Those of every run; the others have phases and switches of the same kinds.
+EVERY_RUN = ("impact", "belt that weakens", "backlash", "friction with stops", "two-sided")

@@ -3,8 +3,9 @@
 import math
 
 import pytest
+from every_run import tried
 from made_scenes import made
-from reached import IMPACT, REACHED, dry
+from reached import EVERY_RUN, IMPACT, REACHED, dry
 
 import nonsmooth as ns
 from nonsmooth.solver.flow.exact import exact_orbit
@@ -13,7 +14,7 @@ from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settle
 from nonsmooth.solver.solve import solve_case
 
 
-@pytest.mark.parametrize("name", REACHED)
+@pytest.mark.parametrize("name", tried(REACHED, every_run=EVERY_RUN))
 def test_the_declared_order_is_found_with_its_times(name) -> None:
     case, durations, angle, *_ = REACHED[name]
     found = [q.times for q in rough_times_by_simulation(case) if q.times is not None]

@@ -5,15 +5,16 @@ import math
 
 import numpy as np
 import pytest
+from every_run import tried
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from reached import BELT, DAMPED, IMPACT, REACHED, dry
+from reached import BELT, DAMPED, EVERY_RUN, IMPACT, REACHED, dry
 
 import nonsmooth as ns
 from nonsmooth.solver.flow.exact import exact_orbit
 
 
-@pytest.mark.parametrize("name", REACHED)
+@pytest.mark.parametrize("name", tried(REACHED, every_run=EVERY_RUN))
 def test_a_stable_orbit_is_reached_from_another_state(name) -> None:
     case, durations, angle, state, cycles = REACHED[name]
     orbit = exact_orbit(case, durations, angle)
