@@ -158,20 +158,36 @@ def test_the_readme_shows_real_output() -> None:
     assert sum(page == "README.md" for page, *_ in shown()) >= 2
 
 
-def test_every_place_that_the_readme_names_exists() -> None:
-    for path in re.findall(r"`((?:codegen|solver|generated|tests|docs)/[\w./]+)`", README):
+@pytest.mark.parametrize("page", PAGES)
+def test_every_place_that_a_page_names_exists(page: str) -> None:
+    folders = "codegen|solver|generated|tests|docs|src|benchmarks|examples"
+    for path in re.findall(rf"`((?:{folders})/[\w./]+)`", PAGES[page]):
         assert (ROOT / path).exists(), path
-    for path, name in re.findall(r"`((?:codegen|generated|solver)/\w+\.py)`: `(\w+)`", README):
-        assert re.search(
-            rf"(def |class |^){name}\b", (ROOT / path).read_text(), re.MULTILINE
-        ), (
-            path,
-            name,
-        )
+    named = re.findall(rf"`((?:{folders})/[\w/]+\.py)`:\s`(\w+)`", PAGES[page])
+    for path, name in named:
+        text = (ROOT / path).read_text("utf-8")
+        assert re.search(rf"(def |class |^){name}\b", text, re.MULTILINE), (path, name)
+    assert named or page != "docs/reference/equations.md"
 
 
-def test_every_equation_of_the_paper_is_in_the_readmes_index() -> None:
-    index = README.split("## Where each equation is")[1].split("\n## ")[0]
+@pytest.mark.parametrize("page", PAGES)
+def test_every_file_that_a_page_links_to_exists(page: str) -> None:
+    for target in re.findall(r"\]\(([^)#]+)[^)]*\)", PAGES[page]):
+        if "://" not in target and "modules" not in target:
+            assert ((ROOT / page).parent / target).exists(), target
+
+
+def test_the_readme_writes_the_scene_file_that_it_runs() -> None:
+    (written,) = (
+        q for q in re.findall(r"```python\n(.*?)```", README, re.DOTALL) if "SCENE" in q
+    )
+    lines = [line for line in written.splitlines() if line]
+    beside = [line for line in BALL.read_text("utf-8").splitlines() if line]
+    assert [line for line in lines if line not in beside] == []
+
+
+def test_every_equation_of_the_paper_is_in_the_index() -> None:
+    index = PAGES["docs/reference/equations.md"]
     numbers = {int(n) for row in re.findall(r"^\| ([\d, -]+) \|", index, re.MULTILINE)
                for n in expand(row)}  # fmt: skip
     assert numbers == set(range(1, 23))

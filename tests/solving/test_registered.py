@@ -8,7 +8,7 @@ import pytest
 import test_generated
 import test_kernels
 import test_orbits
-from shown import README
+from shown import PAGES
 
 import nonsmooth as ns
 from nonsmooth import codegen, style
@@ -65,6 +65,6 @@ def test_family_and_amplitude_are_those_of_the_method(method: str) -> None:
     assert orbit.amplitude == pytest.approx((x.max() - x.min()) / 2, rel=1e-6)
 
 
-def test_every_method_is_in_the_readme() -> None:
-    table = README.split("## The three methods")[1].split("\n## ")[0]
+def test_every_method_is_in_the_table_of_its_page() -> None:
+    table = PAGES["docs/method/paper.md"].split("## The three methods")[1].split("\n## ")[0]
     assert re.findall(r"^\| `([\w-]+)` \|", table, re.MULTILINE) == list(codegen.METHODS)
