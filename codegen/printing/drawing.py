@@ -13,6 +13,7 @@ from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
 from ..functions import ShiftedLegendre, TwiceIntegrated
 from ..system import Inner
+from .order import factors, in_given_order, terms
 
 SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")
 SUPERSCRIPTS = str.maketrans("0123456789+-()cijklmns", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᶜⁱʲᵏˡᵐⁿˢ")
@@ -46,6 +47,15 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         if word:
             return f"{self._name(name)}_{word}"
         return str(super()._print_Symbol(sp.Symbol(label)).s)
+
+    def _as_ordered_terms(self, expr: sp.Expr, order: str | None = None) -> list[sp.Expr]:
+        return terms(expr)
+
+    def _print_Mul(self, product: sp.Mul) -> prettyForm:
+        if in_given_order(product):
+            return super()._print_Mul(product)
+        ordered = factors(product)
+        return super()._print_Mul(ordered) if ordered.is_Mul else self._print(ordered)
 
     def _print_Symbol(self, expr: sp.Symbol, bold_name: bool = False) -> prettyForm:
         return prettyForm(self._name(expr.name))
@@ -204,9 +214,9 @@ def drawn(expression: sp.Expr, unicode: bool = True, sign: bool = False) -> pret
     >>> for line in drawn(SERIES, unicode=False).picture:
     ...     print(line.rstrip())
     a0    N
-    -- + Sum (sin(n*omega_0*t)*a[n] + cos(n*omega_0*t)*b[n])
+    -- + Sum (a[n]*sin(n*omega_0*t) + b[n]*cos(n*omega_0*t))
     2    n=1
     """
     with _characters(unicode):
-        drawing = _Drawing({"use_unicode": unicode, "wrap_line": False})
+        drawing = _Drawing({"use_unicode": unicode, "wrap_line": False, "order": "none"})
         return drawing.sum_sign(expression) if sign else drawing._print(expression)

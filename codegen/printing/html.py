@@ -32,6 +32,8 @@ STYLE = """\
 .equation .side { padding-left: 2em; text-indent: -1em; }
 .equation .side:first-child { text-indent: -2em; }
 .equation math { padding: 0.25em 0; text-indent: 0; }
+math { font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math",
+  "DejaVu Math TeX Gyre", math; } /* in these brackets and sums grow */
 .equation mtd[columnalign="left"] { text-align: left; }
 .equation .number { text-decoration: none; color: inherit; }
 """

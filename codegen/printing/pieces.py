@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from .order import led_by_a_plus, terms
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -33,10 +35,12 @@ class Piece:
 
 
 def _terms(side: sp.Expr) -> list[sp.Expr]:
-    """Return the terms in SymPy's order, those of ``a_1, a_2, ...`` last and by number."""
+    """Return the terms in the order shown, those of ``a_1, a_2, ...`` last and by number."""
     if not isinstance(side, sp.Add):
         return [side]
-    return sorted(side.as_ordered_terms(), key=_coefficient)
+    found = sorted(terms(side), key=_coefficient)
+    without = [term for term in found if not _coefficient(term)[0]]
+    return [*led_by_a_plus(without), *found[len(without) :]]
 
 
 def _coefficient(term: sp.Expr) -> tuple[str, int]:

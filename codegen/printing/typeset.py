@@ -10,10 +10,27 @@ from sympy.printing.latex import LatexPrinter
 
 from ..functions import ShiftedLegendre, TwiceIntegrated
 from .drawing import with_word
+from .order import factors, in_given_order, terms
 
 
 class _Latex(LatexPrinter):  # type: ignore[misc]
     """LaTeX with the paper's symbols."""
+
+    def _as_ordered_terms(self, expr: sp.Expr, order: str | None = None) -> list[sp.Expr]:
+        return terms(expr)
+
+    def _print_Mul(self, expr: sp.Expr) -> str:
+        if not isinstance(expr, sp.Mul) or in_given_order(expr):
+            return str(super()._print_Mul(expr))
+        if expr.could_extract_minus_sign():
+            return f"- {self._in_order(-expr)}"
+        return self._in_order(expr)
+
+    def _in_order(self, expr: sp.Expr) -> str:
+        if expr.is_Add:
+            return f"({self._print(expr)})"
+        ordered = factors(expr) if expr.is_Mul else expr
+        return str(super()._print_Mul(ordered) if ordered.is_Mul else self._print(ordered))
 
     def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
         names = {"t1": "t_{1}", "a0": "a_{0}", "c1": "c_{1}"}
@@ -92,7 +109,7 @@ _FLAT = re.compile(
 #: A name of several letters, which would be their product.
 _WORD = re.compile(r"^[a-z]{2,}")
 
-_SETTINGS = {"mul_symbol": None, "fold_short_frac": False}
+_SETTINGS = {"mul_symbol": None, "fold_short_frac": False, "order": "none"}
 
 
 def latex(expression: sp.Expr) -> str:

@@ -21,6 +21,11 @@ class Rate(sp.Function):  # type: ignore[misc]
 
     nargs = 2
 
+    @property
+    def times_differentiated(self) -> sp.Expr:
+        """How often, by which terms are put in order."""
+        return self.args[0]
+
     def _pretty(self, printer: Any) -> prettyForm:
         order, time = self.args
         at = prettyForm(*printer._print(time).parens())

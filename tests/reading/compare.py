@@ -7,6 +7,7 @@ their limits and their variable, too.  Two different expressions have the same v
 """
 
 import hashlib
+import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
@@ -61,16 +62,15 @@ def value(expression: sp.Expr) -> int:
         return _symbol(expression)
     if expression.is_Rational:
         return int(expression.p) * pow(int(expression.q), -1, PRIME) % PRIME
-    if expression.is_Pow:
-        return _power(value(expression.base), _exponent(expression.exp))
+    if expression.is_Pow:  # of positive numbers, as all here are: of a product, by its factors
+        inside = (q.as_base_exp() for q in sp.Mul.make_args(expression.base))
+        powers = [(value(base), _exponent(exp * expression.exp)) for base, exp in inside]
+        return math.prod(_power(*power) for power in powers) % PRIME
     parts = [value(part) for part in expression.args]
     if expression.is_Add:
         return sum(parts) % PRIME
     if expression.is_Mul:
-        product = 1
-        for part in parts:
-            product = product * part % PRIME
-        return product
+        return math.prod(parts) % PRIME
     return _drawn(expression.func.__name__, *parts) % PRIME
 
 

@@ -149,11 +149,15 @@ class Drawing:
         row = filled[-1]
         if self.cell(row, column) == "√":
             return column + 2, row, [Root(tuple(tokens(self.cell(row, column + 1))))]
-        if self.cell(row, column) + self.cell(row, column + 1) != "\\/":
+        if self.cell(row, column) + self.cell(row, column + 1) not in {"\\/", "╲╱"}:
             return None
-        bar = self.rows[row - 1][column + 2 :]
-        right = column + 2 + len(bar) - len(bar.lstrip("_"))
-        baseline, inside = self.region(row, within[1], column + 2, right)
+        high = 1  # rows of what is under the root: so long is the slope of its sign
+        while self.cell(row - high, column + 1 + high) == self.cell(row, column + 1):
+            high += 1
+        left = column + 1 + high
+        bar = self.rows[row - high][left:]
+        right = left + len(bar) - len(bar.lstrip("_"))
+        baseline, inside = self.region(row + 1 - high, row + 1, left, right)
         return right, baseline, [Root(tuple(inside))]
 
 

@@ -70,7 +70,7 @@ def test_the_phases_are_1_with_2_put_in() -> None:
 
 
 def test_the_exact_orbit_sticks_slips_and_comes_back() -> None:
-    stick, slip = (ROWS[f"exact orbit in {phase}"][1] for phase in ("stick", "slip"))
+    stick, slip = (ROWS[f"exact orbit, {phase} phase"][1] for phase in ("stick", "slip"))
     times = {t1: ROWS["exact end of stick"][1], T: ROWS["exact period"][1]}
     _, limit, end = ROWS["stick ends at the static limit"]
 

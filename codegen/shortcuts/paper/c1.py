@@ -164,7 +164,7 @@ def _equations() -> tuple[Equation, ...]:
     zero = sp.Integer(0)
     x_T, v_T = (f(t + T) - f(t) for f in (x, sp.Function("xdot")))
     test = Inner(R3, H * trial().subs(shifted).subs(n, k))
-    stick_t, slip_t = (f"{q.start} <= t < {q.end} ({q.name})" for q in PHASES)
+    stick_t, slip_t = (f"{q.start} <= t < {q.end}" for q in PHASES)
     return (
         Equation("15", "acceleration", (x(t).diff(t, 2), H * acceleration)),
         Equation("16", "expansion", (x(t), H * series + LINE)),

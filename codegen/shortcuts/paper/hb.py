@@ -32,7 +32,7 @@ def residual() -> tuple[Equation, ...]:
         )
         total = fourier.a0 * constant + phase.residual(sp.Integer(0))
         total += sp.Sum(fourier.a[n] * sine + fourier.b[n] * cosine, (n, 1, N))
-        where = f"{phase.start} <= t < {phase.end} ({phase.name})"
+        where = f"{phase.start} <= t < {phase.end}"
         rows.append(Equation("4", f"residual in {phase.name}", (R1, total), where))
     return tuple(rows)
 

@@ -102,20 +102,27 @@ def _definitions() -> tuple[Equation, ...]:
         Hc[j]: (_over_slip(fourier.TEST["7"]), SCALE_S * by_cosine()),
         Hg: (_over_slip(g1), SCALE_S**2 * by_g1()),
     }
-    title = "residual of g1, which is zero in stick"
+    tests = {H0: "1", Hs[j]: "sin(j omega_0 t)", Hc[j]: "cos(j omega_0 t)", Hg: "g1"}
     names = {h: (f"g1_by_{test}", "g1_column") for h, test in COLUMNS.items()}
-    return tuple(Equation("", title, (h, *moments[h]), "", names[h]) for h in moments)
+    return tuple(
+        Equation("", f"residual of g1 tested with {tests[h]}", (h, *moments[h]), "", names[h])
+        for h in moments
+    )
 
 
 def _tail() -> tuple[Equation, ...]:
     """Return the harmonics that the kernel takes away from ``g1``, leaving its tail."""
     a0_of_g1 = sp.Symbol("gamma_0", real=True)
     sines, cosines = sp.IndexedBase("gamma^s"), sp.IndexedBase("gamma^c")
-    title, after = "harmonic of g1/(T s**3), which the kernel takes away", "harmonics_of_g1"
-    return (
-        Equation("", title, (a0_of_g1, smooth.mean()), "", ("mean_of_g1", after)),
-        Equation("", title, (sines[j], smooth.sine_of_g1()), "", ("sine_of_g1", after)),
-        Equation("", title, (cosines[j], smooth.cosine_of_g1()), "", ("cosine_of_g1", after)),
+    of, after = "of g1/(T s**3), which the kernel takes away", "harmonics_of_g1"
+    rows = {
+        "twice the mean": (a0_of_g1, smooth.mean(), "mean_of_g1"),
+        "sine harmonic": (sines[j], smooth.sine_of_g1(), "sine_of_g1"),
+        "cosine harmonic": (cosines[j], smooth.cosine_of_g1(), "cosine_of_g1"),
+    }
+    return tuple(
+        Equation("", f"{title} {of}", (name, value), "", (function, after))
+        for title, (name, value, function) in rows.items()
     )
 
 
@@ -161,7 +168,7 @@ def derive() -> GalerkinSystem:
     smooth.check_symmetry()
     smooth.check_harmonics()
     G1_STICK, G1_SLIP = smooth.G1_STICK, smooth.G1_SLIP
-    stick, slip = (f"{p.start} <= t < {p.end} ({p.name})" for p in PHASES)
+    stick, slip = (f"{p.start} <= t < {p.end}" for p in PHASES)
     R1 = hb.R1
     in_stick, in_slip = (
         ("harmonic_acceleration", f"residual_in_{p.name}", "residual_and_tail") for p in PHASES

@@ -133,7 +133,8 @@ def definitions() -> tuple[Equation, ...]:
         for table, wave, value in zip(tables, (sp.cos, sp.sin), moments(l), strict=True):
             integrand = sp.legendre(l, 2 * u - 1) * wave(harmonic)
             sides = (table[k], s * sp.Integral(integrand, (u, 0, 1)), value)
-            name = f"{'cosine' if wave is sp.cos else 'sine'}_moment_{l}"
-            functions = (name, *bessel, "slip_moments")
-            rows.append(Equation("", "slip moment", sides, functions=functions))
+            kind = "cosine" if wave is sp.cos else "sine"
+            functions = (f"{kind}_moment_{l}", *bessel, "slip_moments")
+            title = f"{kind} moment of the Legendre polynomial of degree {l} over slip"
+            rows.append(Equation("", title, sides, functions=functions))
     return tuple(rows)

@@ -33,7 +33,7 @@ END = t1 / 2
 #: A sine at the end of stick.
 WAVE_AT_END = symmetry.SINE.subs(tau, END)
 
-STICK_T, SLIP_T = "0 <= t < t1 (stick)", "t1 <= t < T (slip)"
+STICK_T, SLIP_T = "0 <= t < t1", "t1 <= t < T"
 EACH = "i = 1, ..., K"
 
 #: Coefficients of the C1 functions in (6).
