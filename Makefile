@@ -19,26 +19,26 @@ sweep: $(VENV)/ready  ## convergence over the orders 1 to 40, and a picture
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth sweep --orders 1-40 -o $(OUTPUT)/convergence.png
 
-digits: $(VENV)/ready  ## digits kept at the extremes, against high precision, and a picture
+digits: $(VENV)/ready-all  ## digits kept at the extremes, against high precision, and a picture
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth digits -o $(OUTPUT)/digits.png
 
 stability: digits  # its old name
 
-test: $(VENV)/ready  ## the tests, in two processes
+test: $(VENV)/ready-all  ## the tests, in two processes
 	@$(BIN)/python -m pytest -n 2 --dist loadgroup -m 'not long'
 
-test-long: $(VENV)/ready  ## all tests, 100,000 random oscillators among them: most of an hour
+test-long: $(VENV)/ready-all  ## all tests, 100,000 random oscillators among them: most of an hour
 	@EXAMPLES=100000 $(BIN)/python -m pytest -n 2 --dist loadgroup
 
-mutants: $(VENV)/ready  ## deliberate mistakes: which of them the tests catch
+mutants: $(VENV)/ready-all  ## deliberate mistakes: which of them the tests catch
 	@cd tests && ../$(BIN)/python -m mutants
 
-bench: $(VENV)/ready  ## time against accuracy, our methods and others
+bench: $(VENV)/ready-all  ## time against accuracy, our methods and others
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.run -o $(OUTPUT)
 	@OPENBLAS_NUM_THREADS=1 NUMBA_NUM_THREADS=1 $(BIN)/python -m benchmarks.shortcuts
 
-bench-kernels: $(VENV)/ready  ## residual, Jacobian and iteration of each kernel
+bench-kernels: $(VENV)/ready-all  ## residual, Jacobian and iteration of each kernel
 	@$(BIN)/python -m pytest benchmarks/bench_kernels.py --benchmark-columns=median,iqr,rounds
 
 generate: $(VENV)/ready  ## derive the equations and write generated/
@@ -48,7 +48,7 @@ equations: $(VENV)/ready  ## the derived equations as a LaTeX document
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth equations --format latex -o $(OUTPUT)/equations.tex
 
-report: $(VENV)/ready  ## the paper recomputed: figures, equations and claims on one page
+report: $(VENV)/ready-all  ## the paper recomputed: figures, equations and claims on one page
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth report -o $(OUTPUT)/report
 
@@ -57,7 +57,7 @@ docs: $(VENV)/ready-docs  ## the documentation as a site: output/docs/index.html
 	@$(BIN)/python -m sphinx -q -j auto -W --keep-going -n docs $(OUTPUT)/docs
 	@echo "wrote $(OUTPUT)/docs/index.html"
 
-lint: $(VENV)/ready  ## formatting, style, types, and whether generated/ is up to date
+lint: $(VENV)/ready-all  ## formatting, style, types, and whether generated/ is up to date
 	@$(BIN)/ruff format --check .
 	@$(BIN)/ruff check .
 	@$(BIN)/mypy
@@ -82,25 +82,35 @@ lowest:  ## all tests with the lowest versions that pyproject.toml allows, in .v
 clean:  ## remove the environment and everything made
 	rm -rf $(VENV) .venv-lowest $(OUTPUT) docs/reference/modules build dist src/*.egg-info .pytest_cache .mypy_cache .ruff_cache
 
+# What solving needs, and beside it what everything else does.
+SOLVING := .[plot]
+ALL := .[plot,report,precise,netcdf,test,lint,bench]
+DOCS := .[plot,report,precise,netcdf,docs]
+
 # uv, where it is installed, is only quicker; venv and pip do the same.
+define install
+if command -v uv >/dev/null 2>&1; then \
+  uv pip install --quiet --python $(BIN)/python -e '$(1)'; \
+else \
+  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '$(1)'; \
+fi
+endef
+
 $(VENV)/ready: pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 	  echo "nonsmooth needs Python 3.11 or newer; set PYTHON=python3.x" >&2; exit 1; }
-	@if command -v uv >/dev/null 2>&1; then \
-	  uv venv --quiet --clear --python $(PYTHON) $(VENV) && \
-	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,test,lint,bench]'; \
-	else \
-	  $(PYTHON) -m venv --clear $(VENV) || { \
-	    echo "python3-venv is missing: apt-get install python3-venv" >&2; exit 1; }; \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,test,lint,bench]'; \
-	fi
+	@echo "making $(VENV): numpy, scipy, sympy, numba, matplotlib; 650 MB, about a minute" >&2
+	@$(PYTHON) -m venv --clear $(VENV) || { \
+	  echo "python3-venv is missing: apt-get install python3-venv" >&2; exit 1; }
+	@$(call install,$(SOLVING))
+	@touch $@
+
+$(VENV)/ready-all: $(VENV)/ready
+	@echo "adding what tests, linters and pages need; 170 MB more" >&2
+	@$(call install,$(ALL))
 	@touch $@
 
 # Sphinx and a notebook kernel are heavy, and for one target only.
 $(VENV)/ready-docs: $(VENV)/ready
-	@if command -v uv >/dev/null 2>&1; then \
-	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,docs]'; \
-	else \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,docs]'; \
-	fi
+	@$(call install,$(DOCS))
 	@touch $@
