@@ -36,6 +36,7 @@ mutants: $(VENV)/ready  ## deliberate mistakes: which of them the tests catch
 
 bench: $(VENV)/ready  ## time against accuracy, our methods and others
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.run -o $(OUTPUT)
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.every_scene -o $(OUTPUT)
 	@OPENBLAS_NUM_THREADS=1 NUMBA_NUM_THREADS=1 $(BIN)/python -m benchmarks.shortcuts
 
 bench-kernels: $(VENV)/ready  ## residual, Jacobian and iteration of each kernel
