@@ -42,7 +42,7 @@ def newton(
     """
     own = kernel(scene, method, functions)
     residual, jacobian, iterate, size = own.residual, own.jacobian, own.iterate, own.size
-    names = iterate.py_func.__globals__  # type: ignore[attr-defined]
+    names = getattr(iterate, "py_func", iterate).__globals__  # plain where numba is disabled
     factorise, solve_factorised = names["factorise"], names["solve_factorised"]
     times, coarse = own.durations + own.forced, method != "ck-tau"
     before = newton(scene, "ck-tau") if coarse else _as_given

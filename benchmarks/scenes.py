@@ -94,20 +94,20 @@ def _repeated(solve: Solve) -> Callable[..., float]:
     return numba.njit(loop) if isinstance(solve, Dispatcher) else loop
 
 
-def measure() -> list[Point]:
-    """Return all points, timed round by round."""
+def measure(rounds: int = ROUNDS, fewest: bool = False) -> list[Point]:
+    """Return all points, timed round by round; with `fewest`, one setting of each contender."""
     runs = []
     for scene in SCENES:
         case, rough = registry.load(scene)(), references.rough(scene)
         unit = case.units.time
         units = (unit, 1.0) if case.cell.forced else (unit, unit)
         for name, solve, settings in _contenders(scene):
-            own = isinstance(solve, Dispatcher) and name in KERNELS
-            numbers = case.numbers if own else tuple(case.values.values())
+            own = name in KERNELS
+            numbers = case.arguments if own else tuple(case.values.values())
             scale = units if own else (1.0, 1.0)
             a, b = (t / u for t, u in zip(rough, scale, strict=True))
             loop = _repeated(solve)
-            for setting in settings:
+            for setting in settings[:1] if fewest else settings:
                 times = solve(numbers, setting, a, b)
                 error = references.error(scene, (times[0] * scale[0], times[1] * scale[1]))
                 once = min(_seconds(loop, numbers, setting, a, b, 1) for _ in range(3))
@@ -115,7 +115,7 @@ def measure() -> list[Point]:
                 arguments = (loop, numbers, setting, a, b, count)
                 runs.append((scene, name, setting, error, arguments))
     seen: list[list[float]] = [[] for _ in runs]
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         for run, times in zip(runs, seen, strict=True):
             times.append(_seconds(*run[4]))
     return [

@@ -171,15 +171,23 @@ def _break_series(system: GalerkinConditions) -> list[str]:
         return []
     arguments = (breaks.begin, breaks.length)
     size = len(rows)
-    lines = [f"found = np.zeros((3, {size}, {size}))"]
+    values: list[str] = []
+    slopes: list[str] = []
     for n, row in enumerate(rows):
         for l, value in enumerate(row):
             for d, form in enumerate((value, *(sp.diff(value, q) for q in arguments))):
                 if form != 0:
+                    lines = slopes if d else values
                     lines.append(f"found[{d}, {n}, {l}] = {python(form)}")
-    lines.append("return found")
-    summary = "Return the Legendre coefficients [n, l] of beta_n, and their derivatives."
-    return [_function("break_series(begin, length)", summary, lines)]
+    lines = [
+        f"found = np.zeros((3 if rates else 1, {size}, {size}))",
+        *values,
+        "if rates:",
+        *("    " + line for line in slopes),
+        "return found",
+    ]
+    summary = "Return the Legendre coefficients [n, l] of beta_n; with `rates`, derivatives."
+    return [_function("break_series(begin, length, rates)", summary, lines)]
 
 
 def _function(name: str, summary: str, lines: Sequence[str]) -> str:

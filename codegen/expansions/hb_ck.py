@@ -105,7 +105,7 @@ def tables(e: Expansion) -> Iterator[Table]:
     )
     for p, switch in enumerate(e.switches):
         series, at_ends = f"series_{switch.before}", f"ends_{switch.before}"
-        prepare = f"{series} = breaks_on_phases({p}, {ends}, {e.times.sign})"
+        prepare = f"{series} = breaks_on_phases({p}, {ends}, {e.times.sign}, rates)"
         made = f"{prepare}\n{at_ends} = break_ends({series})"
         yield from tables_with_rates(str(e.ends(p)), durations, at_ends, made)
         for n in e.orders(p):

@@ -32,51 +32,52 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "752614e4753fcefbb33e2a553428b956b0aac70d29a59051745f0828639abe5a"  # of the conditions, by srepr
-BODY = "c4052c537637026080149a025e0eb04f7df6ad756ab0639ba6df02c4cbcac214"  # of the text below
+BODY = "24573124a03dc65d4e4049373c20725b7898d29684bd3404ac938f5e0edd3a7a"  # of the text below
 
 
-def break_series(begin, length):
-    """Return the Legendre coefficients [n, l] of beta_n, and their derivatives."""
-    found = np.zeros((3, 5, 5))
+def break_series(begin, length, rates):
+    """Return the Legendre coefficients [n, l] of beta_n; with `rates`, derivatives."""
+    found = np.zeros((3 if rates else 1, 5, 5))
     found[0, 0, 0] = -1
     found[0, 1, 0] = -begin - length/2 + 1/2
-    found[1, 1, 0] = -1
-    found[2, 1, 0] = -1/2
     found[0, 1, 1] = -length/2
-    found[2, 1, 1] = -1/2
     found[0, 2, 0] = begin*(-begin/2 - length/2 + 1/2) + length*(1/4 - length/6) - 1/12
-    found[1, 2, 0] = -begin - length/2 + 1/2
-    found[2, 2, 0] = -begin/2 - length/3 + 1/4
     found[0, 2, 1] = -(begin*length)/2 + length*(1/4 - length/4)
-    found[1, 2, 1] = -length/2
-    found[2, 2, 1] = -begin/2 - length/2 + 1/4
     found[0, 2, 2] = -(length*length)/12
-    found[2, 2, 2] = -length/6
     found[0, 3, 0] = begin*(begin*(-begin/6 - length/4 + 1/4) + length*(1/4 - length/6) - 1/12) + length*(length*(1/12 - length/24) - 1/24)
-    found[1, 3, 0] = begin*(-begin/3 - length/4 + 1/4) + begin*(-begin/6 - length/4 + 1/4) + length*(1/4 - length/6) - 1/12
-    found[2, 3, 0] = begin*(-begin/4 - length/3 + 1/4) + length*(1/12 - length/12) + length*(1/12 - length/24) - 1/24
     found[0, 3, 1] = begin*(-(begin*length)/4 + length*(1/4 - length/4)) + length*(length*(1/8 - (3*length)/40) - 1/24)
-    found[1, 3, 1] = -(begin*length)/2 + length*(1/4 - length/4)
-    found[2, 3, 1] = begin*(-begin/4 - length/2 + 1/4) + length*(1/8 - (3*length)/20) + length*(1/8 - (3*length)/40) - 1/24
     found[0, 3, 2] = -(begin*(length*length))/12 + (length*length)*(1/24 - length/24)
-    found[1, 3, 2] = -(length*length)/12
-    found[2, 3, 2] = -(begin*length)/6 - (length*length)/24 + 2*length*(1/24 - length/24)
     found[0, 3, 3] = -(length*length*length)/120
-    found[2, 3, 3] = -(length*length)/40
     found[0, 4, 0] = begin*(begin*(begin*(-begin/24 - length/12 + 1/12) + length*(1/8 - length/12) - 1/24) + length*(length*(1/12 - length/24) - 1/24)) + (length*length)*(length*(1/48 - length/120) - 1/72) + 1/720
-    found[1, 4, 0] = begin*(begin*(-begin/24 - length/12 + 1/12) + length*(1/8 - length/12) - 1/24) + begin*(begin*(-begin/12 - length/12 + 1/12) + begin*(-begin/24 - length/12 + 1/12) + length*(1/8 - length/12) - 1/24) + length*(length*(1/12 - length/24) - 1/24)
-    found[2, 4, 0] = begin*(begin*(-begin/12 - length/6 + 1/8) + length*(1/12 - length/12) + length*(1/12 - length/24) - 1/24) + (length*length)*(1/48 - length/60) + 2*length*(length*(1/48 - length/120) - 1/72)
     found[0, 4, 1] = begin*(begin*(-(begin*length)/12 + length*(1/8 - length/8)) + length*(length*(1/8 - (3*length)/40) - 1/24)) + (length*length)*(length*(3/80 - length/60) - 1/48)
-    found[1, 4, 1] = begin*(-(begin*length)/6 + length*(1/8 - length/8)) + begin*(-(begin*length)/12 + length*(1/8 - length/8)) + length*(length*(1/8 - (3*length)/40) - 1/24)
-    found[2, 4, 1] = begin*(begin*(-begin/12 - length/4 + 1/8) + length*(1/8 - (3*length)/20) + length*(1/8 - (3*length)/40) - 1/24) + (length*length)*(3/80 - length/30) + 2*length*(length*(3/80 - length/60) - 1/48)
     found[0, 4, 2] = begin*(-(begin*(length*length))/24 + (length*length)*(1/24 - length/24)) + (length*length)*(length*(1/48 - length/84) - 1/144)
-    found[1, 4, 2] = -(begin*(length*length))/12 + (length*length)*(1/24 - length/24)
-    found[2, 4, 2] = begin*(-(begin*length)/12 - (length*length)/24 + 2*length*(1/24 - length/24)) + (length*length)*(1/48 - length/42) + 2*length*(length*(1/48 - length/84) - 1/144)
     found[0, 4, 3] = -(begin*(length*length*length))/120 + (length*length*length)*(1/240 - length/240)
-    found[1, 4, 3] = -(length*length*length)/120
-    found[2, 4, 3] = -(begin*(length*length))/40 - (length*length*length)/240 + 3*(length*length)*(1/240 - length/240)
     found[0, 4, 4] = -(length*length*length*length)/1680
-    found[2, 4, 4] = -(length*length*length)/420
+    if rates:
+        found[1, 1, 0] = -1
+        found[2, 1, 0] = -1/2
+        found[2, 1, 1] = -1/2
+        found[1, 2, 0] = -begin - length/2 + 1/2
+        found[2, 2, 0] = -begin/2 - length/3 + 1/4
+        found[1, 2, 1] = -length/2
+        found[2, 2, 1] = -begin/2 - length/2 + 1/4
+        found[2, 2, 2] = -length/6
+        found[1, 3, 0] = begin*(-begin/3 - length/4 + 1/4) + begin*(-begin/6 - length/4 + 1/4) + length*(1/4 - length/6) - 1/12
+        found[2, 3, 0] = begin*(-begin/4 - length/3 + 1/4) + length*(1/12 - length/12) + length*(1/12 - length/24) - 1/24
+        found[1, 3, 1] = -(begin*length)/2 + length*(1/4 - length/4)
+        found[2, 3, 1] = begin*(-begin/4 - length/2 + 1/4) + length*(1/8 - (3*length)/20) + length*(1/8 - (3*length)/40) - 1/24
+        found[1, 3, 2] = -(length*length)/12
+        found[2, 3, 2] = -(begin*length)/6 - (length*length)/24 + 2*length*(1/24 - length/24)
+        found[2, 3, 3] = -(length*length)/40
+        found[1, 4, 0] = begin*(begin*(-begin/24 - length/12 + 1/12) + length*(1/8 - length/12) - 1/24) + begin*(begin*(-begin/12 - length/12 + 1/12) + begin*(-begin/24 - length/12 + 1/12) + length*(1/8 - length/12) - 1/24) + length*(length*(1/12 - length/24) - 1/24)
+        found[2, 4, 0] = begin*(begin*(-begin/12 - length/6 + 1/8) + length*(1/12 - length/12) + length*(1/12 - length/24) - 1/24) + (length*length)*(1/48 - length/60) + 2*length*(length*(1/48 - length/120) - 1/72)
+        found[1, 4, 1] = begin*(-(begin*length)/6 + length*(1/8 - length/8)) + begin*(-(begin*length)/12 + length*(1/8 - length/8)) + length*(length*(1/8 - (3*length)/40) - 1/24)
+        found[2, 4, 1] = begin*(begin*(-begin/12 - length/4 + 1/8) + length*(1/8 - (3*length)/20) + length*(1/8 - (3*length)/40) - 1/24) + (length*length)*(3/80 - length/30) + 2*length*(length*(3/80 - length/60) - 1/48)
+        found[1, 4, 2] = -(begin*(length*length))/12 + (length*length)*(1/24 - length/24)
+        found[2, 4, 2] = begin*(-(begin*length)/12 - (length*length)/24 + 2*length*(1/24 - length/24)) + (length*length)*(1/48 - length/42) + 2*length*(length*(1/48 - length/84) - 1/144)
+        found[1, 4, 3] = -(length*length*length)/120
+        found[2, 4, 3] = -(begin*(length*length))/40 - (length*length*length)/240 + 3*(length*length)*(1/240 - length/240)
+        found[2, 4, 4] = -(length*length*length)/420
     return found
 
 
@@ -238,8 +239,8 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def breaks_on_phases(p, ends, sign):
-    """Return the series of the functions of switch p on each phase, with their derivatives.
+def breaks_on_phases(p, ends, sign, rates):
+    """Return the series of the functions of switch p on each phase.
 
     Parameters
     ----------
@@ -249,22 +250,24 @@ def breaks_on_phases(p, ends, sign):
         Where the phases begin, and where the last one ends.
     sign : int
         What the motion is multiplied by from one cell to the next.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    ndarray, shape (P, 1 + P, n, n)
+    ndarray, shape (P, 1 + P or 1, n, n)
         For each phase the coefficients [n, l], and their derivatives by each duration.
     """
     phases, cell = len(ends) - 1, ends[len(ends) - 1]
-    size = break_series(0.0, 1.0).shape[1]
-    found = np.zeros((phases, 1 + phases, size, size))
+    size = break_series(0.0, 1.0, False).shape[1]
+    found = np.zeros((phases, 1 + phases if rates else 1, size, size))
     for q in range(phases):
         after = q >= p
         begin = (ends[q] - ends[p]) / cell + (0.0 if after else 1.0)
         length = (ends[q + 1] - ends[q]) / cell
-        series = break_series(begin, length) * (1.0 if after else sign)
+        series = break_series(begin, length, rates) * (1.0 if after else sign)
         found[q, 0] = series[0]
-        for r in range(phases):
+        for r in range(phases if rates else 0):
             moved = (1.0 if r < q else 0.0) - (1.0 if r < p else 0.0)
             by_begin = (moved - (ends[q] - ends[p]) / cell) / cell
             by_length = ((1.0 if r == q else 0.0) - length) / cell
@@ -277,7 +280,7 @@ def break_ends(series):
 
     Returns
     -------
-    ndarray, shape (1 + P, n, P, 2)
+    ndarray, shape (1 + P or 1, n, P, 2)
         The values, and their derivatives by each duration, at the begin and at the end.
     """
     phases, rates, size, _ = series.shape
@@ -299,7 +302,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
     n : int
         The function.
     series : ndarray
-        From `breaks_on_phases`.
+        From `breaks_on_phases`, with or without derivatives.
     weights : tuple of (m, c, k) on each phase
     ends : tuple of float, length P + 1
     period : float
@@ -309,13 +312,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
 
     Returns
     -------
-    ndarray, shape (2, 1 + P, len(numbers))
+    ndarray, shape (2, 1 + P or 1, len(numbers))
         With the cosine and with the sine: the integrals, their derivatives by each duration.
     """
-    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    phases, rows, cell = len(ends) - 1, series.shape[1], ends[len(ends) - 1]
     omega = 2 * pi / period
-    found = np.zeros((2, 1 + phases, len(numbers)))
-    rho = np.zeros((1 + phases, n + 1))
+    found = np.zeros((2, rows, len(numbers)))
+    rho = np.zeros((rows, n + 1))
     even, odd = np.zeros(n + 2), np.zeros(n + 2)
     for q in range(phases):
         m, c, k = weights[q]
@@ -327,7 +330,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                 series[q, 0, n - 2, l] * m / cell**2,
             )
             rho[0, l] = k * series[q, 0, n, l] + rate + twice
-            for r in range(1, 1 + phases):
+            for r in range(1, rows):
                 rho[r, l] = k * series[q, r, n, l] + series[q, r, n - 1, l] * c / cell
                 rho[r, l] += series[q, r, n - 2, l] * m / cell**2 - (rate + 2 * twice) / cell
         for column in range(len(numbers)):
@@ -343,6 +346,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                     even[l], odd[l] = value * bessel[l], ahead * bessel[l]
                 for l in range(n + 1):
                     found[turned, 0, column] += s * rho[0, l] * even[l]
+                for l in range(n + 1 if rows > 1 else 0):
                     near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
                     stretch = (odd[l] + near / (2 * l + 1)) / 2
                     for r in range(phases):
@@ -369,7 +373,7 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     w = 2 * np.asarray(u, dtype=float) - 1
     total = np.zeros_like(w)
     for p, n, c in parts:
-        series = breaks_on_phases(p, ends, sign)[q, 0, n]
+        series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
         slope = legendre.legder(series, derivative, scl=2)
         total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
     return total
@@ -782,13 +786,13 @@ def residual(case, z, R):
     over_g = weighted_integrals(over_phases, (F, F), 0, (0.0, s_contact, s_contact + s_separated), s_contact + s_separated)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
-    series_contact = breaks_on_phases(0, (0.0, s_contact, s_contact + s_separated), 1)
+    series_contact = breaks_on_phases(0, (0.0, s_contact, s_contact + s_separated), 1, rates)
     ends_contact = break_ends(series_contact)
     beta_contact = ends_contact[0]
     over_beta4_contact = break_integrals(4, series_contact, ((m, c, k + k_c), (m, c, k),), (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, np.arange(0, N + 1))
     G4_contact_cos = over_beta4_contact[0][0]
     G4_contact_sin = over_beta4_contact[1][0]
-    series_separated = breaks_on_phases(1, (0.0, s_contact, s_contact + s_separated), 1)
+    series_separated = breaks_on_phases(1, (0.0, s_contact, s_contact + s_separated), 1, rates)
     ends_separated = break_ends(series_separated)
     beta_separated = ends_separated[0]
     over_beta4_separated = break_integrals(4, series_separated, ((m, c, k + k_c), (m, c, k),), (0.0, s_contact, s_contact + s_separated), s_contact + s_separated, np.arange(0, N + 1))
@@ -882,7 +886,7 @@ def jacobian(case, z, J):
     S_g = over_g[1][0]
     S_g_by_s_contact = over_g[1][1]
     S_g_by_s_separated = over_g[1][2]
-    series_contact = breaks_on_phases(0, (0.0, s_contact, s_contact + s_separated), 1)
+    series_contact = breaks_on_phases(0, (0.0, s_contact, s_contact + s_separated), 1, rates)
     ends_contact = break_ends(series_contact)
     beta_contact = ends_contact[0]
     beta_contact_by_s_contact = ends_contact[1]
@@ -894,7 +898,7 @@ def jacobian(case, z, J):
     G4_contact_sin = over_beta4_contact[1][0]
     G4_contact_sin_by_s_contact = over_beta4_contact[1][1]
     G4_contact_sin_by_s_separated = over_beta4_contact[1][2]
-    series_separated = breaks_on_phases(1, (0.0, s_contact, s_contact + s_separated), 1)
+    series_separated = breaks_on_phases(1, (0.0, s_contact, s_contact + s_separated), 1, rates)
     ends_separated = break_ends(series_separated)
     beta_separated = ends_separated[0]
     beta_separated_by_s_contact = ends_separated[1]

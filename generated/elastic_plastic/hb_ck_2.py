@@ -34,68 +34,69 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "fe6812c2e43a39316f883f287fa8ae71c9ce7bea77df963164d9decd86b8e630"  # of the conditions, by srepr
-BODY = "65b57b874855e319635b1acc9fb13a1e8187023f516fa104c6fd918c79f5a324"  # of the text below
+BODY = "11a0de68ae14036cbf9f52c214306ba0c2a559841ec623885c1f08778ed5e0f8"  # of the text below
 
 
-def break_series(begin, length):
-    """Return the Legendre coefficients [n, l] of beta_n, and their derivatives."""
-    found = np.zeros((3, 7, 7))
+def break_series(begin, length, rates):
+    """Return the Legendre coefficients [n, l] of beta_n; with `rates`, derivatives."""
+    found = np.zeros((3 if rates else 1, 7, 7))
     found[0, 1, 0] = 1/2
     found[0, 2, 0] = begin/2 + length/4 - 1/4
-    found[1, 2, 0] = 1/2
-    found[2, 2, 0] = 1/4
     found[0, 2, 1] = length/4
-    found[2, 2, 1] = 1/4
     found[0, 3, 0] = begin*(begin/4 + length/4 - 1/4) + length*(length/12 - 1/8)
-    found[1, 3, 0] = begin/2 + length/4 - 1/4
-    found[2, 3, 0] = begin/4 + length/6 - 1/8
     found[0, 3, 1] = (begin*length)/4 + length*(length/8 - 1/8)
-    found[1, 3, 1] = length/4
-    found[2, 3, 1] = begin/4 + length/4 - 1/8
     found[0, 3, 2] = (length*length)/24
-    found[2, 3, 2] = length/12
     found[0, 4, 0] = begin*(begin*(begin/12 + length/8 - 1/8) + length*(length/12 - 1/8)) + (length*length)*(length/48 - 1/24) + 1/48
-    found[1, 4, 0] = begin*(begin/12 + length/8 - 1/8) + begin*(begin/6 + length/8 - 1/8) + length*(length/12 - 1/8)
-    found[2, 4, 0] = begin*(begin/8 + length/6 - 1/8) + (length*length)/48 + 2*length*(length/48 - 1/24)
     found[0, 4, 1] = begin*((begin*length)/8 + length*(length/8 - 1/8)) + (length*length)*((3*length)/80 - 1/16)
-    found[1, 4, 1] = (begin*length)/4 + length*(length/8 - 1/8)
-    found[2, 4, 1] = begin*(begin/8 + length/4 - 1/8) + (3*(length*length))/80 + 2*length*((3*length)/80 - 1/16)
     found[0, 4, 2] = (begin*(length*length))/24 + (length*length)*(length/48 - 1/48)
-    found[1, 4, 2] = (length*length)/24
-    found[2, 4, 2] = (begin*length)/12 + (length*length)/48 + 2*length*(length/48 - 1/48)
     found[0, 4, 3] = (length*length*length)/240
-    found[2, 4, 3] = (length*length)/80
     found[0, 5, 0] = begin*(begin*(begin*(begin/48 + length/24 - 1/24) + length*(length/24 - 1/16)) + (length*length)*(length/48 - 1/24) + 1/48) + length*((length*length)*(length/240 - 1/96) + 1/96)
-    found[1, 5, 0] = begin*(begin*(begin/48 + length/24 - 1/24) + length*(length/24 - 1/16)) + begin*(begin*(begin/48 + length/24 - 1/24) + begin*(begin/24 + length/24 - 1/24) + length*(length/24 - 1/16)) + (length*length)*(length/48 - 1/24) + 1/48
-    found[2, 5, 0] = begin*(begin*(begin/24 + length/12 - 1/16) + (length*length)/48 + 2*length*(length/48 - 1/24)) + (length*length)*(length/240 - 1/96) + length*((length*length)/240 + 2*length*(length/240 - 1/96)) + 1/96
     found[0, 5, 1] = begin*(begin*((begin*length)/24 + length*(length/16 - 1/16)) + (length*length)*((3*length)/80 - 1/16)) + length*((length*length)*(length/120 - 3/160) + 1/96)
-    found[1, 5, 1] = begin*((begin*length)/24 + length*(length/16 - 1/16)) + begin*((begin*length)/12 + length*(length/16 - 1/16)) + (length*length)*((3*length)/80 - 1/16)
-    found[2, 5, 1] = begin*(begin*(begin/24 + length/8 - 1/16) + (3*(length*length))/80 + 2*length*((3*length)/80 - 1/16)) + (length*length)*(length/120 - 3/160) + length*((length*length)/120 + 2*length*(length/120 - 3/160)) + 1/96
     found[0, 5, 2] = begin*((begin*(length*length))/48 + (length*length)*(length/48 - 1/48)) + (length*length*length)*(length/168 - 1/96)
-    found[1, 5, 2] = (begin*(length*length))/24 + (length*length)*(length/48 - 1/48)
-    found[2, 5, 2] = begin*((begin*length)/24 + (length*length)/48 + 2*length*(length/48 - 1/48)) + (length*length*length)/168 + 3*(length*length)*(length/168 - 1/96)
     found[0, 5, 3] = (begin*(length*length*length))/240 + (length*length*length)*(length/480 - 1/480)
-    found[1, 5, 3] = (length*length*length)/240
-    found[2, 5, 3] = (begin*(length*length))/80 + (length*length*length)/480 + 3*(length*length)*(length/480 - 1/480)
     found[0, 5, 4] = (length*length*length*length)/3360
-    found[2, 5, 4] = (length*length*length)/840
     found[0, 6, 0] = begin*(begin*(begin*(begin*(begin/240 + length/96 - 1/96) + length*(length/72 - 1/48)) + (length*length)*(length/96 - 1/48) + 1/96) + length*((length*length)*(length/240 - 1/96) + 1/96)) + (length*length)*((length*length)*(length/1440 - 1/480) + 1/288) - 1/480
-    found[1, 6, 0] = begin*(begin*(begin*(begin/240 + length/96 - 1/96) + length*(length/72 - 1/48)) + (length*length)*(length/96 - 1/48) + 1/96) + begin*(begin*(begin*(begin/240 + length/96 - 1/96) + length*(length/72 - 1/48)) + begin*(begin*(begin/240 + length/96 - 1/96) + begin*(begin/120 + length/96 - 1/96) + length*(length/72 - 1/48)) + (length*length)*(length/96 - 1/48) + 1/96) + length*((length*length)*(length/240 - 1/96) + 1/96)
-    found[2, 6, 0] = begin*(begin*(begin*(begin/96 + length/36 - 1/48) + (length*length)/96 + 2*length*(length/96 - 1/48)) + (length*length)*(length/240 - 1/96) + length*((length*length)/240 + 2*length*(length/240 - 1/96)) + 1/96) + (length*length)*((length*length)/1440 + 2*length*(length/1440 - 1/480)) + 2*length*((length*length)*(length/1440 - 1/480) + 1/288)
     found[0, 6, 1] = begin*(begin*(begin*((begin*length)/96 + length*(length/48 - 1/48)) + (length*length)*((3*length)/160 - 1/32)) + length*((length*length)*(length/120 - 3/160) + 1/96)) + (length*length)*((length*length)*(length/672 - 1/240) + 1/192)
-    found[1, 6, 1] = begin*(begin*((begin*length)/96 + length*(length/48 - 1/48)) + (length*length)*((3*length)/160 - 1/32)) + begin*(begin*((begin*length)/96 + length*(length/48 - 1/48)) + begin*((begin*length)/48 + length*(length/48 - 1/48)) + (length*length)*((3*length)/160 - 1/32)) + length*((length*length)*(length/120 - 3/160) + 1/96)
-    found[2, 6, 1] = begin*(begin*(begin*(begin/96 + length/24 - 1/48) + (3*(length*length))/160 + 2*length*((3*length)/160 - 1/32)) + (length*length)*(length/120 - 3/160) + length*((length*length)/120 + 2*length*(length/120 - 3/160)) + 1/96) + (length*length)*((length*length)/672 + 2*length*(length/672 - 1/240)) + 2*length*((length*length)*(length/672 - 1/240) + 1/192)
     found[0, 6, 2] = begin*(begin*((begin*(length*length))/144 + (length*length)*(length/96 - 1/96)) + (length*length*length)*(length/168 - 1/96)) + (length*length)*((length*length)*((5*length)/4032 - 1/336) + 1/576)
-    found[1, 6, 2] = begin*((begin*(length*length))/144 + (length*length)*(length/96 - 1/96)) + begin*((begin*(length*length))/72 + (length*length)*(length/96 - 1/96)) + (length*length*length)*(length/168 - 1/96)
-    found[2, 6, 2] = begin*(begin*((begin*length)/72 + (length*length)/96 + 2*length*(length/96 - 1/96)) + (length*length*length)/168 + 3*(length*length)*(length/168 - 1/96)) + (length*length)*((5*(length*length))/4032 + 2*length*((5*length)/4032 - 1/336)) + 2*length*((length*length)*((5*length)/4032 - 1/336) + 1/576)
     found[0, 6, 3] = begin*((begin*(length*length*length))/480 + (length*length*length)*(length/480 - 1/480)) + (length*length*length*length)*(length/1728 - 1/960)
-    found[1, 6, 3] = (begin*(length*length*length))/240 + (length*length*length)*(length/480 - 1/480)
-    found[2, 6, 3] = begin*((begin*(length*length))/160 + (length*length*length)/480 + 3*(length*length)*(length/480 - 1/480)) + (length*length*length*length)/1728 + 4*(length*length*length)*(length/1728 - 1/960)
     found[0, 6, 4] = (begin*(length*length*length*length))/3360 + (length*length*length*length)*(length/6720 - 1/6720)
-    found[1, 6, 4] = (length*length*length*length)/3360
-    found[2, 6, 4] = (begin*(length*length*length))/840 + (length*length*length*length)/6720 + 4*(length*length*length)*(length/6720 - 1/6720)
     found[0, 6, 5] = (length*length*length*length*length)/60480
-    found[2, 6, 5] = (length*length*length*length)/12096
+    if rates:
+        found[1, 2, 0] = 1/2
+        found[2, 2, 0] = 1/4
+        found[2, 2, 1] = 1/4
+        found[1, 3, 0] = begin/2 + length/4 - 1/4
+        found[2, 3, 0] = begin/4 + length/6 - 1/8
+        found[1, 3, 1] = length/4
+        found[2, 3, 1] = begin/4 + length/4 - 1/8
+        found[2, 3, 2] = length/12
+        found[1, 4, 0] = begin*(begin/12 + length/8 - 1/8) + begin*(begin/6 + length/8 - 1/8) + length*(length/12 - 1/8)
+        found[2, 4, 0] = begin*(begin/8 + length/6 - 1/8) + (length*length)/48 + 2*length*(length/48 - 1/24)
+        found[1, 4, 1] = (begin*length)/4 + length*(length/8 - 1/8)
+        found[2, 4, 1] = begin*(begin/8 + length/4 - 1/8) + (3*(length*length))/80 + 2*length*((3*length)/80 - 1/16)
+        found[1, 4, 2] = (length*length)/24
+        found[2, 4, 2] = (begin*length)/12 + (length*length)/48 + 2*length*(length/48 - 1/48)
+        found[2, 4, 3] = (length*length)/80
+        found[1, 5, 0] = begin*(begin*(begin/48 + length/24 - 1/24) + length*(length/24 - 1/16)) + begin*(begin*(begin/48 + length/24 - 1/24) + begin*(begin/24 + length/24 - 1/24) + length*(length/24 - 1/16)) + (length*length)*(length/48 - 1/24) + 1/48
+        found[2, 5, 0] = begin*(begin*(begin/24 + length/12 - 1/16) + (length*length)/48 + 2*length*(length/48 - 1/24)) + (length*length)*(length/240 - 1/96) + length*((length*length)/240 + 2*length*(length/240 - 1/96)) + 1/96
+        found[1, 5, 1] = begin*((begin*length)/24 + length*(length/16 - 1/16)) + begin*((begin*length)/12 + length*(length/16 - 1/16)) + (length*length)*((3*length)/80 - 1/16)
+        found[2, 5, 1] = begin*(begin*(begin/24 + length/8 - 1/16) + (3*(length*length))/80 + 2*length*((3*length)/80 - 1/16)) + (length*length)*(length/120 - 3/160) + length*((length*length)/120 + 2*length*(length/120 - 3/160)) + 1/96
+        found[1, 5, 2] = (begin*(length*length))/24 + (length*length)*(length/48 - 1/48)
+        found[2, 5, 2] = begin*((begin*length)/24 + (length*length)/48 + 2*length*(length/48 - 1/48)) + (length*length*length)/168 + 3*(length*length)*(length/168 - 1/96)
+        found[1, 5, 3] = (length*length*length)/240
+        found[2, 5, 3] = (begin*(length*length))/80 + (length*length*length)/480 + 3*(length*length)*(length/480 - 1/480)
+        found[2, 5, 4] = (length*length*length)/840
+        found[1, 6, 0] = begin*(begin*(begin*(begin/240 + length/96 - 1/96) + length*(length/72 - 1/48)) + (length*length)*(length/96 - 1/48) + 1/96) + begin*(begin*(begin*(begin/240 + length/96 - 1/96) + length*(length/72 - 1/48)) + begin*(begin*(begin/240 + length/96 - 1/96) + begin*(begin/120 + length/96 - 1/96) + length*(length/72 - 1/48)) + (length*length)*(length/96 - 1/48) + 1/96) + length*((length*length)*(length/240 - 1/96) + 1/96)
+        found[2, 6, 0] = begin*(begin*(begin*(begin/96 + length/36 - 1/48) + (length*length)/96 + 2*length*(length/96 - 1/48)) + (length*length)*(length/240 - 1/96) + length*((length*length)/240 + 2*length*(length/240 - 1/96)) + 1/96) + (length*length)*((length*length)/1440 + 2*length*(length/1440 - 1/480)) + 2*length*((length*length)*(length/1440 - 1/480) + 1/288)
+        found[1, 6, 1] = begin*(begin*((begin*length)/96 + length*(length/48 - 1/48)) + (length*length)*((3*length)/160 - 1/32)) + begin*(begin*((begin*length)/96 + length*(length/48 - 1/48)) + begin*((begin*length)/48 + length*(length/48 - 1/48)) + (length*length)*((3*length)/160 - 1/32)) + length*((length*length)*(length/120 - 3/160) + 1/96)
+        found[2, 6, 1] = begin*(begin*(begin*(begin/96 + length/24 - 1/48) + (3*(length*length))/160 + 2*length*((3*length)/160 - 1/32)) + (length*length)*(length/120 - 3/160) + length*((length*length)/120 + 2*length*(length/120 - 3/160)) + 1/96) + (length*length)*((length*length)/672 + 2*length*(length/672 - 1/240)) + 2*length*((length*length)*(length/672 - 1/240) + 1/192)
+        found[1, 6, 2] = begin*((begin*(length*length))/144 + (length*length)*(length/96 - 1/96)) + begin*((begin*(length*length))/72 + (length*length)*(length/96 - 1/96)) + (length*length*length)*(length/168 - 1/96)
+        found[2, 6, 2] = begin*(begin*((begin*length)/72 + (length*length)/96 + 2*length*(length/96 - 1/96)) + (length*length*length)/168 + 3*(length*length)*(length/168 - 1/96)) + (length*length)*((5*(length*length))/4032 + 2*length*((5*length)/4032 - 1/336)) + 2*length*((length*length)*((5*length)/4032 - 1/336) + 1/576)
+        found[1, 6, 3] = (begin*(length*length*length))/240 + (length*length*length)*(length/480 - 1/480)
+        found[2, 6, 3] = begin*((begin*(length*length))/160 + (length*length*length)/480 + 3*(length*length)*(length/480 - 1/480)) + (length*length*length*length)/1728 + 4*(length*length*length)*(length/1728 - 1/960)
+        found[1, 6, 4] = (length*length*length*length)/3360
+        found[2, 6, 4] = (begin*(length*length*length))/840 + (length*length*length*length)/6720 + 4*(length*length*length)*(length/6720 - 1/6720)
+        found[2, 6, 5] = (length*length*length*length)/12096
     return found
 
 
@@ -257,8 +258,8 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def breaks_on_phases(p, ends, sign):
-    """Return the series of the functions of switch p on each phase, with their derivatives.
+def breaks_on_phases(p, ends, sign, rates):
+    """Return the series of the functions of switch p on each phase.
 
     Parameters
     ----------
@@ -268,22 +269,24 @@ def breaks_on_phases(p, ends, sign):
         Where the phases begin, and where the last one ends.
     sign : int
         What the motion is multiplied by from one cell to the next.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    ndarray, shape (P, 1 + P, n, n)
+    ndarray, shape (P, 1 + P or 1, n, n)
         For each phase the coefficients [n, l], and their derivatives by each duration.
     """
     phases, cell = len(ends) - 1, ends[len(ends) - 1]
-    size = break_series(0.0, 1.0).shape[1]
-    found = np.zeros((phases, 1 + phases, size, size))
+    size = break_series(0.0, 1.0, False).shape[1]
+    found = np.zeros((phases, 1 + phases if rates else 1, size, size))
     for q in range(phases):
         after = q >= p
         begin = (ends[q] - ends[p]) / cell + (0.0 if after else 1.0)
         length = (ends[q + 1] - ends[q]) / cell
-        series = break_series(begin, length) * (1.0 if after else sign)
+        series = break_series(begin, length, rates) * (1.0 if after else sign)
         found[q, 0] = series[0]
-        for r in range(phases):
+        for r in range(phases if rates else 0):
             moved = (1.0 if r < q else 0.0) - (1.0 if r < p else 0.0)
             by_begin = (moved - (ends[q] - ends[p]) / cell) / cell
             by_length = ((1.0 if r == q else 0.0) - length) / cell
@@ -296,7 +299,7 @@ def break_ends(series):
 
     Returns
     -------
-    ndarray, shape (1 + P, n, P, 2)
+    ndarray, shape (1 + P or 1, n, P, 2)
         The values, and their derivatives by each duration, at the begin and at the end.
     """
     phases, rates, size, _ = series.shape
@@ -318,7 +321,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
     n : int
         The function.
     series : ndarray
-        From `breaks_on_phases`.
+        From `breaks_on_phases`, with or without derivatives.
     weights : tuple of (m, c, k) on each phase
     ends : tuple of float, length P + 1
     period : float
@@ -328,13 +331,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
 
     Returns
     -------
-    ndarray, shape (2, 1 + P, len(numbers))
+    ndarray, shape (2, 1 + P or 1, len(numbers))
         With the cosine and with the sine: the integrals, their derivatives by each duration.
     """
-    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    phases, rows, cell = len(ends) - 1, series.shape[1], ends[len(ends) - 1]
     omega = 2 * pi / period
-    found = np.zeros((2, 1 + phases, len(numbers)))
-    rho = np.zeros((1 + phases, n + 1))
+    found = np.zeros((2, rows, len(numbers)))
+    rho = np.zeros((rows, n + 1))
     even, odd = np.zeros(n + 2), np.zeros(n + 2)
     for q in range(phases):
         m, c, k = weights[q]
@@ -346,7 +349,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                 series[q, 0, n - 2, l] * m / cell**2,
             )
             rho[0, l] = k * series[q, 0, n, l] + rate + twice
-            for r in range(1, 1 + phases):
+            for r in range(1, rows):
                 rho[r, l] = k * series[q, r, n, l] + series[q, r, n - 1, l] * c / cell
                 rho[r, l] += series[q, r, n - 2, l] * m / cell**2 - (rate + 2 * twice) / cell
         for column in range(len(numbers)):
@@ -362,6 +365,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                     even[l], odd[l] = value * bessel[l], ahead * bessel[l]
                 for l in range(n + 1):
                     found[turned, 0, column] += s * rho[0, l] * even[l]
+                for l in range(n + 1 if rows > 1 else 0):
                     near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
                     stretch = (odd[l] + near / (2 * l + 1)) / 2
                     for r in range(phases):
@@ -388,7 +392,7 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     w = 2 * np.asarray(u, dtype=float) - 1
     total = np.zeros_like(w)
     for p, n, c in parts:
-        series = breaks_on_phases(p, ends, sign)[q, 0, n]
+        series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
         slope = legendre.legder(series, derivative, scl=2)
         total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
     return total
@@ -962,7 +966,7 @@ def residual(case, z, R):
     over_w_w = weighted_integrals(over_phases, (k, 0.0), 0, (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic)
     C_w_w = over_w_w[0][0]
     S_w_w = over_w_w[1][0]
-    series_elastic = breaks_on_phases(0, (0.0, s_elastic, s_elastic + s_plastic), -1)
+    series_elastic = breaks_on_phases(0, (0.0, s_elastic, s_elastic + s_plastic), -1, rates)
     ends_elastic = break_ends(series_elastic)
     beta_elastic = ends_elastic[0]
     over_beta5_elastic = break_integrals(5, series_elastic, ((m, c, h + k), (m, c, h),), (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, np.abs(np.arange(-1, 2*N, 2)))
@@ -971,7 +975,7 @@ def residual(case, z, R):
     over_beta6_elastic = break_integrals(6, series_elastic, ((m, c, h + k), (m, c, h),), (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, np.abs(np.arange(-1, 2*N, 2)))
     G6_elastic_cos = over_beta6_elastic[0][0]
     G6_elastic_sin = over_beta6_elastic[1][0]
-    series_plastic = breaks_on_phases(1, (0.0, s_elastic, s_elastic + s_plastic), -1)
+    series_plastic = breaks_on_phases(1, (0.0, s_elastic, s_elastic + s_plastic), -1, rates)
     ends_plastic = break_ends(series_plastic)
     beta_plastic = ends_plastic[0]
     over_beta4_plastic = break_integrals(4, series_plastic, ((m, c, h + k), (m, c, h),), (0.0, s_elastic, s_elastic + s_plastic), 2*s_elastic + 2*s_plastic, np.abs(np.arange(-1, 2*N, 2)))
@@ -1089,7 +1093,7 @@ def jacobian(case, z, J):
     S_w_w = over_w_w[1][0]
     S_w_w_by_s_elastic = over_w_w[1][1]
     S_w_w_by_s_plastic = over_w_w[1][2]
-    series_elastic = breaks_on_phases(0, (0.0, s_elastic, s_elastic + s_plastic), -1)
+    series_elastic = breaks_on_phases(0, (0.0, s_elastic, s_elastic + s_plastic), -1, rates)
     ends_elastic = break_ends(series_elastic)
     beta_elastic = ends_elastic[0]
     beta_elastic_by_s_elastic = ends_elastic[1]
@@ -1108,7 +1112,7 @@ def jacobian(case, z, J):
     G6_elastic_sin = over_beta6_elastic[1][0]
     G6_elastic_sin_by_s_elastic = over_beta6_elastic[1][1]
     G6_elastic_sin_by_s_plastic = over_beta6_elastic[1][2]
-    series_plastic = breaks_on_phases(1, (0.0, s_elastic, s_elastic + s_plastic), -1)
+    series_plastic = breaks_on_phases(1, (0.0, s_elastic, s_elastic + s_plastic), -1, rates)
     ends_plastic = break_ends(series_plastic)
     beta_plastic = ends_plastic[0]
     beta_plastic_by_s_elastic = ends_plastic[1]

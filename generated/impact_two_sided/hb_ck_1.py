@@ -29,18 +29,19 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "5c0a55af809039cac2f7b31befa7b369bb0a38b55bcfcf4defbc0f04ee3a1deb"  # of the conditions, by srepr
-BODY = "ac6ba66998de8b6082467f40db4e3d4d1760fce727214b93b50b19e61a5dba36"  # of the text below
+BODY = "f7be5b4fe70e5b53929d3065aaab48f295b7e7ad354eaf6c72d64f5ae8697ea6"  # of the text below
 
 
-def break_series(begin, length):
-    """Return the Legendre coefficients [n, l] of beta_n, and their derivatives."""
-    found = np.zeros((3, 3, 3))
+def break_series(begin, length, rates):
+    """Return the Legendre coefficients [n, l] of beta_n; with `rates`, derivatives."""
+    found = np.zeros((3 if rates else 1, 3, 3))
     found[0, 1, 0] = 1/2
     found[0, 2, 0] = begin/2 + length/4 - 1/4
-    found[1, 2, 0] = 1/2
-    found[2, 2, 0] = 1/4
     found[0, 2, 1] = length/4
-    found[2, 2, 1] = 1/4
+    if rates:
+        found[1, 2, 0] = 1/2
+        found[2, 2, 0] = 1/4
+        found[2, 2, 1] = 1/4
     return found
 
 
@@ -202,8 +203,8 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def breaks_on_phases(p, ends, sign):
-    """Return the series of the functions of switch p on each phase, with their derivatives.
+def breaks_on_phases(p, ends, sign, rates):
+    """Return the series of the functions of switch p on each phase.
 
     Parameters
     ----------
@@ -213,22 +214,24 @@ def breaks_on_phases(p, ends, sign):
         Where the phases begin, and where the last one ends.
     sign : int
         What the motion is multiplied by from one cell to the next.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    ndarray, shape (P, 1 + P, n, n)
+    ndarray, shape (P, 1 + P or 1, n, n)
         For each phase the coefficients [n, l], and their derivatives by each duration.
     """
     phases, cell = len(ends) - 1, ends[len(ends) - 1]
-    size = break_series(0.0, 1.0).shape[1]
-    found = np.zeros((phases, 1 + phases, size, size))
+    size = break_series(0.0, 1.0, False).shape[1]
+    found = np.zeros((phases, 1 + phases if rates else 1, size, size))
     for q in range(phases):
         after = q >= p
         begin = (ends[q] - ends[p]) / cell + (0.0 if after else 1.0)
         length = (ends[q + 1] - ends[q]) / cell
-        series = break_series(begin, length) * (1.0 if after else sign)
+        series = break_series(begin, length, rates) * (1.0 if after else sign)
         found[q, 0] = series[0]
-        for r in range(phases):
+        for r in range(phases if rates else 0):
             moved = (1.0 if r < q else 0.0) - (1.0 if r < p else 0.0)
             by_begin = (moved - (ends[q] - ends[p]) / cell) / cell
             by_length = ((1.0 if r == q else 0.0) - length) / cell
@@ -241,7 +244,7 @@ def break_ends(series):
 
     Returns
     -------
-    ndarray, shape (1 + P, n, P, 2)
+    ndarray, shape (1 + P or 1, n, P, 2)
         The values, and their derivatives by each duration, at the begin and at the end.
     """
     phases, rates, size, _ = series.shape
@@ -263,7 +266,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
     n : int
         The function.
     series : ndarray
-        From `breaks_on_phases`.
+        From `breaks_on_phases`, with or without derivatives.
     weights : tuple of (m, c, k) on each phase
     ends : tuple of float, length P + 1
     period : float
@@ -273,13 +276,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
 
     Returns
     -------
-    ndarray, shape (2, 1 + P, len(numbers))
+    ndarray, shape (2, 1 + P or 1, len(numbers))
         With the cosine and with the sine: the integrals, their derivatives by each duration.
     """
-    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    phases, rows, cell = len(ends) - 1, series.shape[1], ends[len(ends) - 1]
     omega = 2 * pi / period
-    found = np.zeros((2, 1 + phases, len(numbers)))
-    rho = np.zeros((1 + phases, n + 1))
+    found = np.zeros((2, rows, len(numbers)))
+    rho = np.zeros((rows, n + 1))
     even, odd = np.zeros(n + 2), np.zeros(n + 2)
     for q in range(phases):
         m, c, k = weights[q]
@@ -291,7 +294,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                 series[q, 0, n - 2, l] * m / cell**2,
             )
             rho[0, l] = k * series[q, 0, n, l] + rate + twice
-            for r in range(1, 1 + phases):
+            for r in range(1, rows):
                 rho[r, l] = k * series[q, r, n, l] + series[q, r, n - 1, l] * c / cell
                 rho[r, l] += series[q, r, n - 2, l] * m / cell**2 - (rate + 2 * twice) / cell
         for column in range(len(numbers)):
@@ -307,6 +310,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                     even[l], odd[l] = value * bessel[l], ahead * bessel[l]
                 for l in range(n + 1):
                     found[turned, 0, column] += s * rho[0, l] * even[l]
+                for l in range(n + 1 if rows > 1 else 0):
                     near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
                     stretch = (odd[l] + near / (2 * l + 1)) / 2
                     for r in range(phases):
@@ -333,7 +337,7 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     w = 2 * np.asarray(u, dtype=float) - 1
     total = np.zeros_like(w)
     for p, n, c in parts:
-        series = breaks_on_phases(p, ends, sign)[q, 0, n]
+        series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
         slope = legendre.legder(series, derivative, scl=2)
         total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
     return total
@@ -457,7 +461,7 @@ def residual(case, z, R):
     over_g = weighted_integrals(over_phases, (F,), 0, (0.0, s_crossing), 2*s_crossing)
     C_g = over_g[0][0]
     S_g = over_g[1][0]
-    series_crossing = breaks_on_phases(0, (0.0, s_crossing), -1)
+    series_crossing = breaks_on_phases(0, (0.0, s_crossing), -1, rates)
     ends_crossing = break_ends(series_crossing)
     beta_crossing = ends_crossing[0]
     over_beta2_crossing = break_integrals(2, series_crossing, ((m, c, k),), (0.0, s_crossing), 2*s_crossing, np.abs(np.arange(-1, 2*N, 2)))
@@ -507,7 +511,7 @@ def jacobian(case, z, J):
     C_g_by_s_crossing = over_g[0][1]
     S_g = over_g[1][0]
     S_g_by_s_crossing = over_g[1][1]
-    series_crossing = breaks_on_phases(0, (0.0, s_crossing), -1)
+    series_crossing = breaks_on_phases(0, (0.0, s_crossing), -1, rates)
     ends_crossing = break_ends(series_crossing)
     beta_crossing = ends_crossing[0]
     beta_crossing_by_s_crossing = ends_crossing[1]

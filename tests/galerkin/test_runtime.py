@@ -154,7 +154,7 @@ def part(p, q, durations, sign):
 def test_functions_with_a_break_on_each_phase(sign, p):
     made, highest = breaks(sign)
     ends, cell = ends_of(DURATIONS), DURATIONS.sum()
-    at_ends = made.break_ends(made.breaks_on_phases(p, ends, sign))
+    at_ends = made.break_ends(made.breaks_on_phases(p, ends, sign, True))
     u = np.linspace(0, 1, 7)
     for q in range(3):
         begin, length, turned = part(p, q, DURATIONS, sign)
@@ -167,7 +167,8 @@ def test_functions_with_a_break_on_each_phase(sign, p):
             values = turned * broken(n, sign)(begin + length * u[[0, -1]])
             np.testing.assert_allclose(at_ends[0, n, q], values, rtol=0, atol=1e-15)
     rates = differences(
-        lambda s: made.break_ends(made.breaks_on_phases(p, ends_of(s), sign))[0], DURATIONS
+        lambda s: made.break_ends(made.breaks_on_phases(p, ends_of(s), sign, False))[0],
+        DURATIONS,
     )
     np.testing.assert_allclose(at_ends[1:], rates, rtol=0, atol=1e-11)
 
@@ -198,9 +199,9 @@ def test_integrals_of_breaks_with_harmonics(sign, p):
     numbers = np.arange(6) if sign == 1 else np.array([1, 1, 3, 5])
     turns = 1 if sign == 1 else 2
 
-    def table(durations):
+    def table(durations, rates=True):
         ends = ends_of(durations)
-        series = made.breaks_on_phases(p, ends, sign)
+        series = made.breaks_on_phases(p, ends, sign, rates)
         return made.break_integrals(n, series, coefficients, ends, turns * ends[-1], numbers)
 
     found, cell = table(DURATIONS), DURATIONS.sum()
@@ -219,9 +220,25 @@ def test_integrals_of_breaks_with_harmonics(sign, p):
 
             expected = over_cell(DURATIONS, integrand)
             assert found[row, 0, column] == pytest.approx(expected, abs=1e-14)
-    rates = differences(lambda s: table(s)[:, 0], DURATIONS)
+    rates = differences(lambda s: table(s, rates=False)[:, 0], DURATIONS)
     for q, rate in enumerate(rates):
         np.testing.assert_allclose(found[:, 1 + q], rate, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_what_a_residual_needs_of_breaks_has_no_derivatives_and_the_same_bits(sign):
+    made, n = breaks(sign)
+    ends, numbers = ends_of(DURATIONS), np.arange(6)
+    coefficients = ((1.0, 0.2, 5.0), (0.7, 0.0, 0.0), (2.0, -0.3, 1.0))
+    full, few = (made.breaks_on_phases(1, ends, sign, rates) for rates in (True, False))
+    assert few.shape[1] == 1
+    assert few[:, 0].tolist() == full[:, 0].tolist()
+    tables = [
+        made.break_integrals(n, series, coefficients, ends, 2 * ends[-1], numbers)
+        for series in (full, few)
+    ]
+    assert tables[1].shape[1] == 1
+    assert tables[1][:, 0].tolist() == tables[0][:, 0].tolist()
 
 
 def test_a_phase_is_its_acceleration_integrated_twice():

@@ -12,13 +12,13 @@ from numpy.polynomial import legendre
 from .moments import spherical_bessel
 
 
-def break_series(begin, length):
-    """Stand for the closed forms: coefficients [n, l], their derivatives by both."""
+def break_series(begin, length, rates):
+    """Stand for the closed forms: coefficients [n, l] and, if wanted, derivatives by both."""
     raise NotImplementedError
 
 
-def breaks_on_phases(p, ends, sign):
-    """Return the series of the functions of switch p on each phase, with their derivatives.
+def breaks_on_phases(p, ends, sign, rates):
+    """Return the series of the functions of switch p on each phase.
 
     Parameters
     ----------
@@ -28,22 +28,24 @@ def breaks_on_phases(p, ends, sign):
         Where the phases begin, and where the last one ends.
     sign : int
         What the motion is multiplied by from one cell to the next.
+    rates : bool
+        Whether the derivatives are wanted as well.
 
     Returns
     -------
-    ndarray, shape (P, 1 + P, n, n)
+    ndarray, shape (P, 1 + P or 1, n, n)
         For each phase the coefficients [n, l], and their derivatives by each duration.
     """
     phases, cell = len(ends) - 1, ends[len(ends) - 1]
-    size = break_series(0.0, 1.0).shape[1]
-    found = np.zeros((phases, 1 + phases, size, size))
+    size = break_series(0.0, 1.0, False).shape[1]
+    found = np.zeros((phases, 1 + phases if rates else 1, size, size))
     for q in range(phases):
         after = q >= p
         begin = (ends[q] - ends[p]) / cell + (0.0 if after else 1.0)
         length = (ends[q + 1] - ends[q]) / cell
-        series = break_series(begin, length) * (1.0 if after else sign)
+        series = break_series(begin, length, rates) * (1.0 if after else sign)
         found[q, 0] = series[0]
-        for r in range(phases):
+        for r in range(phases if rates else 0):
             moved = (1.0 if r < q else 0.0) - (1.0 if r < p else 0.0)
             by_begin = (moved - (ends[q] - ends[p]) / cell) / cell
             by_length = ((1.0 if r == q else 0.0) - length) / cell
@@ -56,7 +58,7 @@ def break_ends(series):
 
     Returns
     -------
-    ndarray, shape (1 + P, n, P, 2)
+    ndarray, shape (1 + P or 1, n, P, 2)
         The values, and their derivatives by each duration, at the begin and at the end.
     """
     phases, rates, size, _ = series.shape
@@ -78,7 +80,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
     n : int
         The function.
     series : ndarray
-        From `breaks_on_phases`.
+        From `breaks_on_phases`, with or without derivatives.
     weights : tuple of (m, c, k) on each phase
     ends : tuple of float, length P + 1
     period : float
@@ -88,13 +90,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
 
     Returns
     -------
-    ndarray, shape (2, 1 + P, len(numbers))
+    ndarray, shape (2, 1 + P or 1, len(numbers))
         With the cosine and with the sine: the integrals, their derivatives by each duration.
     """
-    phases, cell = len(ends) - 1, ends[len(ends) - 1]
+    phases, rows, cell = len(ends) - 1, series.shape[1], ends[len(ends) - 1]
     omega = 2 * pi / period
-    found = np.zeros((2, 1 + phases, len(numbers)))
-    rho = np.zeros((1 + phases, n + 1))
+    found = np.zeros((2, rows, len(numbers)))
+    rho = np.zeros((rows, n + 1))
     even, odd = np.zeros(n + 2), np.zeros(n + 2)
     for q in range(phases):
         m, c, k = weights[q]
@@ -106,7 +108,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                 series[q, 0, n - 2, l] * m / cell**2,
             )
             rho[0, l] = k * series[q, 0, n, l] + rate + twice
-            for r in range(1, 1 + phases):
+            for r in range(1, rows):
                 rho[r, l] = k * series[q, r, n, l] + series[q, r, n - 1, l] * c / cell
                 rho[r, l] += series[q, r, n - 2, l] * m / cell**2 - (rate + 2 * twice) / cell
         for column in range(len(numbers)):
@@ -122,6 +124,7 @@ def break_integrals(n, series, weights, ends, period, numbers):
                     even[l], odd[l] = value * bessel[l], ahead * bessel[l]
                 for l in range(n + 1):
                     found[turned, 0, column] += s * rho[0, l] * even[l]
+                for l in range(n + 1 if rows > 1 else 0):
                     near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
                     stretch = (odd[l] + near / (2 * l + 1)) / 2
                     for r in range(phases):
@@ -148,7 +151,7 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     w = 2 * np.asarray(u, dtype=float) - 1
     total = np.zeros_like(w)
     for p, n, c in parts:
-        series = breaks_on_phases(p, ends, sign)[q, 0, n]
+        series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
         slope = legendre.legder(series, derivative, scl=2)
         total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
     return total

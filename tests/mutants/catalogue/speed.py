@@ -1,4 +1,5 @@
-"""Mistakes in what saves work: closed integrals, tables of both waves, Jacobians used again."""
+"""Mistakes in what saves work: closed integrals, tables of both waves, Jacobians used again, and
+in what is timed."""
 
 from ..mutant import Mutant
 
@@ -27,7 +28,54 @@ def _solver(what: str, file: str, old: str, new: str, tests: tuple[str, ...]) ->
     return Mutant(what, f"solver/{file}.py", old, new, tests)
 
 
+def _benchmark(what: str, file: str, old: str, new: str) -> Mutant:
+    return Mutant(what, f"benchmarks/{file}.py", old, new, ("tests/speed/test_benchmarks.py",))
+
+
 MUTANTS = (
+    _runtime(
+        "derivatives of functions with a break are formed for a residual",
+        "breaks",
+        "found = np.zeros((phases, 1 + phases if rates else 1, size, size))",
+        "found = np.zeros((phases, 1 + phases, size, size))",
+    ),
+    _runtime(
+        "integrals of breaks do not move with their angle",
+        "breaks",
+        "for l in range(n + 1 if rows > 1 else 0):",
+        "for l in range(n + 1 if rows > 9 else 0):",
+    ),
+    _emission(
+        "closed forms of breaks have their derivatives where none are wanted",
+        "kernel",
+        '"if rates:",',
+        '"if not rates:",',
+        RUNTIME,
+    ),
+    _benchmark(
+        "kernels of forced scenes are timed without the cycles",
+        "scenes",
+        "numbers = case.arguments if own",
+        "numbers = case.numbers if own",
+    ),
+    _benchmark(
+        "harmonic balance by hand is damped the wrong way",
+        "every_scene/aft",
+        "c * n * Omega, -c * n * Omega",
+        "-c * n * Omega, c * n * Omega",
+    ),
+    _benchmark(
+        "Newton's method on the return map steps the angle the wrong way",
+        "every_scene/return_map",
+        "(c * R1 - a * R2) / (a * d - b * c)",
+        "(a * R2 - c * R1) / (a * d - b * c)",
+    ),
+    _benchmark(
+        "a simulated half period is not mirrored",
+        "every_scene/simulated",
+        "seen, state = settled, cell.sign * state",
+        "seen, state = settled, 1 * state",
+    ),
     _runtime(
         "a multiple of an angle turned back by its rest",
         "harmonics",
