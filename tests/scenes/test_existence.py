@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_scenes import made
 
@@ -33,6 +33,7 @@ def sliding(**values):
     return FRICTION(**values).of_motion("sliding")
 
 
+@settings(max_examples=30)
 @given(
     st.sampled_from([IMPACT, TWO_SIDED, FRICTION]),
     st.floats(0.3, 3.0), st.floats(0.0, 1.0), st.floats(0.01, 2.0),
