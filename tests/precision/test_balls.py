@@ -37,7 +37,7 @@ ROWS = [
     (name, row)
     for name in CASES
     for row in REFERENCES[name]["solutions"]
-    if row["order"] in {"ck": (4, 7), "ck_tau": (6,)}.get(row["kernel"], (5,))
+    if row["order"] in {"ck": (7,), "ck_tau": (6,)}.get(row["kernel"], (5,))
     if row["kernel"] != "hb_ck_2" or name in ("S1", "S3b")
 ]
 
