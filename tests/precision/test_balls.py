@@ -14,6 +14,7 @@ from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.precision import exact_balls
+from nonsmooth.solver.precision import refine as refining
 from nonsmooth.solver.precision.balls import (
     precision,
     quotient,
@@ -116,7 +117,7 @@ def test_a_start_that_is_no_solution_is_refused_and_the_setting_restored() -> No
     kernel = registry.kernel(case.scene, "ck-tau")
     z = solve_case(case, "ck-tau", 6).unknowns.copy()
     z[-1] += 1.5
-    with pytest.raises(PrecisionError, match=r"does not converge|no convergence"):
+    with pytest.raises(PrecisionError, match="the refinement does not converge"):
         refine(kernel, case.arguments, z, 22)
     assert ctx.dps == before
 
@@ -130,3 +131,16 @@ def test_a_wider_start_asks_for_more_digits_of_the_balls() -> None:
     with precision(230):
         assert abs(few.times[-1] - many.times[-1]) < arb("1e-19")
         assert float(many.times[-1].rad()) < 1e-199
+
+
+def test_balls_that_are_too_wide_for_the_digits_asked_for_are_not_taken() -> None:
+    """With ten digits carried, twenty are not found, however small the midpoints' residual."""
+    case = registry.load("impact")()
+    kernel = registry.kernel(case.scene, "ck-tau")
+    z = solve_case(case, "ck-tau", 6).unknowns
+    J = np.empty((len(z), len(z)))
+    kernel.jacobian(case.arguments, z, J)
+    with precision(10):
+        own = residual_in_balls(kernel.residual)
+        found = refining._refined(kernel, own, case.arguments, z, np.linalg.inv(J), 22)
+    assert found is None
