@@ -113,10 +113,10 @@ MUTANTS: tuple[Mutant, ...] = (
         NONE,
     ),
     flow(
-        "every orbit with a multiplier of 1 is one of a continuum",
+        "an orbit that is found again counts as another one",
         "continuum.py",
-        "return other is not None and bool(",
-        "return other is None or bool(",
+        "np.abs(other - found).max() > np.abs(away).max() / 2",
+        "np.abs(other - found).max() >= 0",
         MANY,
     ),
     flow(
