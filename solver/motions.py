@@ -19,7 +19,7 @@ def of_any_motion(case: Case, find: Callable[[Case], Found]) -> Found:
         If there is nothing for any; with the reasons of each.
     """
     tried: list[str] = []
-    iterations = 0
+    iterations, proven = 0, True
     for each in case.each_motion:
         try:
             return find(each)
@@ -28,10 +28,11 @@ def of_any_motion(case: Case, find: Callable[[Case], Found]) -> Found:
                 raise
             tried += [f"{each.scene.motion}: {why}" for why in finding.reasons]
             iterations += finding.iterations
+            proven = proven and finding.proven
     motions = ", ".join(case.scene.motions)
     error = NoOrbit(
         f"{case.scene.name}: no admissible orbit of any motion ({motions}) was found",
-        False,
+        proven,
         tuple(tried),
     )
     error.iterations = iterations

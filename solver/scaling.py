@@ -1,6 +1,10 @@
-"""Products of powers of units, which may pass beyond float64 on the way to their value."""
+"""Products of powers of units beyond float64, and matrices with rows and columns scaled."""
 
 import math
+
+import numpy as np
+
+from .arrays import Matrix
 
 
 def product_of_powers(value: float, *factors: tuple[float, int]) -> float:
@@ -36,3 +40,21 @@ def product_of_powers(value: float, *factors: tuple[float, int]) -> float:
         return math.ldexp(mantissa, exponent)
     except OverflowError:
         return math.copysign(math.inf, mantissa)
+
+
+def equilibrated(J: Matrix) -> Matrix:
+    """Return a matrix with rows and columns scaled to the same size, by Ruiz's method.
+
+    Each of ten passes divides by the roots of their largest elements.
+
+    Examples
+    --------
+    >>> equilibrated(np.diag([1e-12, 1e9])).round(3)
+    array([[1., 0.],
+           [0., 1.]])
+    """
+    scaled = np.array(J, dtype=float)
+    for _ in range(10):
+        rows, columns = np.abs(scaled).max(axis=1), np.abs(scaled).max(axis=0)
+        scaled /= np.sqrt(np.outer(rows, columns))
+    return scaled

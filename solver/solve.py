@@ -12,6 +12,8 @@ from .case.case import Case
 from .case.kernel import SceneKernel
 from .case.methods import FIRST
 from .compiling import PLAIN_ORDER
+from .flow.exact import exact_orbit
+from .flow.existence import infinitely_many, shown_to_be_none, without_switches
 from .iteration.attempt import attempt
 from .iteration.start import rough_times
 from .motions import of_any_motion
@@ -106,9 +108,22 @@ def _orbit(case: Case, method: str, order: int, functions: int | None) -> SceneO
         if found.converged and found.admissible:
             return replace(found, iterations=search.iterations)
     reason = f"{case.scene.label}, {kernel.method}, N = {order}: no admissible orbit was found"
-    error = NoOrbit(reason, False, tuple(dict.fromkeys(search.tried)))
+    reasons = [reason, *_what_else(case, search)]
+    tried = tuple(dict.fromkeys(search.tried))
+    error = shown_to_be_none(case, tried) or NoOrbit("; ".join(reasons), False, tried)
     error.iterations = search.iterations
     raise error
+
+
+def _what_else(case: Case, search: "_Search") -> Iterator[str]:
+    """Yield what explains that no orbit was found, as far as that is known."""
+    if search.exact:
+        yield "there is an exact orbit, and from its times there is no way to one"
+        return
+    many = infinitely_many(case)
+    if many:
+        yield many
+    yield from without_switches(case)
 
 
 def number_of_functions(case: Case, method: str, wanted: int | None) -> int | None:
@@ -129,6 +144,7 @@ class _Search:
     kernel: SceneKernel
     words: str = ""
     iterations: int = 0
+    exact: bool = False
     tried: list[str] = field(default_factory=list)
 
     def note(self, found: SceneOrbit) -> SceneOrbit:
@@ -143,7 +159,8 @@ class _Search:
     def starts(self) -> Iterator[Vector]:
         """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
 
-        Then those on which a simulation settles, or why there are none.
+        Then those on which a simulation settles, or why there are none; at last those of the
+        exact orbit, which may be found where a coarse one is not.
         """
         scene = self.case.scene
         coarse = registry.kernel(scene, FIRST) if FIRST in registry.methods(scene) else None
@@ -166,6 +183,12 @@ class _Search:
             else:
                 angle = (settled.times.angle,) if self.kernel.forced else ()
                 yield np.array([*settled.times.durations, *angle])
+        try:
+            exact = exact_orbit(self.case)
+        except NoOrbit:
+            return
+        self.exact, self.words = True, "the times of the exact orbit"
+        yield exact.times
 
 
 def check_order(kernel: SceneKernel, value: object) -> int:

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 import sympy as sp
 
 from ..scene import Phase, Scene, linear_phase, state_row, v
+from ..scene.extremes import at_extremes
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
 from .expressions import python
@@ -51,6 +52,12 @@ def whole(scene: Scene) -> Iterator[str]:
     yield _scalars(scene, "scales", "Return the units of mass, time and length.", sizes)
     summary = "Return what must not be negative of the parameters."
     yield _scalars(scene, "requires", summary, scene.requires.values())
+
+
+def extremes(scene: Scene) -> str:
+    """Return the source of the function that has the parameters at each extreme."""
+    summary = "Return all parameters at each of the extremes."
+    return _rows(scene, "extremes", summary, at_extremes(scene))
 
 
 def of_phases(scene: Scene) -> Iterator[str]:

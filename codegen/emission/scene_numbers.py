@@ -10,7 +10,7 @@ from ..scene.smoothness import classes_of
 from ..scene.units import dimension_of
 from .expressions import math_names
 from .printer import digest
-from .scene_functions import of_phases, whole, words_of
+from .scene_functions import extremes, of_phases, whole, words_of
 
 HEADER = '''"""{name}: {title} (C{k}), in numbers.
 
@@ -31,11 +31,18 @@ def scene_source(scene: Scene) -> str:
     found = list(whole(scene)) if scene.motions else [*whole(scene), *of_phases(scene)]
     functions = "\n\n".join(found)
     body = "\n".join(_data(scene)) + "\n\n\n" + functions
-    names = math_names(functions)
+    beside = _extremes(scene)
+    names = math_names(functions + beside)
     imports = f"from math import {', '.join(names)}\n\n" if names else ""
     forms = "" if scene.motions else FORMS
     head = HEADER.format(name=scene.label, title=scene.title, k=_class(scene), forms=forms)
-    return f'{head}{imports}BODY = "{digest(body)}"  # of the text below\n\n{body}'
+    return f'{head}{imports}{beside}BODY = "{digest(body)}"  # of the text below\n\n{body}'
+
+
+def _extremes(scene: Scene) -> str:
+    """Return what is said of the extremes: beside the body, which is the scene itself."""
+    words = "\n".join(_table("EXTREMES", map(repr, scene.extremes)))
+    return f"#: Where digits are easily lost, in words.\n{words}\n\n{extremes(scene)}\n\n"
 
 
 def _class(scene: Scene) -> int:

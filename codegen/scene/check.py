@@ -7,6 +7,7 @@ import sympy as sp
 from .data import Phase, Scene
 from .entries import check_entries
 from .error import SceneError, named
+from .extremes import check_extremes
 from .memory import check_memory
 from .names import check_name
 from .parameters import check_parameters
@@ -36,6 +37,7 @@ def check(scene: Scene) -> None:
         _check_motion(scene)
     if not scene.motion:
         _check_used(scene)
+        check_extremes(scene)
 
 
 def _check_motion(scene: Scene) -> None:

@@ -135,6 +135,9 @@ class Scene:
         Several orders of phases, by name, in place of `phases`; any of them may occur.
     memory : tuple of Memory
         Constants that switches set.
+    extremes : mapping of str to mapping of Symbol to Expr
+        Where digits are easily lost, by words: the parameters that differ there from those of
+        a case, in its parameters or as numbers in SI units.  ``nonsmooth digits`` goes there.
     motion : str
         Which of several motions these `phases` are; see `of_motion`.
 
@@ -156,6 +159,7 @@ class Scene:
     guess: tuple[sp.Expr, ...] | Mapping[str, tuple[sp.Expr, ...]] = ()
     motions: Mapping[str, tuple[Phase, ...]] = field(default_factory=dict)
     memory: tuple[Memory, ...] = ()
+    extremes: Mapping[str, Mapping[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     motion: str = ""
 
     def __post_init__(self) -> None:

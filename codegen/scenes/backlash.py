@@ -36,4 +36,10 @@ SCENE = Scene(
     phases=(ENGAGED, LOOSE),
     frequency=Omega,
     half_period=True,
+    extremes={
+        "a play 1e-3 as wide": {g: F / k / 1000},
+        "hardly any spring within the play": {k_0: k / 10**6},
+        "a spring 1e6 times as stiff": {k: 10**6 * m * Omega**2, k_0: m * Omega**2},
+        "no damping": {c: 0},
+    },
 )

@@ -21,6 +21,9 @@ SEPARATED = Phase(
     demands={"the mass stays off the second spring": g - x},
 )
 
+#: Amplitude of the motion without contact.
+REACH = F / sp.sqrt((k - m * Omega**2) ** 2 + (c * Omega) ** 2)
+
 SCENE = Scene(
     "clearance",
     "a driven mass with a second spring behind a clearance",
@@ -38,4 +41,12 @@ SCENE = Scene(
     frequency=Omega,
     # half a period of both springs together, if the contact is short against the period
     guess=(sp.pi * sp.sqrt(m / (k + k_c)), 2 * sp.pi / Omega),
+    extremes={
+        "a contact 1e3 times as stiff": {k_c: 1000 * k},
+        "a contact 1e6 times as stiff": {k_c: 10**6 * k},
+        "a gap 1e-3 of the amplitude": {g: REACH / 1000},
+        "no damping": {c: 0},
+        "1e-4 before grazing": {g: REACH * (1 - sp.Rational(1, 10**4))},
+        "1e-8 before grazing": {g: REACH * (1 - sp.Rational(1, 10**8))},
+    },
 )

@@ -44,4 +44,10 @@ SCENE = Scene(
     frequency=Omega,
     half_period=True,
     requires={"mu_k is at most mu_s": mu_s - mu_k},
+    extremes={
+        "no damping": {c: 0},
+        "hardly any friction": {F_N: F / 10**6},
+        "rest for 99.9 % of the time": {F_N: F / mu_s * (1 - sp.Rational(1, 10**6))},
+        "friction that falls from 0.3 to 0": {mu_k: mu_s / 10**6},
+    },
 )

@@ -29,6 +29,9 @@ PLASTIC = Phase(
     demands={"the mass moves backward": -v},
 )
 
+#: Force of the element where it does not yield.
+REACH = k * F / sp.sqrt((h + k - m * Omega**2) ** 2 + (c * Omega) ** 2)
+
 SCENE = Scene(
     "elastic-plastic",
     "a driven mass on an elastic-plastic element",
@@ -45,5 +48,15 @@ SCENE = Scene(
     phases=(ELASTIC, PLASTIC),
     frequency=Omega,
     half_period=True,  # and without hardening, when any mean would do, this one has mean zero
+    extremes={
+        "no hardening": {h: 0},
+        "no damping": {c: 0},
+        "a yield force 1e-6 below the elastic one": {F_y: REACH * (1 - sp.Rational(1, 10**6))},
+        "a yield force 1e-10 below the elastic one": {
+            F_y: REACH * (1 - sp.Rational(1, 10**10))
+        },
+        "hardly ever elastic": {F_y: F / 1000},
+        "an element 1e3 times as stiff": {k: 1000 * m * Omega**2},
+    },
     memory=(Memory(w, "elastic", x, "displacement where the motion reverses"),),
 )

@@ -15,6 +15,17 @@ FLIGHT = Phase(
     demands={"the mass stays before the stop": g - x},
 )
 
+#: Amplitude of the motion without impacts, and where that hardly reaches the stop: there the
+#: mass impacts slowly, since the frequency is above twice the natural one.
+REACH = F / sp.sqrt((k - m * Omega**2) ** 2 + (c * Omega) ** 2)
+FAST = sp.Rational(5, 2) * sp.sqrt(k / m)
+
+
+def grazing(part: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+    """Return the parameters where the gap is a part less than the amplitude."""
+    return {Omega: FAST, g: (1 - part) * REACH.subs(Omega, FAST)}
+
+
 SCENE = Scene(
     "impact",
     "a driven mass that bounces off a stop",
@@ -30,4 +41,12 @@ SCENE = Scene(
     ),
     phases=(FLIGHT,),
     frequency=Omega,
+    extremes={
+        "hardly any rebound": {r: 0.05},
+        "a rebound without loss": {r: 1},
+        "no damping": {c: 0},
+        "1e-4 before grazing": grazing(sp.Rational(1, 10**4)),
+        "1e-8 before grazing": grazing(sp.Rational(1, 10**8)),
+        "a stop 1e-3 of the amplitude away": {g: REACH / 1000},
+    },
 )

@@ -14,6 +14,17 @@ CROSSING = Phase(
     demands={"the mass stays between the stops": g - sp.Abs(x)},
 )
 
+#: Amplitude of the motion without impacts, and where that hardly reaches the stops: there the
+#: mass impacts slowly, since the frequency is between half the natural one and that.
+REACH = F / sp.sqrt((k - m * Omega**2) ** 2 + (c * Omega) ** 2)
+SLOW = sp.Rational(4, 5) * sp.sqrt(k / m)
+
+
+def grazing(part: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+    """Return the parameters where the gap is a part less than the amplitude."""
+    return {Omega: SLOW, g: (1 - part) * REACH.subs(Omega, SLOW)}
+
+
 SCENE = Scene(
     "impact-two-sided",
     "a driven mass that bounces between two stops",
@@ -30,4 +41,11 @@ SCENE = Scene(
     phases=(CROSSING,),
     frequency=Omega,
     half_period=True,
+    extremes={
+        "hardly any rebound": {r: 0.05},
+        "a rebound without loss": {r: 1},
+        "no damping": {c: 0},
+        "1e-4 before grazing": grazing(sp.Rational(1, 10**4)),
+        "1e-8 before grazing": grazing(sp.Rational(1, 10**8)),
+    },
 )

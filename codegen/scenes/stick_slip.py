@@ -21,6 +21,9 @@ SLIP = Phase(
     demands={"the mass stays slower than the belt": V - v},
 )
 
+#: Normal force for which alpha = 1.
+UNIT = V * sp.sqrt(K * M) / (mu_s - mu_k)
+
 SCENE = Scene(
     "stick-slip",
     "a mass on a moving belt, stick and slip",
@@ -35,4 +38,8 @@ SCENE = Scene(
     ),
     phases=(STICK, SLIP),
     requires={"mu_k is at most mu_s": mu_s - mu_k},
+    extremes={
+        f"alpha = {alpha}": {F_N: sp.sympify(alpha, rational=True) * UNIT}
+        for alpha in ("1e-6", "1e-4", "1e-2", "1e2", "1e4", "1e6")
+    },
 )

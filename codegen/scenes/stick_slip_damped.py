@@ -21,6 +21,9 @@ SLIP = Phase(
     demands={"the mass stays slower than the belt": V - v},
 )
 
+#: Normal force for which alpha = 1.
+UNIT = V * sp.sqrt(K * M) / (mu_s - mu_k)
+
 SCENE = Scene(
     "stick-slip-damped",
     "a damped mass on a moving belt, with weakening friction",
@@ -39,5 +42,10 @@ SCENE = Scene(
     ),
     phases=(STICK, SLIP),
     requires={"mu_k is at most mu_s": mu_s - mu_k},
+    extremes={
+        f"alpha = {alpha}, no damping": {c: 0, F_N: sp.sympify(alpha, rational=True) * UNIT}
+        for alpha in ("1e-6", "1e-4", "1e-2", "1e2", "1e4", "1e6")
+    }
+    | {"no damping": {c: 0}},
     scales={"length": V * sp.sqrt(M / K)},
 )

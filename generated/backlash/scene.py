@@ -7,6 +7,25 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 """
 
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'a play 1e-3 as wide',
+    'hardly any spring within the play',
+    'a spring 1e6 times as stiff',
+    'no damping',
+)
+
+
+def extremes(m, c, k, k_0, g, F, Omega):
+    """Return all parameters at each of the extremes."""
+    return (
+        (m, c, k, k_0, F/(1000*k), F, Omega),
+        (m, c, k, k/1000000, g, F, Omega),
+        (m, c, 1000000*(Omega*Omega)*m, (Omega*Omega)*m, g, F, Omega),
+        (m, 0, k, k_0, g, F, Omega),
+    )
+
+
 BODY = "a104c3686959a352186eb27b083413091e602dff822e6b94b3c768c866b44afd"  # of the text below
 
 NAME = 'backlash'

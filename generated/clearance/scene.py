@@ -9,6 +9,29 @@ the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 
 from math import pi, sqrt
 
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'a contact 1e3 times as stiff',
+    'a contact 1e6 times as stiff',
+    'a gap 1e-3 of the amplitude',
+    'no damping',
+    '1e-4 before grazing',
+    '1e-8 before grazing',
+)
+
+
+def extremes(m, c, k, k_c, g, F, Omega):
+    """Return all parameters at each of the extremes."""
+    return (
+        (m, c, k, 1000*k, g, F, Omega),
+        (m, c, k, 1000000*k, g, F, Omega),
+        (m, c, k, k_c, F/(1000*sqrt((Omega*Omega)*(c*c) + ((-(Omega*Omega)*m + k)*(-(Omega*Omega)*m + k)))), F, Omega),
+        (m, 0, k, k_c, g, F, Omega),
+        (m, c, k, k_c, (9999*F)/(10000*sqrt((Omega*Omega)*(c*c) + ((-(Omega*Omega)*m + k)*(-(Omega*Omega)*m + k)))), F, Omega),
+        (m, c, k, k_c, (99999999*F)/(100000000*sqrt((Omega*Omega)*(c*c) + ((-(Omega*Omega)*m + k)*(-(Omega*Omega)*m + k)))), F, Omega),
+    )
+
+
 BODY = "439c6a8b8037f2eb9df5d9c307d4e13043a787caf9654c0462eef0b7023b9610"  # of the text below
 
 NAME = 'clearance'

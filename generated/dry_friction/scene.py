@@ -6,6 +6,25 @@ The functions take the parameters in the order of `PARAMETERS`, in SI units or, 
 equations balance, in any others.
 """
 
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'no damping',
+    'hardly any friction',
+    'rest for 99.9 % of the time',
+    'friction that falls from 0.3 to 0',
+)
+
+
+def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
+    """Return all parameters at each of the extremes."""
+    return (
+        (m, 0, k, F_N, mu_s, mu_k, F, Omega),
+        (m, c, k, F/1000000, mu_s, mu_k, F, Omega),
+        (m, c, k, (999999*F)/(1000000*mu_s), mu_s, mu_k, F, Omega),
+        (m, c, k, F_N, mu_s, mu_s/1000000, F, Omega),
+    )
+
+
 BODY = "fde4505413f7baf379743e33c16c58d91edf4836e4bf36116dfb20d5d43812cf"  # of the text below
 
 NAME = 'dry-friction'

@@ -7,6 +7,31 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 """
 
+from math import sqrt
+
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'no hardening',
+    'no damping',
+    'a yield force 1e-6 below the elastic one',
+    'a yield force 1e-10 below the elastic one',
+    'hardly ever elastic',
+    'an element 1e3 times as stiff',
+)
+
+
+def extremes(m, c, k, F_y, h, F, Omega):
+    """Return all parameters at each of the extremes."""
+    return (
+        (m, c, k, F_y, 0, F, Omega),
+        (m, 0, k, F_y, h, F, Omega),
+        (m, c, k, (999999*F*k)/(1000000*sqrt((Omega*Omega)*(c*c) + ((-(Omega*Omega)*m + h + k)*(-(Omega*Omega)*m + h + k)))), h, F, Omega),
+        (m, c, k, (9999999999*F*k)/(10000000000*sqrt((Omega*Omega)*(c*c) + ((-(Omega*Omega)*m + h + k)*(-(Omega*Omega)*m + h + k)))), h, F, Omega),
+        (m, c, k, F/1000, h, F, Omega),
+        (m, c, 1000*(Omega*Omega)*m, F_y, h, F, Omega),
+    )
+
+
 BODY = "1ff6fbe7e480b8843847e8efebe03f20bcc31f214b736312082d765a3ea1da66"  # of the text below
 
 NAME = 'elastic-plastic'

@@ -7,6 +7,31 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 """
 
+from math import sqrt
+
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'hardly any rebound',
+    'a rebound without loss',
+    'no damping',
+    '1e-4 before grazing',
+    '1e-8 before grazing',
+    'a stop 1e-3 of the amplitude away',
+)
+
+
+def extremes(m, c, k, F, Omega, g, r):
+    """Return all parameters at each of the extremes."""
+    return (
+        (m, c, k, F, Omega, g, 0.0500000000000000),
+        (m, c, k, F, Omega, g, 1),
+        (m, 0, k, F, Omega, g, r),
+        (m, c, k, F, (5*sqrt(k))/(2*sqrt(m)), (9999*F)/(10000*sqrt((25*(c*c)*k)/(4*m) + (441*(k*k))/16)), r),
+        (m, c, k, F, (5*sqrt(k))/(2*sqrt(m)), (99999999*F)/(100000000*sqrt((25*(c*c)*k)/(4*m) + (441*(k*k))/16)), r),
+        (m, c, k, F, Omega, F/(1000*sqrt((Omega*Omega)*(c*c) + ((-(Omega*Omega)*m + k)*(-(Omega*Omega)*m + k)))), r),
+    )
+
+
 BODY = "582336f80abf9211649b0623c042fd5f6d4f1a1f27b4af3b9ad89c4042ffa804"  # of the text below
 
 NAME = 'impact'

@@ -7,6 +7,29 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 """
 
+from math import sqrt
+
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'hardly any rebound',
+    'a rebound without loss',
+    'no damping',
+    '1e-4 before grazing',
+    '1e-8 before grazing',
+)
+
+
+def extremes(m, c, k, F, Omega, g, r):
+    """Return all parameters at each of the extremes."""
+    return (
+        (m, c, k, F, Omega, g, 0.0500000000000000),
+        (m, c, k, F, Omega, g, 1),
+        (m, 0, k, F, Omega, g, r),
+        (m, c, k, F, (4*sqrt(k))/(5*sqrt(m)), (9999*F)/(10000*sqrt((16*(c*c)*k)/(25*m) + (81*(k*k))/625)), r),
+        (m, c, k, F, (4*sqrt(k))/(5*sqrt(m)), (99999999*F)/(100000000*sqrt((16*(c*c)*k)/(25*m) + (81*(k*k))/625)), r),
+    )
+
+
 BODY = "997c7391db1e4596ae3b4a6648395c3dc133735502381bb5d57f85a6f6055a2e"  # of the text below
 
 NAME = 'impact-two-sided'

@@ -9,6 +9,29 @@ the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 
 from math import sqrt
 
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'alpha = 1e-6',
+    'alpha = 1e-4',
+    'alpha = 1e-2',
+    'alpha = 1e2',
+    'alpha = 1e4',
+    'alpha = 1e6',
+)
+
+
+def extremes(M, K, V, mu_s, mu_k, F_N):
+    """Return all parameters at each of the extremes."""
+    return (
+        (M, K, V, mu_s, mu_k, (sqrt(K)*sqrt(M)*V)/(-1000000*mu_k + 1000000*mu_s)),
+        (M, K, V, mu_s, mu_k, (sqrt(K)*sqrt(M)*V)/(-10000*mu_k + 10000*mu_s)),
+        (M, K, V, mu_s, mu_k, (sqrt(K)*sqrt(M)*V)/(-100*mu_k + 100*mu_s)),
+        (M, K, V, mu_s, mu_k, (100*sqrt(K)*sqrt(M)*V)/(-mu_k + mu_s)),
+        (M, K, V, mu_s, mu_k, (10000*sqrt(K)*sqrt(M)*V)/(-mu_k + mu_s)),
+        (M, K, V, mu_s, mu_k, (1000000*sqrt(K)*sqrt(M)*V)/(-mu_k + mu_s)),
+    )
+
+
 BODY = "4e0ee2aaff8e746c959a91b2760795cf82b2a1da4540771c466f58a71bd2b2c7"  # of the text below
 
 NAME = 'stick-slip'

@@ -9,6 +9,31 @@ the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 
 from math import sqrt
 
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'alpha = 1e-6, no damping',
+    'alpha = 1e-4, no damping',
+    'alpha = 1e-2, no damping',
+    'alpha = 1e2, no damping',
+    'alpha = 1e4, no damping',
+    'alpha = 1e6, no damping',
+    'no damping',
+)
+
+
+def extremes(M, K, V, mu_s, mu_k, F_N, c, w):
+    """Return all parameters at each of the extremes."""
+    return (
+        (M, K, V, mu_s, mu_k, (sqrt(K)*sqrt(M)*V)/(-1000000*mu_k + 1000000*mu_s), 0, w),
+        (M, K, V, mu_s, mu_k, (sqrt(K)*sqrt(M)*V)/(-10000*mu_k + 10000*mu_s), 0, w),
+        (M, K, V, mu_s, mu_k, (sqrt(K)*sqrt(M)*V)/(-100*mu_k + 100*mu_s), 0, w),
+        (M, K, V, mu_s, mu_k, (100*sqrt(K)*sqrt(M)*V)/(-mu_k + mu_s), 0, w),
+        (M, K, V, mu_s, mu_k, (10000*sqrt(K)*sqrt(M)*V)/(-mu_k + mu_s), 0, w),
+        (M, K, V, mu_s, mu_k, (1000000*sqrt(K)*sqrt(M)*V)/(-mu_k + mu_s), 0, w),
+        (M, K, V, mu_s, mu_k, F_N, 0, w),
+    )
+
+
 BODY = "e691fe66368877b0872a7ce330b48051940a2867e22047e4d2f4ddaf99334261"  # of the text below
 
 NAME = 'stick-slip-damped'

@@ -36,11 +36,11 @@ def of_three(a: complex, b: complex, c: complex, t: Vector) -> Waves:
     mean; elsewhere by the quotient over the two that are farthest apart.
     """
     a, b, c = max(((a, b, c), (b, c, a), (c, a, b)), key=lambda nodes: abs(nodes[0] - nodes[2]))
-    close = _series(a, b, c, t)
-    if a == c:
-        return close
+    near = abs(a - c) * t <= 1
+    if near.all():
+        return _series(a, b, c, t)
     far = (of_two(a, b, t) - of_two(b, c, t)) / (a - c)
-    return np.asarray(np.where(abs(a - c) * t <= 1, close, far))
+    return np.asarray(np.where(near, _series(a, b, c, t), far)) if near.any() else far
 
 
 def _series(a: complex, b: complex, c: complex, t: Vector) -> Waves:

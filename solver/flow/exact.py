@@ -1,75 +1,19 @@
 """The exact orbit of a scene of linear phases: the reference of every error."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from ..arrays import Vector
 from ..case.case import Case
-from ..case.kernel import SceneKernel
-from ..iteration.newton import Outcome, newton
+from ..iteration.newton import newton
 from ..iteration.start import RoughTimes, rough_times, with_coefficients
 from ..motions import of_any_motion
 from ..no_orbit import NoOrbit
-from ..orbit import admissible
-from ..orbit.motion import SceneMotion
+from .exact_motion import ExactSceneOrbit
 from .exact_system import exact_kernel
+from .existence import shown_to_be_none, without_switches
 
-
-@dataclass(frozen=True, eq=False, repr=False)
-class ExactSceneOrbit(SceneMotion):
-    """The exact periodic orbit of a case, from the closed-form flow of its phases.
-
-    Parameters
-    ----------
-    case : Case
-        The oscillator.
-    outcome : Outcome
-        States and times without units, and how Newton's method found them.
-    """
-
-    case: Case
-    outcome: Outcome
-
-    @cached_property
-    def _kernel(self) -> SceneKernel:
-        return exact_kernel(self.case.cell)
-
-    @property
-    def cell_durations(self) -> Vector:
-        """Durations of the phases of the cell, without units."""
-        return self._kernel.split(self.outcome.unknowns)[0]
-
-    @property
-    def angle(self) -> float:
-        """Phase of the forcing at the first switch."""
-        return self._kernel.split(self.outcome.unknowns)[1]
-
-    @property
-    def memory_values(self) -> tuple[float, ...]:
-        """What the switches of the cell set, without units."""
-        count = len(self.case.cell.phases)
-        found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
-        return tuple(map(float, found))
-
-    def part(self, p: int, u: Vector, derivative: int) -> Vector:
-        """Return a derivative of the displacement on phase `p` of the cell, without units."""
-        return self._kernel.motion(self.case.cell, self.outcome.unknowns, p, u, derivative)
-
-    @cached_property
-    def violations(self) -> tuple[str, ...]:
-        """What keeps the solution from being an orbit, in words."""
-        return admissible.violations(self)
-
-    @property
-    def admissible(self) -> bool:
-        """Whether the solution is an orbit: nothing in `violations`."""
-        return not self.violations
-
-    def __repr__(self) -> str:
-        return f"<exact orbit of {self.case.scene.label}: T = {self.period:.10g} s>"
+__all__ = ["ExactSceneOrbit", "exact_orbit"]
 
 
 def exact_orbit(
@@ -108,8 +52,11 @@ def exact_orbit(
             tried.append(f"from {start.words}: {'; '.join(orbit.violations)}")
         else:
             return orbit
-    name = case.scene.label
-    error = NoOrbit(f"{name}: no admissible exact orbit was found", False, tuple(tried))
+    shown = None if given else shown_to_be_none(case, tried)
+    words = "; ".join(
+        [f"{case.scene.label}: no admissible exact orbit was found", *without_switches(case)]
+    )
+    error = shown or NoOrbit(words, False, tuple(tried))
     error.iterations = iterations
     raise error
 

@@ -54,12 +54,18 @@ def residual(cell: Cell, z: Vector, R: Vector) -> None:
     count = len(cell.phases)
     for p, phase in enumerate(there.phases):
         s, angle, after = durations[p], angles[p], (p + 1) % count
-        x, v = flow.end(phase, states[p], angle, cell.omega, s).state
+        end = flow.end(phase, states[p], angle, cell.omega, s)
+        (x, v), (dx, dv) = end.state, end.change
         sign = cell.sign if after == 0 else 1
         R[2 * p] = states[after, 0] - sign * x
         R[2 * p + 1] = states[after, 1] - sign * (phase.rho * v + phase.d)
         ex, ev, ec, e0 = phase.event
-        R[2 * count + p] = ex * x + ev * v + ec * math.cos(angle + cell.omega * s) + e0
+        # at the start of the phase, and its change: of a phase that begins at the event that
+        # ends it the first is 0, and what is left keeps its digits
+        at_start = ex * states[p, 0] + ev * states[p, 1] + ec * math.cos(angle) + e0
+        half = cell.omega * s / 2
+        turned = -2 * math.sin(angle + half) * math.sin(half)
+        R[2 * count + p] = at_start + (ex * dx + ev * dv + ec * turned)
     for i, memory in enumerate(cell.memory):
         vx, vv, vc, v0 = memory.value
         x, v = states[memory.phase]

@@ -19,6 +19,8 @@ class End:
     ----------
     state : ndarray, shape (2,)
         Displacement and velocity.
+    change : ndarray, shape (2,)
+        Their differences from the start, to their own digits: a phase may end where it began.
     by_duration, by_angle : ndarray, shape (2,)
         Derivatives by the duration, and by the angle of the forcing where the phase starts.
     by_start : ndarray, shape (2, 2)
@@ -26,6 +28,7 @@ class End:
     """
 
     state: Vector
+    change: Vector
     by_duration: Vector
     by_angle: Vector
     by_start: Matrix
@@ -80,17 +83,38 @@ def end(phase: Phase, start: Vector, angle: float, omega: float, duration: float
     if phase.held:
         x, speed = start[0] + phase.speed * duration, phase.speed
         first = np.array([[1.0, 0.0], [0.0, 0.0]])
-        return End(np.array([x, speed]), np.array([speed, 0.0]), np.zeros(2), first)
+        change = np.array([phase.speed * duration, 0.0])
+        return End(np.array([x, speed]), change, np.array([speed, 0.0]), np.zeros(2), first)
     with np.errstate(all="ignore"):
         t = np.array([duration])
         x, v, by_start, by_angle = _responses(phase, start, angle, omega, t)
         a = _acceleration(phase, x, v, np.cos(omega * t + angle))
+        change = _change(phase, start, angle, omega, t)
     state, field = np.array([x[0], v[0]]), np.array([v[0], a[0]])
-    return End(state, field, by_angle[:, 0], by_start[:, :, 0])
+    return End(state, change, field, by_angle[:, 0], by_start[:, :, 0])
 
 
 def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:
     return (phase.f + phase.g * cosine - phase.c * v - phase.k * x) / phase.m
+
+
+def _change(phase: Phase, start: Vector, angle: float, omega: float, t: Vector) -> Vector:
+    """Return the differences of x and x' from the start, with no difference of large numbers.
+
+    As `_responses`, with ``exp(z) - 1`` for each ``exp(z)`` that stands alone.
+    """
+    small, large = roots(phase)
+    impulse = of_two(small, large, t)
+    x = (np.expm1(small * t) - small * impulse).real * start[0] + impulse.real * start[1]
+    v = (np.expm1(large * t) + small * impulse).real * start[1]
+    v = v + (phase.f - phase.k * start[0]) / phase.m * impulse.real
+    if phase.f:
+        x = x + phase.f / phase.m * of_three(small, large, 0j, t).real
+    if phase.g:
+        wave = of_three(small, large, 1j * omega, t)
+        turn = phase.g / phase.m * cmath.exp(1j * angle)
+        x, v = x + (turn * wave).real, v + (turn * (1j * omega * wave + impulse)).real
+    return np.array([x[0], v[0]])
 
 
 def _responses(

@@ -42,7 +42,8 @@ def local(phase: Phase, x: float, v: float, omega: float, angle: float) -> Local
     if phase.held:
         still = (x, phase.speed, *(0.0,) * TERMS)
         return Local(phase, omega, angle, still, tuple(map(abs, still)))
-    values, sizes = [x, v], [abs(x), abs(v)]
+    # displacements are known to the rounding of the way in a unit of time, also where x is 0
+    values, sizes = [x, v], [abs(x) + abs(v), abs(v)]
     m, power = phase.m, 1.0
     for j in range(TERMS):
         force = phase.g * power * math.cos(angle + j * math.pi / 2)

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from ..flow.continuum import is_one_of_a_continuum
 from .monodromy import NoMultipliersError
 
 if TYPE_CHECKING:
@@ -9,6 +10,10 @@ if TYPE_CHECKING:
 
 #: What `stable` means.
 VERDICTS = {True: "stable", False: "unstable", None: "neither stable nor unstable to rounding"}
+
+#: What a multiplier of 1 means: there are orbits beside this one, or there need not be.
+CONTINUUM = "the orbit is one of a continuum, none isolated"
+FIRST_ORDER = "the orbit is not isolated to first order"
 
 
 def in_words(motion: "SceneMotion") -> str:
@@ -30,7 +35,8 @@ def in_words(motion: "SceneMotion") -> str:
     name = "multiplier" if len(values) == 1 else "multipliers"
     verdict = VERDICTS[stable]
     if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
-        verdict += "; a multiplier is 1: the orbit is not isolated to first order"
+        many = is_one_of_a_continuum(motion)
+        verdict += f"; a multiplier is 1: {CONTINUUM if many else FIRST_ORDER}"
     return f"{name} {_numbers([complex(value) for value in values])}: {verdict}"
 
 

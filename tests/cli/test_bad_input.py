@@ -208,7 +208,7 @@ def test_a_number_of_digits_out_of_range(run, digits: str) -> None:
 
 @pytest.mark.parametrize("command", [("solve", "--digits", "30"), ("digits",)])
 def test_what_needs_python_flint_says_so(run, command, monkeypatch) -> None:
-    monkeypatch.setattr("nonsmooth.cli.shortcuts.precise.find_spec", lambda name: None)
+    monkeypatch.setattr("nonsmooth.cli.flint.find_spec", lambda name: None)
     assert "pip install 'nonsmooth[precise]'" in refused(run, *command)
 
 

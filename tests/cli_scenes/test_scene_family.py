@@ -38,8 +38,8 @@ def test_each_orbit_is_what_solve_gives(along) -> None:
 
 def test_where_there_is_none_the_row_says_why(along) -> None:
     last = along.rows[-1]
-    assert (last.status, last.period, last.durations) == ("not-converged", None, None)
-    assert "no admissible orbit" in last.message
+    assert (last.status, last.period, last.durations) == ("no-orbit", None, None)
+    assert "no such orbit exists" in last.message
     assert np.isnan(along["period"][-1])
     assert last.as_dict()["estimate"] == {"period": None, "times": None, "discontinuous": None}
 
@@ -133,7 +133,7 @@ def test_a_value_without_an_orbit_ends_with_status_1(run, tmp_path: Path) -> Non
     flags = ("--vary", "gap=0.1:50:2", "--log", "--orders", ORDER, "-o", target)
     status, out, _ = run("sweep", "impact", *flags)
     assert status == 1
-    assert "1 ok; 1 not-converged" in out
+    assert "1 ok; 1 no-orbit" in out
     assert target.exists()
 
 
@@ -174,6 +174,6 @@ def test_what_is_wrong_is_said(run, flags: tuple[str, ...], words: str) -> None:
 
 def test_no_orbit_at_the_first_value_does_not_end_the_sweep() -> None:
     found = ns.family(IMPACT(), "gap", [50.0, 0.1], order=ORDER)
-    assert [row.status for row in found.rows] == ["not-converged", "ok"]
+    assert [row.status for row in found.rows] == ["no-orbit", "ok"]
     with pytest.raises(NoOrbit):
         ns.solve(IMPACT(gap=50.0), order=ORDER)

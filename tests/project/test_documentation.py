@@ -114,6 +114,7 @@ DOCUMENTS = (
     "simulate impact --cycles 2",
     "scenes",
     "scenes stick-slip-damped",
+    "digits impact --orders 4 --methods hb",
     "modes",
     "modes beam-mass --method all",
     "modes beam-crack --vary position=1/4:1/2:2",

@@ -195,10 +195,18 @@ def test_the_jacobian_against_differences(name) -> None:
 def test_no_orbit_is_said_with_the_reasons() -> None:
     with pytest.raises(NoOrbit) as caught:
         exact_orbit(IMPACT(gap=50))  # farther than the free motion goes
-    assert not caught.value.proven
-    assert len(caught.value.tried) == 13
-    assert caught.value.tried[-1].startswith("a simulation ")
+    assert caught.value.proven
+    assert caught.value.tried == ("a simulation comes to a motion without switches",)
     assert caught.value.iterations > 12
+
+
+def test_where_none_is_shown_to_be_there_the_reasons_of_each_start_are_said() -> None:
+    with pytest.raises(NoOrbit) as caught:
+        exact_orbit(registry.load("clearance")(gap=50))
+    assert not caught.value.proven
+    assert len(caught.value.tried) == 73
+    assert caught.value.tried[0].startswith("from the scene's guess of the durations, ")
+    assert caught.value.tried[-1] == "a simulation comes to a motion without switches"
 
 
 @pytest.mark.parametrize("durations", [(1.0, 2.0), (-1.0,), (math.nan,), (math.inf,)])

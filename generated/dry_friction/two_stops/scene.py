@@ -7,6 +7,25 @@ equations balance, in any others.  A linear form in the state is (x, v, cos, con
 the cosine of the forcing, and an entry more for each constant of `MEMORY`.
 """
 
+#: Where digits are easily lost, in words.
+EXTREMES = (
+    'no damping',
+    'hardly any friction',
+    'rest for 99.9 % of the time',
+    'friction that falls from 0.3 to 0',
+)
+
+
+def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
+    """Return all parameters at each of the extremes."""
+    return (
+        (m, 0, k, F_N, mu_s, mu_k, F, Omega),
+        (m, c, k, F/1000000, mu_s, mu_k, F, Omega),
+        (m, c, k, (999999*F)/(1000000*mu_s), mu_s, mu_k, F, Omega),
+        (m, c, k, F_N, mu_s, mu_s/1000000, F, Omega),
+    )
+
+
 BODY = "56c425b0be05c733a366c8bd8106b2c849656100b6d332247f72011b63c7f9dd"  # of the text below
 
 NAME = 'dry-friction'

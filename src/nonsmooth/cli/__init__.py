@@ -87,6 +87,7 @@ def _verbs() -> Iterable[click.Command]:
     generic = {
         "solve": "Compute periodic orbits.",
         "sweep": "Compute them for many orders.",
+        "digits": "Measure the digits of float64.",
         "tradeoff": "Measure time against error.",
     }
     return [

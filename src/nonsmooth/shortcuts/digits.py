@@ -8,6 +8,7 @@ import numpy as np
 
 from ..solver.arrays import Matrix
 from ..solver.no_orbit import NoOrbit
+from ..solver.scaling import equilibrated
 from ..solver.shortcuts.orbit import exact
 from ..solver.shortcuts.orbit.oscillator import StickSlip
 from ..solver.shortcuts.search import kernels
@@ -124,15 +125,8 @@ def belt_at(alpha: float) -> StickSlip:
 
 
 def scaled_condition(J: Matrix) -> float:
-    """Return the condition number of `J` with rows and columns scaled to the same size.
-
-    By Ruiz's equilibration: each pass divides by the roots of their largest elements.
-    """
-    scaled = J.copy()
-    for _ in range(10):
-        rows, columns = np.abs(scaled).max(axis=1), np.abs(scaled).max(axis=0)
-        scaled /= np.sqrt(np.outer(rows, columns))
-    return float(np.linalg.cond(scaled))
+    """Return the condition number of `J` with rows and columns scaled to the same size."""
+    return float(np.linalg.cond(equilibrated(J)))
 
 
 def measure(

@@ -46,7 +46,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "a heat map with rows and columns swapped",
-        CLI + "heat_maps.py",
+        "src/nonsmooth/cli/scenes/shown/heat_map.py",
         "k + 0.5, i + 0.5, word,",
         "i + 0.5, k + 0.5, word,",
         HEAT,

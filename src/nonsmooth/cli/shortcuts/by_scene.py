@@ -118,6 +118,13 @@ def sweep_generic(
     return run(_case(case, flags), methods, orders, functions, json_, output)
 
 
+def digits_generic(quick: bool, json_: bool, output: Path | None) -> int:
+    """Measure the digits of the default scene as of any other; the exit status."""
+    from ..scenes.digits import run  # noqa: PLC0415
+
+    return run(_case(None, {}), None, None, quick, json_, output)
+
+
 def _case(case: Path | None, flags: Mapping[str, Any]) -> Any:
     given = {PREFIX + name: value for name, value in flags.items()}
     return case_from(scene_named(DEFAULT), case, given)

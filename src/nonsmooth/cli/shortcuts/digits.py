@@ -8,9 +8,11 @@ import click
 
 from nonsmooth.files.json_text import as_json
 
+from ..flint import need_flint
 from ..output import PICTURES, check_target, write_text, write_whole
 from ..progress import progress
-from .precise import need_flint
+from ..scenes.command import SceneCommand
+from .by_scene import digits_generic
 
 if TYPE_CHECKING:
     from nonsmooth.shortcuts.digits import Cell, Form
@@ -19,24 +21,29 @@ EPILOG = """\b
 Examples:
   nonsmooth digits --quick
   nonsmooth digits -o digits.png
+  nonsmooth digits impact --orders 10,20
 """
 
 
-@click.command(epilog=EPILOG)
+@click.command(cls=SceneCommand, module="digits", epilog=EPILOG)
+@click.option("--no-shortcuts", is_flag=True, help="The kernels of every scene instead.")
 @click.option("--quick", is_flag=True, help="A small grid: seconds instead of minutes.")
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path),
     help="Write the cells: .json, or a picture .png, .svg, .pdf.",
 )  # fmt: skip
-def digits(quick: bool, json_: bool, output: Path | None) -> int:
+def digits(quick: bool, no_shortcuts: bool, json_: bool, output: Path | None) -> int:
     """Measure the digits of t1 and T against high precision, on this machine.
 
     The stable forms that the kernels use stand beside the equations as the paper prints
-    them: raw g1, monomials, SI units, no scaling.
+    them: raw g1, monomials, SI units, no scaling. SCENE is a name of 'nonsmooth scenes', or
+    the path of a scene file, which is Python and is run: its extremes are those that it names.
     """
     check_target(output, (".json", *PICTURES))
     need_flint("digits")
+    if no_shortcuts:
+        return digits_generic(quick, json_, output)
     from nonsmooth.shortcuts.digits import cells, measure  # noqa: PLC0415
 
     grid = cells(quick)

@@ -9,12 +9,10 @@ from matplotlib.figure import Figure
 
 from nonsmooth.style import LABELS, SETTINGS, save
 
+from ..scenes.shown.heat_map import draw_digits
+
 if TYPE_CHECKING:
     from nonsmooth.shortcuts.digits import Cell
-
-#: Digits at the two ends of the colour scale, which is as readable in grey.
-SCALE = (0, 16)
-COLOURS = "cividis"
 
 FORMS = {"stable": "stable forms (the kernels)", "printed": "as printed, SI units"}
 
@@ -54,14 +52,6 @@ def _draw(axes: Any, cells: "list[Cell]", form: str) -> Any:
             digits[place], words[place] = result.digits, f"{result.digits:.0f}"
         elif result.status == "not-converged":
             digits[place], words[place] = 0, "×"
-    axes.set_facecolor("0.85")
-    image = axes.pcolormesh(digits, cmap=COLOURS, vmin=SCALE[0], vmax=SCALE[1])
-    for (i, k), word in np.ndenumerate(words):
-        shade = 0.0 if np.isnan(digits[i, k]) or digits[i, k] > 9 else 1.0
-        axes.text(
-            k + 0.5, i + 0.5, word, ha="center", va="center", color=str(shade), fontsize=7
-        )
-    axes.set_xticks(np.arange(len(orders)) + 0.5, orders)
-    axes.set_yticks(np.arange(len(alphas)) + 0.5, [f"{alpha:g}" for alpha in alphas])
+    image = draw_digits(axes, digits, words, orders, [f"{alpha:g}" for alpha in alphas])
     axes.set(xlabel="order N", ylabel=r"$\alpha$")
     return image

@@ -1,28 +1,16 @@
 """``nonsmooth solve --digits N``: period and end of stick in many digits."""
 
 from dataclasses import asdict
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..flint import need_flint
 from ..problems import Problem
 
 if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
-
-
-def need_flint(flag: str) -> None:
-    """Check that high precision is there.
-
-    Raises
-    ------
-    Problem
-        Saying how to install what is missing.
-    """
-    if find_spec("flint") is None:
-        raise Problem(f"{flag} needs python-flint: pip install 'nonsmooth[precise]'")
 
 
 #: Most harmonics that are refined: the matrix is dense.

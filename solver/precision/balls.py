@@ -1,0 +1,123 @@
+"""A generated kernel in ball arithmetic: its own text, evaluated over other numbers.
+
+Each operation of the text is one on balls (Arb, through python-flint), with every fraction of
+whole numbers exact; a result says how far rounding may have moved it.  Only the spherical
+Bessel functions are replaced: their recurrences stop where float64 does.
+"""
+
+import ast
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from flint import arb, ctx, fmpq
+
+#: Fills R with the residual at z: ``residual(case, z, R)``, over balls.
+Residual = Callable[[Any, Any, Any], None]
+
+
+@contextmanager
+def precision(digits: int) -> Iterator[None]:
+    """Work with this many decimal digits, and restore the setting of python-flint."""
+    before = ctx.dps
+    ctx.dps = digits
+    try:
+        yield
+    finally:
+        ctx.dps = before
+
+
+def residual_in_balls(residual: Callable[..., None]) -> Residual:
+    """Return the residual of a generated module over balls, at the precision in force.
+
+    Parameters
+    ----------
+    residual : callable
+        That of the module, in plain Python.
+    """
+    found: Residual = _functions(residual.__code__.co_filename, ctx.dps)["residual"]
+    return found
+
+
+@cache
+def _functions(path: str, digits: int) -> dict[str, Any]:
+    """Return the functions of a module over balls of so many digits, those in force."""
+    tree = _Exact().visit(ast.parse(Path(path).read_text("utf-8")))
+    namespace: dict[str, Any] = {
+        "cos": lambda x: arb(x).cos(),
+        "sin": lambda x: arb(x).sin(),
+        "sqrt": lambda x: arb(x).sqrt(),
+        "exp": lambda x: arb(x).exp(),
+        "pi": arb.pi(),
+        "np": _Arrays,
+        "quotient": quotient,
+    }
+    exec(compile(ast.fix_missing_locations(tree), path, "exec"), namespace)
+    namespace["spherical_bessel"] = spherical_bessel
+    return namespace
+
+
+class _Exact(ast.NodeTransformer):
+    """Replace divisions by those of exact numbers, and drop the imports of float64."""
+
+    def visit_Import(self, node: ast.Import) -> None:
+        return None
+
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> None:
+        return None
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        self.generic_visit(node)
+        if not isinstance(node.op, ast.Div):
+            return node
+        return ast.Call(ast.Name("quotient", ast.Load()), [node.left, node.right], [])
+
+
+def quotient(above: Any, below: Any) -> Any:
+    """Return a quotient; of whole numbers, with no rounding but that of a ball."""
+    if isinstance(above, int) and isinstance(below, int):
+        return arb(fmpq(above, below))
+    return above / (arb(below) if isinstance(below, int | float) else below)
+
+
+class _Arrays:
+    """What kernels use of NumPy, with room for any number."""
+
+    @staticmethod
+    def zeros(shape: Any) -> Any:
+        return np.full(shape, arb(0), dtype=object)
+
+    @staticmethod
+    def ones(shape: Any) -> Any:
+        return np.full(shape, arb(1), dtype=object)
+
+    @staticmethod
+    def arange(*bounds: Any) -> Any:
+        return np.array([arb(int(n)) for n in range(*map(int, bounds))], dtype=object)
+
+    empty = zeros
+    abs = np.abs
+
+
+def spherical_bessel(count: int, x: Any) -> Any:
+    """Return ``j_0(x), ..., j_(count - 1)(x)`` of a ball: the last two, then downwards.
+
+    ``j_n(x) = x^n/(2 n + 1)!! 0F1(n + 3/2; -x^2/4)`` (DLMF 10.16.9, 10.47.3).
+    """
+    x = arb(x)
+    found = np.full(count, arb(0), dtype=object)
+    if x == 0:
+        found[0] = arb(1)
+        return found
+    double, power = arb(1), arb(1)
+    for n in range(count):
+        if n:
+            double, power = double * (2 * n + 1), power * x
+        if n >= count - 2:
+            found[n] = power / double * (-x * x / 4).hypgeom_0f1(arb(2 * n + 3) / 2)
+    for n in range(count - 3, -1, -1):
+        found[n] = (2 * n + 3) / x * found[n + 1] - found[n + 2]
+    return found

@@ -1,0 +1,227 @@
+"""Digits that float64 keeps of the times of an orbit, at the extremes of a scene."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Vector
+from ..case import registry
+from ..case.case import Case
+from ..case.kernel import SceneKernel
+from ..case.methods import in_order
+from ..case.parameters import ParameterError
+from ..flow.exact import ExactSceneOrbit, exact_orbit
+from ..flow.exact_system import exact_kernel
+from ..iteration.attempt import attempt
+from ..no_orbit import NoOrbit
+from ..scaling import equilibrated
+from ..solve import number_of_functions
+from . import exact_balls
+from .condition import condition
+from .refine import PrecisionError, refine
+
+#: Digits of the solution in balls: enough to judge float64.
+DIGITS = 22
+
+#: Largest error of the times that float64 may make, as a part of the period, where the orbit
+#: answers to its parameters no more than they change; elsewhere, times its condition number.
+TARGET = 1e-13
+
+#: What one rounding is, as a part of a number.
+EPSILON = float(np.finfo(float).eps)
+
+#: The method that is none: the exact equations, solved in float64.
+EXACT = "exact"
+
+#: Orders that are measured without others.
+ORDERS: tuple[int, ...] = (5, 10, 20, 40)
+QUICK_ORDERS: tuple[int, ...] = (10,)
+
+
+@dataclass(frozen=True)
+class Kept:
+    """How one method did at one extreme and order.
+
+    Parameters
+    ----------
+    extreme : str
+        In words; empty for the parameters as they are given.
+    method : str
+        Generic name; ``"exact"`` for the exact equations.
+    order : int or None
+        ``N``; None of the exact equations.
+    status : str
+        ``"ok"``, ``"no-orbit"``, ``"not-converged"``.
+    error : float or None
+        Largest error of a duration, and of the phase of the forcing over its angular
+        frequency, against the same equations in balls; as a part of the period.
+    condition : float or None
+        Condition number of the Jacobian, its rows and columns scaled.
+    orbit_condition : float or None
+        That of the orbit itself: `condition.condition`.
+    iterations : int
+        Jacobians formed.
+    """
+
+    extreme: str
+    method: str
+    order: int | None
+    status: str
+    error: float | None = None
+    condition: float | None = None
+    orbit_condition: float | None = None
+    iterations: int = 0
+
+    @property
+    def digits(self) -> float | None:
+        """Decimal digits of the times that are right; 16 is all that float64 has."""
+        return None if self.error is None else -math.log10(max(self.error, 1e-16))
+
+    @property
+    def target(self) -> float:
+        """Largest error allowed, as a part of the period."""
+        return TARGET * max(1.0, self.orbit_condition or 1.0)
+
+    @property
+    def met(self) -> bool | None:
+        """Whether the error is within the target; None where there is no orbit to measure."""
+        return None if self.error is None else self.error <= self.target
+
+    @property
+    def conditioned(self) -> bool | None:
+        """Whether the error is what the condition of the method's own equations explains."""
+        if self.error is None or self.condition is None:
+            return None
+        return bool(self.error <= EPSILON * self.condition)
+
+    @property
+    def lost(self) -> bool:
+        """Whether digits are lost that neither the orbit nor the method's equations lose."""
+        return self.met is False and not self.conditioned
+
+
+def extremes(case: Case) -> tuple[tuple[str, Case], ...]:
+    """Return a case and its extremes, each with its words.
+
+    Parameters
+    ----------
+    case : Case
+        What differs at an extreme is put in place of its parameters.
+
+    Raises
+    ------
+    ParameterError
+        If a formula of an extreme has no value for these parameters, or one that is not a
+        parameter of an oscillator.
+    """
+    words = getattr(case.scene.module, "EXTREMES", ())
+    try:
+        values = case.scene.numbers("extremes", tuple(case.values.values())) if words else ()
+    except (ZeroDivisionError, OverflowError, ValueError) as error:
+        raise ParameterError([f"extremes: no numbers for these parameters ({error})"]) from None
+    return (
+        ("", case),
+        *(
+            (said, Case(case.scene, dict(zip(case.values, each, strict=True)), case.cycles))
+            for said, each in zip(words, values, strict=True)
+        ),
+    )
+
+
+def measure(
+    case: Case,
+    orders: Sequence[int] = ORDERS,
+    methods: Sequence[str] | None = None,
+    progress: Callable[[Kept], None] = lambda kept: None,
+) -> list[Kept]:
+    """Return the digits that each method keeps at each extreme of a case.
+
+    Parameters
+    ----------
+    case : Case
+        See `extremes`.
+    orders : sequence of int
+        ``N``; those below the lowest of a method are left out.
+    methods : sequence of str, optional
+        Generic names; all without them.
+    progress : callable
+        Told each measurement.
+
+    Raises
+    ------
+    ParameterError
+        If parameters at an extreme are not those of an oscillator.
+    """
+    found = []
+    for words, each in extremes(case):
+        for kept in at(words, each, orders, methods):
+            progress(kept)
+            found.append(kept)
+    return found
+
+
+def at(
+    words: str, case: Case, orders: Sequence[int], methods: Sequence[str] | None = None
+) -> Iterator[Kept]:
+    """Yield the digits that each method keeps of the orbit of a case: first the exact ones."""
+    names = in_order(registry.methods(case.scene) if methods is None else methods)
+    try:
+        exact = exact_orbit(case)
+    except NoOrbit as finding:
+        yield Kept(words, EXACT, None, finding.status, iterations=finding.iterations)
+        for name in names:
+            for order in orders:
+                yield Kept(words, name, order, finding.status)
+        return
+    sensitive = condition(exact)
+    yield _of_exact(words, exact, sensitive)
+    for name in names:
+        for order in orders:
+            yield _of_method(words, exact, name, order, sensitive)
+
+
+def _of_exact(words: str, orbit: ExactSceneOrbit, sensitive: float) -> Kept:
+    kernel, cell = exact_kernel(orbit.case.cell), orbit.case.cell
+    head, tail = (words, EXACT, None), (sensitive, orbit.outcome.iterations)
+    return _kept(head, tail, kernel, orbit.case, cell, orbit.outcome.unknowns, True)
+
+
+def _of_method(
+    words: str, exact: ExactSceneOrbit, method: str, order: int, sensitive: float
+) -> Kept:
+    case = exact.case
+    functions = number_of_functions(case, method, None)
+    kernel = registry.kernel(case.scene, method, functions)
+    head = (words, method, order)
+    if order < kernel.lowest:
+        return Kept(*head, "not-converged", None, None, sensitive)
+    found = attempt(kernel, case, order, kernel.times(exact.outcome.unknowns), functions)
+    tail = (sensitive, found.iterations)
+    if not (found.converged and found.admissible):
+        return Kept(*head, "not-converged", None, None, *tail)
+    return _kept(head, tail, kernel, case, case.arguments, found.unknowns, False)
+
+
+def _kept(
+    head: tuple[str, str, int | None], tail: tuple[float, int], kernel: SceneKernel,
+    case: Case, arguments: Any, z: Vector, exact: bool,
+) -> Kept:  # fmt: skip
+    """Return how a solution of a kernel's equations compares with that in balls."""
+    J = np.empty((len(z), len(z)))
+    kernel.jacobian(arguments, z, J)
+    number = float(np.linalg.cond(equilibrated(J)))
+    made = (lambda: exact_balls.residual) if exact else None
+    try:
+        precise = refine(kernel, arguments, z, DIGITS, made)
+    except PrecisionError:
+        return Kept(*head, "not-converged", None, number, *tail)
+    off = [
+        float(abs(a - float(b))) for a, b in zip(precise.times, kernel.times(z), strict=True)
+    ]
+    if case.cell.forced:
+        off[-1] /= case.cell.omega
+    period = float(np.sum(kernel.split(z)[0])) * case.cell.cells
+    return Kept(*head, "ok", max(off) / period, number, *tail)

@@ -1,0 +1,120 @@
+"""Refine a solution that float64 found: the residual in balls, the step in float64.
+
+Each step gains about as many digits as float64 has beyond the condition of the Jacobian.  What
+is left is the radius of a ball about each time.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from flint import arb, ctx
+
+from ..arrays import Matrix, Vector
+from ..case.kernel import SceneKernel
+from .balls import Residual, precision, residual_in_balls
+
+#: Digits carried at first beyond those asked for; most that are tried; most steps.
+GUARD, MOST_DIGITS, STEPS = 25, 2000, 60
+
+
+class PrecisionError(ArithmeticError):
+    """The refinement did not converge: no solution of the equations is near the float64 one."""
+
+
+@dataclass(frozen=True)
+class Refined:
+    """A solution in high precision.
+
+    Parameters
+    ----------
+    times : tuple of arb
+        Durations and, if the scene is forced, the phase of the forcing; without units.
+    steps : int
+        Evaluations of the residual in balls.
+    """
+
+    times: tuple[Any, ...]
+    steps: int
+
+
+def refine(
+    kernel: SceneKernel,
+    arguments: Any,
+    start: Vector,
+    digits: int,
+    in_balls: Callable[[], Residual] | None = None,
+) -> Refined:
+    """Refine a solution of a kernel's equations to `digits` digits of its times.
+
+    Parameters
+    ----------
+    kernel : SceneKernel
+        In plain Python: a generated one, or with `in_balls` any.
+    arguments : object
+        What its functions call the case; floats stand for their exact binary values.
+    start : ndarray
+        The unknowns as float64 found them.
+    digits : int
+        Decimal digits of the times, relative to their sum.
+    in_balls : callable, optional
+        Returns the residual over balls at the precision in force.
+
+    Raises
+    ------
+    PrecisionError
+        If the steps do not get shorter.
+    """
+    J = np.empty((len(start), len(start)))
+    kernel.jacobian(arguments, start, J)
+    inverse = _inverse(J)
+    working = digits + GUARD
+    while working <= MOST_DIGITS:
+        with precision(working):
+            made = residual_in_balls(kernel.residual) if in_balls is None else in_balls()
+            found = _refined(kernel, made, arguments, start, inverse, digits)
+        if found is not None:
+            return found
+        working *= 2
+    raise PrecisionError(f"{kernel.method}: {digits} digits are not had with {MOST_DIGITS}")
+
+
+def _inverse(J: Matrix) -> Matrix:
+    """Return the inverse of a Jacobian, whose rows are scaled before."""
+    rows = np.abs(J).max(axis=1)
+    try:
+        return np.asarray(np.linalg.inv(J / rows[:, None]) / rows)
+    except np.linalg.LinAlgError:
+        raise PrecisionError("the Jacobian is singular") from None
+
+
+def _refined(
+    kernel: SceneKernel, residual: Residual, arguments: Any, start: Vector, inverse: Matrix,
+    digits: int,
+) -> Refined | None:  # fmt: skip
+    """Refine at the precision in force; None if its balls are too wide for `digits`."""
+    first = len(start) - kernel.durations - kernel.forced
+    z = np.array([arb(float(value)) for value in start], dtype=object)
+    R = np.full(len(z), arb(0), dtype=object)
+    goal = arb(10) ** -(digits + 2) * float(np.sum(start[first : first + kernel.durations]))
+    shortest = arb("inf")
+    for step in range(1, STEPS + digits):
+        residual(arguments, z, R)
+        radii = np.array([float(arb(value).rad()) for value in R])
+        rounding = float((np.abs(inverse[first:]) @ radii).max())
+        if not rounding < goal / 10:
+            return None
+        norm = max(abs(arb(value).mid()) for value in R)
+        scale = norm if norm != 0 else arb(1)
+        correction = inverse @ np.array([float((arb(value) / scale).mid()) for value in R])
+        pairs = zip(z, correction, strict=True)
+        z = np.array([(value - arb(float(q)) * scale).mid() for value, q in pairs])
+        length = scale * float(np.abs(correction[first:]).max())
+        if length < goal:
+            radius = (length + rounding).upper()
+            return Refined(tuple(arb(value, radius) for value in z[first:]), step)
+        if not length < 4 * shortest:
+            raise PrecisionError(f"{kernel.method}: the refinement does not converge")
+        shortest = min(shortest, length)
+    raise PrecisionError(f"{kernel.method}: no convergence within {STEPS} steps at {ctx.dps}")

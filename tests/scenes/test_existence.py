@@ -1,0 +1,167 @@
+"""Where no orbit is, or none alone: shown in closed form, and said with the parameter."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from made_scenes import made
+
+from nonsmooth.solver.case import registry
+from nonsmooth.solver.flow import one_phase
+from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.flow.exact_system import residual
+from nonsmooth.solver.flow.existence import infinitely_many, shown_to_be_none, without_switches
+from nonsmooth.solver.iteration import start
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.solve import solve_case
+
+
+@pytest.fixture(autouse=True)
+def few_starts(monkeypatch):
+    """Search in vain from fewer starts: as much in vain, and quicker."""
+    monkeypatch.setattr(start, "ANGLES", 2)
+    monkeypatch.setattr(start, "UNEQUAL", ())
+
+
+IMPACT, FRICTION = registry.load("impact"), registry.load("dry-friction")
+TWO_SIDED, BACKLASH = registry.load("impact-two-sided"), registry.load("backlash")
+
+
+def sliding(**values):
+    return FRICTION(**values).of_motion("sliding")
+
+
+@settings(max_examples=30)
+@given(
+    st.sampled_from([IMPACT, TWO_SIDED, FRICTION]),
+    st.floats(0.3, 3.0), st.floats(0.0, 1.0), st.floats(0.01, 2.0),
+)  # fmt: skip
+def test_the_solutions_in_closed_form_satisfy_the_exact_equations(scene, omega, c, size):
+    if scene is FRICTION:
+        case = sliding(frequency=omega, damping=c, normal_force=size)
+    else:
+        case = scene(frequency=omega, damping=c, gap=size)
+    found = one_phase.solutions(case.cell).found
+    for x, v, angle in found:
+        z, R = np.array([x, v, case.cell.duration, angle]), np.empty(4)
+        residual(case.cell, z, R)
+        assert np.abs(R).max() < 1e-9 * (1 + abs(x) + abs(v))
+    assert len(found) in (0, 2)
+
+
+@pytest.mark.parametrize("values", [{}, {"gap": 0.4}, {"frequency": 2.8, "restitution": 0.8}])
+def test_what_the_search_finds_is_among_them(values):
+    orbit = exact_orbit(IMPACT(**values))
+    angles = [angle for *_, angle in one_phase.solutions(orbit.case.cell).found]
+    apart = [abs(math.remainder(orbit.angle - angle, 2 * math.pi)) for angle in angles]
+    assert min(apart) < 1e-12
+
+
+@pytest.mark.parametrize("n", [1, 3, 5, 7])
+def test_dry_friction_in_resonance_has_no_sliding_orbit(n):
+    """Half a period returns what friction adds with its own sign, again and again."""
+    finding = shown_to_be_none(sliding(damping=0, frequency=1 / n, mu_s=0.4))
+    part = "" if n == 1 else f"1/{n} of "
+    why = f"resonance: frequency = {1 / n:.6g} rad/s is {part}the natural frequency of slide"
+    assert finding.proven
+    assert str(finding) == (
+        f"dry-friction, sliding: no such orbit exists: {why}, and nothing damps it"
+    )
+    damped = one_phase.solutions(sliding(damping=1e-6, frequency=1 / n).cell)
+    assert not damped.none
+
+
+def test_the_command_says_so_with_the_status_of_no_orbit(run):
+    arguments = ("dry-friction", "--motion", "sliding", "--damping", 0, "--frequency", 1 / 3)
+    status, out, err = run("solve", *arguments, "--method", "ck-tau")
+    assert status == 1
+    assert "no-orbit" in out
+    assert err.startswith("nonsmooth: dry-friction, sliding: no such orbit exists: resonance: ")
+    assert "frequency = 0.333333 rad/s is 1/3 of the natural frequency" in err
+
+
+def test_even_parts_of_the_natural_frequency_have_their_orbit():
+    """The antisymmetric one, of a continuum of others: a multiplier is 1."""
+    orbit = exact_orbit(sliding(damping=0, frequency=0.5))
+    assert np.abs(orbit.multipliers - 1).min() < 1e-12
+    assert orbit.stable is None
+
+
+def test_a_gap_out_of_reach_is_shown_to_be_one():
+    with pytest.raises(NoOrbit) as caught:
+        exact_orbit(IMPACT(gap=100.0))
+    assert caught.value.status == "no-orbit"
+    assert str(caught.value) == (
+        "impact: no such orbit exists: its equations have no real solution; "
+        "a simulation comes to a motion without switches"
+    )
+    with pytest.raises(NoOrbit, match="no such orbit exists"):
+        solve_case(IMPACT(gap=100.0), "hb", 8)
+
+
+def test_solutions_that_are_no_orbits_are_named_one_by_one():
+    """Of dry friction that hardly drives: both roots leave the static limit uncrossed."""
+    finding = shown_to_be_none(sliding(mu_s=2.0))
+    assert finding.proven
+    assert [why.partition(":")[0] for why in finding.tried] == ["solution 1", "solution 2"]
+    assert "the load exceeds the static limit" in "".join(finding.tried)
+    assert shown_to_be_none(sliding()) is None
+
+
+def test_where_every_motion_is_shown_to_have_none_the_whole_is():
+    assert shown_to_be_none(FRICTION(force=0.2).of_motion("two-stops")) is None
+    with pytest.raises(NoOrbit) as caught:
+        solve_case(FRICTION(force=0.2))
+    assert caught.value.status == "not-converged"  # of two phases not all can be listed
+
+
+def test_equations_with_infinitely_many_solutions_are_said_to_have_them():
+    """Half a period is three half turns: what leaves one stop arrives at the other, always."""
+    case = TWO_SIDED(damping=0, frequency=1 / 3)
+    assert shown_to_be_none(case) is None
+    assert infinitely_many(case).startswith(
+        "the equations have infinitely many solutions, none isolated: resonance: frequency = "
+        "0.333333 rad/s is 1/3 of the natural frequency of crossing"
+    )
+    assert infinitely_many(TWO_SIDED(damping=0, frequency=0.35)) == ""
+    with pytest.raises(NoOrbit, match="infinitely many solutions, none isolated"):
+        solve_case(case)
+
+
+def test_a_constant_on_the_circle_alone_decides():
+    """Free masses: the rows fix the forcing, and its amplitude is the right one or is not."""
+
+    def at(push):
+        return made([(1, 0, 0, push, 1)], [(0, 1, 0, 0)], omega=1.0)().cell
+
+    assert one_phase.solutions(at(0.5)).none  # a constant force: the mass runs away
+    free = one_phase.solutions(at(0.0))  # its mean position is free
+    assert (free.none, free.dependent, free.found) == (False, True, ())
+
+
+def test_a_motion_without_switches_is_named_where_it_is_why():
+    (words,) = without_switches(BACKLASH(force=0.2))
+    size = 0.2 / math.hypot(0.7**2, 0.1 * 0.7)
+    assert words == (
+        f"the mass can move in loose for ever, without switches, |x| up to {size:.6g} m"
+    )
+    assert list(without_switches(BACKLASH())) == []  # it would leave the play
+    with pytest.raises(NoOrbit, match="in loose for ever, without switches"):
+        exact_orbit(BACKLASH(force=0.05))
+    words, also = without_switches(BACKLASH(damping=0, frequency=1))
+    assert "without switches, |x| up to 0.8 m" in also
+    assert words.startswith(
+        "resonance: frequency = 1 rad/s is the natural frequency of engaged"
+    )
+
+
+def test_times_of_the_exact_orbit_start_what_a_coarse_orbit_cannot():
+    """Undamped, ck-tau has no coarse orbit to start from: its equations are singular."""
+    case = registry.load("clearance")(damping=0)
+    orbit = solve_case(case, "hb", 10)
+    assert orbit.admissible
+    assert orbit.errors.times < 1e-3
+    with pytest.raises(NoOrbit, match="there is an exact orbit, and from its times"):
+        solve_case(case, "ck-tau", 10)
