@@ -76,7 +76,7 @@ dist:  ## the sdist and the wheel, installed in an environment of its own and ru
 lowest:  ## all tests with the lowest versions that pyproject.toml allows, in .venv-lowest
 	@$(PYTHON) -m venv --clear .venv-lowest
 	@$(PYTHON) .ci/lowest.py > .venv-lowest/constraints
-	@.venv-lowest/bin/python -m pip install --quiet --disable-pip-version-check -c .venv-lowest/constraints -e '.[plot,report,precise,netcdf,test]'
+	@.venv-lowest/bin/python -m pip install --quiet --disable-pip-version-check -c .venv-lowest/constraints -e '.[plot,report,precise,netcdf,pandas,xarray,test]'
 	@.venv-lowest/bin/python -m pytest
 
 clean:  ## remove the environment and everything made
@@ -88,19 +88,19 @@ $(VENV)/ready: pyproject.toml
 	  echo "nonsmooth needs Python 3.11 or newer; set PYTHON=python3.x" >&2; exit 1; }
 	@if command -v uv >/dev/null 2>&1; then \
 	  uv venv --quiet --clear --python $(PYTHON) $(VENV) && \
-	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,test,lint,bench]'; \
+	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,pandas,xarray,test,lint,bench]'; \
 	else \
 	  $(PYTHON) -m venv --clear $(VENV) || { \
 	    echo "python3-venv is missing: apt-get install python3-venv" >&2; exit 1; }; \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,test,lint,bench]'; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,pandas,xarray,test,lint,bench]'; \
 	fi
 	@touch $@
 
 # Sphinx and a notebook kernel are heavy, and for one target only.
 $(VENV)/ready-docs: $(VENV)/ready
 	@if command -v uv >/dev/null 2>&1; then \
-	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,docs]'; \
+	  uv pip install --quiet --python $(BIN)/python -e '.[plot,report,precise,netcdf,pandas,xarray,docs]'; \
 	else \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,docs]'; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[plot,report,precise,netcdf,pandas,xarray,docs]'; \
 	fi
 	@touch $@

@@ -121,7 +121,7 @@ def solve(
     >>> ns.solve(ns.scene("dry-friction")(frequency=0.4), order=8).case.scene.motion
     'two-stops'
     >>> ns.solve(ns.scene("impact")(frequency=3.6), order=8, cycles=2)
-    <impact by c0-tau, N = 8: T = 3.490658504 s, 4 iterations>
+    <impact by c0-tau, N = 8: T = 3.490658504 s, phi = 1.103915868 rad, estimate 2.7e-07>
     >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
     ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
     >>> print(f"{ns.solve(belt, 'c1', 7).period:.9f}, {ns.solve(belt, 'c1-tau', 7).period:.9f}")

@@ -340,12 +340,13 @@ def test_pictures(run, tmp_path: Path) -> None:
 
 
 def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
-    from nonsmooth.cli.scenes.shown.pictures import convergence_figure, orbit_figure
+    from nonsmooth.plots.orbits import orbit_figure
+    from nonsmooth.plots.sweeps import convergence_figure
 
     case = registry.load("impact")()
     orbit = solve_case(case, "ck-tau", 8)
     exact = exact_orbit(case)
-    figure = orbit_figure(case, [orbit], exact)
+    figure = orbit_figure([orbit], exact)
     plane, _, velocity, _ = figure.axes
     assert [line.get_label() for line in plane.lines] == ["exact", "c0-tau, N = 8"]
     x, v = plane.lines[1].get_data()

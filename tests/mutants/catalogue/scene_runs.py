@@ -37,7 +37,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "axes of a drawn trade swapped",
-        f"{CLI}/shown/pictures.py",
+        "src/nonsmooth/plots/trade.py",
         "axes.plot(times, errors, label=words,",
         "axes.plot(errors, times, label=words,", TRADE,
     ),
@@ -71,8 +71,8 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "velocities drawn for displacements along a parameter",
-        f"{CLI}/shown/family_picture.py",
-        "axes.plot(along, _ends(result, name, end), **look)",
+        "src/nonsmooth/plots/families.py",
+        "axes.plot(along, _ends(result, quantity, end), **look)",
         'axes.plot(along, _ends(result, "velocity", end), **look)', FAMILY,
     ),
     Mutant(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..orders import is_whole
-from ..output import write_text, write_whole
+from ..output import write_picture, write_text, write_whole
 from ..problems import Problem, as_problems
 from ..progress import progress
 from ..vary import Vary, parse_vary
@@ -84,9 +84,9 @@ def _write(output: Path, text: str, result: "SceneFamily", log: bool) -> None:
     elif suffix == ".csv":
         write_whole(output, lambda target: write_table(result, target))
     else:
-        from .shown.family_picture import family_picture  # noqa: PLC0415
+        from nonsmooth.plots.families import family_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: family_picture(result, log, target))
+        write_picture(output, lambda: family_figure(result, log))
 
 
 def write_table(result: "SceneFamily", target: Path) -> None:

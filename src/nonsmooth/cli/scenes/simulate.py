@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text
 from ..problems import Problem
 from ..progress import busy
 from .options import case_from, command_of
@@ -130,6 +130,6 @@ def _write(output: Path, text: str, motion: "Simulation") -> None:
 
         write_transient(motion, output)
     else:
-        from .shown.transient import picture  # noqa: PLC0415
+        from nonsmooth.plots.simulations import simulation_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: picture(motion, target))
+        write_picture(output, lambda: simulation_figure(motion))

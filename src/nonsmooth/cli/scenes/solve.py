@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text
 from ..seconds import parse_seconds
 from .options import case_from, command_of, motion_options
 from .wanted import ORDER, Wanted, exact_near, search
@@ -111,7 +111,7 @@ def run(case: "Case", wanted: Wanted) -> int:
         click.echo(f"\n{captions.legend(case.scene)}")
     _warn(orbits if choice is None else [])
     if wanted.output is not None:
-        _write(case, wanted.output, text, orbits, exact)
+        _write(wanted.output, text, orbits, exact)
     return 0 if len(orbits) == len(found) else 1
 
 
@@ -135,9 +135,8 @@ def _warn(orbits: "list[SceneOrbit]") -> None:
 
 
 def _write(
-    case: "Case", output: Path, text: str, orbits: "list[SceneOrbit]",
-    exact: "ExactSceneOrbit | None",
-) -> None:  # fmt: skip
+    output: Path, text: str, orbits: "list[SceneOrbit]", exact: "ExactSceneOrbit | None"
+) -> None:
     suffix = output.suffix.lower()
     if suffix == ".json":
         write_text(output, text)
@@ -148,6 +147,6 @@ def _write(
 
         write_motion(orbits, output)
     else:
-        from .shown.pictures import orbit_picture  # noqa: PLC0415
+        from nonsmooth.plots.orbits import orbit_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: orbit_picture(case, orbits, exact, target))
+        write_picture(output, lambda: orbit_figure(orbits, exact))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..orders import parse_orders
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text
 from ..problems import Problem, as_problems
 from ..progress import progress
 from . import family
@@ -138,6 +138,6 @@ def _write(output: Path, text: str, result: "SceneSweep") -> None:
 
         write_rows(result, output)
     else:
-        from .shown.pictures import convergence_picture  # noqa: PLC0415
+        from nonsmooth.plots.sweeps import convergence_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: convergence_picture(result, target))
+        write_picture(output, lambda: convergence_figure(result))

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text
 from ..problems import Problem
 from ..progress import progress
 from .options import case_from, command_of
@@ -76,7 +76,7 @@ def run(case: "Case", json_: bool, output: Path | None) -> int:
     if output is not None and output.suffix.lower() == ".json":
         write_text(output, text)
     elif output is not None:
-        from .shown.pictures import trade_picture  # noqa: PLC0415
+        from nonsmooth.plots.trade import trade_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: trade_picture(result, target))
+        write_picture(output, lambda: trade_figure(result))
     return 0

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import DATA, PICTURES, check_target, write_file, write_text, write_whole
+from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..problems import Problem
 from ..progress import busy
 from ..scenes.command import SceneCommand
@@ -197,6 +197,6 @@ def _write(output: Path, text: str, belt: "StickSlip", orbits: "list[Orbit]") ->
         else:
             click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
     else:
-        from .pictures import orbit_picture  # noqa: PLC0415
+        from nonsmooth.plots.shortcuts.orbits import orbit_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: orbit_picture(belt, orbits, target))
+        write_picture(output, lambda: orbit_figure(belt, orbits))

@@ -4,11 +4,12 @@ import math
 from typing import Any
 
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.shortcuts.names import PHASES, SCENE
 from nonsmooth.solver.shortcuts.orbit.motion import ExactOrbit
 from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
 
-#: The scene, its class, and its phases.
-SCENE, CLASS, PHASES = "stick-slip", "C1", ("stick", "slip")
+#: The class of the motion.
+CLASS = "C1"
 
 
 def head() -> dict[str, Any]:
