@@ -22,29 +22,35 @@ def dataframe(table: "Table") -> Any:
 
 
 def dataset(table: "Table") -> Any:
-    """Return a table as an `xarray.Dataset`; see `Tabular.to_xarray`.
-
-    Over one coordinate a variable has the values of its column; over two, the row of each
-    pair, and where there is no such row NaN, 0 or no word.
-    """
+    """Return a table as an `xarray.Dataset`; see `Tabular.to_xarray`."""
     require("xarray", "xarray", "to_xarray")
     import xarray as xr  # noqa: PLC0415
 
+    variables = {
+        name: (dimensions, values, _unit(table, name))
+        for name, (dimensions, values) in arrays(table).items()
+    }
+    coordinates = {name: variables.pop(name) for name in table.index}
+    return xr.Dataset(variables, coordinates, dict(table.about))
+
+
+def arrays(table: "Table") -> dict[str, tuple[tuple[str, ...], Any]]:
+    """Return the columns of a table as arrays over its index, and the index itself.
+
+    Over one coordinate an array has the values of its column; over two, those of the row of
+    each pair, and where there is no such row NaN, 0 or no word.
+    """
     columns = {name: column(values) for name, values in table.columns.items()}
     labels, places = _grid([columns[name] for name in table.index])
-    shape = tuple(map(len, labels))
-    coordinates = dict(zip(table.index, labels, strict=True))
-    variables = {}
+    found: dict[str, tuple[tuple[str, ...], Any]]
+    found = {name: ((name,), labels[i]) for i, name in enumerate(table.index)}
     for name, values in columns.items():
-        if name in table.index:
-            continue
-        grid = np.full(shape, np.nan if values.dtype.kind == "f" else values.dtype.type())
-        grid = grid.astype(values.dtype)
-        grid[places] = values
-        variables[name] = (table.index, grid, _unit(table, name))
-    found = xr.Dataset(variables, coordinates, dict(table.about))
-    for name in table.index:
-        found[name].attrs.update(_unit(table, name))
+        if name not in table.index:
+            grid = np.zeros(tuple(map(len, labels)), dtype=values.dtype)
+            if values.dtype.kind == "f":
+                grid[...] = np.nan
+            grid[places] = values
+            found[name] = (table.index, grid)
     return found
 
 

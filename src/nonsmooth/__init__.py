@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .extras import MissingExtra
     from .families import family
     from .files.api import load, save
-    from .files.errors import FileError
+    from .files.errors import FileError, FileWarning
     from .oscillators import exact, simulate, solve, sweep
     from .plots.plot import plot
     from .scene import find as scene
@@ -59,6 +59,7 @@ _HOMES = {
     "ExactSceneOrbit": ("solver.flow.exact", "ExactSceneOrbit"),
     "Family": ("solver.shortcuts.search.family", "Family"),
     "FileError": ("files.errors", "FileError"),
+    "FileWarning": ("files.errors", "FileWarning"),
     "MissingExtra": ("extras", "MissingExtra"),
     "Mode": ("solver.space.mode", "Mode"),
     "Modes": ("solver.space.modes", "Modes"),
@@ -98,6 +99,7 @@ __all__ = [
     "ExactSceneOrbit",
     "Family",
     "FileError",
+    "FileWarning",
     "MissingExtra",
     "Mode",
     "Modes",

@@ -19,7 +19,8 @@ KEYS = [
     "schema", "scene", "class", "classes", "motion", "cycles", "method", "order", "functions",
     "parameters", "converged", "iterations", "residual_norm", "phases", "period",
     "forcing_phase", "memory", "extremes", "coefficients", "admissible", "violations", "exact",
-    "errors", "estimate", "multipliers", "stable", "units", "version", "mathematics", "sha256",
+    "errors", "estimate", "multipliers", "stable", "outcome", "units", "version", "mathematics",
+    "sha256",
 ]  # fmt: skip
 
 CASE = "[impact]\nmass = 2\ndamping = 0.1\nstiffness = 3\nforce = 1.5\nfrequency = 2.2\n"
