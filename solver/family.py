@@ -272,6 +272,7 @@ def family_case(
     rows: list[FamilyRow] = []
     orbit: SceneOrbit | None = None
     for each in cases:
+        kernel = registry.quicker_kernel(scene, name, count, number)
         orbit, row = _next(kernel, each, number, count, orbit, each.values[parameter])
         rows.append(row)
         progress(row)

@@ -39,7 +39,7 @@ class SceneRow:
     errors, estimate : SceneErrors or None
         Against the exact orbit; as estimated without it.
     seconds : float
-        Time of the search; with the first order above 48 of a method, compilation too.
+        Time of the search; of one of them compilation too, if there is enough to compute.
     message : str
         Why there is no orbit; empty if there is one.
     """

@@ -27,7 +27,6 @@ def solve(
     tol: float | None = None,
     tol_acceleration: float | None = None,
     budget: float | None = None,
-    many: bool = False,
 ) -> "Orbit": ...
 
 
@@ -93,8 +92,9 @@ def solve(
     shortcuts : bool
         Whether a `StickSlip` is solved the paper's way where it has one; without, by the
         kernels that every scene has.
-    c1_terms, tol_acceleration, many : optional
-        Of a `StickSlip` by the paper's methods, as for the function `solve` of the shortcuts.
+    c1_terms, tol_acceleration : int, float, optional
+        Of a `StickSlip` by the paper's methods: the C1 functions of ``"hb-c1"``, 1 to 6; the
+        largest error (22) of the acceleration, as estimated.
 
     Raises
     ------
