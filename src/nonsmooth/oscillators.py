@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from .solver.simulation.record import Simulation
     from .solver.sweep import SceneSweep
 
+#: N where none is named, as on the command line.
+ORDER = 10
+
 
 @overload
 def solve(
@@ -61,9 +64,8 @@ def solve(
     """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
 
     Of a `StickSlip` by the paper's methods ``"hb"``, ``"hb-c1"`` and ``"c1"`` it is an `Orbit`,
-    found as the paper has it; `method` and `order`, or a tolerance, or a budget is needed.  Of
-    a `Case`, and of a `StickSlip` by any other method, it is a `SceneOrbit`, found by the
-    kernels that every scene has.
+    found as the paper has it.  Of a `Case`, and of a `StickSlip` by any other method, it is a
+    `SceneOrbit`, found by the kernels that every scene has.
 
     Parameters
     ----------
@@ -71,10 +73,11 @@ def solve(
         The oscillator; a `Case` is ``ns.scene("impact")(gap=0.2)``.
     method : str, optional
         ``"hb"``, ``"hb-ck"``, ``"ck"`` or ``"ck-tau"``, also with the class of the scene,
-        as ``"c0-tau"``.  Of a `Case` ``"ck-tau"`` without it, or with a tolerance of a
-        `StickSlip` whichever is cheapest.
+        as ``"c0-tau"``.  Without it ``"ck-tau"``, of a `StickSlip` ``"c1"``, or with a
+        tolerance whichever is cheapest.  The command line shows the orbit by every method
+        then: that is ``sweep(case, orders=[10])``.
     order : int, optional
-        ``N``; of a `Case` 10 without it.  A tolerance chooses it, and it is left out.
+        ``N``; 10 without it.  A tolerance or a budget chooses it, and it is left out.
     functions : int, optional
         Functions beside the harmonics of ``"hb-ck"`` at each switch; 1, or 2 where the
         velocity jumps, if not given.
@@ -134,7 +137,11 @@ def solve(
             raise ValueError(f"{what}: got {value!r}, expected it for a case of ns.scene(...)")
         if budget is not None:
             own["budget"] = budget
-        orbit: Orbit = entrance.solve(case, entrance.own_name(method), order, tol=tol, **own)
+        name, chooses = entrance.own_name(method), ("budget", "tol_acceleration")
+        if tol is None and all(own.get(option) is None for option in chooses):
+            name = entrance.default if name is None else name
+            order = ORDER if order is None else order
+        orbit: Orbit = entrance.solve(case, name, order, tol=tol, **own)
         return orbit
     if cycles is not None:
         generic = generic.with_cycles(cycles)
@@ -155,7 +162,7 @@ def solve(
         return choose_within(generic, budget, method, functions).orbit
     chosen = FIRST if method is None else method
     if tol is None:
-        return solve_case(generic, chosen, 10 if order is None else order, functions, motion)
+        return solve_case(generic, chosen, ORDER if order is None else order, functions, motion)
     from .solver.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
     return choose_order(generic, tol, chosen, functions, motion).orbit

@@ -144,6 +144,12 @@ class Orbit(Motion):
         evaluate = self._method.evaluate
         return t1, T, lambda t, derivative: evaluate(z, order, t, derivative, alpha)
 
+    def as_dict(self) -> dict[str, Any]:
+        """Return the orbit as the document that ``solve --json`` writes."""
+        from ....files.shortcuts.documents import of_solution  # noqa: PLC0415  (it reads this)
+
+        return of_solution(self.belt, self.method, self.order, self)
+
     @property
     def label(self) -> str:
         """What a legend calls it: ``"c1, N = 7"``."""

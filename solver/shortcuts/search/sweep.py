@@ -98,6 +98,12 @@ class Sweep(Tabular, Sequence[Row]):
                 orders.append((row.order, row.errors))
         return {method: rate(method, rows) for method, rows in found.items()}
 
+    def as_dict(self) -> dict[str, Any]:
+        """Return the sweep as the document that ``sweep --json`` writes."""
+        from ....files.shortcuts import as_any_scene, documents  # noqa: PLC0415  (it reads this)
+
+        return as_any_scene.scene() | documents.of_sweep(self)
+
     def plot(self, ax: Any = None, quantity: str = "period", **style: Any) -> Any:
         """Draw one quantity against the order, a line a method; return the axes.
 

@@ -12,6 +12,11 @@ from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
 CLASS = "C1"
 
 
+def scene() -> dict[str, Any]:
+    """Return scene and class, which every document begins with."""
+    return {"scene": SCENE, "class": CLASS, "motion": None, "cycles": 1}
+
+
 def head() -> dict[str, Any]:
     """Return which scene it is."""
     classes = [CLASS] * len(PHASES)

@@ -12,6 +12,7 @@ from nonsmooth.solver.shortcuts.accuracy.errors import Errors
 from nonsmooth.solver.shortcuts.accuracy.estimate import Estimate
 from nonsmooth.solver.shortcuts.entrance import case_of
 from nonsmooth.solver.shortcuts.full import by_quadrature
+from nonsmooth.solver.shortcuts.names import SCENE
 from nonsmooth.solver.shortcuts.orbit.methods import (
     METHODS,
     check_method,
@@ -76,7 +77,12 @@ def of_solution(
 def of_orbits(orbits: Sequence[Orbit]) -> dict[str, Any]:
     """Return the document of one orbit, or of several."""
     found = [of_solution(orbit.belt, orbit.method, orbit.order, orbit) for orbit in orbits]
-    return found[0] if len(found) == 1 else {"orbits": found}
+    return found[0] if len(found) == 1 else several(found)
+
+
+def several(documents: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Return the document of several orbits."""
+    return {"scene": SCENE, "orbits": list(documents)}
 
 
 def to_orbit(document: dict[str, Any]) -> Orbit:

@@ -13,12 +13,16 @@ from nonsmooth.solver.shortcuts.search.sweep import Sweep
 
 from ..errors import FileError
 from ..json_text import ROWS, SCHEMA, Digest, as_json, end, finite
+from .as_any_scene import scene
 from .documents import of_orbits, of_sweep, to_orbit, to_sweep, with_origin
 from .origin import check_mathematics, origin, units
 from .points import Head, Points, to_families
 
 #: What only the paper's methods have in the document of an orbit, beside all that others have.
 OF_THE_PAPER = "transition_mismatch"
+
+#: What only its sweeps and families have.
+OF_ROWS = "c1_terms"
 
 
 class Writable(Protocol):
@@ -41,13 +45,13 @@ def orbit_document(orbits: Sequence[Orbit]) -> dict[str, Any]:
 
 def sweep_document(result: Sweep) -> dict[str, Any]:
     """Return the whole document of a sweep."""
-    return with_origin(of_sweep(result), list(result.rates()))
+    return with_origin(scene() | of_sweep(result), list(result.rates()))
 
 
 def stream_points(points: Points, target: Writable) -> None:
     """Write families, a chunk at a time."""
     head = points.head
-    document: dict[str, Any] = {
+    document: dict[str, Any] = scene() | {
         "parameters": asdict(head.belt),
         "vary": {"parameter": head.parameter, "count": head.count},
         "methods": head.methods,
@@ -77,7 +81,7 @@ def is_of_the_paper(document: Mapping[str, Any]) -> bool:
     return (
         OF_THE_PAPER in document
         or any(OF_THE_PAPER in each for each in document.get("orbits", ()))
-        or ("scene" not in document and {"vary", "rows", "orbits"} & document.keys() != set())
+        or OF_ROWS in document
     )
 
 
