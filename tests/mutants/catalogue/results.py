@@ -81,13 +81,6 @@ MUTANTS: tuple[Mutant, ...] = (
         CHANGED,
     ),
     Mutant(
-        "a digest that differs is passed over",
-        "src/nonsmooth/files/json_text.py",
-        "elif found != digest(document):",
-        "elif not found:",
-        CHANGED,
-    ),
-    Mutant(
         "the equations of a loaded orbit are not checked",
         "src/nonsmooth/files/shortcuts/documents.py",
         "    checks.residual(R, z)\n",

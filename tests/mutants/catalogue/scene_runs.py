@@ -59,7 +59,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "least and largest swapped in a file along a parameter",
-        f"{CLI}/family.py",
+        "src/nonsmooth/files/scenes/tables.py",
         'values |= {f"least_{name}": low, f"largest_{name}": high}',
         'values |= {f"least_{name}": high, f"largest_{name}": low}', FAMILY,
     ),
