@@ -208,7 +208,7 @@ def test_a_tolerance_that_cannot_be_met_is_refused(run, arguments, words) -> Non
         (("impact", "--functions", 9), "--functions: got 9, expected for hb-ck: 1, 2, 3"),
         (("impact", "--tol", 2), "--tol: got 2.0, expected a number between 0 and 1"),
         (("impact", "--tol", 0.1, "--order", 3), "--order: got 3 beside --tol"),
-        (("impact", "-o", "x.nc"), "expected a name that ends in one of .json, .csv"),
+        (("impact", "-o", "x.txt"), "expected a name that ends in one of .json, .csv, .nc"),
         (("impact", "extra"), "unexpected extra argument (extra)"),
         (("stick-slip-damped", "--mu-k", 0.6), "expected that mu_k is at most mu_s"),
     ],
