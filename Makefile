@@ -77,7 +77,7 @@ dist:  ## the sdist and the wheel, installed in an environment of its own and ru
 lowest:  ## all tests with the lowest versions that pyproject.toml allows, in .venv-lowest
 	@$(PYTHON) -m venv --clear .venv-lowest
 	@$(PYTHON) .ci/lowest.py > .venv-lowest/constraints
-	@.venv-lowest/bin/python -m pip install --quiet --disable-pip-version-check -c .venv-lowest/constraints -e '.[plot,report,precise,netcdf,test]'
+	@.venv-lowest/bin/python -m pip install --quiet --disable-pip-version-check -c .venv-lowest/constraints -e '.[plot,report,precise,netcdf,pandas,xarray,test]'
 	@.venv-lowest/bin/python -m pytest
 
 clean:  ## remove the environment and everything made
@@ -85,8 +85,8 @@ clean:  ## remove the environment and everything made
 
 # What solving needs, and beside it what everything else does.
 SOLVING := .[plot]
-ALL := .[plot,report,precise,netcdf,test,lint,bench]
-DOCS := .[plot,report,precise,netcdf,docs]
+ALL := .[plot,report,precise,netcdf,pandas,xarray,test,lint,bench]
+DOCS := .[plot,report,precise,netcdf,pandas,xarray,docs]
 
 # uv, where it is installed, is only quicker; venv and pip do the same.
 define install

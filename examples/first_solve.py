@@ -16,9 +16,6 @@ Prints::
       residual 1.7e-16 after 5 iterations; admissible
 """
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 import nonsmooth as ns
 
 belt = ns.StickSlip(
@@ -27,10 +24,5 @@ belt = ns.StickSlip(
 orbit = ns.solve(belt, method="c1", order=7)
 print(orbit)
 
-t = np.linspace(0, orbit.period, 2001)
-figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")
-axes.plot(t, ns.exact(belt).acceleration(t), color="0.75", linewidth=4, label="exact")
-axes.plot(t, orbit.acceleration(t), color="C0", label=f"C1 series, N = {orbit.order}")
-axes.set(xlabel="time in s", ylabel="acceleration in m/s²")
-axes.legend()
-figure.savefig("orbit.png", dpi=200)
+axes = ns.plot([ns.exact(belt), orbit], quantity="acceleration")
+axes.figure.savefig("orbit.png", dpi=200)

@@ -4,9 +4,9 @@ The times of an orbit start the search at the next value.  Where that leads to n
 search is the one of `solve_case`, and the row says that the orbit was not followed.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
@@ -16,11 +16,14 @@ from .case import registry
 from .case.case import Case
 from .case.kernel import SceneKernel
 from .case.methods import FIRST
+from .case.names import shown
 from .case.parameters import ParameterError
 from .iteration.attempt import attempt
 from .no_orbit import NoOrbit
 from .orbit.document import without_errors
 from .orbit.orbit import SceneOrbit
+from .results.notebook import of_rows
+from .results.table import Table, Tabular, flat
 from .solve import check_order, number_of_functions, solve_case
 
 #: Order at which the times of a smooth motion in each phase are at rounding.
@@ -73,8 +76,17 @@ class FamilyRow:
         return asdict(self) | {"estimate": estimate, "extremes": ends}
 
 
-@dataclass(frozen=True)
-class SceneFamily:
+#: Units of the numbers in a row.
+UNITS = {
+    "period": "s",
+    "forcing_phase": "rad",
+    **{f"{end}_displacement": "m" for end in ("least", "largest")},
+    **{f"{end}_velocity": "m/s" for end in ("least", "largest")},
+}
+
+
+@dataclass(frozen=True, repr=False)
+class SceneFamily(Tabular):
     """The orbits of a case along a parameter, in the order of its values.
 
     Parameters
@@ -99,9 +111,101 @@ class SceneFamily:
     def __len__(self) -> int:
         return len(self.rows)
 
-    def __getitem__(self, name: str) -> Vector:
-        """Return ``"value"``, ``"period"`` or ``"forcing_phase"`` of all rows as an array."""
-        return np.array([getattr(row, name) for row in self.rows], dtype=float)
+    def __hash__(self) -> int:
+        return hash((self.case, self.parameter, self.method, self.order, len(self)))
+
+    def __iter__(self) -> Iterator[FamilyRow]:
+        return iter(self.rows)
+
+    @overload
+    def __getitem__(self, index: str) -> Vector: ...
+
+    @overload
+    def __getitem__(self, index: int) -> FamilyRow: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[FamilyRow, ...]: ...
+
+    def __getitem__(
+        self, index: str | int | slice
+    ) -> Vector | FamilyRow | tuple[FamilyRow, ...]:
+        """Return ``"value"``, ``"period"`` or ``"forcing_phase"`` of all rows; or some rows."""
+        if not isinstance(index, str):
+            return self.rows[index]
+        return np.array([getattr(row, index) for row in self.rows], dtype=float)
+
+    @property
+    def other_parameters(self) -> str:
+        """The parameters that do not vary, by their symbols, in one line."""
+        parts = (
+            f"{q.symbol} = {self.case.values[q.name]:.4g} {q.unit}".rstrip()
+            for q in self.case.scene.parameters
+            if q.name != self.parameter
+        )
+        return ", ".join(parts)
+
+    def plot(self, ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
+        """Draw one quantity along the parameter and return the axes.
+
+        Needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones without it.
+        quantity : {"displacement", "velocity", "times", "estimate", "period"}
+            Of the first two both ends; the durations of the phases, or of a single one the
+            phase of the forcing; the estimated error of the times; the period.
+        **style
+            Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ..plots.families import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, **style)
+
+    def table(self) -> Table:
+        """Return the rows; the value has the name of the parameter."""
+        columns = flat([row.as_dict() for row in self.rows])
+        columns = {self.parameter: columns.pop("value")} | columns
+        units = UNITS | {q.name: q.unit for q in self.case.scene.parameters if q.unit}
+        units |= {name: "s" for name in columns if name.startswith("duration_")}
+        scene = self.case.scene
+        about = {"scene": scene.name, "class": f"C{scene.k}", "cycles": self.case.cycles}
+        about |= {"motion": scene.motion} if scene.motion else {}
+        about |= {"parameter": self.parameter, "method": self.method, "order": self.order}
+        about |= {} if self.functions is None else {"functions": self.functions}
+        fixed = {n: value for n, value in self.case.values.items() if n != self.parameter}
+        return Table((self.parameter,), columns, units, about | fixed)
+
+    def __repr__(self) -> str:
+        scene, values = self.case.scene, self["value"]
+        found = sum(row.status == "ok" for row in self.rows)
+        along = f"{self.parameter} = {values[0]:g} to {values[-1]:g}"
+        method = f"{shown(scene, self.method)}, N = {self.order}"
+        return f"<{scene.label} along {along} by {method}: {len(self)} values, {found} orbits>"
+
+    def __str__(self) -> str:
+        ends = f"{'least x':>10}  {'largest x':>10}"
+        lines = [f"{self.parameter:>14}  {'T [s]':>15}  {ends}  estimate"]
+        for row in self.rows:
+            head = f"{row.value:14.8g}  "
+            if row.period is None or row.extremes is None or row.estimate is None:
+                lines.append(f"{head}{row.status}: {row.message:.60}")
+                continue
+            low, high = row.extremes["displacement"]
+            ends = f"{low + 0.0:10.6g}  {high + 0.0:10.6g}"
+            lines.append(f"{head}{row.period:15.10g}  {ends}  {row.estimate.times:8.1e}")
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        return of_rows(repr(self), str(self), self.plot)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the family as the document that ``sweep --vary --json`` writes."""
@@ -168,6 +272,7 @@ def family_case(
     rows: list[FamilyRow] = []
     orbit: SceneOrbit | None = None
     for each in cases:
+        kernel = registry.quicker_kernel(scene, name, count, number)
         orbit, row = _next(kernel, each, number, count, orbit, each.values[parameter])
         rows.append(row)
         progress(row)

@@ -101,6 +101,8 @@ class Entrance:
         ``case(oscillator)``: the same as a case of the scene.
     solve, sweep, exact, family : callable
         The verbs.
+    default : str
+        The method, as it is called here, where none is named.
     """
 
     kind: type
@@ -111,6 +113,7 @@ class Entrance:
     sweep: Callable[..., Any]
     exact: Callable[[Any], Any]
     family: Callable[..., Any]
+    default: str
 
     def own_name(self, method: object) -> object:
         """Return what a method is called here, if it is one of these by either name."""

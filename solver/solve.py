@@ -11,7 +11,6 @@ from .case import registry
 from .case.case import Case
 from .case.kernel import SceneKernel
 from .case.methods import FIRST
-from .compiling import PLAIN_ORDER
 from .flow.exact import exact_orbit
 from .flow.existence import infinitely_many, shown_to_be_none, without_switches
 from .iteration.attempt import attempt
@@ -100,8 +99,7 @@ def _orbit(case: Case, method: str, order: int, functions: int | None) -> SceneO
     """Return the orbit of a case of one motion."""
     kernel = registry.kernel(case.scene, method, functions)
     order = check_order(kernel, order)
-    if order > PLAIN_ORDER:
-        kernel = registry.kernel(case.scene, method, functions, compile_it=True)
+    kernel = registry.quicker_kernel(case.scene, method, functions, order)
     search = _Search(case, kernel)
     for times in search.starts():
         found = search.note(attempt(kernel, case, order, times, functions))
@@ -163,7 +161,8 @@ class _Search:
         exact orbit, which may be found where a coarse one is not.
         """
         scene = self.case.scene
-        coarse = registry.kernel(scene, FIRST) if FIRST in registry.methods(scene) else None
+        known = FIRST in registry.methods(scene)
+        coarse = registry.quicker_kernel(scene, FIRST) if known else None
         waves = WAVES * (self.case.cycles - 1)
         for order in [q + waves for q in COARSE] if coarse else COARSE[:1]:
             for rough in rough_times(self.case.cell):

@@ -3,8 +3,7 @@
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
-from html import escape
-from typing import Any
+from typing import Any, overload
 
 from .accuracy.errors import SceneErrors
 from .accuracy.rates import Rate, rate
@@ -14,6 +13,8 @@ from .case.methods import in_order
 from .case.names import shown
 from .no_orbit import NoOrbit
 from .orbit.document import without_errors
+from .results.notebook import of_rows
+from .results.table import Table, Tabular, flat
 from .solve import check_order, number_of_functions, solve_case, with_motion
 
 
@@ -38,7 +39,7 @@ class SceneRow:
     errors, estimate : SceneErrors or None
         Against the exact orbit; as estimated without it.
     seconds : float
-        Time of the search; with the first order above 48 of a method, compilation too.
+        Time of the search; of one of them compilation too, if there is enough to compute.
     message : str
         Why there is no orbit; empty if there is one.
     """
@@ -63,13 +64,29 @@ class SceneRow:
         }
 
 
-@dataclass(frozen=True)
-class SceneSweep:
+#: Units of the numbers in a row.
+UNITS = {"period": "s", "forcing_phase": "rad", "seconds": "s"}
+
+
+@dataclass(frozen=True, repr=False)
+class SceneSweep(Tabular, Sequence[SceneRow]):
     """The rows of a sweep of a case, in the order in which they were asked for."""
 
     case: Case
     rows: tuple[SceneRow, ...]
     functions: int | None = None
+
+    @overload
+    def __getitem__(self, index: int) -> SceneRow: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[SceneRow, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> SceneRow | tuple[SceneRow, ...]:
+        return self.rows[index]
+
+    def __len__(self) -> int:
+        return len(self.rows)
 
     def of(self, method: str) -> tuple[SceneRow, ...]:
         """Return the rows of one method, by either of its names."""
@@ -97,8 +114,49 @@ class SceneSweep:
             "rates": {name: asdict(found) for name, found in self.rates().items()},
         }
 
+    def plot(self, ax: Any = None, quantity: str = "times", **style: Any) -> Any:
+        """Draw one error against the order, a line a method; return the axes.
+
+        Needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones, with a legend, without it.
+        quantity : {"times", "discontinuous", "period"}
+            The field of `SceneErrors`.
+        **style
+            Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ..plots.sweeps import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, **style)
+
+    def table(self) -> Table:
+        """Return the rows; `duration_1` and so on are those of the phases of a period."""
+        columns = flat([row.as_dict() for row in self.rows])
+        units = UNITS | {n: "s" for n in columns if n.startswith("duration_")}
+        scene = self.case.scene
+        about = {"scene": scene.name, "class": f"C{scene.k}", "cycles": self.case.cycles}
+        about |= {"motion": scene.motion} if scene.motion else {}
+        about |= {} if self.functions is None else {"functions": self.functions}
+        return Table(("method", "order"), columns, units, about | dict(self.case.values))
+
+    def __repr__(self) -> str:
+        names = dict.fromkeys(shown(self.case.scene, row.method) for row in self.rows)
+        found = sum(row.status == "ok" for row in self.rows)
+        head = f"sweep of {self.case.scene.label} by {', '.join(names)}"
+        return f"<{head}: {len(self)} rows, {found} orbits>"
+
     def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
+        return of_rows(repr(self), str(self), self.plot)
 
     def __str__(self) -> str:
         lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'times':>9}  {'jump':>9}  estimate"]

@@ -50,6 +50,6 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
 
 def _neighbour(orbit: SceneOrbit, order: int) -> SceneOrbit | None:
     """Return the orbit of the better method to which the times of an orbit lead."""
-    kernel = registry.kernel(orbit.case.scene, FIRST)
+    kernel = registry.quicker_kernel(orbit.case.scene, FIRST, None, order)
     found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
     return found if found.converged and found.admissible else None

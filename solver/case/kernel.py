@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ..arrays import Matrix, Vector
-from ..compiling import jit, rebuilt
+from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
 from ..iteration import iteration, linear
 from ..iteration.iteration import Iteration
 
@@ -53,6 +53,8 @@ class SceneKernel:
         As the generated modules have them.
     iterate : callable
         ``iterate(case, z, limit)``: `iteration.iterate_scene` for these.
+    account : Account or None
+        What it has cost as plain Python; None of what is compiled, or has no other form.
     """
 
     method: str
@@ -65,6 +67,7 @@ class SceneKernel:
     motion: Callable[[Any, Vector, int, Vector, int], Vector]
     coefficients: Callable[[Vector], dict[str, tuple[Any, int]]]
     iterate: Iteration
+    account: Account | None = None
 
     def times(self, z: Vector) -> Vector:
         """Return the durations and, if the scene is forced, the phase of the forcing."""
@@ -100,7 +103,30 @@ def linked(
 def plain(module: types.ModuleType) -> SceneKernel:
     """Return the kernel of a generated module as plain Python."""
     functions = (module.residual, module.jacobian)
-    return _kernel(module, vars(module), linked(*functions, module.DURATIONS, module.FORCED))
+    iterate = linked(*functions, module.DURATIONS, module.FORCED)
+    return _kernel(module, vars(module), iterate, account(module))
+
+
+@cache
+def account(module: types.ModuleType) -> Account:
+    """Return what the kernel of a module has cost in plain Python."""
+    return Account(str(iteration.__file__), f"{DRIVER[-1].__name__}_{fingerprint(module)}")
+
+
+def quicker(module: types.ModuleType, order: int = 0) -> SceneKernel:
+    """Return the kernel of a module in the form that is the better one by now.
+
+    Parameters
+    ----------
+    module : module
+        Generated.
+    order : int
+        For which it is wanted: of a high order it is compiled from the first, if it is in
+        numba's cache.
+    """
+    spent = account(module)
+    wanted = spent.pays() or (order > PLAIN_ORDER and spent.is_cached())
+    return compiled(module) if wanted else plain(module)
 
 
 @cache
@@ -117,6 +143,7 @@ def compiled(module: types.ModuleType) -> SceneKernel:
         clone = rebuilt(function, namespace)
         clone.__qualname__ = f"{function.__name__}_{key}"
         namespace[function.__name__] = jit(clone)
+    account(module).is_compiled = True
     return _kernel(module, namespace, namespace["iterate_scene"])
 
 
@@ -136,7 +163,10 @@ def fingerprint(module: types.ModuleType) -> str:
 
 
 def _kernel(
-    module: types.ModuleType, functions: dict[str, Any], iterate: Iteration
+    module: types.ModuleType,
+    functions: dict[str, Any],
+    iterate: Iteration,
+    spent: Account | None = None,
 ) -> SceneKernel:
     names = ("size", "residual", "jacobian", "motion", "coefficients")
     return SceneKernel(
@@ -145,5 +175,6 @@ def _kernel(
         forced=bool(module.FORCED),
         lowest=int(getattr(module, "LOWEST", 1)),
         iterate=iterate,
+        account=spent,
         **{name: functions[name] for name in names},
     )

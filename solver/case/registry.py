@@ -147,14 +147,38 @@ def kernel(
     UnknownScene
         If the scene has no kernel of it.
     """
+    from .kernel import compiled, plain  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    found = _module(scene, method, number)
+    return compiled(found) if compile_it else plain(found)
+
+
+def quicker_kernel(
+    scene: SceneNumbers, method: str, number: int | None = None, order: int = 0
+) -> "SceneKernel":
+    """Return the kernel in the form, plain or compiled, that is the better one by now.
+
+    The same as `kernel`, which see; `order` is that for which it is wanted.
+    """
+    from .kernel import quicker  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    return quicker(_module(scene, method, number), order)
+
+
+def _module(scene: SceneNumbers, method: str, number: int | None) -> types.ModuleType:
+    """Return the generated module of a method.
+
+    Raises
+    ------
+    UnknownScene
+        If the scene has none.
+    """
     name = generic_method(scene, method)
     path = _files(scene).get((name, number))
     if path is None:
         known = ", ".join(map(str, functions(scene, name))) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
-    from .kernel import compiled, plain  # noqa: PLC0415  (NumPy: lists of scenes need none)
-
-    return compiled(module_of(path)) if compile_it else plain(module_of(path))
+    return module_of(path)
 
 
 def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:

@@ -9,6 +9,7 @@ from ..case.kernel import SceneKernel
 from ..iteration.newton import Outcome
 from ..orbit import admissible
 from ..orbit.motion import SceneMotion
+from ..stability.words import in_words
 from .exact_system import exact_kernel
 
 
@@ -67,5 +68,25 @@ class ExactSceneOrbit(SceneMotion):
         """Whether the solution is an orbit: nothing in `violations`."""
         return not self.violations
 
+    @property
+    def label(self) -> str:
+        """What a legend calls it."""
+        return "exact"
+
+    @property
+    def look(self) -> None:
+        """Of its curves in pictures: None, those of every exact orbit."""
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """What a notebook shows."""
+        found = super().facts
+        head = {name: found.pop(name) for name in ("scene", "parameters")}
+        return head | {"orbit": "exact"} | found | {"stability": in_words(self)}
+
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        return self.case, self.outcome.unknowns.tobytes()
+
     def __repr__(self) -> str:
-        return f"<exact orbit of {self.case.scene.label}: T = {self.period:.10g} s>"
+        return f"<exact orbit of {self.case.scene.label}: {self._times}>"

@@ -1,5 +1,7 @@
 """One way from rough times to a solution of a method's equations."""
 
+from contextlib import nullcontext
+
 from ..arrays import Vector
 from ..case.case import Case
 from ..case.kernel import SceneKernel
@@ -24,6 +26,7 @@ def attempt(
     functions : int, optional
         See `SceneOrbit`.
     """
-    start = with_coefficients(kernel, case.arguments, kernel.size(order), times)
-    outcome = newton(kernel.iterate, case.arguments, start)
+    with nullcontext() if kernel.account is None else kernel.account.spending():
+        start = with_coefficients(kernel, case.arguments, kernel.size(order), times)
+        outcome = newton(kernel.iterate, case.arguments, start)
     return SceneOrbit(case, kernel.method, order, outcome, outcome.iterations, functions)

@@ -54,6 +54,7 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
         "errors": asdict(errors) if errors else without_errors(),
         "estimate": asdict(orbit.estimate),
         **stability.document(orbit),
+        "outcome": vars(orbit.outcome) | {"unknowns": orbit.unknowns.tolist()},
     }
     return {name: _finite(value) for name, value in content.items()}
 
@@ -93,6 +94,7 @@ def document_without_orbit(
         "errors": without_errors(),
         "estimate": without_errors(),
         **stability.without_multipliers(),
+        "outcome": None,
         "status": finding.status,
     }
     return {name: _finite(value) for name, value in content.items()}

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,7 @@ import numpy.typing as npt
 from ..arrays import Matrix, Vector
 from ..case.case import Case
 from ..case.cell import Cell
+from ..results.motion import Shown
 from .extremes import LOOK, extremes
 
 if TYPE_CHECKING:
@@ -37,13 +38,47 @@ class OrbitPhase:
     velocity: float
 
 
-class SceneMotion:
+class SceneMotion(Shown):
     """Displacement, velocity and acceleration of a periodic motion at any time, in SI units.
 
     A subclass says its case, and without units: durations, forcing phase, motion on a phase.
     """
 
     case: Case
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """Scene, period and parameters, for tables and files."""
+        scene, turn = self.case.scene, self.forcing_phase
+        found: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
+        found |= {"motion": scene.motion} if scene.motion else {}
+        found |= {"cycles": self.case.cycles, "period": self.period}
+        found |= {} if turn is None else {"forcing_phase": turn}
+        phases = " ".join(phase.name for phase in self.phases)
+        return found | {"phases": phases} | dict(self.case.values)
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """What a notebook shows: what is solved, period, phases, stability."""
+        scene, turn = self.case.scene, self.forcing_phase
+        return {
+            "scene": f"{scene.name}: {scene.title}",
+            "parameters": self.case.description,
+            "period": f"{self.period:.10g} s",
+            "phases": ", ".join(f"{p.name} {p.duration:.8g} s" for p in self.phases),
+            "phase of the forcing": "" if turn is None else f"{turn:.8g} rad",
+        }
+
+    @property
+    def _times(self) -> str:
+        """The period, and the durations of the phases of a cell or the phase of the forcing."""
+        words, turn = [f"T = {self.period:.10g} s"], self.forcing_phase
+        if len(self.cell_durations) > 1:
+            of_cell = self.phases[: len(self._of_cell)]
+            words += [f"{p.name} {p.duration:.10g} s" for p in of_cell]
+        if turn is not None:
+            words.append(f"phi = {turn:.10g} rad")
+        return ", ".join(words)
 
     @property
     def cell_durations(self) -> Vector:

@@ -11,11 +11,13 @@ from ..arrays import Vector
 from ..case import registry
 from ..case.case import Case
 from ..case.kernel import SceneKernel
+from ..case.methods import about
 from ..case.names import shown
 from ..flow.exact import ExactSceneOrbit, exact_orbit
 from ..iteration.newton import Outcome
 from ..no_orbit import NoOrbit
 from ..scaling import product_of_powers
+from ..stability.words import in_words
 from . import admissible
 from .allowance import by_residual
 from .document import document
@@ -153,28 +155,39 @@ class SceneOrbit(SceneMotion):
         """Return the orbit as the document that ``solve --json`` writes."""
         return document(self)
 
-    def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draw the phase portrait and return the axes; needs matplotlib.
+    @property
+    def label(self) -> str:
+        """What a legend calls it: ``"c0-tau, N = 10"``."""
+        return f"{shown(self.case.scene, self.method)}, N = {self.order}"
 
-        Parameters
-        ----------
-        ax : matplotlib Axes, optional
-            Where; new ones without it.
-        **style
-            Of the line.
-        """
-        from .notebook import portrait  # noqa: PLC0415
+    @property
+    def look(self) -> dict[str, Any]:
+        """Of its curves in pictures: those of the method."""
+        return about(self.method).look
 
-        return portrait(self, ax, **style)
+    @property
+    def about(self) -> dict[str, Any]:
+        """Scene, method, order and parameters, for tables and files."""
+        also = {} if self.functions is None else {"functions": self.functions}
+        return super().about | {"method": self.method, "order": self.order} | also
 
-    def _repr_html_(self) -> str:
-        from .notebook import table  # noqa: PLC0415
+    @property
+    def facts(self) -> dict[str, str]:
+        """What a notebook shows."""
+        found = super().facts
+        head = {name: found.pop(name) for name in ("scene", "parameters")}
+        return head | {"method": self.label} | found | {
+            "stability": in_words(self),
+            "estimated error of the times": f"{self.estimate.times:.1e}",
+        }  # fmt: skip
 
-        return table(self)
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        return self.case, self.method, self.order, self.functions, self.unknowns.tobytes()
 
     def __repr__(self) -> str:
         name = shown(self.case.scene, self.method)
-        return (
-            f"<{self.case.scene.label} by {name}, N = {self.order}: T = {self.period:.10g} s, "
-            f"{self.iterations} iterations>"
-        )
+        head = f"{self.case.scene.label} by {name}, N = {self.order}"
+        if not self.converged:
+            return f"<{head}: not converged: {self.outcome.reason}>"
+        return f"<{head}: {self._times}, estimate {self.estimate.times:.1e}>"

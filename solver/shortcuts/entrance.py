@@ -50,4 +50,8 @@ def _family(belt: StickSlip, *arguments: Any, **options: Any) -> Any:
     return family(belt, *arguments, **options)
 
 
-ENTRANCES = (Entrance(StickSlip, SCENE, METHODS, case_of, _solve, _sweep, _exact, _family),)
+ENTRANCES = (
+    Entrance(
+        StickSlip, SCENE, METHODS, case_of, _solve, _sweep, _exact, _family, METHODS["ck"]
+    ),
+)  # fmt: skip

@@ -12,6 +12,9 @@ from ..arrays import Vector
 from ..case.case import Case
 from ..case.cell import Phase
 from ..flow import flow
+from ..results.motion import UNITS as COURSE
+from ..results.notebook import of_rows
+from ..results.table import Table, Tabular
 from .bounds import window
 
 #: Of the document's keys and their meaning.
@@ -72,8 +75,8 @@ class SimulatedPhase:
     velocity: float
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Simulation:
+@dataclass(frozen=True, repr=False)
+class Simulation(Tabular):
     """A motion of a case from a given state.
 
     Parameters
@@ -193,24 +196,44 @@ class Simulation:
             ],
         }
 
-    def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draw the displacement against time and return the axes; needs matplotlib.
+    def plot(
+        self, ax: Any = None, quantity: str = "displacement", *, since: float = 0, **style: Any
+    ) -> Any:
+        """Draw the motion and return the axes; needs matplotlib, the extra ``plot``.
 
         Parameters
         ----------
         ax : matplotlib Axes, optional
             Where; new ones without it.
+        quantity : {"displacement", "velocity", "acceleration", "plane"}
+            What is drawn against time; or the phase plane.
+        since : float
+            From which time on, in s.
         **style
-            Of the line.
-        """
-        if ax is None:
-            import matplotlib.pyplot as plt  # noqa: PLC0415  (an extra)
+            Of the line, as `matplotlib.axes.Axes.plot` takes it.
 
-            ax = plt.subplots()[1]
-        times, x, *_ = map(np.concatenate, zip(*self.samples(), strict=True))
-        ax.plot(times, x, **style)
-        ax.set(xlabel="t [s]", ylabel="displacement [m]")
-        return ax
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ...plots.simulations import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, since=since, **style)
+
+    def table(self) -> Table:
+        """Return the motion, each phase from its start to its end, and the phase's number.
+
+        At a switch there are two rows: before it, and after it.
+        """
+        samples = self.samples()
+        t, x, v, a = map(np.concatenate, zip(*samples, strict=True))
+        phase = np.repeat(np.arange(len(samples)), [len(part[0]) for part in samples])
+        columns = {"t": t, "displacement": x, "velocity": v, "acceleration": a, "phase": phase}
+        about = {"scene": self.case.scene.name, "time": self.time, "ended": self.ended}
+        return Table(("t",), columns, COURSE, about | dict(self.case.values))
 
     def __repr__(self) -> str:
         count = len(self.segments)
@@ -218,3 +241,6 @@ class Simulation:
         s = "s" if count > 1 else ""
         name = self.case.scene.name
         return f"<{name} simulated for {self.time:.6g} s: {count} phase{s}{words}>"
+
+    def _repr_html_(self) -> str:
+        return of_rows(repr(self), "", self.plot)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..results.table import Table, Tabular, flat
 from .attached import Attached
 from .eigenvalues import secular
 from .eigenvalues.exact import exact_modes
@@ -65,7 +66,7 @@ class ConvergenceRow:
 
 
 @dataclass(frozen=True)
-class Convergence:
+class Convergence(Tabular):
     """The rows of a study of one mode.
 
     Parameters
@@ -114,6 +115,29 @@ class Convergence:
         ):
             return None
         return -self.attached.structure.rates[line.forced]
+
+    def plot(self, ax: Any = None, quantity: str = "eigenvalue_error", **style: Any) -> Any:
+        """Draw one error against the unknowns, a line an expansion; return the axes.
+
+        See `nonsmooth.plots.modes.draw_convergence`.
+        """
+        from ...plots.modes import draw_convergence  # noqa: PLC0415  (an extra)
+
+        return draw_convergence(self, ax, quantity, **style)
+
+    def table(self) -> Table:
+        """Return the rows, each with its expansion as the pictures call it."""
+        rows = [asdict(row) for row in self.rows]
+        for row in rows:
+            row["method"] = Line(row["method"], row["forced"]).name(self.attached)
+        a, s = self.attached, self.attached.structure
+        about = {"structure": s.name, "class": f"C{s.k}", "position": str(a.a), "strength": a.s}
+        return Table(
+            ("method", "order"),
+            flat(rows),
+            {},
+            about | {"number": self.number} | dict(a.values),
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """Return the study as plain numbers."""

@@ -15,7 +15,7 @@ from .expansions.shapes import Shape, jump_mismatch
 QUANTITIES = {0: "slope", 1: "moment", 2: "shear force"}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mode:
     """A mode of a structure with an attachment.
 
@@ -44,6 +44,12 @@ class Mode:
     node: int | None
     _attached: Attached = field(repr=False)
     _shape: Shape = field(repr=False)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Mode) and self.as_dict() == other.as_dict()
+
+    def __hash__(self) -> int:
+        return hash((self.number, self.eigenvalue))
 
     @property
     def beta(self) -> float:

@@ -8,6 +8,8 @@ from typing import Any, overload
 import numpy as np
 
 from ..case.parameters import is_number
+from ..results.notebook import of_rows
+from ..results.table import Table, Tabular, flat
 from .attached import POSITION, Attached, attach
 from .eigenvalues import bounds, secular
 from .eigenvalues.exact import ExactModes, exact_modes
@@ -36,8 +38,8 @@ class ToleranceNotMet(ValueError):  # noqa: N818  (named like the other errors o
     """No order of a method brings all modes within the tolerance."""
 
 
-@dataclass(frozen=True)
-class Modes(Sequence[Mode]):
+@dataclass(frozen=True, eq=False, repr=False)
+class Modes(Tabular, Sequence[Mode]):
     """The lowest modes of a structure, by one expansion.
 
     Parameters
@@ -76,8 +78,70 @@ class Modes(Sequence[Mode]):
     def __iter__(self) -> Iterator[Mode]:
         return iter(self.found)
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Modes) and self.as_dict() == other.as_dict()
+
+    def __hash__(self) -> int:
+        return hash((self.structure.name, self.method, self.order, len(self)))
+
     def __repr__(self) -> str:
-        return f"<{len(self)} modes of {self.structure.name} by {self.shown}, N = {self.order}>"
+        head = f"{len(self)} modes of {self.structure.name} by {self.shown}, N = {self.order}"
+        return f"<{head}: {self[0].frequency:.10g} to {self[-1].frequency:.10g} Hz>"
+
+    def __str__(self) -> str:
+        lines = [f"{'mode':>4}  {'f [Hz]':>13}  {'beta':>13}  {'f/f_ex-1':>9}  proved"]
+        for mode in self:
+            within = mode.proved_within
+            proved = "" if within is None else f"{within:.1e}"
+            numbers = f"{mode.frequency:13.9g}  {mode.beta:13.10g}  {mode.error:9.1e}"
+            lines.append(f"{mode.number:4d}  {numbers}  {proved}".rstrip())
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        return of_rows(repr(self), str(self), self.plot)
+
+    def plot(
+        self, ax: Any = None, quantity: str = "shape", *, number: int = 1, **style: Any
+    ) -> Any:
+        """Draw one mode above the exact one and return the axes.
+
+        Needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones, with a legend, without it.
+        quantity : {"shape", "discontinuous"}
+            The displacement, or the first derivative that jumps: slope, moment or shear force.
+        number : int
+            Of the mode, from 1.
+        **style
+            Of the line, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If there is no such quantity or mode.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ...plots.modes import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, number=number, **style)
+
+    def table(self) -> Table:
+        """Return a row a mode; `low` and `high` are the bounds of the exact eigenvalue."""
+        rows = []
+        for mode in self:
+            row = mode.as_dict()
+            row["exact_beta"] = row.pop("exact")["beta"]
+            row["low"], row["high"] = row.pop("bounds")
+            rows.append(row)
+        a, s = self.attached, self.structure
+        about = {"structure": s.name, "class": f"C{s.k}", "position": str(a.a), "strength": a.s}
+        about |= {"method": self.method, "order": self.order, "forced": self.forced}
+        about |= {"unknowns": self.unknowns} | dict(a.values)
+        return Table(("number",), flat(rows), {"frequency": "Hz"}, about)
 
     @property
     def structure(self) -> Structure:

@@ -13,7 +13,7 @@ Examples
 >>> round(orbit.period, 6), round(ns.exact(belt).period, 6)
 (0.671238, 0.671239)
 >>> ns.solve(ns.scene("impact")(gap=0.2), tol=1e-9)
-<impact by c0-tau, N = 9: T = 3.490658504 s, 3 iterations>
+<impact by c0-tau, N = 9: T = 3.490658504 s, phi = 1.103021211 rad, estimate 8.3e-11>
 """
 
 from importlib import import_module
@@ -21,10 +21,12 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .codegen import derive as equations
+    from .extras import MissingExtra
     from .families import family
     from .files.api import load, save
-    from .files.errors import FileError
+    from .files.errors import FileError, FileWarning
     from .oscillators import exact, simulate, solve, sweep
+    from .plots.plot import plot
     from .scene import find as scene
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
@@ -57,6 +59,8 @@ _HOMES = {
     "ExactSceneOrbit": ("solver.flow.exact", "ExactSceneOrbit"),
     "Family": ("solver.shortcuts.search.family", "Family"),
     "FileError": ("files.errors", "FileError"),
+    "FileWarning": ("files.errors", "FileWarning"),
+    "MissingExtra": ("extras", "MissingExtra"),
     "Mode": ("solver.space.mode", "Mode"),
     "Modes": ("solver.space.modes", "Modes"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
@@ -80,6 +84,7 @@ _HOMES = {
     "family": ("families", "family"),
     "load": ("files.api", "load"),
     "modes": ("solver.space.modes", "modes"),
+    "plot": ("plots.plot", "plot"),
     "save": ("files.api", "save"),
     "scenes": ("scene_files.find", "names"),
     "simulate": ("oscillators", "simulate"),
@@ -94,6 +99,8 @@ __all__ = [
     "ExactSceneOrbit",
     "Family",
     "FileError",
+    "FileWarning",
+    "MissingExtra",
     "Mode",
     "Modes",
     "NoOrbit",
@@ -118,6 +125,7 @@ __all__ = [
     "family",
     "load",
     "modes",
+    "plot",
     "save",
     "scene",
     "scenes",

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from .solver.simulation.record import Simulation
     from .solver.sweep import SceneSweep
 
+#: N where none is named, as on the command line.
+ORDER = 10
+
 
 @overload
 def solve(
@@ -27,7 +30,6 @@ def solve(
     tol: float | None = None,
     tol_acceleration: float | None = None,
     budget: float | None = None,
-    many: bool = False,
 ) -> "Orbit": ...
 
 
@@ -62,9 +64,8 @@ def solve(
     """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
 
     Of a `StickSlip` by the paper's methods ``"hb"``, ``"hb-c1"`` and ``"c1"`` it is an `Orbit`,
-    found as the paper has it; `method` and `order`, or a tolerance, or a budget is needed.  Of
-    a `Case`, and of a `StickSlip` by any other method, it is a `SceneOrbit`, found by the
-    kernels that every scene has.
+    found as the paper has it.  Of a `Case`, and of a `StickSlip` by any other method, it is a
+    `SceneOrbit`, found by the kernels that every scene has.
 
     Parameters
     ----------
@@ -72,10 +73,11 @@ def solve(
         The oscillator; a `Case` is ``ns.scene("impact")(gap=0.2)``.
     method : str, optional
         ``"hb"``, ``"hb-ck"``, ``"ck"`` or ``"ck-tau"``, also with the class of the scene,
-        as ``"c0-tau"``.  Of a `Case` ``"ck-tau"`` without it, or with a tolerance of a
-        `StickSlip` whichever is cheapest.
+        as ``"c0-tau"``.  Without it ``"ck-tau"``, of a `StickSlip` ``"c1"``, or with a
+        tolerance whichever is cheapest.  The command line shows the orbit by every method
+        then: that is ``sweep(case, orders=[10])``.
     order : int, optional
-        ``N``; of a `Case` 10 without it.  A tolerance chooses it, and it is left out.
+        ``N``; 10 without it.  A tolerance or a budget chooses it, and it is left out.
     functions : int, optional
         Functions beside the harmonics of ``"hb-ck"`` at each switch; 1, or 2 where the
         velocity jumps, if not given.
@@ -93,8 +95,9 @@ def solve(
     shortcuts : bool
         Whether a `StickSlip` is solved the paper's way where it has one; without, by the
         kernels that every scene has.
-    c1_terms, tol_acceleration, many : optional
-        Of a `StickSlip` by the paper's methods, as for the function `solve` of the shortcuts.
+    c1_terms, tol_acceleration : int, float, optional
+        Of a `StickSlip` by the paper's methods: the C1 functions of ``"hb-c1"``, 1 to 6; the
+        largest error (22) of the acceleration, as estimated.
 
     Raises
     ------
@@ -121,7 +124,7 @@ def solve(
     >>> ns.solve(ns.scene("dry-friction")(frequency=0.4), order=8).case.scene.motion
     'two-stops'
     >>> ns.solve(ns.scene("impact")(frequency=3.6), order=8, cycles=2)
-    <impact by c0-tau, N = 8: T = 3.490658504 s, 4 iterations>
+    <impact by c0-tau, N = 8: T = 3.490658504 s, phi = 1.103915868 rad, estimate 2.7e-07>
     >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
     ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
     >>> print(f"{ns.solve(belt, 'c1', 7).period:.9f}, {ns.solve(belt, 'c1-tau', 7).period:.9f}")
@@ -134,7 +137,11 @@ def solve(
             raise ValueError(f"{what}: got {value!r}, expected it for a case of ns.scene(...)")
         if budget is not None:
             own["budget"] = budget
-        orbit: Orbit = entrance.solve(case, entrance.own_name(method), order, tol=tol, **own)
+        name, chooses = entrance.own_name(method), ("budget", "tol_acceleration")
+        if tol is None and all(own.get(option) is None for option in chooses):
+            name = entrance.default if name is None else name
+            order = ORDER if order is None else order
+        orbit: Orbit = entrance.solve(case, name, order, tol=tol, **own)
         return orbit
     if cycles is not None:
         generic = generic.with_cycles(cycles)
@@ -155,7 +162,7 @@ def solve(
         return choose_within(generic, budget, method, functions).orbit
     chosen = FIRST if method is None else method
     if tol is None:
-        return solve_case(generic, chosen, 10 if order is None else order, functions, motion)
+        return solve_case(generic, chosen, ORDER if order is None else order, functions, motion)
     from .solver.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
     return choose_order(generic, tol, chosen, functions, motion).orbit

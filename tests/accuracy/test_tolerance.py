@@ -132,12 +132,6 @@ def test_an_order_beside_a_tolerance(run) -> None:
         ns.solve(DEFAULT, "c1", 5, tol=1e-3)
 
 
-@pytest.mark.parametrize("arguments", [(), ("c1",)])
-def test_neither_order_nor_tolerance(arguments: tuple[str, ...]) -> None:
-    with pytest.raises(ValueError, match="got None"):
-        ns.solve(DEFAULT, *arguments)
-
-
 @pytest.mark.parametrize("tol", [True, "1e-3", math.nan, 0])
 def test_a_tolerance_of_another_kind(tol: object) -> None:
     with pytest.raises(ValueError, match="tol: got"):

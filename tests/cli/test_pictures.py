@@ -12,8 +12,10 @@ from drawn import MARKERS, data, explained, labels, legend, note
 
 import nonsmooth as ns
 from nonsmooth.cli.shortcuts.families.family import job_from
-from nonsmooth.cli.shortcuts.families.family_picture import family_figure
-from nonsmooth.cli.shortcuts.pictures import convergence_figure, orbit_figure, tradeoff_figure
+from nonsmooth.plots.shortcuts.families import family_figure
+from nonsmooth.plots.shortcuts.orbits import orbit_figure
+from nonsmooth.plots.shortcuts.sweeps import convergence_figure
+from nonsmooth.plots.shortcuts.trade import tradeoff_figure
 from nonsmooth.shortcuts.tradeoff import Point
 
 EXACT = Exact(ODD)
@@ -55,7 +57,9 @@ def test_the_orbit_is_drawn_beside_the_exact_one() -> None:
             np.testing.assert_allclose(values[inside], expected[inside], rtol=1e-9, atol=1e-9)
     for words in ("exact", *names.values()):  # the plane has what the histories have
         both = [data(found[words])[1] for found in curves[1:3]]
-        assert np.array_equal(data(curves[0][words]), both)
+        closed = np.array(data(curves[0][words]))
+        assert np.array_equal(closed[:, :-1], both)
+        assert np.array_equal(closed[:, -1], closed[:, 0])
 
 
 def test_several_c1_functions_are_said_to_be_several() -> None:
@@ -68,7 +72,7 @@ def test_several_c1_functions_are_said_to_be_several() -> None:
         "mu-s=0.8:0.9:2", False, ODD, asdict(ODD) | {"mu_s": None}, ["hb-c1"], "5", 3
     )
     points = ns.family(ODD, "mu_s", [0.8, 0.9], "hb-c1", 5, c1_terms=3).points
-    assert list(legend(family_figure(job, {"hb-c1": points}))) == [words]
+    assert list(legend(family_figure(job.families({"hb-c1": points})))) == [words]
 
 
 def test_the_convergence_is_drawn_against_the_order() -> None:
@@ -110,7 +114,7 @@ def test_a_family_is_drawn_along_its_parameter(vary: str, log: bool, label: str)
     job = job_from(vary, log, ODD, flags, ["hb", "c1"], "24", 1)
     values = job.vary.values(0, job.vary.count)
     points = {m: ns.family(ODD, name, values, m, 24).points for m in ("hb", "c1")}
-    figure = family_figure(job, points)
+    figure = family_figure(job.families(points), log)
     assert [axes.get_ylabel() for axes in figure.axes] == [
         "period $T$ [s]",
         "amplitude [m]",

@@ -19,7 +19,8 @@ KEYS = [
     "schema", "scene", "class", "classes", "motion", "cycles", "method", "order", "functions",
     "parameters", "converged", "iterations", "residual_norm", "phases", "period",
     "forcing_phase", "memory", "extremes", "coefficients", "admissible", "violations", "exact",
-    "errors", "estimate", "multipliers", "stable", "units", "version", "mathematics", "sha256",
+    "errors", "estimate", "multipliers", "stable", "outcome", "units", "version", "mathematics",
+    "sha256",
 ]  # fmt: skip
 
 CASE = "[impact]\nmass = 2\ndamping = 0.1\nstiffness = 3\nforce = 1.5\nfrequency = 2.2\n"
@@ -207,7 +208,7 @@ def test_a_tolerance_that_cannot_be_met_is_refused(run, arguments, words) -> Non
         (("impact", "--functions", 9), "--functions: got 9, expected for hb-ck: 1, 2, 3"),
         (("impact", "--tol", 2), "--tol: got 2.0, expected a number between 0 and 1"),
         (("impact", "--tol", 0.1, "--order", 3), "--order: got 3 beside --tol"),
-        (("impact", "-o", "x.nc"), "expected a name that ends in one of .json, .csv"),
+        (("impact", "-o", "x.txt"), "expected a name that ends in one of .json, .csv, .nc"),
         (("impact", "extra"), "unexpected extra argument (extra)"),
         (("stick-slip-damped", "--mu-k", 0.6), "expected that mu_k is at most mu_s"),
     ],
@@ -340,12 +341,13 @@ def test_pictures(run, tmp_path: Path) -> None:
 
 
 def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
-    from nonsmooth.cli.scenes.shown.pictures import convergence_figure, orbit_figure
+    from nonsmooth.plots.orbits import orbit_figure
+    from nonsmooth.plots.sweeps import convergence_figure
 
     case = registry.load("impact")()
     orbit = solve_case(case, "ck-tau", 8)
     exact = exact_orbit(case)
-    figure = orbit_figure(case, [orbit], exact)
+    figure = orbit_figure([orbit], exact)
     plane, _, velocity, _ = figure.axes
     assert [line.get_label() for line in plane.lines] == ["exact", "c0-tau, N = 8"]
     x, v = plane.lines[1].get_data()

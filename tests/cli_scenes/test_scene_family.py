@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.cli.scenes.shown.family_picture import family_figure
+from nonsmooth.plots.families import family_figure
 from nonsmooth.solver import family as families
 from nonsmooth.solver.no_orbit import NoOrbit
 

@@ -8,7 +8,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import nonsmooth as ns
-from nonsmooth.cli.scenes.shown.pictures import trade_figure
+from nonsmooth.plots.trade import trade_figure
 from nonsmooth.solver import budget as budgets
 from nonsmooth.solver import trade as trades
 from nonsmooth.solver.case.registry import load

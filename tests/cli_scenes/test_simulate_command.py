@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.cli.scenes.shown.transient import figure
+from nonsmooth.plots.simulations import simulation_figure as figure
 
 CHATTER = ("--restitution", 0.3, "--frequency", 0.3, "--damping", 0.3)
 

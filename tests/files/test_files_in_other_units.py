@@ -61,8 +61,8 @@ def test_the_columns_of_a_csv(other: Units, kind: str, tmp_path: Path) -> None:
 #: Attributes of a netCDF file beside the oscillator.
 ALWAYS = {"title", "kind", "schema", "version", "mathematics"}
 ATTRIBUTES = {
-    "orbits": set(),
-    "sweep": {"c1_terms"},
+    "orbits": {"scene", "class", "phases", "order"},
+    "sweep": {"scene", "class", "c1_terms"},
     "family": {"parameter", "order", "c1_terms"},
 }
 

@@ -102,3 +102,38 @@ def test_without_an_orbit_the_keys_are_the_same() -> None:
         "name": "slip", "duration": None, "start": {"displacement": None, "velocity": None}
     }  # fmt: skip
     assert absent["errors"]["times"] is None
+
+
+def test_what_no_method_is_named_for_is_solved_as_on_the_command_line(run) -> None:
+    status, out, _ = run("solve", "--json")
+    assert status == 0
+    by_method = {each["method"]: each for each in json.loads(out)["orbits"]}
+    orbit = ns.solve(DEFAULT)
+    assert (orbit.method, orbit.order, orbit.period) == ("c1", 10, by_method["c1"]["period"])
+    assert ns.solve(DEFAULT, "hb").period == by_method["hb"]["period"]
+    status, out, _ = run("solve", "impact", "--json")
+    by_method = {each["method"]: each for each in json.loads(out)["orbits"]}
+    orbit = ns.solve(ns.scene("impact")())
+    assert (orbit.method, orbit.order) == ("ck-tau", 10)
+    assert orbit.period == by_method["ck-tau"]["period"]
+
+
+def test_documents_begin_alike_and_are_those_of_python(run) -> None:
+    begins = ("schema", "scene", "class", "motion", "cycles")
+    _, own, _ = run("sweep", "--methods", "c1", "--orders", "4", "--json")
+    _, generic, _ = run("sweep", "--methods", "c1-tau", "--orders", "4", "--json")
+    _, family, _ = run("sweep", "--vary", "mass=1:2:2", "--json")
+    for text in (own, generic, family):
+        document = json.loads(text)
+        assert [document[name] for name in begins] == [1, "stick-slip", "C1", None, 1]
+    sweep = ns.sweep(DEFAULT, ["c1"], [4]).as_dict()
+    assert sweep.keys() == json.loads(own).keys() - {
+        "schema", "units", "version", "mathematics", "sha256",
+    }  # fmt: skip
+    _, out, _ = run("solve", "--method", "c1", "--order", 4, "--json")
+    document, orbit = json.loads(out), ns.solve(DEFAULT, "c1", 4)
+    assert {name: document[name] for name in orbit.as_dict()} == json.loads(
+        json.dumps(orbit.as_dict())
+    )
+    several = json.loads(run("solve", "--order", 4, "--json")[1])
+    assert several["scene"] == "stick-slip"

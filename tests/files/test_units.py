@@ -91,12 +91,13 @@ def test_the_units_in_the_netcdf_of_an_orbit(tmp_path: Path) -> None:
     netcdf4 = pytest.importorskip("netCDF4")
     orbit = ns.solve(BELT, "c1", 7)
     with netcdf4.Dataset(saved([orbit, orbit], tmp_path, ".nc")) as file:
-        assert list(file.groups) == ["orbit_0", "orbit_1"]
-        for group in file.groups.values():
-            assert _units(group) == units.MOTION | {"unknowns": "1"}
-            motion = orbit.displacement, orbit.velocity, orbit.acceleration
-            for name, of in zip(list(units.MOTION)[1:], motion, strict=True):
-                assert np.array_equal(group[name][:], of(group["t"][:]))
+        assert file["method"][:].tolist() == ["c1", "c1"]
+        assert file["order"][:].tolist() == [7, 7]
+        assert _units(file) == units.MOTION
+        motion = orbit.displacement, orbit.velocity, orbit.acceleration
+        for name, of in zip(list(units.MOTION)[1:], motion, strict=True):
+            assert file[name].dimensions == ("orbit", "sample")
+            assert np.array_equal(file[name][1], of(file["t"][1]))
 
 
 def _units(where: object) -> dict[str, str]:

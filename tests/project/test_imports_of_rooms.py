@@ -25,7 +25,6 @@ DOORS: Mapping[str, str] = {
     "codegen": "the equations without a scene are the paper's",
     "codegen.generate": "derives the paper's methods where they are there",
     "codegen.readers": "writes the paper's records out",
-    "src.nonsmooth.files.api": "only the paper's orbits, sweeps and families are saved yet",
 }
 
 

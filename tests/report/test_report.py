@@ -16,7 +16,7 @@ from written import value
 
 import nonsmooth as ns
 from nonsmooth.cli import folders
-from nonsmooth.cli.shortcuts import pictures
+from nonsmooth.plots import axes
 from nonsmooth.report import build
 from nonsmooth.report.case import Case
 from nonsmooth.report.claims import CLAIMS
@@ -192,7 +192,7 @@ def test_the_page_says_who_chose_the_normal_force(text: str) -> None:
 
 def test_the_commands_on_the_page_run(text: str, run, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(pictures, "save", lambda figure, target: target.write_bytes(b""))
+    monkeypatch.setattr(axes, "save", lambda figure, target: target.write_bytes(b""))
     commands = set(re.findall(r"<pre><code>nonsmooth (.*?)</code></pre>", text))
     commands.remove("report -o report")
     assert len(commands) == 4  # Figs. 4 and 6 share one

@@ -12,7 +12,8 @@ from shown import ROOT
 #: What is left out of the copy: every room of shortcuts, and the tests of it.
 LEFT_OUT = (
     "codegen/shortcuts", "generated/shortcuts", "solver/shortcuts", "src/nonsmooth/shortcuts",
-    "src/nonsmooth/cli/shortcuts", "src/nonsmooth/files/shortcuts", "tests/shortcuts",
+    "src/nonsmooth/cli/shortcuts", "src/nonsmooth/files/shortcuts",
+    "src/nonsmooth/plots/shortcuts", "tests/shortcuts",
 )  # fmt: skip
 
 #: What the copy is made of.

@@ -11,7 +11,8 @@ import pytest
 from known import NAMES, attached
 
 import nonsmooth as ns
-from nonsmooth.cli.space import pictures, vary
+from nonsmooth.cli.space import vary
+from nonsmooth.plots import modes as pictures
 from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.eigenvalues.exact import exact_modes
 
@@ -283,7 +284,7 @@ def test_what_the_pictures_of_a_study_show() -> None:
     assert list(figure.axes[0].lines[1].get_xdata()) == [4, 6, 10]
     over = vary.parse_vary("position=1/4:1/2:2", False, attached("beam-mass"))
     found = [ns.modes(each, count=2) for each in over.structures]
-    family = pictures.family_figure(over, found)
+    family = pictures.family_figure(over.name, over.values, found)
     assert family.axes[0].lines[1].get_ydata()[-1] == pytest.approx(2.0)
 
 
@@ -321,5 +322,6 @@ def test_python_refuses_what_the_command_line_refuses() -> None:
         ns.modes(found.attached, mass=3.0)
     again = ns.modes(found.attached, "ck", 12, count=2)
     assert again[0].beta == pytest.approx(found[0].beta, rel=1e-8)
-    assert repr(again) == "<2 modes of string-mass by c0, N = 12>"
+    head = "<2 modes of string-mass by c0, N = 12: "
+    assert repr(again) == f"{head}{again[0].frequency:.10g} to {again[1].frequency:.10g} Hz>"
     assert [mode.number for mode in again[:2]] == [1, 2]

@@ -9,6 +9,7 @@ rounding that Newton's method left, are added.
 """
 
 import math
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -59,10 +60,11 @@ def _c1_orbit(alpha: float, order: int) -> Vector | None:
     """Return the unknowns of the C1 series from the rough start, if they are an orbit's."""
     if order > METHODS["c1"].highest_order:
         return None
-    load = kernels.plain if order <= PLAIN_ORDER else kernels.compiled
+    load = kernels.quicker if order <= PLAIN_ORDER else kernels.compiled
     kernel = load("c1")
-    start = with_coefficients(kernel, alpha, order, *rough_times(alpha))
-    outcome = newton(kernel.iterate, alpha, start)
+    with nullcontext() if kernel.account is None else kernel.account.spending():
+        start = with_coefficients(kernel, alpha, order, *rough_times(alpha))
+        outcome = newton(kernel.iterate, alpha, start)
     t1, T = outcome.unknowns[-2:]
     sound = outcome.converged and abs(t1 / (2 * alpha) - 1) <= 1 / (2 * order)
     return outcome.unknowns if sound and T - t1 <= 2 * math.pi * (1 + 1 / order) else None

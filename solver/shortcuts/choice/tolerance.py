@@ -78,7 +78,7 @@ def within(
     methods : sequence of {"hb", "hb-c1", "c1"}
         Methods to choose from.
     many : bool
-        Whether more orbits are to follow: compile the kernels.
+        Whether to compile the kernels at once.
 
     Raises
     ------

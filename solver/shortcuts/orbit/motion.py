@@ -2,17 +2,20 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ...arrays import Vector
+from ...results.motion import Shown
+from ..names import PHASES, SCENE
 from . import exact as closed_form
-from .oscillator import StickSlip, check_type
+from .oscillator import PARAMETERS, StickSlip, check_type
 
 
-class Motion:
+class Motion(Shown):
     """Displacement, velocity and acceleration of a periodic motion at any time, in SI."""
 
     belt: StickSlip
@@ -28,9 +31,38 @@ class Motion:
         raise NotImplementedError
 
     @property
+    def durations(self) -> tuple[float, float]:
+        """Durations of stick and slip in s."""
+        return self.t1, self.period - self.t1
+
+    @property
     def amplitude(self) -> float:
         """Half of the way between the two ends of the motion, in m."""
         raise NotImplementedError
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """Scene, period and parameters, for tables and files."""
+        head = {"scene": SCENE, "class": "C1", "period": self.period, "t1": self.t1}
+        return head | {"phases": " ".join(PHASES)} | asdict(self.belt)
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """What a notebook shows: what is solved, period, end of stick."""
+        parts = (
+            f"{name} = {getattr(self.belt, name):.4g} {unit}".rstrip()
+            for name, (unit, _) in PARAMETERS.items()
+        )
+        return {
+            "scene": f"{SCENE}: alpha = {self.belt.alpha:.6g}",
+            "parameters": ", ".join(parts),
+            "period": f"{self.period:.10g} s",
+            "end of stick": f"{self.t1:.10g} s",
+        }
+
+    @property
+    def _times(self) -> str:
+        return f"T = {self.period:.10g} s, t1 = {self.t1:.10g} s"
 
     @property
     def multipliers(self) -> npt.NDArray[np.complex128]:
@@ -109,7 +141,7 @@ class Motion:
         return self._at(t, 2)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class ExactOrbit(Motion):
     """The exact orbit of Section 2.
 
@@ -119,6 +151,8 @@ class ExactOrbit(Motion):
     >>> orbit = ExactOrbit(DEFAULT)
     >>> round(orbit.period, 9), orbit.t1
     (0.671238898, 0.2)
+    >>> orbit
+    <exact orbit of stick-slip: T = 0.671238898 s, t1 = 0.2 s, alpha = 1>
     """
 
     belt: StickSlip
@@ -137,6 +171,22 @@ class ExactOrbit(Motion):
     def amplitude(self) -> float:
         """Half of the way between the two ends of the motion, in m."""
         return self.belt.length_unit * math.hypot(1.0, self.belt.alpha)
+
+    @property
+    def label(self) -> str:
+        """What a legend calls it."""
+        return "exact"
+
+    @property
+    def look(self) -> None:
+        """Of its curves in pictures: None, those of every exact orbit."""
+
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        return (self.belt,)
+
+    def __repr__(self) -> str:
+        return f"<exact orbit of {SCENE}: {self._times}, alpha = {self.belt.alpha:.6g}>"
 
     def _dimensionless(self) -> tuple[float, float, Callable[[Vector, int], Vector]]:
         alpha = self.belt.alpha

@@ -3,11 +3,14 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from html import escape
+from typing import Any
 
 from ...arrays import Vector
+from ...case.methods import about
 from ..accuracy.errors import Errors, errors
 from ..accuracy.estimate import Estimate, estimate
+from ..names import METHODS as NAMES
+from ..names import SCENE
 from ..search.newton import Outcome
 from . import admissible
 from .amplitude import amplitude
@@ -16,8 +19,11 @@ from .methods import METHODS, Method, with_terms
 from .motion import Motion
 from .oscillator import StickSlip
 
+#: The name that each method has in every scene.
+GENERIC = {own: name for name, own in NAMES.items()}
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Orbit(Motion):
     """A converged, admissible periodic orbit computed by one method of the paper.
 
@@ -138,8 +144,46 @@ class Orbit(Motion):
         evaluate = self._method.evaluate
         return t1, T, lambda t, derivative: evaluate(z, order, t, derivative, alpha)
 
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
+    def as_dict(self) -> dict[str, Any]:
+        """Return the orbit as the document that ``solve --json`` writes."""
+        from ....files.shortcuts.documents import of_solution  # noqa: PLC0415  (it reads this)
+
+        return of_solution(self.belt, self.method, self.order, self)
+
+    @property
+    def label(self) -> str:
+        """What a legend calls it: ``"c1, N = 7"``."""
+        terms = f"({self.c1_terms})" if self.c1_terms > 1 else ""
+        return f"{self.method}{terms}, N = {self.order}"
+
+    @property
+    def look(self) -> dict[str, Any]:
+        """Of its curves in pictures: those of the method."""
+        return about(GENERIC[self.method]).look
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """Scene, method, order and parameters, for tables and files."""
+        terms = {"c1_terms": self.c1_terms} if self.c1_terms > 1 else {}
+        return super().about | {"method": self.method, "order": self.order} | terms
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """What a notebook shows."""
+        found = super().facts
+        head = {name: found.pop(name) for name in ("scene", "parameters")}
+        return head | {"method": self.label} | found | {
+            "error (22) of the acceleration": f"{self.errors.acceleration:.1e}",
+            "estimated error of the period": f"{self.estimate.period:.1e}",
+        }  # fmt: skip
+
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        return self.belt, self.method, self.order, self.c1_terms, self.unknowns.tobytes()
+
+    def __repr__(self) -> str:
+        estimate = f"estimate {self.estimate.period:.1e}"
+        return f"<{SCENE} by {self.label}: {self._times}, {estimate}>"
 
     def __str__(self) -> str:
         method = self._method

@@ -4,19 +4,21 @@ The dimensionless orbit depends on ``alpha`` alone, so each point is the orbit o
 ``alpha``, scaled by its units of time and length; see `family_points`.
 """
 
-from dataclasses import dataclass
-from html import escape
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ...arrays import Vector
+from ...results.notebook import of_rows
+from ...results.table import Table, Tabular
 from ..accuracy.estimate import CONVERGED_ORDER
+from ..names import SCENE
 from ..orbit.methods import check_alpha, check_method, check_order, with_terms
 from ..orbit.oscillator import PARAMETERS, StickSlip, check_type
 from ..polynomials.batch import OK
-from .family_points import STATUS, points, with_value
+from .family_points import COLUMNS, STATUS, points, with_value
 
 #: Order at which the C1 series has converged to rounding, whatever alpha.
 ORDER = CONVERGED_ORDER
@@ -25,8 +27,8 @@ ORDER = CONVERGED_ORDER
 CHUNK = 16_384
 
 
-@dataclass(frozen=True, eq=False)
-class Family:
+@dataclass(frozen=True, eq=False, repr=False)
+class Family(Tabular):
     """Orbits along one parameter.
 
     Parameters
@@ -58,8 +60,62 @@ class Family:
     def __len__(self) -> int:
         return len(self.points)
 
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        how = (self.parameter, self.method, self.order, self.c1_terms)
+        return self.belt, *how, self.points.tobytes()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Family) and self._identity == other._identity
+
+    def __hash__(self) -> int:
+        return hash(self._identity)
+
+    def plot(self, ax: Any = None, quantity: str = "period", **style: Any) -> Any:
+        """Draw one quantity along the parameter and return the axes.
+
+        Needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones without it.
+        quantity : {"period", "amplitude", "stick_fraction", "estimate_period"}
+            The field of the points.
+        **style
+            Of the line, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ....plots.shortcuts.families import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, **style)
+
+    def table(self) -> Table:
+        """Return the points; the value has the name of the parameter, the status its word."""
+        columns: dict[str, Any] = {self.parameter: self["value"]}
+        columns["status"] = [STATUS[code] for code in self["status"]]
+        columns |= {name: self[name] for name in COLUMNS if name != "value"}
+        units = {n: unit for n, unit in COLUMNS.items() if unit != "1" and n in columns}
+        units |= {n: unit for n, (unit, _) in PARAMETERS.items() if n in columns and unit}
+        about: dict[str, Any] = {"scene": SCENE, "class": "C1", "parameter": self.parameter}
+        about |= {"method": self.method, "order": self.order, "c1_terms": self.c1_terms}
+        fixed = {n: value for n, value in asdict(self.belt).items() if n != self.parameter}
+        return Table((self.parameter,), columns, units, about | fixed)
+
+    def __repr__(self) -> str:
+        values, found = self["value"], int(np.sum(self["status"] == OK))
+        along = f"{self.parameter} = {values[0]:g} to {values[-1]:g}"
+        method = f"{self.method}, N = {self.order}"
+        return f"<{SCENE} along {along} by {method}: {len(self)} values, {found} orbits>"
+
     def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
+        return of_rows(repr(self), str(self), self.plot)
 
     def __str__(self) -> str:
         head = f"{self.parameter:>15}  {'alpha':>10}  {'T [s]':>14}  {'amplitude [m]':>14}"

@@ -2,12 +2,11 @@
 
 Both are the same functions of the same file and give the same bits.  Plain Python is
 quicker for a single orbit of moderate order, because importing numba and loading what it
-cached takes more than a second; compiled kernels are for many orbits.
+cached takes half a second; compiled kernels are for many orbits.  See `compiling`.
 """
 
 import hashlib
 import importlib
-import os
 import types
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from ...arrays import Matrix, Vector
-from ...compiling import PLAIN_ORDER, jit, rebuilt
+from ...compiling import PLAIN_ORDER, Account, jit, rebuilt
 from ...iteration import linear
 from . import newton
 
@@ -42,6 +41,8 @@ class Kernel:
         ``iterate(case, z, limit)``: `newton.iterate` for these two.
     functions : dict
         Every function of the generated module, by name.
+    account : Account or None
+        What it has cost as plain Python; None of what is compiled.
     """
 
     residual: Callable[[Any, Vector, Vector], None]
@@ -49,6 +50,7 @@ class Kernel:
     size: Callable[..., int]
     iterate: newton.Iteration
     functions: dict[str, Any]
+    account: Account | None = None
 
 
 def module(method: str) -> types.ModuleType:
@@ -62,7 +64,7 @@ def plain(method: str) -> Kernel:
     """Return the kernel of `method` as plain Python."""
     functions = vars(module(method))
     iterate = plain_iteration(functions["residual"], functions["jacobian"])
-    return _kernel({**functions, "iterate": iterate})
+    return _kernel({**functions, "iterate": iterate}, account(method))
 
 
 def plain_iteration(
@@ -87,10 +89,20 @@ def compiled(method: str) -> Kernel:
     return _kernel(compiled_functions(method))
 
 
+@cache
+def account(method: str) -> Account:
+    """Return what the kernel of `method` has cost in plain Python."""
+    return Account(str(newton.__file__), f"iterate_{fingerprint(module(method))}")
+
+
 def is_compiled(method: str) -> bool:
     """Return whether the solver of `method` is in numba's cache, as far as can be seen."""
-    folder = Path(compiled(method).iterate.stats.cache_path or os.devnull)  # type: ignore[attr-defined]
-    return any(folder.glob(f"*.iterate_{fingerprint(module(method))}-*.nbi"))
+    return account(method).is_cached()
+
+
+def quicker(method: str) -> Kernel:
+    """Return the kernel of `method` in the form that is the better one by now."""
+    return compiled(method) if account(method).pays() else plain(method)
 
 
 _COMPILED: dict[str, dict[str, Any]] = {}
@@ -100,6 +112,7 @@ def compiled_functions(method: str) -> dict[str, Any]:
     """Return every function of the generated module of `method`, compiled, by name."""
     if method not in _COMPILED:
         _COMPILED[method] = compile_functions(module(method))
+        account(method).is_compiled = True
     return _COMPILED[method]
 
 
@@ -110,9 +123,10 @@ def functions_for(method: str, order: int) -> dict[str, Any]:
     return vars(module(method))
 
 
-def _kernel(functions: dict[str, Any]) -> Kernel:
+def _kernel(functions: dict[str, Any], spent: Account | None = None) -> Kernel:
     names = ("residual", "jacobian", "size", "iterate")
-    return Kernel(**{name: functions[name] for name in names}, functions=functions)
+    found = {name: functions[name] for name in names}
+    return Kernel(**found, functions=functions, account=spent)
 
 
 #: The functions of `newton` that are compiled with a kernel, callers after what they call.

@@ -1,6 +1,7 @@
 """The ways to an orbit: starts for Newton's method, and what to do where they fail."""
 
 from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -45,7 +46,8 @@ class Search:
 
     def newton(self, kernel: Kernel, case: object, start: Vector) -> Outcome:
         """Run Newton's method from `start` and count its iterations."""
-        outcome = newton(kernel.iterate, case, start)
+        with nullcontext() if kernel.account is None else kernel.account.spending():
+            outcome = newton(kernel.iterate, case, start)
         self.iterations += outcome.iterations
         return outcome
 

@@ -13,7 +13,7 @@ from .search import Search, starts
 
 
 def _loader(order: int, many: bool) -> Callable[[str], Kernel]:
-    return kernels.compiled if many or order > PLAIN_ORDER else kernels.plain
+    return kernels.compiled if many or order > PLAIN_ORDER else kernels.quicker
 
 
 def solve(
@@ -50,7 +50,8 @@ def solve(
         Seconds that one orbit may take: the best that fits, by compiled kernels.  Not beside
         a tolerance.
     many : bool
-        Whether more orbits are to follow: compile the kernels.  The result is the same.
+        Whether to compile the kernels at once, for measurements; without it they are as soon
+        as that pays (see `compiling`).  The result is the same.
 
     Raises
     ------

@@ -3,12 +3,15 @@
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, fields
-from html import escape
+from typing import Any, overload
 
 from ...no_orbit import NoOrbit
+from ...results.notebook import of_rows
+from ...results.table import Table, Tabular, flat
 from ..accuracy.convergence import Rate, rate
 from ..accuracy.errors import Errors
 from ..accuracy.estimate import Estimate
+from ..names import SCENE
 from ..orbit.methods import METHODS, check_belt, check_method, check_order, with_terms
 from ..orbit.oscillator import StickSlip
 from . import kernels
@@ -62,13 +65,25 @@ class Row:
         return row
 
 
-@dataclass(frozen=True)
-class Sweep:
+@dataclass(frozen=True, repr=False)
+class Sweep(Tabular, Sequence[Row]):
     """The rows of a sweep, in the order in which they were asked for."""
 
     belt: StickSlip
     rows: tuple[Row, ...]
     c1_terms: int = 1
+
+    @overload
+    def __getitem__(self, index: int) -> Row: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Row, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> Row | tuple[Row, ...]:
+        return self.rows[index]
+
+    def __len__(self) -> int:
+        return len(self.rows)
 
     def of(self, method: str) -> tuple[Row, ...]:
         """Return the rows of one method."""
@@ -83,8 +98,52 @@ class Sweep:
                 orders.append((row.order, row.errors))
         return {method: rate(method, rows) for method, rows in found.items()}
 
+    def as_dict(self) -> dict[str, Any]:
+        """Return the sweep as the document that ``sweep --json`` writes."""
+        from ....files.shortcuts import as_any_scene, documents  # noqa: PLC0415  (it reads this)
+
+        return as_any_scene.scene() | documents.of_sweep(self)
+
+    def plot(self, ax: Any = None, quantity: str = "period", **style: Any) -> Any:
+        """Draw one quantity against the order, a line a method; return the axes.
+
+        Needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones, with a legend, without it.
+        quantity : {"period", "acceleration", "ratio"}
+            The error of the period, or of the acceleration (22), which is not drawn where it
+            is below rounding; or the period in exact periods.
+        **style
+            Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ....plots.shortcuts.sweeps import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, **style)
+
+    def table(self) -> Table:
+        """Return the rows, with the errors and the estimates as columns."""
+        columns = flat([row.as_dict() for row in self.rows])
+        units = {"t1": "s", "period": "s", "seconds": "s"}
+        about = {"scene": SCENE, "class": "C1", "c1_terms": self.c1_terms}
+        return Table(("method", "order"), columns, units, about | asdict(self.belt))
+
+    def __repr__(self) -> str:
+        names = ", ".join(dict.fromkeys(row.method for row in self.rows))
+        found = sum(row.status == "ok" for row in self.rows)
+        return f"<sweep of {SCENE} by {names}: {len(self)} rows, {found} orbits>"
+
     def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
+        return of_rows(repr(self), str(self), self.plot)
 
     def __str__(self) -> str:
         lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'T/T_exact-1':>12}  {'(22)':>10}"]

@@ -19,6 +19,8 @@ DATA = (".json", ".csv", ".nc")
 PICTURES = (".png", ".svg", ".pdf")
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from nonsmooth.files.api import Savable
 
 
@@ -104,6 +106,13 @@ def write_file(path: Path, thing: "Savable") -> None:
     except OSError as error:
         raise Problem(f"-o: cannot write {path}: {error.strerror}") from error
     click.echo(f"wrote {path}", err=True)
+
+
+def write_picture(path: Path, figure: "Callable[[], Figure]") -> None:
+    """Write what a function draws as .png, .svg or .pdf."""
+    from nonsmooth.plots.axes import write  # noqa: PLC0415
+
+    write_whole(path, lambda target: write(figure, target))
 
 
 def write_text(path: Path, text: str) -> None:

@@ -5,26 +5,31 @@ on arrays; CSV holds the rows of a sweep or a family, and the motion of an orbit
 in SI units, and every file says with which version and which mathematics it was made.
 """
 
+import json
 import reprlib
-from collections.abc import Callable, Sequence
-from importlib import import_module
+from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
-from nonsmooth.solver.shortcuts.search.family import Family
-from nonsmooth.solver.shortcuts.search.sweep import Sweep
-
-from .errors import FileError
-from .shortcuts.points import Points, of_families
+from ..room import room
+from .errors import FileError, damaged
+from .json_text import check_digest, sealed
+from .kinds import Content
+from .scenes.content import content_of
+from .scenes.restored import restored
+from .schema import check_schema
 from .whole import whole
 
-Savable: TypeAlias = Orbit | Sequence[Orbit] | Sweep | Family | Sequence[Family] | Points
-Loaded: TypeAlias = Orbit | list[Orbit] | Sweep | Family | list[Family]
+if TYPE_CHECKING:
+    from netCDF4 import Dataset
 
-#: The module of each kind of file.
-SUFFIXES = {".json": "texts", ".csv": "tables", ".nc": "netcdf"}
+#: An orbit, a sweep or a family of any oscillator; or several orbits, several families.
+Savable: TypeAlias = Any
+Loaded: TypeAlias = Any
+
+#: The endings of names.
+SUFFIXES = (".json", ".csv", ".nc")
 
 
 def save(thing: Savable, path: str | Path) -> None:
@@ -32,90 +37,191 @@ def save(thing: Savable, path: str | Path) -> None:
 
     Parameters
     ----------
-    thing : Orbit or Family, or a sequence of these, or Sweep
-        What to save; or `points.Points`, families that are not in memory.
+    thing : orbit, sweep or family, or a sequence of orbits or of families
+        What to save, of a `StickSlip` or of a case of any scene.
     path : str or Path
-        Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  The CSV of orbits is their
-        motion over one period, for other programs: it cannot be loaded.
+        Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs: that
+        of orbits has their motion over one period.  Only that of a sweep or a family of a
+        `StickSlip` can be loaded.
 
     Raises
     ------
     FileError
         A `ValueError`: if the name ends otherwise, or netCDF4 is not installed.
     TypeError
-        If `thing` is none of these, or a sequence that is empty or of both.
+        If `thing` is none of these, or a sequence that is empty or of several kinds.
     OSError
         If the file cannot be written; then nothing is left of it.
 
     Examples
     --------
     >>> import tempfile, nonsmooth as ns
-    >>> belt = ns.StickSlip(mass=10, stiffness=1000, belt_speed=1,
-    ...                     mu_s=0.5, mu_k=0.25, normal_force=400)
-    >>> orbit = ns.solve(belt, method="c1", order=7)
+    >>> orbit = ns.solve(ns.scene("impact")(gap=0.2), order=8)
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     ns.save(orbit, f"{folder}/orbit.json")
-    ...     ns.load(f"{folder}/orbit.json").period == orbit.period
+    ...     ns.load(f"{folder}/orbit.json") == orbit
     True
     """
     target = Path(path)
-    form = _format(target)
-    write, what = _writer(form, thing)
+    suffix = _suffix(target)
+    own = room(__package__, "content")
+    points = own and own.points_of(thing)
+    if points is not None:
+        with whole(target) as temporary:
+            own.write_points(points, temporary)  # type: ignore[union-attr]
+        return
+    content = _content(thing)
     with whole(target) as temporary:
-        write(what, temporary)
+        if suffix == ".csv":
+            content.write_csv(temporary)
+            return
+        if suffix == ".json":
+            temporary.write_text(sealed(content.document()), "utf-8", newline="")
+        else:
+            from . import netcdf  # noqa: PLC0415  (an extra)
+
+            netcdf.write(content.title, content.document(), content.tables(), temporary)
 
 
-def load(path: str | Path) -> Loaded:
+def load(path: str | Path, scene: object = None) -> Loaded:
     """Read a file that `save` or the command line wrote.
+
+    A file that was changed since is loaded with a `FileWarning`, if what it holds can be
+    right: other spaces, another order of keys or a note in it do no harm.
 
     Parameters
     ----------
     path : str or Path
         Of a ``.json``, ``.csv`` or ``.nc`` file.
+    scene : str, Path or Scene, optional
+        The scene of the file, as `nonsmooth.scene` takes it, if it is not shipped.
 
     Returns
     -------
-    Orbit, list of Orbit, Sweep, Family or list of Family
+    orbit, sweep or family, or a list of orbits or of families
         With the bits of what was saved.
 
     Raises
     ------
     FileError
-        A `ValueError`: if the file is damaged, from a newer version, of another kind, or
-        an orbit of other equations.
+        A `ValueError`: if the file cannot be right (a period that is not positive, too many
+        or too few numbers, an orbit that does not satisfy its equations), is from a newer
+        version, of another kind or scene, or an orbit of other equations.
     OSError
         If it cannot be read.
     """
     source = Path(path)
-    form = _format(source)
+    suffix = _suffix(source)
     with source.open("rb"):  # a missing file is an OSError for every kind
         pass
-    found: Loaded = form.read(source)
+    if suffix == ".csv":
+        own = room(__package__, "tables")
+        if own is None:
+            raise FileError(source, "CSV is for other programs; save as .json to load it")
+        return own.read(source)
+    if suffix == ".nc":
+        return _from_netcdf(source, scene)
+    return _from_document(source, _document(source), scene)
+
+
+def _content(thing: Savable) -> Content:
+    """Return what is to be written of a result.
+
+    Raises
+    ------
+    TypeError
+        If it is not a result, or not one that is saved.
+    """
+    own = room(__package__, "content")
+    found: Content | None = (own and own.content_of(thing)) or content_of(thing)
+    if found is None:
+        kinds = "an orbit, a family, a sequence of one of these, or a sweep"
+        raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
     return found
 
 
-def _writer(form: Any, thing: Savable) -> tuple[Callable[[Any, Path], None], Any]:
-    """Return what writes this kind of thing, and the thing as it takes it."""
-    if isinstance(thing, Sweep):
-        return form.write_sweep, thing
-    if isinstance(thing, Points):
-        return form.write_points, thing
-    several = [thing] if isinstance(thing, Orbit | Family) else thing
-    if isinstance(several, Sequence) and several:
-        if all(isinstance(one, Orbit) for one in several):
-            return form.write_orbits, several
-        families = [one for one in several if isinstance(one, Family)]
-        if len(families) == len(several):
-            return form.write_points, of_families(families)
-    kinds = "an orbit, a family, a sequence of one of these, or a sweep"
-    raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
-
-
-def _format(path: Path) -> Any:
-    """Return the module that writes and reads files of this name."""
+def _suffix(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise FileError(path, f"expected a name that ends in one of {', '.join(SUFFIXES)}")
     if suffix == ".nc" and find_spec("netCDF4") is None:
         raise FileError(path, "netCDF needs netCDF4: pip install 'nonsmooth[netcdf]'")
-    return import_module(f".shortcuts.{SUFFIXES[suffix]}", __package__)
+    return suffix
+
+
+def _document(path: Path) -> dict[str, Any]:
+    """Return the document of a JSON file."""
+    try:
+        document = json.loads(path.read_bytes().decode("utf-8"))
+    except (ValueError, RecursionError) as error:  # of the encoding, or of the JSON
+        raise damaged(path, f"not JSON: {error}") from error
+    if not isinstance(document, dict):
+        raise FileError(path, "not a file of nonsmooth")
+    return document
+
+
+def _from_document(path: Path, document: Mapping[str, Any], scene: object = None) -> Loaded:
+    """Return what a document holds."""
+    check_schema(path, document.get("schema"))
+    check_digest(path, document)
+    own = room(__package__, "texts")
+    try:
+        if own is not None and own.is_of_the_paper(document):
+            return own.restored(path, document)
+        if "scene" not in document:
+            raise FileError(path, "holds no orbit, sweep or family")
+        return restored(path, document, scene)
+    except FileError:
+        raise
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise damaged(path, _words(error)) from error
+
+
+def _from_netcdf(path: Path, scene: object) -> Loaded:
+    """Return what a netCDF file holds."""
+    from netCDF4 import Dataset  # noqa: PLC0415  (an extra)
+
+    from .netcdf_seal import has_seal, warn_without  # noqa: PLC0415
+
+    is_sealed = has_seal(path)
+    try:
+        with Dataset(path) as file:
+            file.set_auto_mask(False)
+            check_schema(path, _whole_number(getattr(file, "schema", 0)))
+            found, has_digest = _from_open(path, file, scene)
+    except FileError:
+        raise
+    except (AttributeError, IndexError, KeyError, OSError, RuntimeError, ValueError) as error:
+        raise damaged(path, _words(error)) from error
+    if not (is_sealed or has_digest):
+        warn_without(path)
+    return found
+
+
+def _from_open(path: Path, file: "Dataset", scene: object) -> tuple[Loaded, bool]:
+    """Return what an open file holds, and whether it has a digest of its own."""
+    from . import netcdf  # noqa: PLC0415  (an extra)
+
+    if netcdf.DOCUMENT in file.variables:
+        found = _from_document(path, netcdf.document_of(file), scene)
+        netcdf.check_same(file, _content(found).tables())
+        return found, True
+    own = room(__package__, "netcdf")
+    if own is None:
+        raise FileError(path, "holds no orbit, sweep or family")
+    return own.read(path, file), False
+
+
+def _words(error: Exception) -> str:
+    """Return what is wrong, in words: an error of Python with its name."""
+    from .checks import NotRightError  # noqa: PLC0415
+
+    return str(error) if isinstance(error, NotRightError) else f"{type(error).__name__} {error}"
+
+
+def _whole_number(value: Any) -> object:
+    """Return a number of a file as an int; what is not one as it is."""
+    try:
+        return int(value)
+    except (TypeError, ValueError):
+        return value

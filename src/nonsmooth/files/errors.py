@@ -1,4 +1,4 @@
-"""What is wrong with a file."""
+"""What is wrong with a file, or not as it should be."""
 
 from pathlib import Path
 
@@ -11,13 +11,10 @@ class FileError(ValueError):
         self.path = path
 
 
-def of_a_scene(path: Path, scene: object) -> FileError:
-    """Return the error of a file of a scene: those are written for other programs."""
-    return FileError(
-        path, f"of the scene {scene}: only what the paper's methods made is loaded"
-    )
+class FileWarning(UserWarning):
+    """A file that was loaded, and is not as it was written."""
 
 
 def damaged(path: Path, how: str) -> FileError:
-    """Return the error of a file that is not as it was written."""
-    return FileError(path, f"damaged, or changed since it was written: {how}")
+    """Return the error of a file that cannot be right."""
+    return FileError(path, f"damaged: {how}")

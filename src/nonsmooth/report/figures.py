@@ -7,10 +7,11 @@ of its own here.
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.shortcuts.orbit.motion import ExactOrbit, Motion, exact
+from nonsmooth.plots.axes import LEAST
+from nonsmooth.plots.orbits import draw as draw_motion
+from nonsmooth.solver.shortcuts.orbit.motion import ExactOrbit, exact
 from nonsmooth.style import EXACT, SETTINGS, STYLES, above_floor, draw_floor, line
 
 from .case import MOST, Case
@@ -27,8 +28,6 @@ NAMES = {"hb": "hb (3.1)", "hb-c1": "hb-c1 (3.2)", "c1": "c1 (3.3)"}
 
 #: Order of Fig. 5, and the last one in Fig. 4, where the curves can still be told apart.
 SMALL, LAST = 3, 12
-
-POINTS = 2001
 
 
 def figure(draw: Callable[[Any, Case], None], case: Case) -> Figure:
@@ -48,15 +47,6 @@ def _legend(axes: Any, columns: int) -> None:
     )
 
 
-def _period(motion: Motion, points: int = POINTS) -> tuple[Any, Any]:
-    """Return ``t/T`` and times from stick to stick, with both sides of each jump."""
-    jump = motion.t1 / motion.period
-    part = np.unique([*np.linspace(0, 1, points), np.nextafter(jump, 0), jump])
-    times = part * motion.period
-    times[-1] = np.nextafter(motion.period, 0)
-    return part, times
-
-
 def _ends(motion: ExactOrbit) -> tuple[Any, Any]:
     """Return displacement and velocity in A, where stick begins, and B, where it ends."""
     times = [0.0, motion.t1]
@@ -66,8 +56,7 @@ def _ends(motion: ExactOrbit) -> tuple[Any, Any]:
 def plane(axes: Any, case: Case) -> None:
     """Draw Fig. 2(a): the limit cycle in the phase plane."""
     motion = exact(case.belt)
-    _, times = _period(motion)
-    axes.plot(motion.displacement(times), motion.velocity(times), **EXACT | {"linewidth": 1.6})
+    draw_motion(motion, axes, linewidth=1.6)
     for name, x, v in zip("AB", *_ends(motion), strict=True):
         axes.plot(x, v, "o", color="black", markersize=5)
         axes.annotate(name, (x, v), xytext=(0, 6), textcoords="offset points", ha="center")
@@ -78,41 +67,36 @@ def plane(axes: Any, case: Case) -> None:
 def history(derivative: int) -> Callable[[Any, Case], None]:
     """Return what draws Fig. 2(b), (c) or (d): displacement, velocity or acceleration."""
     name = ("displacement", "velocity", "acceleration")[derivative]
-    unit = ("m", "m/s", "m/s²")[derivative]
 
     def draw(axes: Any, case: Case) -> None:
         motion = exact(case.belt)
-        part, times = _period(motion)
-        values = getattr(motion, name)(times)
         if derivative == 0:
             centre = case.belt.slip_centre
             axes.axhline(centre, color="0.5", linewidth=0.8, linestyle="--")
             axes.annotate(
                 "$x_s$", (1, centre), xytext=(-3, 3), textcoords="offset points", ha="right"
             )
-        axes.plot(part, values, **EXACT | {"linewidth": 1.6})
+        draw_motion(motion, axes, name, linewidth=1.6)
         share = motion.t1 / motion.period
         axes.axvspan(0, share, color="0.9", zorder=0)
         where = {"xycoords": ("data", "axes fraction"), "ha": "center", "fontsize": 9}
         axes.annotate("stick", (share / 2, 1.02), **where)
         axes.annotate("slip", ((1 + share) / 2, 1.02), **where)
-        axes.set(xlabel="t/T", ylabel=f"{name} [{unit}]", xlim=(0, 1))
+        axes.set(xlim=(0, 1))
 
     return draw
 
 
 def _accelerations(axes: Any, case: Case, methods: tuple[str, ...], order: int) -> None:
     motion = exact(case.belt)
-    part, times = _period(motion)
-    axes.plot(part, motion.acceleration(times), label="exact", **EXACT | {"linewidth": 1.6})
+    draw_motion(motion, axes, "acceleration", linewidth=1.6)
     for method in methods:
         if not case.has(method, order):
             axes.plot([], [], label=f"{NAMES[method]}: no orbit", **line(method))
             continue
         orbit = case.orbit(method, order)
-        part, times = _period(orbit)
-        axes.plot(part, orbit.acceleration(times), label=NAMES[method], **line(method))
-    axes.set(xlabel="t/T", ylabel="acceleration [m/s²]", xlim=(0, 1))
+        draw_motion(orbit, axes, "acceleration", label=NAMES[method])
+    axes.set(xlim=(0, 1))
 
 
 def many_harmonics(axes: Any, case: Case) -> None:
@@ -179,14 +163,13 @@ def period(axes: Any, case: Case) -> None:
 
 def period_error(axes: Any, case: Case) -> None:
     """Draw the errors of Fig. 4 on a log scale, where they do not end in one line."""
-    tiny = float(np.finfo(float).eps) / 2
     axes.axhline(BAND, color="0.5", linewidth=0.8, linestyle=(0, (5, 5)))
     axes.annotate(
         "0.1 %", (0.99, BAND), xycoords=("axes fraction", "data"), xytext=(0, -3),
         textcoords="offset points", fontsize=8, color="0.4", ha="right", va="top",
     )  # fmt: skip
     _against_order(
-        axes, case, lambda method, N: max(abs(case.period_error(method, N)), tiny), MOST
+        axes, case, lambda method, N: max(abs(case.period_error(method, N)), LEAST), MOST
     )
     axes.set(yscale="log", ylabel="|T / T exact − 1|")
     _legend(axes, 3)

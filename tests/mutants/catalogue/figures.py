@@ -11,9 +11,9 @@ CAPTIONS = ("tests/report/test_captions.py",)
 _FIGURES = (
     Mutant(
         "the axes of Fig. 2(a) swapped",
-        REPORT + "figures.py",
-        "axes.plot(motion.displacement(times), motion.velocity(times),",
-        "axes.plot(motion.velocity(times), motion.displacement(times),",
+        "src/nonsmooth/plots/orbits.py",
+        "x, v = motion.displacement(times), motion.velocity(times)",
+        "v, x = motion.displacement(times), motion.velocity(times)",
         FIGURES,
     ),
     Mutant(
@@ -32,9 +32,9 @@ _FIGURES = (
     ),
     Mutant(
         "a wrong unit in Fig. 2(d)",
-        REPORT + "figures.py",
-        '("m", "m/s", "m/s²")[derivative]',
-        '("m", "m/s", "m/s")[derivative]',
+        "src/nonsmooth/plots/orbits.py",
+        '"acceleration [m/s²]"',
+        '"acceleration [m/s]"',
         FIGURES,
     ),
     Mutant(
@@ -54,9 +54,9 @@ _FIGURES = (
     Mutant(
         "Fig. 5 names a method after another",
         REPORT + "figures.py",
-        "axes.plot(part, orbit.acceleration(times), label=NAMES[method], **line(method))",
-        "axes.plot(part, orbit.acceleration(times), "
-        'label=NAMES[{"hb": "c1", "c1": "hb"}.get(method, method)], **line(method))',
+        'draw_motion(orbit, axes, "acceleration", label=NAMES[method])',
+        'draw_motion(orbit, axes, "acceleration", '
+        'label=NAMES[{"hb": "c1", "c1": "hb"}.get(method, method)])',
         FIGURES,
     ),
     Mutant(

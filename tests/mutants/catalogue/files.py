@@ -64,9 +64,9 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "the velocity is said to be in m",
-        f"{FILES}/shortcuts/netcdf.py",
-        '("velocity", "m/s"),',
-        '("velocity", "m"),',
+        "solver/results/motion.py",
+        '"velocity": "m/s", "acc',
+        '"velocity": "m", "acc',
         UNITS_OF_FILES,
     ),
     Mutant(
@@ -232,14 +232,14 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "a digest that nobody looks at",
-        f"{FILES}/shortcuts/texts.py",
-        "if not found or text != before + seal(before):",
-        "if not found:",
-        LOADED,
+        f"{FILES}/json_text.py",
+        "elif found != digest(document):",
+        "elif found is False:",
+        ("tests/files/test_changed_files.py",),
     ),
     Mutant(
         "a seal of which only the name is looked at",
-        f"{FILES}/shortcuts/netcdf_read.py",
+        f"{FILES}/netcdf_seal.py",
         "if found != seal_of(path, size):",
         "if found[:9] != seal_of(path, size)[:9]:",
         LOADED,
@@ -253,7 +253,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "a newer schema is read",
-        f"{FILES}/shortcuts/origin.py",
+        f"{FILES}/schema.py",
         "if isinstance(schema, int) and schema > SCHEMA:",
         "if isinstance(schema, int) and schema > SCHEMA + 1:",
         LOADED,

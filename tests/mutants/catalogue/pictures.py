@@ -3,6 +3,7 @@
 from ..mutant import Mutant
 
 REPORT, CLI = "src/nonsmooth/report/", "src/nonsmooth/cli/shortcuts/"
+PLOTS = "src/nonsmooth/plots/shortcuts/"
 
 PICTURES = ("tests/cli/test_pictures.py",)
 MAP = ("tests/report/test_claim_map.py",)
@@ -67,58 +68,58 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "the picture of a sweep draws the error of t1",
-        CLI + "pictures.py",
-        "[max(abs(e.period), 1e-16) for e in errors]",
-        "[max(abs(e.t1), 1e-16) for e in errors]",
+        PLOTS + "sweeps.py",
+        "[e.period for e in errors]",
+        "[e.t1 for e in errors]",
         PICTURES,
     ),
     Mutant(
         "the picture of a sweep draws the aligned error",
-        CLI + "pictures.py",
+        PLOTS + "sweeps.py",
         "above_floor(e.acceleration) for e in errors]",
         "above_floor(e.acceleration_aligned) for e in errors]",
         PICTURES,
     ),
     Mutant(
         "several C1 functions called one",
-        CLI + "pictures.py",
-        '"label": label(method, result.c1_terms),',
-        '"label": label(method),',
+        PLOTS + "sweeps.py",
+        '"label": label(method, result.c1_terms)}',
+        '"label": label(method)}',
         PICTURES,
     ),
     Mutant(
         "the orbit's histories in another order",
-        CLI + "pictures.py",
-        "zip(histories, (x, v, a), strict=True)",
-        "zip(histories, (v, x, a), strict=True)",
+        "src/nonsmooth/plots/orbits.py",
+        "zip(panels, (PLANE, *HISTORIES), strict=True)",
+        "zip(panels, (PLANE, *reversed(HISTORIES)), strict=True)",
         PICTURES,
     ),
     Mutant(
         "the front of the points that are not on it",
-        CLI + "pictures.py",
+        PLOTS + "trade.py",
         "for p in points if p.front)",
         "for p in points if not p.front)",
         PICTURES,
     ),
     Mutant(
         "estimates for errors in time against error",
-        CLI + "pictures.py",
+        PLOTS + "trade.py",
         "[p.seconds for p in chosen], [p.error for p in chosen]",
         "[p.seconds for p in chosen], [p.estimate or p.error for p in chosen]",
         PICTURES,
     ),
     Mutant(
         "amplitude and stick fraction of a family swapped",
-        CLI + "families/family_picture.py",
+        PLOTS + "families.py",
         '"amplitude": "amplitude [m]",\n    "stick_fraction": "stick fraction $t_1/T$",',
         '"stick_fraction": "amplitude [m]",\n    "amplitude": "stick fraction $t_1/T$",',
         PICTURES,
     ),
     Mutant(
         "a family over alpha under the label of its parameter",
-        CLI + "families/family_picture.py",
-        'axes.plot(points["value"],',
-        'axes.plot(points["alpha"],',
+        PLOTS + "families.py",
+        'axes.plot(family["value"],',
+        'axes.plot(family["alpha"],',
         PICTURES,
     ),
 )

@@ -73,11 +73,12 @@ MUTANTS: tuple[Mutant, ...] = (
         "f\"{'-' if minus else ''}{term}\"",
         "term",
     ),
-    command(
+    Mutant(
         "the displacement for the velocity in a file of the motion",
-        "motion.py",
+        "src/nonsmooth/files/scenes/tables.py",
         "orbit.displacement(t), orbit.velocity(t), orbit.acceleration(t)",
         "orbit.velocity(t), orbit.displacement(t), orbit.acceleration(t)",
+        COMMANDS,
     ),
     command(
         "generate --check writes",

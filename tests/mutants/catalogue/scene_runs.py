@@ -37,7 +37,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "axes of a drawn trade swapped",
-        f"{CLI}/shown/pictures.py",
+        "src/nonsmooth/plots/trade.py",
         "axes.plot(times, errors, label=words,",
         "axes.plot(errors, times, label=words,", TRADE,
     ),
@@ -59,7 +59,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "least and largest swapped in a file along a parameter",
-        f"{CLI}/family.py",
+        "src/nonsmooth/files/scenes/tables.py",
         'values |= {f"least_{name}": low, f"largest_{name}": high}',
         'values |= {f"least_{name}": high, f"largest_{name}": low}', FAMILY,
     ),
@@ -71,8 +71,8 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "velocities drawn for displacements along a parameter",
-        f"{CLI}/shown/family_picture.py",
-        "axes.plot(along, _ends(result, name, end), **look)",
+        "src/nonsmooth/plots/families.py",
+        "axes.plot(along, _ends(result, quantity, end), **look)",
         'axes.plot(along, _ends(result, "velocity", end), **look)', FAMILY,
     ),
     Mutant(

@@ -130,9 +130,9 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "displacement and velocity swapped in a picture",
-        "src/nonsmooth/cli/scenes/shown/transient.py",
-        "times, x, v, _ = map(",
-        "times, v, x, _ = map(",
+        "src/nonsmooth/plots/simulations.py",
+        "zip(HISTORIES, values, strict=True)",
+        'zip(("velocity", "displacement", "acceleration"), values, strict=True)',
         COMMAND,
     ),
 )

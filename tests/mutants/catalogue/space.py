@@ -189,7 +189,7 @@ MUTANTS = (
     ),
     Mutant(
         "the picture shows the moment of the exact mode upside down",
-        "src/nonsmooth/cli/space/pictures.py",
+        "src/nonsmooth/plots/modes.py",
         "    scale = sign / np.sqrt(np.mean(u**2))",
         "    scale = -sign / np.sqrt(np.mean(u**2))",
         COMMANDS,

@@ -1,13 +1,12 @@
 """``nonsmooth sweep SCENE --vary``: the orbit of a scene along one of its parameters."""
 
-import csv
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from ..orders import is_whole
-from ..output import write_text, write_whole
+from ..output import DATA, write_file, write_picture, write_text
 from ..problems import Problem, as_problems
 from ..progress import progress
 from ..vary import Vary, parse_vary
@@ -42,11 +41,10 @@ def run(
     json_: bool, output: Path | None,
 ) -> int:  # fmt: skip
     """Follow the orbit, show it, write it; the exit status."""
+    from nonsmooth.files.scenes import documents  # noqa: PLC0415
     from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.family import ORDER, family_case  # noqa: PLC0415
-
-    from .shown import documents  # noqa: PLC0415
 
     if orders is not None and not is_whole(orders):
         raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
@@ -81,35 +79,9 @@ def _write(output: Path, text: str, result: "SceneFamily", log: bool) -> None:
     suffix = output.suffix.lower()
     if suffix == ".json":
         write_text(output, text)
-    elif suffix == ".csv":
-        write_whole(output, lambda target: write_table(result, target))
+    elif suffix in DATA:
+        write_file(output, result)
     else:
-        from .shown.family_picture import family_picture  # noqa: PLC0415
+        from nonsmooth.plots.families import family_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: family_picture(result, log, target))
-
-
-def write_table(result: "SceneFamily", target: Path) -> None:
-    """Write one line a value, with the scene and its other parameters behind it."""
-    fixed = {name: v for name, v in result.case.values.items() if name != result.parameter}
-    constants = {
-        "scene": result.case.scene.name,
-        "method": result.method,
-        "order": result.order,
-        "functions": result.functions,
-    } | fixed
-    with target.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        for index, row in enumerate(result.rows):
-            values = row.as_dict()
-            estimate, ends = values.pop("estimate"), values.pop("extremes")
-            values[result.parameter] = values.pop("value")
-            values["durations"] = " ".join(map(repr, values["durations"] or ()))
-            for name, pair in ends.items():
-                low, high = pair or (None, None)
-                values |= {f"least_{name}": low, f"largest_{name}": high}
-            values |= {f"estimate_{key}": value for key, value in estimate.items()}
-            values |= constants
-            if index == 0:
-                writer.writerow(values)
-            writer.writerow(values.values())
+        write_picture(output, lambda: family_figure(result, log))

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text, write_whole
 from ..problems import Problem
 from ..progress import busy
 from .options import case_from, command_of
@@ -116,7 +116,7 @@ def run(
 
 
 def _text(motion: "Simulation") -> str:
-    from .shown import documents  # noqa: PLC0415
+    from nonsmooth.files.scenes import documents  # noqa: PLC0415
 
     return documents.text(motion.case, motion.as_dict(), ())
 
@@ -126,10 +126,10 @@ def _write(output: Path, text: str, motion: "Simulation") -> None:
     if suffix == ".json":
         write_text(output, text)
     elif suffix == ".csv":
-        from .motion import write_transient  # noqa: PLC0415
+        from nonsmooth.files.scenes.tables import write_simulation  # noqa: PLC0415
 
-        write_transient(motion, output)
+        write_whole(output, lambda target: write_simulation(motion, target))
     else:
-        from .shown.transient import picture  # noqa: PLC0415
+        from nonsmooth.plots.simulations import simulation_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: picture(motion, target))
+        write_picture(output, lambda: simulation_figure(motion))

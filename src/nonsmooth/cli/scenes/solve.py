@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..seconds import parse_seconds
 from .options import case_from, command_of, motion_options
 from .wanted import ORDER, Wanted, exact_near, search
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 FAR_OFF = 0.1
 
 #: What an orbit can be written as.
-SUFFIXES = (".json", ".csv", *PICTURES)
+SUFFIXES = (*DATA, *PICTURES)
 
 HELP = """Compute the periodic orbit of {name} by one method, or by each.
 
@@ -54,7 +54,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
             ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the orbit: .json, its motion .csv; or a picture .png, .svg, .pdf.",
+            help="Write the orbit: .json, .nc, its motion .csv; or a picture .png, .svg, .pdf.",
         ),
     ]  # fmt: skip
 
@@ -86,19 +86,18 @@ def method_names(scene: "SceneNumbers") -> list[str]:
 
 def run(case: "Case", wanted: Wanted) -> int:
     """Solve as wanted, show it, write it; the exit status."""
+    from nonsmooth.files.scenes import documents  # noqa: PLC0415
     from nonsmooth.solver.orbit.orbit import SceneOrbit  # noqa: PLC0415
-
-    from .shown import documents  # noqa: PLC0415
 
     choice, found = search(case, wanted)
     orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
     case = orbits[0].case if orbits else case
     exact = exact_near(case, orbits)
     order = (ORDER if wanted.order is None else wanted.order) if wanted.tol is None else None
-    parts = documents.of_orbits(case, found, order, wanted.functions, exact)
+    parts = documents.of_each(case, found, order, wanted.functions, exact)
     if choice is not None:
         parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
-    text = documents.text_of_orbits(case, parts, list(found), wanted.one)
+    text = documents.text_of_each(case, parts, list(found), wanted.one)
     if wanted.json:
         click.echo(text, nl=False)
     else:
@@ -111,7 +110,7 @@ def run(case: "Case", wanted: Wanted) -> int:
         click.echo(f"\n{captions.legend(case.scene)}")
     _warn(orbits if choice is None else [])
     if wanted.output is not None:
-        _write(case, wanted.output, text, orbits, exact)
+        _write(wanted.output, text, orbits, exact)
     return 0 if len(orbits) == len(found) else 1
 
 
@@ -135,19 +134,16 @@ def _warn(orbits: "list[SceneOrbit]") -> None:
 
 
 def _write(
-    case: "Case", output: Path, text: str, orbits: "list[SceneOrbit]",
-    exact: "ExactSceneOrbit | None",
-) -> None:  # fmt: skip
+    output: Path, text: str, orbits: "list[SceneOrbit]", exact: "ExactSceneOrbit | None"
+) -> None:
     suffix = output.suffix.lower()
     if suffix == ".json":
         write_text(output, text)
     elif not orbits:
         click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
-    elif suffix == ".csv":
-        from .motion import write_motion  # noqa: PLC0415
-
-        write_motion(orbits, output)
+    elif suffix in DATA:
+        write_file(output, orbits)
     else:
-        from .shown.pictures import orbit_picture  # noqa: PLC0415
+        from nonsmooth.plots.orbits import orbit_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: orbit_picture(case, orbits, exact, target))
+        write_picture(output, lambda: orbit_figure(orbits, exact))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..orders import parse_orders
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..problems import Problem, as_problems
 from ..progress import progress
 from . import family
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 ORDERS = "1-20"
 
 #: What a sweep can be written as.
-SUFFIXES = (".json", ".csv", *PICTURES)
+SUFFIXES = (*DATA, *PICTURES)
 
 HELP = """Compute the orbit of {name} for many orders and compare it with the exact one.
 
@@ -56,7 +56,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
             ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the rows: .csv, .json; or a picture .png, .svg, .pdf.",
+            help="Write the rows: .csv, .json, .nc; or a picture .png, .svg, .pdf.",
         ),
     ]  # fmt: skip
 
@@ -124,7 +124,7 @@ def _methods(scene: "SceneNumbers", text: str) -> list[str]:
 
 
 def _text(result: "SceneSweep") -> str:
-    from .shown import documents  # noqa: PLC0415
+    from nonsmooth.files.scenes import documents  # noqa: PLC0415
 
     return documents.text(result.case, result.as_dict(), result.rates())
 
@@ -133,11 +133,9 @@ def _write(output: Path, text: str, result: "SceneSweep") -> None:
     suffix = output.suffix.lower()
     if suffix == ".json":
         write_text(output, text)
-    elif suffix == ".csv":
-        from .motion import write_rows  # noqa: PLC0415
-
-        write_rows(result, output)
+    elif suffix in DATA:
+        write_file(output, result)
     else:
-        from .shown.pictures import convergence_picture  # noqa: PLC0415
+        from nonsmooth.plots.sweeps import convergence_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: convergence_picture(result, target))
+        write_picture(output, lambda: convergence_figure(result))

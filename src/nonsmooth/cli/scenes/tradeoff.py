@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text
 from ..problems import Problem
 from ..progress import progress
 from .options import case_from, command_of
@@ -52,10 +52,9 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
 def run(case: "Case", json_: bool, output: Path | None) -> int:
     """Measure, show, write; the exit status."""
+    from nonsmooth.files.scenes import documents  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.trade import trade, ways  # noqa: PLC0415
-
-    from .shown import documents  # noqa: PLC0415
 
     try:
         with progress(1 + len(ways(case)), "tradeoff") as advance:
@@ -76,7 +75,7 @@ def run(case: "Case", json_: bool, output: Path | None) -> int:
     if output is not None and output.suffix.lower() == ".json":
         write_text(output, text)
     elif output is not None:
-        from .shown.pictures import trade_picture  # noqa: PLC0415
+        from nonsmooth.plots.trade import trade_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: trade_picture(result, target))
+        write_picture(output, lambda: trade_figure(result))
     return 0

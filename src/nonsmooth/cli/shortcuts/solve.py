@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import DATA, PICTURES, check_target, write_file, write_text, write_whole
+from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..problems import Problem
 from ..progress import busy
 from ..scenes.command import SceneCommand
@@ -128,13 +128,17 @@ def solve(
         terms = {name: c1_terms if method or name == "hb-c1" else 1 for name in names}
         found = {name: _search(belt, name, order, terms[name]) for name in names}
     from nonsmooth.files.json_text import sealed  # noqa: PLC0415
-    from nonsmooth.files.shortcuts.documents import of_solution, with_origin  # noqa: PLC0415
+    from nonsmooth.files.shortcuts.documents import (  # noqa: PLC0415
+        of_solution,
+        several,
+        with_origin,
+    )
 
     documents = [of_solution(belt, name, order, result) for name, result in found.items()]
     if choice is not None:
         documents[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
     _add_digits(documents, found, digits)
-    text = sealed(with_origin(documents[0] if method else {"orbits": documents}, list(found)))
+    text = sealed(with_origin(documents[0] if method else several(documents), list(found)))
     if json_:
         click.echo(text, nl=False)
     else:
@@ -197,6 +201,6 @@ def _write(output: Path, text: str, belt: "StickSlip", orbits: "list[Orbit]") ->
         else:
             click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
     else:
-        from .pictures import orbit_picture  # noqa: PLC0415
+        from nonsmooth.plots.shortcuts.orbits import orbit_figure  # noqa: PLC0415
 
-        write_whole(output, lambda target: orbit_picture(belt, orbits, target))
+        write_picture(output, lambda: orbit_figure(belt, orbits))

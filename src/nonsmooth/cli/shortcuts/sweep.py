@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..orders import parse_orders
-from ..output import DATA, PICTURES, check_target, write_file, write_whole
+from ..output import DATA, PICTURES, check_target, write_file, write_picture
 from ..problems import Problem, about_option
 from ..progress import progress
 from ..scenes.command import SceneCommand
@@ -141,6 +141,6 @@ def _write(output: Path, result: "Sweep") -> None:
     if output.suffix.lower() in DATA:
         write_file(output, result)
         return
-    from .pictures import convergence_picture  # noqa: PLC0415
+    from nonsmooth.plots.shortcuts.sweeps import convergence_figure  # noqa: PLC0415
 
-    write_whole(output, lambda target: convergence_picture(result, target))
+    write_picture(output, lambda: convergence_figure(result))

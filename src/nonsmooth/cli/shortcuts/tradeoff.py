@@ -8,7 +8,7 @@ import click
 
 from nonsmooth.files.json_text import as_json
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text
 from ..problems import Problem
 from ..progress import progress
 from ..scenes.command import SceneCommand
@@ -69,6 +69,6 @@ def _write(output: Path, belt: "StickSlip", points: "list[Point]") -> None:
     if output.suffix.lower() == ".json":
         write_text(output, as_json(document(belt, points)) + "\n")
         return
-    from .pictures import tradeoff_picture  # noqa: PLC0415
+    from nonsmooth.plots.shortcuts.trade import tradeoff_figure  # noqa: PLC0415
 
-    write_whole(output, lambda target: tradeoff_picture(points, target))
+    write_picture(output, lambda: tradeoff_figure(points))

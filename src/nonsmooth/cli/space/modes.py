@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text, write_whole
 from ..problems import Problem
 from ..progress import progress
 from .named import StructureCommand, known
@@ -169,9 +169,9 @@ def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path 
         elif output.suffix.lower() == ".csv":
             write_whole(output, lambda target: documents.write_modes(found, target))
         else:
-            from .pictures import modes_picture  # noqa: PLC0415
+            from nonsmooth.plots.modes import modes_figure  # noqa: PLC0415
 
-            write_whole(output, lambda target: modes_picture(found, target))
+            write_picture(output, lambda: modes_figure(found))
     return 0
 
 
@@ -221,7 +221,9 @@ def run_family(
                 lambda target: documents.write_modes(found, target, over.name, over.values),
             )
         else:
-            from .pictures import family_picture  # noqa: PLC0415
+            from nonsmooth.plots.modes import family_figure  # noqa: PLC0415
 
-            write_whole(output, lambda target: family_picture(over, found, target))
+            write_picture(
+                output, lambda: family_figure(over.name, over.values, found, over.log)
+            )
     return 0

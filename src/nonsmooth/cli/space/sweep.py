@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..orders import parse_orders
-from ..output import PICTURES, check_target, write_text, write_whole
+from ..output import PICTURES, check_target, write_picture, write_text, write_whole
 from ..problems import Problem
 from ..progress import progress
 from .options import as_problems, attached_from, command_of
@@ -122,9 +122,9 @@ def run(
         elif suffix == ".csv":
             write_whole(output, lambda target: documents.write_convergence(study, target))
         else:
-            from .pictures import convergence_picture  # noqa: PLC0415
+            from nonsmooth.plots.modes import convergence_figure  # noqa: PLC0415
 
-            write_whole(output, lambda target: convergence_picture(study, target))
+            write_picture(output, lambda: convergence_figure(study))
     if all(row.beta is None for row in study.rows):
         raise Problem(f"--mode: got {mode}, no order has so many modes", 1)
     return 0

@@ -4,11 +4,17 @@ import math
 from typing import Any
 
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.shortcuts.names import PHASES, SCENE
 from nonsmooth.solver.shortcuts.orbit.motion import ExactOrbit
 from nonsmooth.solver.shortcuts.orbit.orbit import Orbit
 
-#: The scene, its class, and its phases.
-SCENE, CLASS, PHASES = "stick-slip", "C1", ("stick", "slip")
+#: The class of the motion.
+CLASS = "C1"
+
+
+def scene() -> dict[str, Any]:
+    """Return scene and class, which every document begins with."""
+    return {"scene": SCENE, "class": CLASS, "motion": None, "cycles": 1}
 
 
 def head() -> dict[str, Any]:

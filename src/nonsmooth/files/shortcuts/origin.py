@@ -9,7 +9,6 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import PARAMETERS
 from nonsmooth.solver.shortcuts.search.kernels import module
 
 from ..errors import FileError
-from ..json_text import SCHEMA
 
 #: Units of what is in a file, beside the parameters'; what is not here is a plain number.
 UNITS = {"t1": "s", "period": "s", "seconds": "s", "amplitude": "m"}
@@ -65,22 +64,6 @@ def units(methods: Iterable[str] = ()) -> dict[str, Any]:
     coefficients = {method: COEFFICIENTS[method] for method in methods}
     more = UNITS_OF_ORBIT | {"coefficients": coefficients}
     return found | (more if coefficients else {})
-
-
-def check_schema(path: Path, schema: object) -> None:
-    """Check that the file is of a schema known here.
-
-    Raises
-    ------
-    FileError
-        If it is not.
-    """
-    if isinstance(schema, int) and schema > SCHEMA:
-        raise FileError(
-            path, f"schema {schema} is from a newer nonsmooth; this one knows up to {SCHEMA}"
-        )
-    if schema != SCHEMA:
-        raise FileError(path, "no file of nonsmooth: it has no schema")
 
 
 def check_mathematics(path: Path, found: object, methods: Iterable[str]) -> None:

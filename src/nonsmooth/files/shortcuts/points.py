@@ -12,6 +12,7 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 from nonsmooth.solver.shortcuts.search.family import Family
 from nonsmooth.solver.shortcuts.search.family_points import COLUMNS, POINT, STATUS
 
+from .. import checks
 from ..errors import damaged
 
 Array = npt.NDArray[np.void]
@@ -118,7 +119,33 @@ def to_families(path: Path, head: Head, rows: Sequence[Sequence[Any]]) -> list[F
         points["status"] = [STATUS.index(status) for status in columns[1]]
         for name, column in zip(COLUMNS, columns[2:], strict=True):
             points[name] = [np.nan if value is None else value for value in column]
-        found.append(
-            Family(head.belt, head.parameter, method, head.order, head.c1_terms, points)
-        )
+        how = (head.parameter, method, head.order, head.c1_terms)
+        found.append(Family(head.belt, *how, checked(points)))
     return found
+
+
+def checked(points: Array) -> Array:
+    """Return points, if they can be right.
+
+    Raises
+    ------
+    NotRightError
+        Naming what cannot, and at which value.
+    """
+    ok = points["status"] == 0
+    if not np.isin(points["status"], range(len(STATUS))).all():
+        raise checks.NotRightError("a status that there is not")
+    of_orbits = points[ok]
+    t1, T = of_orbits["t1"], of_orbits["period"]
+    parts = of_orbits["stick_fraction"]
+    for words, right in (
+        ("a period that is not positive", (T > 0) & np.isfinite(T)),
+        ("t1 that is not between 0 and the period", (t1 > 0) & (t1 < T)),
+        ("a stick fraction that is not t1/period", np.abs(parts * T - t1) <= checks.SAME * T),
+        ("an amplitude that is not positive", of_orbits["amplitude"] > 0),
+        ("an estimate below 0", ~(of_orbits["estimate_period"] < 0)),
+    ):
+        if not right.all():
+            value = of_orbits["value"][~right][0]
+            raise checks.NotRightError(f"{words}, where the parameter is {value:g}")
+    return points

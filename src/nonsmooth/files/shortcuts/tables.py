@@ -19,10 +19,11 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import PARAMETERS, StickSlip
 from nonsmooth.solver.shortcuts.search.family_points import COLUMNS
 from nonsmooth.solver.shortcuts.search.sweep import Sweep
 
-from ..errors import FileError, damaged, of_a_scene
+from ..errors import FileError, damaged
 from ..json_text import SCHEMA
+from ..schema import check_schema
 from .documents import to_row
-from .origin import check_schema, origin
+from .origin import origin
 from .points import Head, Points, to_families
 
 #: Times over one period at which the motion of an orbit is written.
@@ -114,11 +115,12 @@ def read(path: Path) -> Any:
 
 def _restored(path: Path, rows: list[dict[str, str]]) -> Any:
     if rows and "scene" in rows[0]:
-        raise of_a_scene(path, rows[0]["scene"])
+        words = f"rows of the scene {rows[0]['scene']}, for other programs"
+        raise FileError(path, f"{words}; save as .json to load it")
     if not rows or "schema" not in rows[0]:
         if rows and "displacement" in rows[0]:
             raise FileError(path, "the motion of an orbit; save the orbit as .json to load it")
-        raise FileError(path, "no file of nonsmooth: it has no rows with a schema")
+        raise FileError(path, "not a file of nonsmooth: it has no rows with a schema")
     check_schema(path, int(rows[0]["schema"]))
     family = "parameter" in rows[0]
     names = list(rows[0])

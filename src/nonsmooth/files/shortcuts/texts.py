@@ -1,8 +1,7 @@
-"""JSON files: one document, with the SHA-256 of its own text at the end."""
+"""JSON documents of the paper's methods."""
 
-import hashlib
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Protocol
@@ -12,14 +11,18 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 from nonsmooth.solver.shortcuts.search.family_points import COLUMNS
 from nonsmooth.solver.shortcuts.search.sweep import Sweep
 
-from ..errors import FileError, damaged, of_a_scene
-from ..json_text import DIGEST, as_json, seal, sealed
+from ..errors import FileError
+from ..json_text import ROWS, SCHEMA, Digest, as_json, end, finite
+from .as_any_scene import scene
 from .documents import of_orbits, of_sweep, to_orbit, to_sweep, with_origin
-from .origin import check_mathematics, check_schema, origin, units
+from .origin import check_mathematics, origin, units
 from .points import Head, Points, to_families
 
 #: What only the paper's methods have in the document of an orbit, beside all that others have.
 OF_THE_PAPER = "transition_mismatch"
+
+#: What only its sweeps and families have.
+OF_ROWS = "c1_terms"
 
 
 class Writable(Protocol):
@@ -27,16 +30,6 @@ class Writable(Protocol):
 
     def write(self, text: str, /) -> object:
         """Write the text."""
-
-
-def write_sweep(result: Sweep, target: Path) -> None:
-    """Write a sweep."""
-    target.write_text(sealed(sweep_document(result)), "utf-8", newline="")
-
-
-def write_orbits(orbits: Sequence[Orbit], target: Path) -> None:
-    """Write orbits."""
-    target.write_text(sealed(orbit_document(orbits)), "utf-8", newline="")
 
 
 def write_points(points: Points, target: Path) -> None:
@@ -52,19 +45,13 @@ def orbit_document(orbits: Sequence[Orbit]) -> dict[str, Any]:
 
 def sweep_document(result: Sweep) -> dict[str, Any]:
     """Return the whole document of a sweep."""
-    return with_origin(of_sweep(result), list(result.rates()))
+    return with_origin(scene() | of_sweep(result), list(result.rates()))
 
 
 def stream_points(points: Points, target: Writable) -> None:
     """Write families, a chunk at a time."""
-    digest = hashlib.sha256()
-
-    def put(text: str) -> None:
-        digest.update(text.encode())
-        target.write(text)
-
     head = points.head
-    document: dict[str, Any] = {
+    document: dict[str, Any] = scene() | {
         "parameters": asdict(head.belt),
         "vary": {"parameter": head.parameter, "count": head.count},
         "methods": head.methods,
@@ -72,7 +59,9 @@ def stream_points(points: Points, target: Writable) -> None:
         "c1_terms": head.c1_terms,
         "units": units() | {"value": units()[head.parameter]},
     }
-    put(as_json(document | origin(head.methods)).removesuffix("\n}") + ',\n  "rows": [')
+    document |= origin(head.methods)
+    digest = Digest(finite({"schema": SCHEMA} | document))
+    target.write(as_json(document).removesuffix("\n}") + f',\n  "{ROWS}": [')
     separator = "\n"
     names = ("method", "order", "status", *COLUMNS)
     for rows in points.rows():
@@ -81,41 +70,31 @@ def stream_points(points: Points, target: Writable) -> None:
             values["estimate"] = {
                 name: values.pop(f"estimate_{name}") for name in ("period", "t1")
             }
-            put(f"{separator}    {json.dumps(values)}")
+            digest.add(values)
+            target.write(f"{separator}    {json.dumps(values)}")
             separator = ",\n"
-    put("\n  ],\n")
-    target.write(f'{DIGEST}"{digest.hexdigest()}"\n}}\n')
+    target.write(end("\n  ],\n", digest.hexdigest()))
 
 
-def read(path: Path) -> Any:
-    """Return what a JSON file holds; see `load`."""
-    document = _document(path)
-    try:
-        return _restored(path, document)
-    except FileError:
-        raise
-    except (KeyError, TypeError, ValueError) as error:
-        raise damaged(path, f"{type(error).__name__} {error}") from error
+def is_of_the_paper(document: Mapping[str, Any]) -> bool:
+    """Return whether a document is of the paper's methods, and not of any scene."""
+    return (
+        OF_THE_PAPER in document
+        or any(OF_THE_PAPER in each for each in document.get("orbits", ()))
+        or OF_ROWS in document
+    )
 
 
-def _document(path: Path) -> dict[str, Any]:
-    try:
-        text = path.read_bytes().decode("utf-8")
-        document = json.loads(text)
-    except (ValueError, RecursionError) as error:  # of the encoding, or of the JSON
-        raise damaged(path, f"not JSON: {error}") from error
-    if not isinstance(document, dict):
-        raise FileError(path, "no file of nonsmooth")
-    check_schema(path, document.get("schema"))
-    before, found, _ = text.rpartition(DIGEST)
-    if not found or text != before + seal(before):
-        raise damaged(path, "its digest is not that of its text")
-    return document
+def restored(path: Path, document: Mapping[str, Any]) -> Any:
+    """Return what a document holds.
 
-
-def _restored(path: Path, document: dict[str, Any]) -> Any:
-    if "scene" in document and OF_THE_PAPER not in document:
-        raise of_a_scene(path, document["scene"])
+    Raises
+    ------
+    FileError
+        If it holds nothing that can be restored, or orbits of other equations.
+    NotRightError
+        A `ValueError`: if a number in it cannot be right.
+    """
     if "vary" in document:
         return _families(path, document)
     if "rows" in document:
@@ -128,7 +107,7 @@ def _restored(path: Path, document: dict[str, Any]) -> Any:
     raise FileError(path, "holds no orbit, sweep or family")
 
 
-def _families(path: Path, document: dict[str, Any]) -> Any:
+def _families(path: Path, document: Mapping[str, Any]) -> Any:
     vary = document["vary"]
     head = Head(
         StickSlip(**document["parameters"]),

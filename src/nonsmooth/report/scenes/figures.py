@@ -7,11 +7,13 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from nonsmooth.plots.axes import LEAST
+from nonsmooth.plots.orbits import draw as draw_motion
+from nonsmooth.plots.orbits import line
 from nonsmooth.solver.accuracy.errors import derivative
 from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.case.methods import about
 from nonsmooth.solver.orbit.motion import SceneMotion
-from nonsmooth.solver.orbit.notebook import instants, portrait
 from nonsmooth.style import EXACT
 
 from .collected import Collected, Way
@@ -23,9 +25,6 @@ SIZE = (4.8, 3.2)
 
 #: Points of a phase at which the derivative that jumps is drawn.
 POINTS = 800
-
-#: Least error that is drawn.
-LEAST = 1e-17
 
 Draw = Callable[[Any, Collected], None]
 
@@ -42,11 +41,6 @@ def _legend(axes: Any, columns: int = 3) -> None:
     axes.legend(ncols=columns, frameon=False, columnspacing=1.2, **place)
 
 
-def _line(method: str) -> dict[str, Any]:
-    look = about(method).look
-    return {"color": look["color"], "linestyle": look["linestyle"], "linewidth": 1.4}
-
-
 def drawing(axes: Any, found: Collected) -> None:
     """Draw the oscillator."""
     sketch(axes, found.case.scene.name)
@@ -54,9 +48,9 @@ def drawing(axes: Any, found: Collected) -> None:
 
 def plane(axes: Any, found: Collected) -> None:
     """Draw the phase plane: the exact orbit, and orbits of low order."""
-    portrait(found.exact, axes, label="exact", **EXACT | {"linewidth": 1.6})
+    draw_motion(found.exact, axes, linewidth=1.6)
     for name, orbit in found.small.items():
-        portrait(orbit, axes, label=f"{name}, N = {orbit.order}", **_line(orbit.method))
+        draw_motion(orbit, axes, label=f"{name}, N = {orbit.order}")
     for phase in found.exact.phases:
         axes.plot(phase.displacement, phase.velocity, "o", color="black", markersize=4)
     _legend(axes, 2)
@@ -65,16 +59,12 @@ def plane(axes: Any, found: Collected) -> None:
 def history(axes: Any, found: Collected) -> None:
     """Draw displacement and velocity over a period, and the switches."""
     exact, beside = found.exact, axes.twinx()
-    t = instants(exact)
-    axes.plot(t / exact.period, exact.displacement(t), label="displacement", color="0.2")
-    beside.plot(
-        t / exact.period, exact.velocity(t), label="velocity", color="#0072B2", linestyle="--"
-    )
+    draw_motion(exact, axes, "displacement", label="displacement", color="0.2", linewidth=1.5)
+    look = {"color": "#0072B2", "linestyle": "--", "linewidth": 1.5}
+    draw_motion(exact, beside, "velocity", label="velocity", **look)
     switches = np.cumsum(exact.durations)[:-1] / exact.period
     for place in switches:
         axes.axvline(place, color="0.7", linewidth=0.8)
-    axes.set(xlabel="t/T", ylabel="displacement [m]")
-    beside.set_ylabel("velocity [m/s]")
     beside.grid(visible=False)
     handles = [axes.get_lines()[0], beside.get_lines()[0]]
     axes.legend(
@@ -104,9 +94,7 @@ def jumping(axes: Any, found: Collected) -> None:
     axes.plot(*_whole_period(found.exact, order), label="exact", **EXACT | {"linewidth": 1.6})
     for name, orbit in found.ringing.items():
         words = f"{name}, N = {orbit.order}"
-        axes.plot(
-            *_whole_period(orbit, order), label=words, **_line(orbit.method) | {"linewidth": 1}
-        )
+        axes.plot(*_whole_period(orbit, order), label=words, **line(orbit) | {"linewidth": 1})
     unit = "m/s" if order == 1 else f"m/s$^{order}$"
     axes.set(xlabel="t/T", ylabel=f"$x^{{({order})}}$ [{unit}]")
     _legend(axes, 2)

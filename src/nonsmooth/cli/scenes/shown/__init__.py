@@ -1,1 +1,1 @@
-"""Orbits and sweeps of scenes as tables, captions, documents, pictures."""
+"""Orbits and sweeps of scenes as tables, captions."""

@@ -36,18 +36,8 @@ def caption_of_family(result: "SceneFamily") -> str:
     head = f"{scene.name}: {scene.title} (C{scene.k})"
     along = f"{parameter.symbol} = {values[0]:g} to {values[-1]:g} {parameter.unit}".rstrip()
     how = f"{shown(scene, result.method)}, N = {result.order}"
-    lines = [*textwrap.wrap(head, WIDTH), *_wrapped(others(result)), f"{along}; {how}"]
+    lines = [*textwrap.wrap(head, WIDTH), *_wrapped(result.other_parameters), f"{along}; {how}"]
     return "\n".join(lines) + "\n"
-
-
-def others(result: "SceneFamily") -> str:
-    """Return the parameters of a family that do not vary, in one line."""
-    parts = [
-        f"{q.symbol} = {result.case.values[q.name]:.4g} {q.unit}".rstrip()
-        for q in result.case.scene.parameters
-        if q.name != result.parameter
-    ]
-    return ", ".join(parts)
 
 
 def smoother(case: "Case") -> list[str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ...orders import is_whole
-from ...output import DATA, write_file, write_whole
+from ...output import DATA, write_file, write_picture
 from ...problems import Problem, about_option
 from .vary import parse_vary
 
@@ -97,8 +97,9 @@ def _write(job: "Job", store: "Store", output: Path) -> None:
     if output.suffix.lower() in DATA:
         write_file(output, job.saved(store))
         return
-    from .family_picture import family_picture  # noqa: PLC0415
+    from nonsmooth.plots.shortcuts.families import family_figure  # noqa: PLC0415
+
     from .family_shown import spread  # noqa: PLC0415
 
-    points = spread(job, store, PICTURE)
-    write_whole(output, lambda target: family_picture(job, points, target))
+    drawn = job.families(spread(job, store, PICTURE))
+    write_picture(output, lambda: family_figure(drawn, job.vary.log))

@@ -1,6 +1,6 @@
 """What a sweep over a parameter computes, cut into chunks, and the computing of them."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -43,6 +43,14 @@ class Job:
         vary = self.vary
         fixed = (self.belt, vary.parameter, self.methods, self.order, self.c1_terms)
         return points.Points(points.Head(*fixed, vary.count), store.read)
+
+    def families(self, found: Mapping[str, Points]) -> dict[str, family.Family]:
+        """Return some of the points of each method as a family."""
+        fixed = (self.belt, self.vary.parameter)
+        return {
+            name: family.Family(*fixed, name, self.order, self.c1_terms, points)
+            for name, points in found.items()
+        }
 
     def plan(self) -> dict[str, Any]:
         """Return all that the points depend on."""

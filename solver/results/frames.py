@@ -1,0 +1,83 @@
+"""Tables as those of pandas and xarray, where these are installed."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...extras import require
+from ..arrays import Vector
+
+if TYPE_CHECKING:
+    from .table import Table
+
+
+def dataframe(table: "Table") -> Any:
+    """Return a table as a `pandas.DataFrame`; see `Tabular.to_dataframe`."""
+    require("pandas", "pandas", "to_dataframe")
+    import pandas as pd  # noqa: PLC0415
+
+    found = pd.DataFrame({name: column(values) for name, values in table.columns.items()})
+    found.attrs = {"units": dict(table.units), **table.about}
+    return found
+
+
+def dataset(table: "Table") -> Any:
+    """Return a table as an `xarray.Dataset`; see `Tabular.to_xarray`."""
+    require("xarray", "xarray", "to_xarray")
+    import xarray as xr  # noqa: PLC0415
+
+    variables = {
+        name: (dimensions, values, _unit(table, name))
+        for name, (dimensions, values) in arrays(table).items()
+    }
+    coordinates = {name: variables.pop(name) for name in table.index}
+    return xr.Dataset(variables, coordinates, dict(table.about))
+
+
+def arrays(table: "Table") -> dict[str, tuple[tuple[str, ...], Any]]:
+    """Return the columns of a table as arrays over its index, and the index itself.
+
+    Over one coordinate an array has the values of its column; over two, those of the row of
+    each pair, and where there is no such row NaN, 0 or no word.
+    """
+    columns = {name: column(values) for name, values in table.columns.items()}
+    labels, places = _grid([columns[name] for name in table.index])
+    found: dict[str, tuple[tuple[str, ...], Any]]
+    found = {name: ((name,), labels[i]) for i, name in enumerate(table.index)}
+    for name, values in columns.items():
+        if name not in table.index:
+            grid = np.zeros(tuple(map(len, labels)), dtype=values.dtype)
+            if values.dtype.kind == "f":
+                grid[...] = np.nan
+            grid[places] = values
+            found[name] = (table.index, grid)
+    return found
+
+
+def column(values: Any) -> Any:
+    """Return a column as an array: of whole numbers, of floats with NaN, or of words."""
+    if isinstance(values, np.ndarray):
+        return values
+    known = [value for value in values if value is not None]
+    if known and all(isinstance(value, str) for value in known):
+        return np.array(["" if value is None else value for value in values])
+    if known and len(known) == len(values) and all(isinstance(v, int) for v in known):
+        return np.array(values)
+    return np.array([np.nan if value is None else value for value in values], dtype=float)
+
+
+def _unit(table: "Table", name: str) -> dict[str, str]:
+    return {"units": table.units[name]} if name in table.units else {}
+
+
+def _grid(index: "list[Vector]") -> "tuple[list[Vector], Any]":
+    """Return the values of each coordinate, and the place of each row among them."""
+    if len(index) == 1:
+        return index, slice(None)
+    labels, places = [], []
+    for values in index:
+        known = np.array(list(dict.fromkeys(values.tolist())))
+        labels.append(known)
+        where = {value: i for i, value in enumerate(known.tolist())}
+        places.append(np.array([where[value] for value in values.tolist()], dtype=int))
+    return labels, tuple(places)

@@ -1,0 +1,1 @@
+"""Files of any scene: orbits, sweeps and families as JSON, netCDF, CSV."""

@@ -1,0 +1,158 @@
+"""Orbits, sweeps and families of any scene from their documents, if these can be right."""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.scene import find
+from nonsmooth.solver.accuracy.errors import SceneErrors
+from nonsmooth.solver.case.case import Case
+from nonsmooth.solver.case.registry import (
+    UnknownScene,
+    generic_method,
+    kernel,
+    mathematics,
+    of_motion,
+)
+from nonsmooth.solver.family import FamilyRow, SceneFamily
+from nonsmooth.solver.iteration.newton import Outcome
+from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.sweep import SceneRow, SceneSweep
+
+from .. import checks
+from ..errors import FileError
+
+#: What a row may say of itself.
+STATUS = ("ok", "no-orbit", "not-converged")
+
+
+def restored(path: Path, document: Mapping[str, Any], scene: object = None) -> Any:
+    """Return what a document of a scene holds.
+
+    Parameters
+    ----------
+    path : Path
+        Where it stands, for messages.
+    document : mapping
+        As JSON has it.
+    scene : optional
+        The scene, as `nonsmooth.scene` takes it, of one that is not shipped.
+
+    Raises
+    ------
+    FileError
+        If it holds nothing that can be restored, or the scene or its equations are others.
+    NotRightError
+        A `ValueError`: if a number in it cannot be right.
+    """
+    if "vary" in document:
+        return _family(document, _case(path, document, scene))
+    if "rows" in document:
+        return _sweep(document, _case(path, document, scene))
+    every = document.get("orbits", [document])
+    if not all("converged" in each for each in every):
+        raise FileError(path, "holds no orbit, sweep or family")
+    found = [_orbit(path, document | each, scene) for each in every if each["converged"]]
+    if "orbits" not in document and not found:
+        raise FileError(path, f"no orbit: {'; '.join(document['violations'])}")
+    return found if "orbits" in document else found[0]
+
+
+def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
+    name = document["scene"]
+    try:
+        found = find(name if scene is None else scene)
+    except UnknownScene as error:
+        hint = "give its file or the scene itself as `scene`"
+        raise FileError(path, f"of the scene {name!r}, which is not shipped: {hint}") from error
+    if found.name != name:
+        raise FileError(path, f"of the scene {name!r}, got {found.name!r}")
+    if document.get("motion") is not None:
+        found = of_motion(found, document["motion"])
+    return Case(found, document["parameters"], document.get("cycles", 1))
+
+
+def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit:
+    case = _case(path, document, scene)
+    method = generic_method(case.scene, document["method"])
+    functions, order = document["functions"], document["order"]
+    every = [each["method"] for each in document.get("orbits", [document])]
+    here = {mathematics(case.scene, [method]), mathematics(case.scene, every)}
+    if document["mathematics"] not in here:
+        found = document["mathematics"]
+        raise FileError(path, f"an orbit of other equations ({found}): compute it anew")
+    if document.get("outcome") is None:
+        raise FileError(path, "an orbit without its unknowns, from before these were written")
+    outcome = document["outcome"]
+    z = np.array(outcome["unknowns"], dtype=float)
+    z.flags.writeable = False
+    equations = kernel(case.scene, method, functions)
+    checks.unknowns(z, equations.size(order))
+    R = np.empty(len(z))
+    equations.residual(case.arguments, z, R)
+    checks.residual(R, z)
+    iterations = document["iterations"]
+    made = Outcome(**outcome | {"unknowns": z})
+    orbit = SceneOrbit(case, method, order, made, iterations, functions)
+    durations = [phase["duration"] for phase in document["phases"]]
+    checks.times(document, durations)
+    checks.same("period", document["period"], orbit.period, "its unknowns")
+    for duration, expected in zip(durations, orbit.durations, strict=True):
+        checks.same("a duration", duration, expected, "its unknowns")
+    if not orbit.admissible:
+        raise checks.NotRightError(f"no orbit: {'; '.join(orbit.violations)}")
+    return orbit
+
+
+def _sweep(document: Mapping[str, Any], case: Case) -> SceneSweep:
+    rows = tuple(_row(case, row) for row in document["rows"])
+    return SceneSweep(case, rows, document["functions"])
+
+
+def _row(case: Case, row: Mapping[str, Any]) -> SceneRow:
+    values = dict(row) | {"method": generic_method(case.scene, row["method"])}
+    for name in ("errors", "estimate"):
+        values[name] = _errors(row, row[name])
+    checks.not_negative("seconds", row["seconds"])
+    return SceneRow(**values | _checked(row))
+
+
+def _family(document: Mapping[str, Any], case: Case) -> SceneFamily:
+    parameter, rows = document["vary"]["parameter"], []
+    if parameter not in case.values:
+        raise checks.NotRightError(f"{parameter!r} varies, which is not a parameter")
+    for row in document["rows"]:
+        Case(case.scene, dict(case.values) | {parameter: row["value"]}, case.cycles)
+        values = dict(row) | {"estimate": _errors(row, row["estimate"])} | _checked(row)
+        known = row["extremes"] if row["status"] == "ok" else None
+        values["extremes"] = known and {name: tuple(pair) for name, pair in known.items()}
+        rows.append(FamilyRow(**values))
+    if len(rows) != document["vary"]["count"] or not rows:
+        raise checks.NotRightError(f"{len(rows)} rows of {document['vary']['count']}")
+    method = generic_method(case.scene, document["method"])
+    how = (parameter, method, document["order"], document["functions"])
+    return SceneFamily(case, *how, tuple(rows))
+
+
+def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the durations of a row; what cannot be right is refused."""
+    if row["status"] not in STATUS:
+        raise checks.NotRightError(f"status is {row['status']!r}, expected one of {STATUS}")
+    checks.not_negative("iterations", row["iterations"])
+    if row["status"] != "ok":
+        return {"durations": None, "period": None}
+    checks.times(row, row["durations"])
+    return {"durations": tuple(row["durations"])}
+
+
+def _errors(row: Mapping[str, Any], found: Mapping[str, Any]) -> SceneErrors | None:
+    """Return errors; None without an orbit, or where nothing is known of them."""
+    values = [found[field.name] for field in fields(SceneErrors)]
+    if row["status"] != "ok" or all(value is None for value in values):
+        return None
+    for name in ("times", "discontinuous"):
+        checks.not_negative(name, found[name])
+    return SceneErrors(*(float("inf") if value is None else value for value in values))

@@ -1,0 +1,65 @@
+"""Axes to draw on, the frame of a figure, and how figures are written."""
+
+from collections.abc import Callable, Collection
+from pathlib import Path
+from typing import IO, Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+
+from ..style import SETTINGS, save
+
+#: Least error that is drawn: below it is rounding, and for 0 there is no place on the axis.
+LEAST = float(np.finfo(float).eps) / 2
+
+
+def axes_or_new(ax: Any) -> Any:
+    """Return axes to draw on: those given, or new ones in the style of all pictures."""
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt  # noqa: PLC0415  (it chooses a window system)
+
+    with mpl.rc_context(SETTINGS):
+        return plt.subplots(layout="constrained")[1]
+
+
+def check_quantity(quantity: object, known: Collection[str]) -> None:
+    """Check that what is to be drawn is one of those that can be.
+
+    Raises
+    ------
+    ValueError
+        If it is not.
+    """
+    if quantity not in known:
+        raise ValueError(f"quantity: got {quantity!r}, expected one of {', '.join(known)}")
+
+
+def draw_errors(axes: Any, orders: Any, errors: Any, **look: Any) -> None:
+    """Draw errors against the order on logarithmic axes; those below `LEAST` at `LEAST`."""
+    sizes = [np.nan if np.isnan(error) else max(abs(error), LEAST) for error in errors]
+    axes.plot(orders, sizes, **{"markersize": 4, "linewidth": 0.9} | look)
+    axes.set(yscale="log", xlabel="order N")
+    axes.xaxis.get_major_locator().set_params(integer=True)
+
+
+def frame(figure: Figure, axes: Any, words: str, columns: int = 3) -> None:
+    """Put the legend of one pair of axes above a figure, and words below it."""
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=columns, frameon=False)
+    figure.supxlabel(words, fontsize=7, wrap=True)
+
+
+def write(figure: Callable[[], Figure], target: Path) -> None:
+    """Write what a function draws as a picture, in the style of all pictures."""
+    with mpl.rc_context(SETTINGS):
+        save(figure(), target)
+
+
+def on_axes(draw: Callable[[Any], Any], size: tuple[float, float], target: IO[str]) -> None:
+    """Write what a function draws on one pair of axes as SVG."""
+    with mpl.rc_context(SETTINGS):
+        figure = Figure(figsize=size, layout="constrained")
+        draw(figure.subplots())
+        figure.savefig(target, format="svg", metadata={"Date": None})

@@ -1,0 +1,233 @@
+"""Modes of structures: shapes, what jumps at the attachment, convergence, families."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from nonsmooth.solver.case.methods import about
+
+from ..style import EXACT
+from .axes import LEAST, axes_or_new, check_quantity, frame
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from nonsmooth.solver.space.convergence import Convergence
+    from nonsmooth.solver.space.modes import Modes
+
+#: The look of each expansion: that of its like in the paper.
+LOOKS: dict[str, dict[str, Any]] = {
+    "ritz": about("hb").look,
+    "ritz-ck": about("hb-ck").look,
+    "ck": about("ck").look,
+}
+
+#: Markers of one, two, three forced modes.
+MARKERS = ("s", "^", "v")
+
+#: Modes whose shapes are drawn, and points of each.
+DRAWN, POINTS = 3, 2001
+
+#: What can be drawn of a mode.
+QUANTITIES = ("shape", "discontinuous")
+
+#: The errors of a study, and what they are called.
+ERRORS = {"eigenvalue_error": r"error of $\lambda$", "discontinuous": "error of ${broken}$"}
+
+UNITS = {"slope": "1/m", "moment": "N", "shear force": "N/m"}
+
+
+def draw(
+    modes: "Modes", ax: Any = None, quantity: str = "shape", *, number: int = 1, **style: Any
+) -> Any:
+    """Draw one mode above the exact one and return the axes.
+
+    The exact one has the scale and the sign of the other; what is left and right of the
+    attachment is not joined where it jumps.
+
+    Parameters
+    ----------
+    modes : Modes
+        Of one expansion.
+    ax : matplotlib Axes, optional
+        Where; new ones, with a legend, without it.
+    quantity : {"shape", "discontinuous"}
+        The displacement, or the first derivative that jumps: slope, moment or shear force.
+    number : int
+        Of the mode, from 1.
+    **style
+        Of the line, as `matplotlib.axes.Axes.plot` takes it.
+
+    Raises
+    ------
+    ValueError
+        If there is no such quantity or mode.
+    """
+    check_quantity(quantity, QUANTITIES)
+    _check_number(modes, number)
+    axes = axes_or_new(ax)
+    draw_exact(modes, axes, quantity, number)
+    _draw_mode(modes, axes, quantity, number, style)
+    if ax is None:
+        axes.set_xlabel("x [m]")
+        axes.legend(frameon=False)
+    return axes
+
+
+def _check_number(modes: "Modes", number: object) -> None:
+    whole = isinstance(number, int) and not isinstance(number, bool)
+    if not (whole and 1 <= number <= len(modes)):  # type: ignore[operator]
+        raise ValueError(f"number: got {number!r}, expected that of a mode, 1 to {len(modes)}")
+
+
+def _draw_mode(
+    modes: "Modes", axes: Any, quantity: str, number: int, style: dict[str, Any]
+) -> None:
+    mode, x, attached = modes[number - 1], _places(modes.attached), modes.attached
+    label = f"{modes.shown}, N = {modes.order}"
+    look = {"label": label} | _line(modes.method) | style
+    if quantity == "shape":
+        axes.plot(x, mode.shape(x), **look)
+        axes.set_ylabel(f"mode {number}")
+    else:
+        axes.plot(x, _apart(attached, x, mode.discontinuous(x)), **look)
+        axes.set_ylabel(f"{mode.quantity} [{UNITS[mode.quantity]}]")
+    axes.axvline(float(attached.a) * attached.length, color="0.7", linewidth=0.8)
+
+
+def modes_figure(found: "Sequence[Modes]") -> Figure:
+    """Draw mode shapes, and beside each the first discontinuous derivative.
+
+    The exact ones are drawn below them; what is left and right of the attachment is not
+    joined.
+    """
+    rows = min(DRAWN, max(map(len, found)))
+    figure = Figure(figsize=(8, 1.2 + 2.1 * rows), layout="constrained")
+    axes = figure.subplots(rows, 2, squeeze=False, sharex=True)
+    quantity = found[0][0].quantity
+    for number, pair in enumerate(axes, 1):
+        those = [expansion for expansion in found if number <= len(expansion)]
+        for panel, what in zip(pair, QUANTITIES, strict=True):
+            draw_exact(those[0], panel, what, number)
+            for expansion in those:
+                _draw_mode(expansion, panel, what, number, {})
+    axes[0, 0].set(title="shape")
+    axes[0, 1].set(title=f"{quantity}, the first that jumps")
+    for each in axes[-1]:
+        each.set(xlabel="x [m]")
+    words = f"{found[0].structure.name}: {found[0].attached.description}"
+    frame(figure, axes[0, 0], words, 4)
+    return figure
+
+
+def _places(attached: Any) -> Any:
+    """Return places along the structure, dense beside the attachment."""
+    a, length = float(attached.a), attached.length
+    even = np.linspace(0, 1, POINTS)
+    near = a + np.concatenate([-np.geomspace(1e-9, 0.05, 300), np.geomspace(1e-9, 0.05, 300)])
+    found = np.concatenate([even[even != a], near[(near > 0) & (near < 1)]])
+    return np.clip(np.sort(found) * length, 0, length)
+
+
+def _apart(attached: Any, x: Any, values: Any) -> Any:
+    """Return values with a gap at the attachment."""
+    found = np.array(values)
+    place = int(np.searchsorted(x, float(attached.a) * attached.length))
+    found[min(place, len(found) - 1)] = np.nan
+    return found
+
+
+def draw_exact(modes: "Modes", axes: Any, quantity: str, number: int) -> None:
+    """Draw the exact mode with the scale and the sign of the expansion's."""
+    attached, x = modes.attached, _places(modes.attached)
+    length, broken = attached.length, modes.structure.broken
+    middle = (np.arange(2000) + 0.5) / 2000
+    u = modes.exact.shape(number, middle, 0)
+    sign = np.sign(u @ modes[number - 1].shape(middle * length)) or 1.0
+    scale = sign / np.sqrt(np.mean(u**2))
+    style = EXACT | {"color": "0.7", "linewidth": 3.0, "label": "exact"}
+    if quantity == "shape":
+        axes.plot(x, scale * modes.exact.shape(number, x / length, 0), **style)
+        return
+    jumps = scale * modes.exact.shape(number, x / length, broken) / length**broken
+    factor = attached.restoring if broken > 1 else 1.0
+    axes.plot(x, _apart(attached, x, factor * jumps), **style)
+
+
+def _line(method: str) -> dict[str, Any]:
+    look = LOOKS[method]
+    return {"color": look["color"], "linestyle": look["linestyle"], "linewidth": 1.4}
+
+
+def draw_convergence(
+    study: "Convergence", ax: Any = None, quantity: str = "eigenvalue_error", **style: Any
+) -> Any:
+    """Draw one error of a study against the unknowns, a line an expansion; return the axes.
+
+    Parameters
+    ----------
+    study : Convergence
+        What is drawn.
+    ax : matplotlib Axes, optional
+        Where; new ones, with a legend, without it.
+    quantity : {"eigenvalue_error", "discontinuous"}
+        The field of `ConvergenceRow`.
+    **style
+        Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+
+    Raises
+    ------
+    ValueError
+        If `quantity` is none of these.
+    """
+    check_quantity(quantity, ERRORS)
+    axes = axes_or_new(ax)
+    for line in study.lines:
+        rows = study.of(line)
+        look = LOOKS[line.method] | {"markersize": 4, "linewidth": 0.9}
+        if line.forced:
+            look |= {"marker": MARKERS[line.forced - 1]}
+        axes.loglog(
+            [row.unknowns for row in rows],
+            [max(abs(getattr(row, quantity)), LEAST) for row in rows],
+            **look | {"label": line.name(study.attached)} | style,
+        )
+    broken = "u" + "'" * study.attached.structure.broken
+    axes.set(xlabel="unknowns", ylabel=ERRORS[quantity].replace("{broken}", broken))
+    if ax is None:
+        axes.legend(frameon=False)
+    return axes
+
+
+def convergence_figure(study: "Convergence") -> Figure:
+    """Draw the errors of eigenvalue and discontinuous derivative against the unknowns."""
+    figure = Figure(figsize=(8, 4.2), layout="constrained")
+    both = figure.subplots(1, 2)
+    for axes, quantity in zip(both, ERRORS, strict=True):
+        draw_convergence(study, axes, quantity)
+        axes.set_title(f"{axes.get_ylabel()}, mode {study.number}")
+    words = f"{study.attached.structure.name}: {study.attached.description}"
+    frame(figure, both[0], words, 5)
+    return figure
+
+
+def family_figure(
+    name: str, values: "Sequence[float]", found: "Sequence[Modes]", log: bool = False
+) -> Figure:
+    """Draw the wave numbers over a parameter, in units of pi: integers without attachment."""
+    figure = Figure(figsize=(8, 4.2), layout="constrained")
+    axes = figure.subplots()
+    for i in range(min(map(len, found))):
+        beta = [expansion[i].beta / np.pi for expansion in found]
+        axes.plot(values, beta, marker=".", linewidth=1.0, label=f"mode {i + 1}")
+    if log:
+        axes.set_xscale("log")
+    axes.set(xlabel=name, ylabel=r"$\beta/\pi$")
+    axes.set_yticks(range(int(axes.get_ylim()[1]) + 1))
+    figure.legend(loc="outside right center", frameon=False)
+    expansion = found[0]
+    words = f"{expansion.structure.name} by {expansion.shown}, N = {expansion.order}"
+    said = expansion.attached.described(name.replace("-", "_"))
+    figure.supxlabel(f"{words}: {said}", fontsize=7, wrap=True)
+    return figure

@@ -1,0 +1,48 @@
+"""`plot` for any result, or for several in one picture."""
+
+from collections.abc import Sequence
+from typing import Any
+
+
+def plot(result: Any, ax: Any = None, **options: Any) -> Any:
+    """Draw a result, or several on the same axes, and return the axes.
+
+    Parameters
+    ----------
+    result : orbit, sweep, family, modes or simulation, or a sequence of these
+        What is drawn, by its own ``plot``.
+    ax : matplotlib Axes, optional
+        Where; new ones without it.
+    **options
+        As ``result.plot`` takes them: ``quantity``, and the style of the lines.
+
+    Raises
+    ------
+    TypeError
+        If there is nothing that can be drawn.
+    MissingExtra
+        An `ImportError`: if matplotlib, the extra ``plot``, is not installed.
+
+    Examples
+    --------
+    >>> import matplotlib; matplotlib.use("agg")
+    >>> import nonsmooth as ns
+    >>> case = ns.scene("impact")()
+    >>> ax = ns.plot([ns.exact(case), ns.solve(case, "hb", 4)], quantity="velocity")
+    >>> [line.get_label() for line in ax.lines], ax.get_ylabel()
+    (['exact', 'hb, N = 4'], 'velocity [m/s]')
+    """
+    if hasattr(result, "plot"):
+        return result.plot(ax, **options)
+    several = isinstance(result, Sequence) and not isinstance(result, str) and len(result) > 0
+    if not several or not all(hasattr(each, "plot") for each in result):
+        expected = "an orbit, sweep, family, modes or simulation, or several in a sequence"
+        raise TypeError(f"result: got {result!r:.80}, expected {expected}")
+    from .axes import axes_or_new  # noqa: PLC0415
+
+    axes = axes_or_new(ax)
+    for each in result:
+        each.plot(axes, **options)
+    if ax is None:
+        axes.legend(frameon=False)
+    return axes

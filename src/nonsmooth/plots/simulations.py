@@ -1,0 +1,78 @@
+"""A simulated motion: against time, and in the phase plane."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from nonsmooth.solver.case.methods import about
+
+from .axes import axes_or_new, check_quantity
+from .orbits import HISTORIES, PLANE
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.simulation.record import Simulation
+
+#: Part of the time, at the end, that is drawn over the rest in the phase plane.
+LATE = 0.2
+
+
+def draw(
+    motion: "Simulation",
+    ax: Any = None,
+    quantity: str = "displacement",
+    *,
+    since: float = 0.0,
+    **style: Any,
+) -> Any:
+    """Draw a simulated motion and return the axes.
+
+    Parameters
+    ----------
+    motion : Simulation
+        What is drawn.
+    ax : matplotlib Axes, optional
+        Where; new ones without it.
+    quantity : {"displacement", "velocity", "acceleration", "plane"}
+        What is drawn against time; or the phase plane.
+    since : float
+        From which time on, in s.
+    **style
+        Of the line, as `matplotlib.axes.Axes.plot` takes it.
+
+    Raises
+    ------
+    ValueError
+        If `quantity` is none of these.
+    """
+    check_quantity(quantity, (*HISTORIES, PLANE))
+    axes = axes_or_new(ax)
+    found = map(np.concatenate, zip(*motion.samples(), strict=True))
+    times, *values = found
+    late = times >= since
+    columns = {name: each[late] for name, each in zip(HISTORIES, values, strict=True)}
+    look = {"color": "0.25", "linewidth": 0.8} | style
+    if quantity == PLANE:
+        axes.plot(columns["displacement"], columns["velocity"], **look)
+        axes.set(xlabel=HISTORIES["displacement"], ylabel=HISTORIES["velocity"])
+    else:
+        axes.plot(times[late], columns[quantity], **look)
+        axes.set(xlabel="t [s]", ylabel=HISTORIES[quantity])
+    return axes
+
+
+def simulation_figure(motion: "Simulation") -> Figure:
+    """Draw displacement and velocity against time, and the phase plane with its late part."""
+    figure = Figure(figsize=(9, 4.8), layout="constrained")
+    panels = figure.subplot_mosaic([["x", "plane"], ["v", "plane"]], width_ratios=(1.6, 1))
+    draw(motion, panels["x"], "displacement").set_xlabel("")
+    draw(motion, panels["v"], "velocity")
+    plane, colour = panels["plane"], about("hb").look["color"]
+    draw(motion, plane, PLANE, color="0.7", linewidth=0.6, label="from the start")
+    words = f"the last {LATE:.0%} of the time"
+    since = (1 - LATE) * motion.time
+    draw(motion, plane, PLANE, since=since, color=colour, linewidth=1.4, label=words)
+    plane.legend(loc="lower left", bbox_to_anchor=(0, 1.0), frameon=False, fontsize=8)
+    case = motion.case
+    figure.supxlabel(f"{case.scene.name}: {case.description}", fontsize=7, wrap=True)
+    return figure

@@ -1,0 +1,67 @@
+"""How the methods of a scene converge: errors against the order, of one sweep."""
+
+from typing import TYPE_CHECKING, Any
+
+from matplotlib.figure import Figure
+
+from nonsmooth.solver.case.methods import about
+from nonsmooth.solver.case.names import shown
+
+from .axes import axes_or_new, check_quantity, draw_errors, frame
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.sweep import SceneSweep
+
+#: The errors that can be drawn.
+QUANTITIES = ("times", "discontinuous", "period")
+
+
+def draw(result: "SceneSweep", ax: Any = None, quantity: str = "times", **style: Any) -> Any:
+    """Draw one error of a sweep against the order, a line a method, and return the axes.
+
+    Parameters
+    ----------
+    result : SceneSweep
+        What is drawn.
+    ax : matplotlib Axes, optional
+        Where; new ones, with a legend, without it.
+    quantity : {"times", "discontinuous", "period"}
+        The field of `SceneErrors`.
+    **style
+        Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+
+    Raises
+    ------
+    ValueError
+        If `quantity` is none of these.
+    """
+    check_quantity(quantity, QUANTITIES)
+    axes, scene = axes_or_new(ax), result.case.scene
+    for method in dict.fromkeys(row.method for row in result.rows):
+        found = [(row.order, row.errors) for row in result.of(method) if row.errors is not None]
+        orders, errors = [order for order, _ in found], [errors for _, errors in found]
+        look = about(method).look | {"label": shown(scene, method)} | style
+        draw_errors(axes, orders, [getattr(each, quantity) for each in errors], **look)
+    axes.set_ylabel(f"error of {_name(scene, quantity)}")
+    if ax is None:
+        axes.legend(frameon=False)
+    return axes
+
+
+def _name(scene: "SceneNumbers", quantity: str) -> str:
+    if quantity == "discontinuous":
+        return "$x" + "'" * (scene.k + 1) + "$"
+    return f"the {quantity}"
+
+
+def convergence_figure(result: "SceneSweep") -> Figure:
+    """Draw the errors of the times and of the derivative that jumps against the order."""
+    figure = Figure(figsize=(8, 4.2), layout="constrained")
+    both = figure.subplots(1, 2)
+    for axes, quantity in zip(both, QUANTITIES, strict=False):
+        draw(result, axes, quantity)
+        axes.set_title(axes.get_ylabel())
+    case = result.case
+    frame(figure, both[0], f"{case.scene.name}: {case.description}")
+    return figure

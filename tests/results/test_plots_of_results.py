@@ -1,0 +1,147 @@
+"""``plot`` of every result: what is drawn, where, with which words."""
+
+import sys
+
+import numpy as np
+import pytest
+
+pytest.importorskip("matplotlib")
+
+from matplotlib.figure import Figure
+from results_things import MAKERS, MOTIONS, thing
+
+import nonsmooth as ns
+from nonsmooth.plots.axes import LEAST, draw_errors
+from nonsmooth.solver.case.methods import about
+
+
+@pytest.fixture
+def axes():
+    """Return axes that no window has."""
+    return Figure().subplots()
+
+
+def curve(line) -> np.ndarray:
+    return np.array([line.get_xdata(), line.get_ydata()], dtype=float)
+
+
+@pytest.mark.parametrize("kind", MAKERS)
+def test_every_result_is_drawn_on_the_given_axes(kind: str, axes) -> None:
+    assert thing(kind).plot(axes) is axes
+    assert axes.lines
+    assert axes.get_xlabel() or kind == "modes"
+    assert axes.get_ylabel()
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_motion_against_time_has_both_sides_of_each_switch(kind: str, axes) -> None:
+    motion = thing(kind)
+    motion.plot(axes, quantity="acceleration", color="red")
+    (line,) = axes.lines
+    part, values = curve(line)
+    same = {"rtol": 1e-10, "atol": 1e-10}
+    np.testing.assert_allclose(values, motion.acceleration(part * motion.period), **same)
+    assert line.get_color() == "red"
+    for switch in np.cumsum(motion.durations)[:-1] / motion.period:
+        assert (switch - part > 0).any()
+        assert np.abs(part - switch).min() < 1e-8
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("t/T", "acceleration [m/s²]")
+    plane = motion.plot(Figure().subplots()).lines[0]
+    x, v = curve(plane)
+    np.testing.assert_allclose(x[:-1], motion.displacement(part * motion.period), **same)
+    np.testing.assert_allclose(v[:-1], motion.velocity(part * motion.period), **same)
+    assert (x[0], v[0]) == (x[-1], v[-1])
+
+
+def test_the_method_gives_the_look_and_the_label(axes) -> None:
+    belt, orbit = thing("belt"), thing("orbit")
+    ns.plot([thing("exact-belt"), belt, orbit], axes)
+    exact, first, second = axes.lines
+    assert exact.get_label() == "exact"
+    assert (first.get_label(), first.get_color()) == ("c1, N = 6", about("ck").look["color"])
+    assert second.get_label() == "c1-tau, N = 6"
+    assert second.get_color() == about("ck-tau").look["color"]
+
+
+def test_errors_of_a_sweep_and_of_a_belt(axes) -> None:
+    sweep = thing("sweep")
+    sweep.plot(axes, "discontinuous")
+    assert [line.get_label() for line in axes.lines] == ["hb", "c0-tau"]
+    expected = [[row.order, row.errors.discontinuous] for row in sweep.of("ck-tau")]
+    np.testing.assert_array_equal(curve(axes.lines[1]).T, expected)
+    assert (axes.get_yscale(), axes.get_ylabel()) == ("log", "error of $x'$")
+    belts = thing("sweep-belt")
+    drawn = belts.plot(Figure().subplots(), "period")
+    expected = [[row.order, abs(row.errors.period)] for row in belts.of("c1")]
+    np.testing.assert_array_equal(curve(drawn.lines[1]).T, expected)
+
+
+def test_an_error_of_zero_is_drawn_at_the_floor_and_none_is_not(axes) -> None:
+    draw_errors(axes, [1, 2, 3], [0.0, -1e-3, float("nan")])
+    np.testing.assert_array_equal(axes.lines[0].get_ydata(), [LEAST, 1e-3, np.nan])
+
+
+def test_families_along_their_parameter(axes) -> None:
+    family = thing("family")
+    family.plot(axes, "displacement")
+    low, high = map(curve, axes.lines)
+    np.testing.assert_array_equal(low[0], [0.1, 0.2, 50.0])
+    np.testing.assert_allclose(high[1][:2], [0.1, 0.2], rtol=1e-9)  # the stop
+    assert np.isnan(low[1][2])
+    assert axes.get_xlabel() == "gap g [m]"
+    drawn = thing("family-belt").plot(Figure().subplots(), "amplitude")
+    np.testing.assert_array_equal(curve(drawn.lines[0])[1], thing("family-belt")["amplitude"])
+
+
+def test_modes_have_the_exact_one_below(axes) -> None:
+    modes = thing("modes")
+    modes.plot(axes, number=2)
+    exact, found, _ = axes.lines
+    assert exact.get_label() == "exact"
+    np.testing.assert_allclose(curve(exact)[1], curve(found)[1], atol=1e-3)
+    x = curve(found)[0]
+    np.testing.assert_array_equal(curve(found)[1], modes[1].shape(x))
+    for number in (0, 4, True, 1.0):
+        with pytest.raises(ValueError, match=r"number: got .*, expected .* 1 to 3"):
+            modes.plot(number=number)
+
+
+def test_a_simulation_from_a_time_on(axes) -> None:
+    motion = thing("simulation")
+    motion.plot(axes, "velocity", since=3.0)
+    t, v = curve(axes.lines[0])
+    assert 3.0 <= t.min() < 3.1
+    assert t.max() == pytest.approx(motion.time)
+    inside = slice(0, 10)
+    np.testing.assert_allclose(v[inside], motion.velocity(t[inside]), rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize("kind", MAKERS)
+def test_a_quantity_that_there_is_not_is_refused(kind: str) -> None:
+    with pytest.raises(ValueError, match=r"quantity: got 'colour', expected one of \w+, \w+"):
+        thing(kind).plot(quantity="colour")
+
+
+@pytest.mark.parametrize("wrong", [3, [], [3], "orbit"])
+def test_what_is_no_result_is_not_drawn(wrong: object) -> None:
+    with pytest.raises(TypeError, match=r"^result: got .*, expected an orbit"):
+        ns.plot(wrong)
+
+
+def test_new_axes_have_the_style_of_all_pictures() -> None:
+    plt = pytest.importorskip("matplotlib.pyplot")
+    plt.switch_backend("agg")
+    axes = ns.plot([thing("belt"), thing("exact-belt")])
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["c1, N = 6", "exact"]
+    assert axes.xaxis.get_gridlines()[0].get_visible()
+    plt.close(axes.figure)
+
+
+@pytest.mark.parametrize("kind", ["orbit", "sweep-belt", "family", "modes", "simulation"])
+def test_without_matplotlib_the_extra_is_named(kind: str, monkeypatch) -> None:
+    found = thing(kind)
+    for name in [name for name in sys.modules if name.startswith("nonsmooth.plots")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setattr("nonsmooth.extras.find_spec", lambda name: None)
+    with pytest.raises(ns.MissingExtra, match=r"matplotlib: pip install 'nonsmooth\[plot\]'"):
+        found.plot()

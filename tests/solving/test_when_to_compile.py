@@ -1,0 +1,131 @@
+"""Kernels are compiled once they have cost about as much as that takes, and not before."""
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.solver import compiling
+from nonsmooth.solver.case import kernel, registry
+from nonsmooth.solver.compiling import COMPILE, LOAD, START, Account
+from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.solver.shortcuts.search import kernels
+
+
+@pytest.fixture
+def account(tmp_path: Path, monkeypatch) -> Account:
+    """Return an account of nothing, of a kernel that is not cached; numba is not loaded."""
+    monkeypatch.setattr(Account, "total", 0.0)
+    monkeypatch.delenv("NUMBA_CACHE_DIR", raising=False)
+    monkeypatch.setattr(compiling.sys, "modules", {})
+    return Account(str(tmp_path / "driver.py"), "iterate_0123")
+
+
+def cached(account: Account, tmp_path: Path) -> None:
+    (tmp_path / "__pycache__").mkdir()
+    (tmp_path / "__pycache__" / "driver.iterate_0123-7.py311.nbi").touch()
+
+
+def spend(account: Account, seconds: float, others: float = 0.0) -> None:
+    account.seconds, Account.total = seconds, seconds + others
+
+
+def test_a_kernel_that_is_not_cached_is_compiled_for_what_that_costs(account) -> None:
+    for seconds, expected in ((0.0, False), (0.9 * COMPILE, False), (1.1 * COMPILE, True)):
+        spend(account, seconds, others=100.0)
+        assert account.pays() is expected
+
+
+def test_a_cached_kernel_is_loaded_when_all_have_cost_as_much_as_numba(
+    account, tmp_path: Path
+) -> None:
+    cached(account, tmp_path)
+    spend(account, 2 * LOAD)
+    assert not account.pays()
+    spend(account, 2 * LOAD, others=START)
+    assert account.pays()
+    spend(account, LOAD / 2, others=START)
+    assert not account.pays()
+
+
+def test_with_numba_there_a_cached_kernel_needs_little(
+    account, tmp_path: Path, monkeypatch
+) -> None:
+    cached(account, tmp_path)
+    monkeypatch.setattr(compiling.sys, "modules", {"numba": None})
+    spend(account, 2 * LOAD)
+    assert account.pays()
+
+
+def test_what_is_compiled_stays_so(account) -> None:
+    account.is_compiled = True
+    assert account.pays()
+
+
+def test_the_cache_may_be_elsewhere(account, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "elsewhere"))
+    (tmp_path / "elsewhere" / "solver_1").mkdir(parents=True)
+    (tmp_path / "elsewhere" / "solver_1" / "driver.iterate_0123-7.py311.nbi").touch()
+    assert account.is_cached()
+    assert not Account(str(tmp_path / "driver.py"), "iterate_4567").is_cached()
+
+
+def test_what_is_spent_is_counted_also_where_it_failed(account) -> None:
+    def failing() -> None:
+        with account.spending():
+            time.sleep(0.01)
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        failing()
+    assert 0.01 <= account.seconds < 1
+    assert Account.total == account.seconds
+
+
+def test_solving_is_counted_and_switches(monkeypatch) -> None:
+    belt_account = kernels.account("c1")
+    monkeypatch.setattr(belt_account, "is_compiled", False)
+    monkeypatch.setattr(belt_account, "seconds", 0.0)
+    monkeypatch.setattr(Account, "total", 0.0)
+    first = ns.solve(DEFAULT, "c1", 13)
+    assert belt_account.seconds > 0
+    spent = belt_account.seconds
+    monkeypatch.setattr(belt_account, "pays", lambda: True)
+    assert ns.solve(DEFAULT, "c1", 13) == first  # to the last bit
+    assert belt_account.seconds == spent
+
+
+def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
+    case = ns.scene("impact")()
+    module = registry._module(case.scene, "ck-tau", None)
+    of_scene = kernel.account(module)
+    monkeypatch.setattr(of_scene, "is_compiled", False)
+    monkeypatch.setattr(of_scene, "seconds", 0.0)
+    first = ns.solve(case, order=7)
+    assert of_scene.seconds > 0
+    used = []
+    monkeypatch.setattr(of_scene, "pays", lambda: True)
+    monkeypatch.setattr(kernel, "compiled", lambda m: used.append(m) or kernel.plain(m))
+    assert ns.solve(case, order=7) == first
+    assert used
+    assert set(used) == {module}
+    for order in (7, 60):  # a high order takes what is cached, and compiles nothing
+        used.clear()
+        monkeypatch.setattr(of_scene, "pays", lambda: False)
+        for is_cached in (False, True):
+            monkeypatch.setattr(of_scene, "is_cached", lambda found=is_cached: found)
+            registry.quicker_kernel(case.scene, "ck-tau", None, order)
+        assert len(used) == (order > compiling.PLAIN_ORDER)
+
+
+@pytest.mark.long  # it compiles
+def test_a_scene_s_kernel_gives_the_same_bits_in_both_forms() -> None:
+    case = ns.scene("impact")()
+    plain = registry.kernel(case.scene, "ck-tau")
+    compiled = registry.kernel(case.scene, "ck-tau", compile_it=True)
+    times = np.array([2 * np.pi, 0.9])
+    one, other = (attempt(k, case, 9, times).unknowns for k in (plain, compiled))
+    assert one.tobytes() == other.tobytes()
