@@ -83,13 +83,10 @@ def convergence(result: "Sweep") -> None:
 
 
 def rates(result: "Sweep") -> None:
-    """Print how fast each method converges, where there are orders enough."""
-    found = {name: rate for name, rate in result.rates().items() if rate.period is not None}
-    if not found:
-        return
+    """Print how fast each method converges, or that there are too few orders to say so."""
     click.echo("Convergence, fitted to the upper half of the orders above rounding:\n")
     table = table_of("method", "T", "t1", "(22)")
-    for name, rate in found.items():
+    for name, rate in result.rates().items():
         table.add_row(name, *(rate.text(error) for error in ("period", "t1", "acceleration")))
     print_table(table)
 
