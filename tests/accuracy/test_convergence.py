@@ -45,7 +45,7 @@ def test_fewer_than_six_orders_have_no_rate(method: str) -> None:
 def test_the_upper_half_is_never_less_than_six_orders() -> None:
     """Of eleven orders from 1 the upper half has six; of ten it would have five."""
     for last, first in ((11, 6), (10, 5)):
-        rows = [(N, errors(10.0**-N if N >= first else 0.3)) for N in range(1, last + 1)]
+        rows = [(N, errors(10.0**-N if first <= N else 0.3)) for N in range(1, last + 1)]
         assert rate("c1", rows).period == pytest.approx(1.0)
         worse = [(N, errors(0.3) if first == N else found) for N, found in rows]
         assert rate("c1", worse).period != pytest.approx(1.0, rel=0.01)

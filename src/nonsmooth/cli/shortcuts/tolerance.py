@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..problems import Problem
+from ..progress import busy
 
 if TYPE_CHECKING:
     from nonsmooth.solver.shortcuts.choice.choice import Choice
@@ -32,7 +33,8 @@ def choose(
     from nonsmooth.solver.shortcuts.choice.choose import choose as find  # noqa: PLC0415
 
     try:
-        return find(belt, method, order, tol, tol_acceleration, budget)
+        with busy(f"choosing {method or 'a method'}") as say:
+            return find(belt, method, order, tol, tol_acceleration, budget, progress=say)
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
