@@ -1,5 +1,8 @@
 """Progress: nothing of what is quick, then a line a tenth of the way, and a line a minute."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import pytest
 
 from nonsmooth.cli import progress as shown
@@ -55,18 +58,16 @@ def test_what_goes_on_for_long_is_said_once_and_again(monkeypatch, capsys) -> No
 
 @pytest.mark.parametrize("soon", [0.0, 3600.0])
 def test_a_terminal_has_a_bar_of_what_is_not_over_soon(monkeypatch, soon: float) -> None:
-    class Bar:
-        calls: list[str] = []  # noqa: RUF012
+    calls: list[str] = []
 
-        def start(self) -> None:
-            self.calls.append("start")
+    @contextmanager
+    def bar() -> Iterator[None]:
+        calls.append("shown")
+        yield
+        calls.append("gone")
 
-        def stop(self) -> None:
-            self.calls.append("stop")
-
-    Bar.calls = []
     monkeypatch.setattr(shown, "SOON", soon)
-    with shown._shown_later(Bar()):
-        while soon == 0.0 and not Bar.calls:
+    with shown._shown_later(bar()):
+        while soon == 0.0 and not calls:
             pass
-    assert Bar.calls == (["start", "stop"] if soon == 0.0 else [])
+    assert calls == (["shown", "gone"] if soon == 0.0 else [])

@@ -40,14 +40,14 @@ class Errors:
     rate: float
 
     def harmonics(self, alpha: float, wanted: dict[str, float]) -> float:
-        """Return the harmonics in slip for which the errors are as wanted."""
-        needed = {
-            "period": lambda tol: (self.period * alpha / tol) ** (1 / self.rate),
-            "acceleration": lambda tol: (
-                (self.acceleration * math.sqrt(alpha) / tol) ** (2 / self.rate)
-            ),
-        }
-        return max(needed[error](tol) for error, tol in wanted.items())
+        """Return the harmonics in slip for which the errors are as wanted, at least one."""
+        needed = [1.0]
+        if "period" in wanted:
+            needed.append((self.period * alpha / wanted["period"]) ** (1 / self.rate))
+        if "acceleration" in wanted:
+            part = self.acceleration * math.sqrt(alpha) / wanted["acceleration"]
+            needed.append(part ** (2 / self.rate))
+        return max(needed)
 
 
 ERRORS = {"hb": Errors(0.1, 0.43, 1.0), "hb-c1": Errors(0.012, 0.17, 3.0)}
@@ -79,9 +79,7 @@ def first_order(method: str, alpha: float, wanted: dict[str, float], early: floa
     if alpha < LONG_STICK:
         return float(resolved)
     small = {error: tol for error, tol in wanted.items() if tol <= SMALL}
-    n = [1.0]
-    if small:
-        n.append(early * ERRORS[method].harmonics(alpha, small))
+    n = [1.0, early * ERRORS[method].harmonics(alpha, small)]
     if method == "hb-c1":
         least = {"period": min(SMALL, FARTHEST_OFF / alpha)}
         n.append(ERRORS[method].harmonics(alpha, least))

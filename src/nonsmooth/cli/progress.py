@@ -8,9 +8,9 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from datetime import timedelta
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import click
 
@@ -22,16 +22,6 @@ SOON, QUIET = 3.0, 10.0
 
 #: Seconds between two lines where nothing else is to be said.
 MINUTE = 60.0
-
-
-class _Display(Protocol):
-    """What rich shows, a bar or a spinner."""
-
-    def start(self) -> None:
-        """Show it."""
-
-    def stop(self) -> None:
-        """Take it away."""
 
 
 @contextmanager
@@ -79,24 +69,17 @@ def _terminal() -> "Console | None":
 
 
 @contextmanager
-def _shown_later(display: _Display) -> Iterator[None]:
+def _shown_later(display: AbstractContextManager[object]) -> Iterator[None]:
     """Show a display once `SOON` is over, and take it away in the end."""
-    shown = threading.Event()
-
-    def show() -> None:
-        shown.set()
-        display.start()
-
-    timer = threading.Timer(SOON, show)
-    timer.daemon = True
-    timer.start()
-    try:
-        yield
-    finally:
-        timer.cancel()
-        timer.join()
-        if shown.is_set():
-            display.stop()
+    with ExitStack() as shown:
+        timer = threading.Timer(SOON, shown.enter_context, [display])
+        timer.daemon = True
+        timer.start()
+        try:
+            yield
+        finally:
+            timer.cancel()
+            timer.join()
 
 
 @contextmanager
