@@ -21,6 +21,7 @@ from nonsmooth.solver.shortcuts.search.sweep import Sweep
 
 from ..errors import FileError, damaged, of_a_scene
 from ..json_text import SCHEMA
+from .consistent import check_points, check_rows
 from .documents import to_row
 from .origin import check_schema, origin
 from .points import Head, Points, to_families
@@ -130,7 +131,11 @@ def _restored(path: Path, rows: list[dict[str, str]]) -> Any:
             raise damaged(path, "rows of different sweeps")
     if len(rows) != int(rows[0]["rows"]):
         raise damaged(path, f"{len(rows)} rows of {rows[0]['rows']}")
-    return _families(path, rows) if family else _sweep(rows)
+    if family:
+        return _families(path, rows)
+    swept = _sweep(rows)
+    check_rows(path, swept)
+    return swept
 
 
 def _sweep(rows: list[dict[str, str]]) -> Sweep:
@@ -158,6 +163,7 @@ def _families(path: Path, rows: list[dict[str, str]]) -> Any:
     methods = tuple(dict.fromkeys(row["method"] for row in rows))
     count = len(rows) // len(methods)
     belt = StickSlip(**{name: float(rows[0][name]) for name in PARAMETERS})
+    check_points(path, parameter, rows)
     head = Head(
         belt, parameter, methods, int(rows[0]["order"]), int(rows[0]["c1_terms"]), count
     )
