@@ -77,7 +77,7 @@ def test_an_orbit_that_is_far_off_is_not_returned_without_a_word(run) -> None:
 def test_solve_without_a_method_compares_all_three(run) -> None:
     status, out, _ = run("solve", "--order", 5)
     assert status == 0
-    assert "F_N = 400 N (alpha = 1) is our choice" in out
+    assert "F_N = 400 N is assumed" in out
     methods = [line.split()[0] for line in out.splitlines()[-4:]]
     assert methods == ["exact", "hb", "hb-c1", "c1"]
     assert max(map(len, out.splitlines())) <= 80

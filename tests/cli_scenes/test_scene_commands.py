@@ -392,3 +392,27 @@ def test_full_digits_are_those_that_the_estimate_leaves(run) -> None:
     phi = line.split("phi = ")[1].split()[0]
     assert float(phi) == pytest.approx(exact.forcing_phase, abs=3 * 4.4e-13 * 2 * math.pi)
     assert len(phi) > 11
+
+
+def test_a_scene_that_was_never_generated_is(run, tmp_path, monkeypatch) -> None:
+    """What it would be generated from is there; its kernels are not."""
+    from nonsmooth.codegen import generate
+    from nonsmooth.solver.case import registry
+
+    others = tuple(name for name in registry.names() if name != "impact-two-sided")
+    monkeypatch.setattr(registry, "names", lambda: others)
+    monkeypatch.setattr(generate, "FOLDER", tmp_path)
+    monkeypatch.setattr(generate, "scene_sources", lambda scene: [("scene.py", scene.name)])
+    assert run("generate", "impact-two-sided", "--check")[0] == 1
+    assert not list(tmp_path.iterdir())
+    assert run("generate", "impact-two-sided")[0] == 0
+    assert (tmp_path / "impact_two_sided" / "scene.py").read_text() == "impact-two-sided"
+    for name in ("impact-three-sided", "../scenes/impact"):
+        assert run("generate", name)[0] == 2
+
+
+def test_what_is_rounding_beside_the_rest_is_printed_as_nothing(run) -> None:
+    status, out, _ = run("sweep", "impact", "--vary", "gap=0:0.1:2")
+    assert status == 0
+    row = next(line for line in out.splitlines() if line.startswith("0 "))
+    assert row.split()[4] == "0"

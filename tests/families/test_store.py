@@ -212,6 +212,8 @@ def test_what_is_no_file_is_left_as_it_is(kind: str, target: Path) -> None:
     with pytest.raises(Problem, match=f"-o: .*{path.name}") as caught, opened(target, PLAN):
         pass
     assert caught.value.status == 2
+    said = {"pipe": "a device or a pipe", "folder": "directory"}.get(kind, "a symbolic link")
+    assert said in str(caught.value)
     assert other.exists() == (kind == "link")
     assert not other.exists() or other.read_bytes() == b""
 

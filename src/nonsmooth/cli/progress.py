@@ -59,7 +59,7 @@ def busy(task: str) -> Iterator[Callable[[str], None]]:
 
 
 def _terminal() -> "Console | None":
-    """Return what draws on stderr; None where that is no terminal."""
+    """Return what draws on stderr; None where that is not a terminal."""
     if not sys.stderr.isatty():
         return None
     from rich.console import Console  # noqa: PLC0415

@@ -25,8 +25,8 @@ def choose(
     Raises
     ------
     Problem
-        If a tolerance is no such thing, or comes with an order; with status 1 if float64
-        cannot meet it, or nothing is quick enough.
+        If a tolerance is not a number between 0 and 1, or comes with an order; with status 1
+        if float64 cannot meet it, or nothing is quick enough.
     """
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.not_certified import NotCertified, TooSlow  # noqa: PLC0415
