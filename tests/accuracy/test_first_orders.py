@@ -38,7 +38,7 @@ def test_it_begins_before_the_order_that_is_found(
 ) -> None:
     choice = within(with_alpha(alpha), tol, methods=[method])
     assert first_order(method, alpha, {"period": tol}, EARLY) < choice.orbit.order
-    assert len(choice.trials) <= 10
+    assert len(choice.trials) <= 8  # from where slip is resolved it takes ten
     before = [trial.estimate for trial in choice.trials[:-1]]
     assert all(found is None or found.period > 0.9 * tol for found in before)
 
