@@ -187,8 +187,9 @@ class GalerkinSystem:
     def expanded(self, order: int) -> tuple[sp.Eq, ...]:
         """Return the conditions at one order, every sum carried out, as SymPy equations.
 
-        They are in the unknowns and the parameters of the oscillator alone: what the
-        record abbreviates is put in.
+        They are in the unknowns and the parameters of the oscillator alone, for the paper's
+        ``M``, ``K``, ``V``, ``mu_s``, ``mu_k``, ``F_N``: what the record abbreviates, the
+        natural frequency and the displacements ``x_0``, ``x_s`` among it, is put in.
 
         Parameters
         ----------
@@ -204,6 +205,8 @@ class GalerkinSystem:
         --------
         >>> import nonsmooth as ns
         >>> import sympy as sp
+        >>> ns.equations("hb").expanded(1)[-2]
+        Eq(a0/2 + b[1], F_N*(2*mu_k - mu_s)/K)
         >>> *_, displacement, velocity = ns.equations("c1").expanded(1)
         >>> velocity
         Eq((T - t1)**2*d[1]/2 + (T - t1)*d[0], 0)

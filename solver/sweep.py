@@ -224,7 +224,7 @@ def sweep_case(
 
 
 def _computed(orders: list[int], lowest: int) -> list[int]:
-    """Return the orders that are not below the lowest; what is no number is refused later."""
+    """Return the orders that are not below the lowest; others are refused later."""
     return [order for order in orders if not isinstance(order, int) or order >= lowest]
 
 

@@ -46,7 +46,7 @@ def _of_a_factor(factor: sp.Expr) -> int:
         return 1 + int(factor.times_differentiated)
     if isinstance(factor, AppliedUndef):
         name = factor.func.__name__
-        return 1 + name.count("'") + name.count("dot")
+        return 1 + int(name.count("'") + name.count("dot"))
     return 0
 
 

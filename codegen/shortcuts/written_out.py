@@ -11,10 +11,19 @@ import sympy as sp
 
 from ..system import Equation, GalerkinSystem
 from .paper.inner_product import C, N, S
-from .paper.oscillator import UNKNOWN_TIMES
+from .paper.oscillator import PARAMETERS, UNKNOWN_TIMES, M, omega_n
 
 #: Beyond, nobody reads it: (6) and (7) alone are 2 N equations of 2 N + 3 terms or more.
 HIGHEST_ORDER = 5
+
+#: The stiffness as a parameter of its own; the records have it as ``M omega_n**2``.
+K = sp.Symbol("K", positive=True)
+
+#: What the records have in place of parameters of the oscillator, in these.
+IN_PARAMETERS = {
+    omega_n: sp.sqrt(K / M),
+    **{name: value.subs(omega_n, sp.sqrt(K / M)) for name, value in PARAMETERS.items()},
+}
 
 #: The equations that are solved, in the order in which the kernels have them.
 CONDITIONS = ("5", "6", "7", "14", "18", "9", "10", "19", "20")
@@ -162,7 +171,8 @@ def abbreviations(
 def expanded(system: GalerkinSystem, order: int) -> tuple[sp.Eq, ...]:
     """Return the conditions at one order in the unknowns and the parameters alone.
 
-    Spherical Bessel functions are written by sines and cosines.
+    The parameters are ``M``, ``K``, ``V``, ``mu_s``, ``mu_k``, ``F_N``.  Spherical Bessel
+    functions are written by sines and cosines.
     """
     order = check_order(order)
     rows = conditions(system, order)
@@ -171,6 +181,6 @@ def expanded(system: GalerkinSystem, order: int) -> tuple[sp.Eq, ...]:
     def in_unknowns(side: sp.Expr) -> sp.Expr:
         while side.atoms(sp.Symbol, sp.Indexed) & values.keys():
             side = side.xreplace(values)
-        return sp.expand_func(side)
+        return sp.expand_func(side.xreplace(IN_PARAMETERS))
 
     return tuple(sp.Eq(*map(in_unknowns, row.sides), evaluate=False) for row in rows)

@@ -1,7 +1,7 @@
 """How fast the errors of a sweep fall: a power of the order, or a factor with each order."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,10 +36,7 @@ class Rate:
 
     def text(self, name: str) -> str:
         """Return one rate as it is printed."""
-        rate = getattr(self, name)
-        if rate is None:
-            return TOO_FEW
-        return f"N^{-rate:.3f}" if self.kind == "power" else f"10^({-rate:.2f} N)"
+        return as_text(self.kind, getattr(self, name))
 
 
 def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
@@ -59,20 +56,62 @@ def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
     ('N^-2.000', 'too few orders')
     """
     power = about(method).power
-    slopes = {name: _slope(errors, name, power) for name in FLOORS}
+    slopes = {
+        name: slope([(order, found[name]) for order, found in errors], floor, power=power)
+        for name, floor in FLOORS.items()
+    }
     return Rate("power" if power else "geometric", **slopes)
 
 
-def _slope(
-    errors: Sequence[tuple[int, dict[str, float]]], name: str, power: bool
+def slope(
+    errors: Iterable[tuple[int, float]], floor: float, *, power: bool, upper_half: bool = False
 ) -> float | None:
-    """Return minus the slope of the logarithm of an error."""
-    points = [
-        (math.log10(order) if power else float(order), math.log10(abs(found[name])))
-        for order, found in errors
-        if FLOORS[name] < abs(found[name]) < math.inf
-    ]
-    if len({x for x, _ in points}) < FEWEST:
+    """Return minus the slope of the logarithm of an error, by least squares.
+
+    Parameters
+    ----------
+    errors : iterable of (int, float)
+        Order and error.
+    floor : float
+        Errors up to it are rounding, and left out.
+    power : bool
+        Whether over the logarithm of the order, or over the order.
+    upper_half : bool
+        Whether to the upper half of that scale, but never to fewer than six orders.
+
+    Returns
+    -------
+    float or None
+        None if fewer than six orders are above rounding.
+
+    Examples
+    --------
+    >>> slope([(N, N**-2.0) for N in range(2, 8)], 0.0, power=True)  # doctest: +ELLIPSIS
+    2.0...
+    >>> slope([(N, N**-2.0) for N in range(2, 7)], 0.0, power=True) is None
+    True
+    """
+    known = {order: abs(error) for order, error in errors}
+    above = sorted(order for order, error in known.items() if floor < error < math.inf)
+    if len(above) < FEWEST:
         return None
-    x, y = np.array(points).T
+    scale: Callable[[float], float] = math.log10 if power else float
+    x = np.array([scale(order) for order in above])
+    y = np.log10([known[order] for order in above])
+    if upper_half:
+        first = min(int(np.searchsorted(x, (x[0] + x[-1]) / 2)), len(x) - FEWEST)
+        x, y = x[first:], y[first:]
     return float(-np.polyfit(x, y, 1)[0])
+
+
+def as_text(kind: str, rate: float | None) -> str:
+    """Return a rate as it is printed.
+
+    Examples
+    --------
+    >>> as_text("power", 2.0), as_text("geometric", 0.5), as_text("power", None)
+    ('N^-2.000', '10^(-0.50 N)', 'too few orders')
+    """
+    if rate is None:
+        return TOO_FEW
+    return f"N^{-rate:.3f}" if kind == "power" else f"10^({-rate:.2f} N)"

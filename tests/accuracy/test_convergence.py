@@ -19,7 +19,7 @@ def errors(value: float) -> Errors:
 
 @pytest.mark.parametrize("power", [0.5, 1.0, 3.0])
 def test_a_power_of_the_order_is_found(power: float) -> None:
-    rows = [(N, errors(float(N) ** -power)) for N in (10, 20, 50, 100)]
+    rows = [(N, errors(float(N) ** -power)) for N in (10, 20, 50, 100, 200, 500)]
     assert rate("hb", rows).period == pytest.approx(power)
 
 
@@ -29,12 +29,36 @@ def test_a_factor_with_each_order_is_found() -> None:
     assert found.text("t1") == "10^(-1.00 N)"
 
 
-def test_rounding_is_left_out_and_one_order_has_no_rate() -> None:
-    rows = [(10, errors(1e-3)), (100, errors(1e-6)), (1000, errors(3e-16))]
+def test_rounding_is_left_out() -> None:
+    rows = [(2**k, errors(8.0**-k)) for k in range(1, 7)] + [(1000, errors(3e-16))]
     assert rate("hb", rows).period == pytest.approx(3.0)
-    none = rate("hb", rows[:1])
-    assert none.period is None
-    assert none.text("period") == ""
+
+
+@pytest.mark.parametrize("method", ["hb", "c1"])
+def test_fewer_than_six_orders_have_no_rate(method: str) -> None:
+    found = rate(method, [(N, errors(1 / N)) for N in range(1, 6)])
+    assert (found.period, found.acceleration) == (None, None)
+    assert found.text("period") == "too few orders"
+    assert rate(method, [(N, errors(1 / N)) for N in range(1, 7)]).period is not None
+
+
+def test_the_upper_half_is_never_less_than_six_orders() -> None:
+    """Of eleven orders from 1 the upper half has six; of ten it would have five."""
+    for last, first in ((11, 6), (10, 5)):
+        rows = [(N, errors(10.0**-N if first <= N else 0.3)) for N in range(1, last + 1)]
+        assert rate("c1", rows).period == pytest.approx(1.0)
+        worse = [(N, errors(0.3) if first == N else found) for N, found in rows]
+        assert rate("c1", worse).period != pytest.approx(1.0, rel=0.01)
+
+
+def test_a_short_sweep_prints_no_rate(run) -> None:
+    """The errors of hb-c1 at N = 1, 2, 3 would have it diverge."""
+    _, out, _ = run("sweep", "--orders", "1-3")
+    assert "N^" not in out
+    assert out.count("too few orders") == 9
+    assert json.loads(run("sweep", "--orders", "1-3", "--json")[1])["rates"]["hb-c1"] == {
+        "kind": "power", "period": None, "t1": None, "acceleration": None,
+    }  # fmt: skip
 
 
 def test_the_rates_of_the_paper_s_methods() -> None:
@@ -49,15 +73,15 @@ def test_the_rates_of_the_paper_s_methods() -> None:
 
 
 def test_a_sweep_over_decades_leaves_out_what_c1_cannot(run) -> None:
-    status, out, _ = run("sweep", "--orders", "10,100,...,10000", "--json")
+    status, out, _ = run("sweep", "--orders", "40,120,...,9720", "--json")
     document = json.loads(out)
     assert status == 0
     computed = [(row["method"], row["order"]) for row in document["rows"]]
-    fourier = [(name, N) for name in ("hb", "hb-c1") for N in (10, 100, 1000, 10_000)]
-    assert computed == [*fourier, ("c1", 10), ("c1", 100)]
+    fourier = [(name, N) for name in ("hb", "hb-c1") for N in (40, 120, 360, 1080, 3240, 9720)]
+    assert computed == [*fourier, *(("c1", N) for N in (40, 120, 360))]
     assert document["rates"]["hb"]["period"] == pytest.approx(1, abs=0.01)
-    _, out, _ = run("sweep", "--orders", "10,100,...,1000")
-    assert "N^-0.999" in out
+    _, out, _ = run("sweep", "--orders", "40,80,...,1280")
+    assert "N^-0.99" in out
     assert max(map(len, out.splitlines())) <= 80
 
 

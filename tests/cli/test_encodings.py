@@ -20,6 +20,7 @@ def test_the_verdicts_of_all_solutions_are_printed() -> None:
     status, out, err = printed("ascii", "roots", "--order", "9")
     assert (status, "Traceback" in err) == (0, False)
     assert "the orbit" in out
+    assert "?" not in out  # nothing is cut: there is no sign of an ellipsis
 
 
 def test_a_page_has_references_for_what_is_not_there() -> None:

@@ -152,4 +152,4 @@ def test_the_lines_above_a_table_name_the_oscillator(run) -> None:
     )
     assert "our choice" not in out
     assert DEFAULT.alpha == 1
-    assert "F_N = 400 N (alpha = 1) is our choice" in run("roots", "--order", 3)[1]
+    assert "F_N = 400 N is assumed" in run("roots", "--order", 3)[1]

@@ -194,3 +194,41 @@ def test_what_is_there_needs_no_more_room(target: Path, monkeypatch) -> None:
         else:
             with pytest.raises(Problem, match="100 points need about"):
                 check_room(target, 100)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links, pipes and limits are POSIX")
+@pytest.mark.parametrize("kind", ["link", "dangling", "pipe", "folder"])
+def test_what_is_no_file_is_left_as_it_is(kind: str, target: Path) -> None:
+    """A link may lead into any file, an empty one among them, which would be written into."""
+    other, path = target.with_name("other"), beside(target)
+    if kind == "link":
+        other.touch()
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "folder":
+        path.mkdir()
+    else:
+        path.symlink_to(other)
+    with pytest.raises(Problem, match=f"-o: .*{path.name}") as caught, opened(target, PLAN):
+        pass
+    assert caught.value.status == 2
+    said = {"pipe": "a device or a pipe", "folder": "directory"}.get(kind, "a symbolic link")
+    assert said in str(caught.value)
+    assert other.exists() == (kind == "link")
+    assert not other.exists() or other.read_bytes() == b""
+
+
+@pytest.mark.parametrize("room", [LINE // 2, LINE + 100])
+def test_a_full_disk_is_said_of_the_file(room: int, target: Path) -> None:
+    resource = pytest.importorskip("resource")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (room, before[1]))
+    try:
+        with (
+            pytest.raises(Problem, match=rf"-o: cannot write .*{beside(target).name}: "),
+            opened(target, PLAN) as store,
+        ):
+            store.write(0, some(COUNT))
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert beside(target).stat().st_size == room

@@ -53,8 +53,8 @@ def test_the_last_point_of_a_file_is_the_end(log, run, tmp_path: Path) -> None:
 def test_the_table_says_that_only_alpha_matters(run) -> None:
     status, out, _ = run("sweep", *VARY)
     assert status == 0
-    assert "Only alpha shapes the orbit. It goes from 10 to 0.1;" in out
-    assert "beside it only the unit of length" in " ".join(out.split())
+    assert "alpha runs from 10 to 0.1." in out
+    assert "changes nothing else but the unit of length" in " ".join(out.split())
     assert "25 of 30 points" in out
     assert "30 ok; largest estimated error of T:" in out
 

@@ -1,4 +1,4 @@
-"""What is written can be read by whom the umask lets read it, like any other file."""
+"""A new file can be read by whom the umask lets read it; one that is replaced, as before."""
 
 import os
 from collections.abc import Iterator
@@ -75,16 +75,27 @@ def test_every_file_has_the_mode_of_a_new_file(
 
 
 @pytest.mark.parametrize("name", DATA)
-@pytest.mark.parametrize("there", [True, False], ids=["old", "new"])
-def test_a_saved_file_has_the_mode_of_a_new_file(
-    name: str, there: bool, umask: int, tmp_path: Path
-) -> None:
+def test_a_saved_file_has_the_mode_of_a_new_file(name: str, umask: int, tmp_path: Path) -> None:
     needs(name)
     target = tmp_path / name
-    if there:
-        target.write_text("old")
     ns.save(ns.family(DEFAULT, "mass", [1.0], "c1", 5), target)
     assert mode_of(target) == 0o666 & ~umask
+
+
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o664, 0o444], ids=oct)
+@pytest.mark.parametrize("linked", [True, False], ids=["linked", "itself"])
+def test_a_file_that_is_replaced_keeps_its_mode(
+    mode: int, linked: bool, run, tmp_path: Path
+) -> None:
+    target = tmp_path / "orbit.json"
+    target.write_text("old")
+    target.chmod(mode)
+    if linked:
+        target = tmp_path / "link.json"
+        target.symlink_to("orbit.json")
+    assert run(*SOLVE, "-o", target)[0] == 0
+    assert '"schema"' in target.read_text()
+    assert mode_of(target) == mode
 
 
 def test_the_points_of_an_unfinished_sweep_have_it(

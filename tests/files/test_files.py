@@ -279,6 +279,44 @@ def test_what_is_no_orbit_is_not_saved(kind: str, tmp_path: Path) -> None:
     assert target.read_text() == "before"
 
 
+def edited(path: Path, line: int, column: str, factor: float) -> None:
+    """Multiply one number of a CSV file."""
+    rows = [row.split(",") for row in path.read_text().splitlines()]
+    place = rows[0].index(column)
+    rows[line - 1][place] = repr(float(rows[line - 1][place]) * factor)
+    path.write_text("\n".join(map(",".join, rows)) + "\n")
+
+
+@pytest.mark.parametrize(
+    ("column", "named"),
+    [
+        *((name, name) for name in ("t1", "period", "error_t1", "error_period")),
+        ("mass", "parameters"),
+    ],
+)
+def test_an_edited_number_of_a_sweep_is_named(column: str, named: str, tmp_path: Path) -> None:
+    path = tmp_path / "sweep.csv"
+    ns.save(ns.sweep(DEFAULT, ["hb"], orders=[5, 6]), path)
+    edited(path, 2, column, 1.0)
+    assert len(ns.load(path).rows) == 2
+    edited(path, 2, column, 1 + 1e-9 if column.startswith("error") else 1 + 1e-11)
+    if column == "mass":
+        edited(path, 3, column, 1 + 1e-11)
+    with pytest.raises(ns.FileError, match=rf"damaged.*line 2: .*{named}"):
+        ns.load(path)
+
+
+@pytest.mark.parametrize("column", ["period", "t1", "stick_fraction", "alpha", "mass"])
+def test_an_edited_number_of_a_family_is_named(column: str, tmp_path: Path) -> None:
+    path = tmp_path / "family.csv"
+    ns.save(ns.family(DEFAULT, "mass", [1.0, 2.0, 3.0], "c1", 8), path)
+    edited(path, 3, column, 1.0)
+    assert len(ns.load(path).points) == 3
+    edited(path, 3, column, 1 + 1e-11)
+    with pytest.raises(ns.FileError, match=rf"damaged.*line 3: .*{column}"):
+        ns.load(path)
+
+
 @pytest.mark.parametrize(
     ("old", "new"), [(",ok,", ",banana,"), ("c1,5,", "c2,5,"), ("c1,5,", "c1,five,")]
 )

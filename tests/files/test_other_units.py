@@ -145,6 +145,8 @@ def rows_of(out: str) -> list[dict[str, str]]:
     heads = lines[first].split()
     rows = []
     for line in lines[first + 1 :]:
+        if line.startswith("   "):  # the rest of a long verdict
+            continue
         if not re.match(r"(exact|hb|hb-c1|c1|\d*\.\S*) ", line):
             break
         rows.append(line.split(maxsplit=len(heads) - 1))

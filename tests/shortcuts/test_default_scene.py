@@ -97,7 +97,7 @@ def test_the_default_scene_keeps_the_papers_methods(run) -> None:
         )[1]
     )
     assert (found["functions"], found["parameters"]["mass"]) == (2, 11)
-    assert "F_N = 400 N (alpha = 1) is our choice" in run("solve", "--method", "c1-tau")[1]
+    assert "F_N = 400 N is assumed" in run("solve", "--method", "c1-tau")[1]
     assert "our choice" not in run("solve", "--method", "c1-tau", "--mass", 11)[1]
 
 

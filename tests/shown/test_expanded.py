@@ -1,5 +1,7 @@
 """The equations written out at one order, against the kernels and a solved orbit."""
 
+from dataclasses import astuple
+
 import mpmath as mp
 import numpy as np
 import pytest
@@ -10,13 +12,25 @@ from numpy.polynomial.legendre import poly2leg
 import nonsmooth as ns
 from nonsmooth.codegen import derive
 from nonsmooth.codegen.shortcuts import written_out as expansion
-from nonsmooth.codegen.shortcuts.paper.oscillator import V, omega_n, x_0, x_s
+from nonsmooth.codegen.shortcuts.paper.oscillator import (
+    F_N,
+    M,
+    V,
+    mu_k,
+    mu_s,
+    omega_n,
+    x_0,
+    x_s,
+)
 from nonsmooth.solver.shortcuts.orbit.methods import METHODS
 from nonsmooth.solver.shortcuts.search import kernels
 
 BELT = ns.StickSlip(
     mass=3.0, stiffness=20.0, belt_speed=0.7, mu_s=0.6, mu_k=0.2, normal_force=13.0
 )
+
+#: The parameters, in the order in which `StickSlip` has them.
+PARAMETERS = (M, expansion.K, V, mu_s, mu_k, F_N)
 
 CASES = [(method, N) for method in METHODS for N in (1, 2, 3)]
 
@@ -25,9 +39,7 @@ def numbers(method: str, N: int, coefficients: dict, t1: float, T: float) -> dic
     """Return the value of every symbol of the expanded equations, in SI units."""
     flat = np.hstack([np.ravel(value) for value in coefficients.values()])
     unknowns = derive(method).unknown_symbols(N)
-    x_s_ = BELT.slip_centre
-    start = x_s_ - BELT.alpha * BELT.length_unit
-    belt = {V: BELT.belt_speed, omega_n: BELT.omega_n, x_s: x_s_, x_0: start}
+    belt = dict(zip(PARAMETERS, astuple(BELT), strict=True))
     return belt | dict(zip(unknowns, (*map(float, flat), t1, T), strict=True))
 
 
@@ -101,7 +113,7 @@ def test_there_are_as_many_equations_as_unknowns_and_nothing_else_is_unknown(
     assert len(written_out) == len(unknowns) == len(set(unknowns))
     atoms = set().union(*(e.atoms(sp.Symbol, sp.Indexed) for e in written_out))
     labels = {q.base.label for q in atoms if isinstance(q, sp.Indexed)}
-    assert atoms - labels - set(unknowns) <= {V, omega_n, x_s, x_0}
+    assert atoms - labels - set(unknowns) <= set(PARAMETERS)
     assert not any(e.has(sp.Sum, sp.Integral, sp.jn) for e in written_out)
 
 

@@ -1,7 +1,7 @@
 """The best orbit that is quick enough, timed on this machine."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ...case.parameters import is_number
 from ...not_certified import TooSlow
@@ -26,7 +26,11 @@ MANY = "for many orbits see nonsmooth.solver.shortcuts.polynomials.batch"
 
 
 def fitting(
-    belt: StickSlip, budget: float, *, methods: Sequence[str] = tuple(METHODS)
+    belt: StickSlip,
+    budget: float,
+    *,
+    methods: Sequence[str] = tuple(METHODS),
+    progress: Callable[[str], None] = lambda now: None,
 ) -> Choice:
     """Return the orbit with the smallest estimated error of the period within a time.
 
@@ -41,6 +45,8 @@ def fitting(
         Seconds for one orbit.
     methods : sequence of {"hb", "hb-c1", "c1"}
         Methods to choose from.
+    progress : callable
+        Called with what is tried next, in words.
 
     Raises
     ------
@@ -57,6 +63,7 @@ def fitting(
     best: Orbit | None = None
     for name in names:
         for order in ORDERS[name]:
+            progress(f"{name}, N = {order}")
             orbit = attempt(belt, name, order, many=True)
             if orbit is None:
                 trials.append(Trial(name, order, None))

@@ -1,7 +1,7 @@
 """The cheapest orbit that is as accurate as asked for, by the estimate of its error."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from ...case.parameters import is_number
 from ...not_certified import MARGIN
@@ -10,6 +10,7 @@ from ..orbit.methods import METHODS, check_belt, check_method
 from ..orbit.oscillator import StickSlip
 from ..search.search import MOST_DENSE
 from .choice import LEAST, Choice, NotCertifiedOrbit, Trial, attempt
+from .first_orders import first_order
 
 #: How the errors fall with the order, ``N**-rate`` (make sweep); for 3.2 their envelope.
 RATES = {
@@ -64,8 +65,12 @@ def within(
     *,
     methods: Sequence[str] = tuple(METHODS),
     many: bool = False,
+    progress: Callable[[str], None] = lambda now: None,
 ) -> Choice:
     """Return the cheapest orbit whose estimated errors are within the tolerances.
+
+    Of a Fourier series only orders are tried that resolve slip; after one without an orbit,
+    not less than twice as many harmonics.
 
     Parameters
     ----------
@@ -79,6 +84,8 @@ def within(
         Methods to choose from.
     many : bool
         Whether to compile the kernels at once.
+    progress : callable
+        Called with what is tried next, in words.
 
     Raises
     ------
@@ -105,14 +112,17 @@ def within(
     names = [check_method(name).name for name in methods]
     check_belt(belt)
     trials: list[Trial] = []
-    lowest: dict[str, float] = dict.fromkeys(names, 0.0)  # orders below have no prospect
+    # Orders below have no prospect.
+    lowest = {name: first_order(name, belt.alpha, wanted, EARLY) for name in names}
     hopeless = any(MARGIN * tol <= LEAST[error] for error, tol in wanted.items())
     for name, order in () if hopeless else _candidates(names):
         if order < lowest[name]:
             continue
+        progress(f"{name}, N = {order}")
         orbit = attempt(belt, name, order, many)
         trials.append(Trial(name, order, None if orbit is None else orbit.estimate))
         if orbit is None:
+            lowest[name] = order if name not in RATES else 2 * order
             continue
         estimate = orbit.estimate
         if all(getattr(estimate, error) <= MARGIN * tol for error, tol in wanted.items()):

@@ -158,7 +158,7 @@ def check_belt(belt: StickSlip) -> None:
     Raises
     ------
     TypeError
-        If it is no `StickSlip`.
+        If it is not a `StickSlip`.
     ParameterError
         If its ``alpha`` is beyond what float64 can hold.
     """

@@ -200,7 +200,7 @@ def exact(belt: StickSlip) -> ExactOrbit:
     Raises
     ------
     TypeError
-        If `belt` is no `StickSlip`.
+        If `belt` is not a `StickSlip`.
 
     Examples
     --------

@@ -25,7 +25,7 @@ class Batch:
     alpha, t1, T : ndarray, shape (n,)
         The parameter; end of stick and period in ``1/omega_n``.
     status : ndarray of int, shape (n,)
-        0: converged and admissible; 1: not converged; 2: converged to what is no orbit.
+        0: converged and admissible; 1: not converged; 2: converged to what is not an orbit.
         Where it is not 0, ``t1`` and ``T`` are NaN.
 
     Notes

@@ -162,7 +162,7 @@ def family(
     Raises
     ------
     TypeError
-        If `belt` is no `StickSlip`.
+        If `belt` is not a `StickSlip`.
     ValueError
         If the parameter, the method or the order is not one that there is, or a value
         makes no oscillator (`ParameterError`).
@@ -206,7 +206,7 @@ def check(belt: StickSlip, parameter: object, values: Vector) -> None:
     ValueError
         If there is no such parameter, or no value.
     ParameterError
-        If one of the values is no oscillator's.
+        If one of the values is not that of an oscillator.
     """
     if parameter not in PARAMETERS:
         raise ValueError(

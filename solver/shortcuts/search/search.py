@@ -18,6 +18,7 @@ from ..series.matrix_free import Problem
 from . import continuation
 from .kernels import Kernel
 from .newton import Outcome, newton
+from .rounding import first_within_rounding, padded
 from .start import cubic_slip, rough_times, with_coefficients
 
 #: Where the rough start converges at every order: continuation in alpha begins here.
@@ -129,14 +130,26 @@ def _from_short_stick(search: Search) -> Outcome:
 
 
 def _from_fewer_functions(search: Search) -> Outcome:
-    """Start 3.2 with one C1 function, and add the others one by one."""
+    """Start 3.2 with one C1 function, and add the others one by one.
+
+    Where stick is very short a function may differ from the others and the harmonics by less
+    than rounding: its coefficient is then undetermined, and Newton's method comes to no end.
+    What solves the equations but for rounding is an orbit all the same: one with fewer
+    functions, whose other coefficients are 0, or where Newton's method left off.
+    """
     alpha, terms, order = search.belt.alpha, search.method.c1_terms or 0, search.order
     kernel = search.load("hb-symmetric")
     found = search.about_mid_stick(kernel, alpha, 1, order, rough_times(alpha))
+    fewer: list[Outcome] = []
     for number in range(2, terms + 1):
-        if found.converged:
-            start = np.insert(found.unknowns, -2, 0.0)
-            found = search.newton(kernel, (alpha, number), start)
+        if not found.converged:
+            break
+        fewer.append(found)
+        case, size = (alpha, number), kernel.size(order, number)
+        found = search.newton(kernel, case, padded(found.unknowns, size))
+        if not found.converged:
+            tried = (fewer[-1], found, *fewer[-2::-1])
+            found = first_within_rounding(kernel, case, size, tried) or found
     return replace(found, unknowns=from_symmetric(found.unknowns, order))
 
 

@@ -56,7 +56,7 @@ def solve(
     Raises
     ------
     TypeError
-        If `belt` is no `StickSlip`.
+        If `belt` is not a `StickSlip`.
     ValueError
         If `method`, `order`, `c1_terms`, a tolerance or the budget is not one that can be
         computed, if they exclude each other, or if `alpha` of the oscillator is not from

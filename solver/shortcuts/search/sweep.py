@@ -186,7 +186,7 @@ def sweep(
     Raises
     ------
     TypeError
-        If `belt` is no `StickSlip`.
+        If `belt` is not a `StickSlip`.
     ValueError
         If a method or an order is not one that can be computed; before anything is.
 

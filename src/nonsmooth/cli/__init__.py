@@ -68,7 +68,7 @@ class _Commands(click.Group):
 )
 @click.option(
     "--version", is_flag=True, expose_value=False, is_eager=True, callback=show_version,
-    help="Show what a bug report needs and exit.",
+    help="Show version information and exit.",
 )  # fmt: skip
 def cli() -> None:
     """Periodic orbits of non-smooth oscillators by harmonic balance and Galerkin expansions.

@@ -1,6 +1,7 @@
 """What every table on stdout has in common: columns, width, digits."""
 
 import math
+from collections.abc import Iterable
 
 from rich.console import Console
 from rich.table import Table
@@ -12,8 +13,12 @@ MORE_DIGITS = 1e-9
 #: Columns beyond which the gaps of a table are one column and not two.
 WIDE = 80
 
-#: Columns where stdout is no terminal; the tables take what they need, mostly below 80.
+#: Columns where stdout is not a terminal; the tables take what they need, mostly below 80.
 WIDEST = 200
+
+
+#: Part of the largest number of its kind up to which one is printed as 0.
+ROUNDING = 1e-14
 
 
 class _Console(Console):
@@ -24,7 +29,7 @@ class _Console(Console):
 
 
 def print_table(table: Table) -> None:
-    """Print a table; where stdout is no terminal, plain and as wide as it is.
+    """Print a table; where stdout is not a terminal, plain and as wide as it is.
 
     On a narrow terminal a cell goes on in the next line: no digit is left out.
     """
@@ -56,3 +61,16 @@ def certain_digits(value: float, error: float) -> str:
     """
     digits = min(16, max(1, math.floor(-math.log10(error)))) if error > 0 else 16
     return f"{value:#.{digits}g}"
+
+
+def without_rounding(values: Iterable[float]) -> list[float]:
+    """Return numbers of one kind for a table: 0 where one is rounding beside the largest.
+
+    Examples
+    --------
+    >>> without_rounding([-2.5, -1e-16]), without_rounding([-1e-16, 1e-17])
+    ([-2.5, 0.0], [-1e-16, 1e-17])
+    """
+    found = list(values)
+    least = ROUNDING * max(map(abs, found), default=0.0)
+    return [value if abs(value) > least else 0.0 for value in found]

@@ -65,9 +65,9 @@ def _of_any_scene(scene: object, method: str | None) -> bool:
 @click.option(
     "--method",
     type=_Method(OF_OWN),
-    help="Section 3.1, 3.2 or 3.3, without it all; or what is solved in place of the first "
-    "two, about mid-stick, and of the third in batches, as one equation.  With a SCENE: hb, "
-    "hb-ck, ck or ck-tau, also spelled with its class, as c0-tau.",
+    help="hb, hb-c1, c1: the paper's equations (default: all). hb-symmetric, c1-reduced: the "
+    "reduced systems that the solver uses. With a SCENE: hb, hb-ck, ck or ck-tau, also "
+    "spelled with its class, as c0-tau.",
 )
 @click.option(
     "--functions",
@@ -79,8 +79,7 @@ def _of_any_scene(scene: object, method: str | None) -> bool:
 @click.option("--motion", help="With a SCENE of several motions: one of them; else all.")
 @click.option(
     "--format", "format_", type=click.Choice(FORMATS),
-    help="Text for the terminal, a LaTeX document, a page, or a PDF made by the TeX installed; "
-    "without it, what the name of the file says, or text.",
+    help="Output format; default: from the file extension, else text. pdf needs pdflatex.",
 )  # fmt: skip
 @click.option("--fragment", is_flag=True, help=r"LaTeX without a preamble, to \input.")
 @click.option(

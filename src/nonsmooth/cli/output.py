@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
     """Check that `path` has one of the suffixes and that its folder takes a file.
 
-    Without suffixes it may have any, and is no picture.
+    Without suffixes it may have any, and is not a picture.
 
     Raises
     ------

@@ -163,14 +163,14 @@ MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "files that their owner alone can read",
         f"{FILES}/whole.py",
-        "        os.chmod(temporary, 0o666 & ~_umask())\n",
+        "        os.chmod(temporary, _mode(path))\n",
         "",
         MODES,
     ),
     Mutant(
         "files that all can write, whatever the umask",
         f"{FILES}/whole.py",
-        "0o666 & ~_umask()",
+        "return 0o666 & ~mask",
         "0o666",
         MODES,
     ),
@@ -191,8 +191,8 @@ MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "the points of a sweep that their owner alone can read",
         f"{CLI}/shortcuts/families/family_store.py",
-        "os.O_RDWR | os.O_CREAT, 0o666",
-        "os.O_RDWR | os.O_CREAT, 0o600",
+        "os.O_RDWR | os.O_CREAT | only, 0o666",
+        "os.O_RDWR | os.O_CREAT | only, 0o600",
         MODES,
     ),
     Mutant(

@@ -144,7 +144,7 @@ MUTANTS = (
     ),
     Mutant(
         "rounding has a rate",
-        "solver/shortcuts/accuracy/convergence.py", "if error > FLOORS[name]", "if error > 0",
+        "solver/shortcuts/accuracy/convergence.py", "            floor,\n", "            0.0,\n",
         ("tests/accuracy/test_convergence.py",),
     ),
     Mutant(

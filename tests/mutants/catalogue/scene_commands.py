@@ -177,7 +177,7 @@ MUTANTS: tuple[Mutant, ...] = (
     python(
         "rates are those of rounding",
         "solver/accuracy/rates.py",
-        "if FLOORS[name] < abs(found[name]) < math.inf",
-        "if 0 < abs(found[name]) < math.inf",
+        "if floor < error < math.inf",
+        "if 0 < error < math.inf",
     ),
 )  # fmt: skip

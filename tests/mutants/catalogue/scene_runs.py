@@ -66,7 +66,7 @@ MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "least and largest swapped in a table along a parameter",
         f"{CLI}/shown/tables.py",
-        'for end in row.extremes["displacement"]),', 'for end in row.extremes["velocity"]),',
+        'without_rounding(row.extremes["displacement"])', 'without_rounding(row.extremes["velocity"])',
         FAMILY,
     ),
     Mutant(

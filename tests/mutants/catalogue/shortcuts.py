@@ -66,8 +66,8 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     by_scene(
         "the shortcuts of the default scene are taken although they are not wanted",
-        "return no_shortcuts or functions is not None or method in MORE",
-        "return functions is not None or method in MORE",
+        "if no_shortcuts or functions is not None:",
+        "if functions is not None:",
     ),
     by_scene(
         "methods of both kinds in one sweep",

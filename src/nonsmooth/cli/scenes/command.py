@@ -20,7 +20,8 @@ class SceneCommand(click.Command):
     Parameters
     ----------
     module : str
-        Of this package: its ``command(scene, said)`` makes the command of another scene.
+        Of this package: its ``command(scene, said)`` makes the command of another scene; its
+        ``named(text)``, if it has one, finds the scene in place of `scene_named`.
     all_without : bool
         Whether the command without a scene is about all of them, and not the default one.
     own : bool
@@ -52,8 +53,9 @@ class SceneCommand(click.Command):
         name = DEFAULT if scene is None else scene
         if self.own and not self.all_without and name.replace("_", "-") == DEFAULT:
             return self, DEFAULT if named else "", rest
-        build = import_module(f".{self.module}", __package__).command
-        command: click.Command = build(scene_named(name), "" if scene is None else name)
+        module = import_module(f".{self.module}", __package__)
+        found = getattr(module, "named", scene_named)(name)
+        command: click.Command = module.command(found, "" if scene is None else name)
         return command, scene or "", rest
 
     def collect_usage_pieces(self, ctx: click.Context) -> list[str]:

@@ -1,5 +1,7 @@
 """``nonsmooth generate SCENE``: derive the kernels of one scene."""
 
+from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -7,6 +9,7 @@ import click
 
 from ..problems import Problem
 from ..progress import busy
+from .named import scene_named
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.numbers import SceneNumbers
@@ -23,7 +26,38 @@ Examples:
 """
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+@dataclass(frozen=True)
+class NotGenerated:
+    """A scene that comes with the program, and has no kernels yet."""
+
+    name: str
+
+    @property
+    def folder(self) -> Path:
+        """The folder of its kernels; only its name counts."""
+        return Path(self.name.replace("-", "_"))
+
+
+def named(text: str) -> "SceneNumbers | NotGenerated":
+    """Return the scene of a name or of a file, also one that was never generated.
+
+    Raises
+    ------
+    UsageError, Problem
+        See `scene_named`.
+    """
+    try:
+        return scene_named(text)
+    except click.UsageError:
+        new = NotGenerated(text.replace("_", "-"))
+        codegen = find_spec("nonsmooth.codegen")  # not imported: it would load SymPy
+        folders = [] if codegen is None else codegen.submodule_search_locations or []
+        if not any((Path(q) / "scenes" / f"{new.folder}.py").is_file() for q in folders):
+            raise
+        return new
+
+
+def command(scene: "SceneNumbers | NotGenerated", said: str) -> click.Command:
     """Return ``nonsmooth generate`` of a scene, which the user called so."""
     words = "Only compare, write nothing; exit 1 on a difference."
     return click.Command(
@@ -35,11 +69,11 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
     )
 
 
-def run(scene: "SceneNumbers", check: bool) -> int:
+def run(scene: "SceneNumbers | NotGenerated", check: bool) -> int:
     """Derive the kernels of a scene, and compare or write them; the exit status."""
     from nonsmooth.solver.case.registry import names  # noqa: PLC0415
 
-    if scene.name not in names():
+    if not isinstance(scene, NotGenerated) and scene.name not in names():
         click.echo(f"{scene.name}: its kernels are in {scene.folder}")
         return 0
     with busy(f"deriving the equations of {scene.name}"):

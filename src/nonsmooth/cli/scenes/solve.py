@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..aliases import Aliased, OneOrder, split_methods
 from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..seconds import parse_seconds
 from .options import case_from, command_of, motion_options
@@ -44,8 +45,13 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
     """Return ``nonsmooth solve`` of a scene, which the user called so."""
     names = method_names(scene)
     options: list[click.Parameter] = [
-        click.Option(["--method"], help=f"{', '.join(names)}; without it, all."),
-        click.Option(["--order"], type=int, help=f"N, the size.  [default: {ORDER}]"),
+        Aliased(
+            ["--method"], alias="--methods", help=f"{', '.join(names)}; without it, all."
+        ),
+        Aliased(
+            ["--order"], alias="--orders", type=OneOrder(),
+            help=f"N, the size.  [default: {ORDER}]",
+        ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
         *motion_options(scene),
         click.Option(["--tol"], type=float, help="Choose N: largest error of times, period."),
@@ -65,7 +71,9 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
     ) -> int:  # fmt: skip
         check_target(output, SUFFIXES)
         seconds = None if budget is None else parse_seconds(budget)
-        wanted = Wanted(method, order, functions, tol, seconds, json_, output)
+        wanted = Wanted(
+            tuple(split_methods(method)), order, functions, tol, seconds, json_, output
+        )
         return run(case_from(scene, case, flags), wanted)
 
     last = scene.parameters[-1]

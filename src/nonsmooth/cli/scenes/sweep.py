@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..aliases import Aliased, split_methods
 from ..orders import parse_orders
 from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..problems import Problem, as_problems
@@ -41,9 +42,13 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
     """Return ``nonsmooth sweep`` of a scene, which the user called so."""
     names = method_names(scene)
     options: list[click.Parameter] = [
-        click.Option(["--methods"], help=f"By commas.  [default: {','.join(names)}]"),
-        click.Option(
-            ["--orders"], help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]"
+        Aliased(
+            ["--methods"], alias="--method",
+            help=f"By commas.  [default: {','.join(names)}]",
+        ),
+        Aliased(
+            ["--orders"], alias="--order",
+            help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]",
         ),
         click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
         *motion_options(scene),
@@ -119,7 +124,7 @@ def run(
 def _methods(scene: "SceneNumbers", text: str) -> list[str]:
     from nonsmooth.solver.case.registry import generic_method  # noqa: PLC0415
 
-    names = [generic_method(scene, part.strip()) for part in text.split(",")]
+    names = [generic_method(scene, name) for name in split_methods(text)]
     return list(dict.fromkeys(names))
 
 

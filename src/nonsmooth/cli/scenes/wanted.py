@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ..aliases import check_one_method
 from ..problems import Problem, as_problems
 from ..progress import busy
 
@@ -22,9 +23,9 @@ ORDER = 10
 
 @dataclass(frozen=True)
 class Wanted:
-    """What is to be solved, and how it is to be shown."""
+    """What is to be solved, by which methods, without any by all; and how it is to be shown."""
 
-    method: str | None = None
+    methods: tuple[str, ...] = ()
     order: int | None = None
     functions: int | None = None
     tol: float | None = None
@@ -35,7 +36,7 @@ class Wanted:
     @property
     def one(self) -> bool:
         """Whether one orbit is wanted, and not that of every method."""
-        return any(q is not None for q in (self.method, self.tol, self.budget))
+        return len(self.methods) == 1 or self.tol is not None or self.budget is not None
 
 
 def search(
@@ -50,17 +51,18 @@ def search(
     Problem
         If something wanted cannot be computed.
     """
-    from nonsmooth.solver.case.methods import FIRST, in_order  # noqa: PLC0415
+    from nonsmooth.solver.case.methods import in_order  # noqa: PLC0415
     from nonsmooth.solver.case.registry import generic_method, methods  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.solve import number_of_functions, with_motion  # noqa: PLC0415
 
     scene = case.scene
     with as_problems():
-        one = generic_method(scene, wanted.method or FIRST) if wanted.one else None
+        chosen = tuple(dict.fromkeys(generic_method(scene, q) for q in wanted.methods))
     if wanted.tol is not None or wanted.budget is not None:
-        return _choose(case, None if wanted.method is None else one, wanted)
-    names = in_order(methods(scene)) if one is None else (one,)
+        check_one_method(list(wanted.methods), "--budget" if wanted.tol is None else "--tol")
+        return _choose(case, chosen[0] if chosen else None, wanted)
+    names = chosen or tuple(in_order(methods(scene)))
     found: dict[str, SceneOrbit | NoOrbit] = {}
     try:
         with busy("looking for a motion"):
@@ -71,7 +73,7 @@ def search(
     for name in names:
         count = (
             number_of_functions(case, name, wanted.functions)
-            if one is None
+            if len(names) > 1
             else wanted.functions
         )
         found[name] = _solve(case, name, ORDER if wanted.order is None else wanted.order, count)

@@ -12,6 +12,7 @@ import click
 
 from nonsmooth.solver.shortcuts.names import METHODS
 
+from ..aliases import split_methods
 from ..output import PICTURES, check_target
 from ..problems import Problem
 from ..scenes.default import DEFAULT
@@ -30,7 +31,7 @@ NO_SHORTCUTS = "By the generic kernels of every scene alone."
 
 
 class MethodOfPaper(click.Choice[str]):
-    """One of the paper's methods, or, without being listed first, another of the scene's."""
+    """The paper's methods, one or more by commas, or another of the scene's."""
 
     def __init__(self, methods: tuple[str, ...]) -> None:
         super().__init__((*methods, "c1-tau"))
@@ -38,18 +39,17 @@ class MethodOfPaper(click.Choice[str]):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> str:
-        """Return the method, by the paper's name where it has one."""
+        """Return the methods, by the paper's names where they have them."""
         known = AS_IN_PAPER | MORE
-        name = known.get(value, value) if isinstance(value, str) else value
-        return super().convert(name, param, ctx)
+        if not isinstance(value, str):
+            return super().convert(value, param, ctx)
+        names = [known.get(name, name) for name in split_methods(value)]
+        return ",".join(super(MethodOfPaper, self).convert(q, param, ctx) for q in names)
 
 
-def is_generic(method: str | None, functions: int | None, no_shortcuts: bool) -> bool:
-    """Whether the kernels of every scene are meant."""
-    return no_shortcuts or functions is not None or method in MORE
-
-
-def are_generic(methods: str | None, functions: int | None, no_shortcuts: bool) -> bool:
+def are_generic(
+    methods: str | None, functions: int | None, no_shortcuts: bool, option: str
+) -> bool:
     """Whether the kernels of every scene are meant by a list of methods.
 
     Raises
@@ -57,13 +57,13 @@ def are_generic(methods: str | None, functions: int | None, no_shortcuts: bool) 
     Problem
         If some are, and others are the paper's.
     """
-    names = [] if methods is None else [part.strip() for part in methods.split(",")]
+    names = split_methods(methods)
     if no_shortcuts or functions is not None:
         return True
     more = [name for name in names if name in MORE]
     if more and len(more) < len(names):
         raise Problem(
-            f"--methods: got {methods!r}, the paper's methods beside {more[0]}; expected "
+            f"{option}: got {methods!r}, the paper's methods beside {more[0]}; expected "
             "--no-shortcuts, by which all are solved by the kernels of every scene"
         )
     return bool(more)
@@ -77,8 +77,7 @@ def parse_methods(text: str) -> list[str]:
     Problem
         If one of them is unknown.
     """
-    given = (part.strip() for part in text.split(","))
-    names = list(dict.fromkeys(AS_IN_PAPER.get(name, name) for name in given))
+    names = list(dict.fromkeys(AS_IN_PAPER.get(name, name) for name in split_methods(text)))
     for name in names:
         if name not in METHODS.values():
             known = ", ".join(METHODS.values())

@@ -26,10 +26,7 @@ FLAGS = {
 #: Table of a case file.
 TABLE = "stick_slip"
 
-CHOICE = (
-    "F_N = 400 N (alpha = 1) is our choice: the paper does not print F_N, and this\n"
-    "is a round value for which nearly all claims of its Fig. 4 hold."
-)
+CHOICE = "F_N = 400 N is assumed; the paper does not give it (see `nonsmooth report`)."
 
 
 def parameter_options(command: Callable[..., Any]) -> Callable[..., Any]:

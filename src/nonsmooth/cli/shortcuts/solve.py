@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..aliases import Aliased, OneOrder, check_one_method, split_methods
 from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..problems import Problem
 from ..progress import busy
@@ -16,7 +17,7 @@ from .by_scene import (
     FUNCTIONS,
     NO_SHORTCUTS,
     MethodOfPaper,
-    is_generic,
+    are_generic,
     refuse_beside_generic,
     solve_generic,
 )
@@ -52,10 +53,18 @@ Examples:
 @click.command(cls=SceneCommand, module="solve", epilog=EPILOG)
 @click.option(
     "--method",
+    cls=Aliased,
+    alias="--methods",
     type=MethodOfPaper(METHODS),
     help="Section 3.1, 3.2 or 3.3, without it all; or c1-tau, of every scene.",
 )
-@click.option("--order", type=int, help=f"N, the size of the expansion.  [default: {ORDER}]")
+@click.option(
+    "--order",
+    cls=Aliased,
+    alias="--orders",
+    type=OneOrder(),
+    help=f"N, the size of the expansion.  [default: {ORDER}]",
+)
 @click.option(
     "--c1-terms", type=int, default=1, show_default=True, help="C1 functions of hb-c1, 1 to 6."
 )
@@ -94,7 +103,8 @@ def solve(
     the paper. 'nonsmooth solve SCENE --help' lists its parameters.
     """
     check_target(output, (*DATA, *PICTURES))
-    if is_generic(method, functions, no_shortcuts):
+    names = split_methods(method)
+    if are_generic(method, functions, no_shortcuts, "--method"):
         refuse_beside_generic(
             {
                 "--c1-terms": c1_terms if c1_terms != 1 else None,
@@ -103,13 +113,14 @@ def solve(
             }
         )
         seconds = None if budget is None else parse_seconds(budget)
-        wanted = Wanted(method, order, functions, tol, seconds, json_, output)
+        wanted = Wanted(tuple(names), order, functions, tol, seconds, json_, output)
         return solve_generic(case, flags, wanted)
     from nonsmooth.solver.shortcuts.orbit.orbit import Orbit  # noqa: PLC0415
 
     found: dict[str, Orbit | NoOrbit]
     if any(value is not None for value in (tol, tol_acceleration, budget)):
         check_digits(digits, 1)
+        check_one_method(names, "a tolerance or budget")
         if c1_terms != 1:
             raise Problem(
                 f"--c1-terms: got {c1_terms} beside a tolerance or budget, expected 1"
@@ -120,13 +131,13 @@ def solve(
         found = {method: choice.orbit}
     else:
         choice, order = None, ORDER if order is None else order
+        _check_terms(names, c1_terms)
         check_digits(digits, order)
         if digits is not None and c1_terms != 1:
             raise Problem(f"--c1-terms: got {c1_terms} beside --digits, expected 1")
         belt = belt_from(case, flags)
-        names = [method] if method else METHODS
-        terms = {name: c1_terms if method or name == "hb-c1" else 1 for name in names}
-        found = {name: _search(belt, name, order, terms[name]) for name in names}
+        terms = dict.fromkeys(METHODS, 1) | {"hb-c1": c1_terms}
+        found = {name: _search(belt, name, order, terms[name]) for name in names or METHODS}
     from nonsmooth.files.json_text import sealed  # noqa: PLC0415
     from nonsmooth.files.shortcuts.documents import (  # noqa: PLC0415
         of_solution,
@@ -138,7 +149,8 @@ def solve(
     if choice is not None:
         documents[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
     _add_digits(documents, found, digits)
-    text = sealed(with_origin(documents[0] if method else several(documents), list(found)))
+    whole = documents[0] if len(documents) == 1 else several(documents)
+    text = sealed(with_origin(whole, list(found)))
     if json_:
         click.echo(text, nl=False)
     else:
@@ -155,6 +167,11 @@ def solve(
     if output is not None:
         _write(output, text, belt, orbits)
     return 0 if len(orbits) == len(found) else 1
+
+
+def _check_terms(names: list[str], c1_terms: int) -> None:
+    if c1_terms != 1 and names and "hb-c1" not in names:
+        raise Problem(f"--c1-terms: got {c1_terms}, expected 1 for method {names[0]}")
 
 
 def _add_digits(

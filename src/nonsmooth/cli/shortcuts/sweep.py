@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ..aliases import Aliased
 from ..orders import parse_orders
 from ..output import DATA, PICTURES, check_target, write_file, write_picture
 from ..problems import Problem, about_option
@@ -40,9 +41,16 @@ Examples:
 
 
 @click.command(cls=SceneCommand, module="sweep", epilog=EPILOG)
-@click.option("--methods", help="Methods, by commas.  [default: hb,hb-c1,c1; with --vary: c1]")
+@click.option(
+    "--methods",
+    cls=Aliased,
+    alias="--method",
+    help="Methods, by commas.  [default: hb,hb-c1,c1; with --vary: c1]",
+)
 @click.option(
     "--orders",
+    cls=Aliased,
+    alias="--order",
     help="Orders: numbers, ranges, 10,100,...,1000.  [default: 1-40; with --vary: 24]",
 )
 @click.option(
@@ -80,7 +88,7 @@ def sweep(
     path of a scene file, which is Python and is run; without it, the belt of the paper.
     """
     check_target(output, (*DATA, *PICTURES))
-    if are_generic(methods, functions, no_shortcuts):
+    if are_generic(methods, functions, no_shortcuts, "--methods"):
         refuse_beside_generic(
             {
                 "--c1-terms": c1_terms if c1_terms != 1 else None,

@@ -13,6 +13,9 @@ from nonsmooth.solver.shortcuts.search.family_points import STATUS
 
 from ..columns import MORE_DIGITS, certain_digits, print_table, table_of
 
+#: Columns of what is said of a solution: the numbers beside it take at most 46.
+VERDICT = 34
+
 if TYPE_CHECKING:
     from nonsmooth.shortcuts.digits import Cell, Form
     from nonsmooth.shortcuts.tradeoff import Point
@@ -83,13 +86,10 @@ def convergence(result: "Sweep") -> None:
 
 
 def rates(result: "Sweep") -> None:
-    """Print how fast each method converges, where there are orders enough."""
-    found = {name: rate for name, rate in result.rates().items() if rate.period is not None}
-    if not found:
-        return
+    """Print how fast each method converges, or that there are too few orders to say so."""
     click.echo("Convergence, fitted to the upper half of the orders above rounding:\n")
     table = table_of("method", "T", "t1", "(22)")
-    for name, rate in found.items():
+    for name, rate in result.rates().items():
         table.add_row(name, *(rate.text(error) for error in ("period", "t1", "acceleration")))
     print_table(table)
 
@@ -131,19 +131,14 @@ def trade(points: "list[Point]") -> None:
 
 
 def all_roots(rows: list[dict[str, Any]]) -> None:
-    """Print one row a solution of the C1 series."""
-    table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch", "verdict")
+    """Print one row a solution of the C1 series; a long verdict goes on in the next line."""
+    table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch")
+    table.add_column("verdict", overflow="fold", max_width=VERDICT)
     for row in rows:
         numbers = (f"{row[name]:.6g}" for name in ("slip", "t1", "period"))
-        verdict = "the orbit" if row["admissible"] else row["violations"][0].split(":")[0]
-        mismatch = f"{row['transition_mismatch']:.1e}"
-        table.add_row(*numbers, mismatch, _shortened(verdict))
+        verdict = "the orbit" if row["admissible"] else row["violations"][0]
+        table.add_row(*numbers, f"{row['transition_mismatch']:.1e}", verdict)
     print_table(table)
-
-
-def _shortened(text: str, width: int = 34) -> str:
-    text = text.split(" (", maxsplit=1)[0]
-    return text if len(text) <= width else text[: width - 1] + "…"
 
 
 def digits(cells: "list[Cell]") -> None:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..problems import Problem
+from ..progress import busy
 
 if TYPE_CHECKING:
     from nonsmooth.solver.shortcuts.choice.choice import Choice
@@ -24,15 +25,16 @@ def choose(
     Raises
     ------
     Problem
-        If a tolerance is no such thing, or comes with an order; with status 1 if float64
-        cannot meet it, or nothing is quick enough.
+        If a tolerance is not a number between 0 and 1, or comes with an order; with status 1
+        if float64 cannot meet it, or nothing is quick enough.
     """
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.not_certified import NotCertified, TooSlow  # noqa: PLC0415
     from nonsmooth.solver.shortcuts.choice.choose import choose as find  # noqa: PLC0415
 
     try:
-        return find(belt, method, order, tol, tol_acceleration, budget)
+        with busy(f"choosing {method or 'a method'}") as say:
+            return find(belt, method, order, tol, tol_acceleration, budget, progress=say)
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:

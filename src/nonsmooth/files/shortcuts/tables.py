@@ -22,6 +22,7 @@ from nonsmooth.solver.shortcuts.search.sweep import Sweep
 from ..errors import FileError, damaged
 from ..json_text import SCHEMA
 from ..schema import check_schema
+from .consistent import check_points, check_rows
 from .documents import to_row
 from .origin import origin
 from .points import Head, Points, to_families
@@ -132,7 +133,11 @@ def _restored(path: Path, rows: list[dict[str, str]]) -> Any:
             raise damaged(path, "rows of different sweeps")
     if len(rows) != int(rows[0]["rows"]):
         raise damaged(path, f"{len(rows)} rows of {rows[0]['rows']}")
-    return _families(path, rows) if family else _sweep(rows)
+    if family:
+        return _families(path, rows)
+    swept = _sweep(rows)
+    check_rows(path, swept)
+    return swept
 
 
 def _sweep(rows: list[dict[str, str]]) -> Sweep:
@@ -160,6 +165,7 @@ def _families(path: Path, rows: list[dict[str, str]]) -> Any:
     methods = tuple(dict.fromkeys(row["method"] for row in rows))
     count = len(rows) // len(methods)
     belt = StickSlip(**{name: float(rows[0][name]) for name in PARAMETERS})
+    check_points(path, parameter, rows)
     head = Head(
         belt, parameter, methods, int(rows[0]["order"]), int(rows[0]["c1_terms"]), count
     )

@@ -11,7 +11,13 @@ from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.orbit.orbit import SceneOrbit
 from nonsmooth.solver.stability.words import in_words
 
-from ...columns import MORE_DIGITS, certain_digits, print_table, table_of
+from ...columns import (
+    MORE_DIGITS,
+    certain_digits,
+    print_table,
+    table_of,
+    without_rounding,
+)
 from .captions import WIDTH, derivative
 
 if TYPE_CHECKING:
@@ -126,7 +132,7 @@ def family(result: "SceneFamily") -> None:
             f"{row.period:.9g}",
             *([f"{row.forcing_phase:.7g}"] if scene.frequency else []),
             *(f"{s:.6g}" for s in row.durations[: len(phases)]),
-            *(f"{end:.6g}" for end in row.extremes["displacement"]),
+            *(f"{end:.6g}" for end in without_rounding(row.extremes["displacement"])),
             f"{row.estimate.times:.1e}",
             str(row.iterations),
         )

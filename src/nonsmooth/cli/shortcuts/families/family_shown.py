@@ -62,11 +62,11 @@ def _caption(job: Job) -> str:
         number = f"{value:g}" if name != vary.parameter else f"{value:g} to {vary.last:g}"
         parts.append(f"{SYMBOLS[name]} = {number} {PARAMETERS[name][0]}".rstrip())
     scales = SCALES[vary.parameter]
-    besides = f"beside it only {scales}" if scales else "nothing else changes"
-    moved = f"It goes from {belt.alpha:.6g} to {last.alpha:.6g}; {besides}."
+    besides = f"nothing else but {scales}" if scales else "nothing else"
+    moved = f"alpha runs from {belt.alpha:.6g} to {last.alpha:.6g}."
     lines = [
         f"{', '.join(parts[:3])},\n{', '.join(parts[3:])}",
-        click.wrap_text(f"Only alpha shapes the orbit. {moved}", width=80),
+        click.wrap_text(f"{moved} {SYMBOLS[vary.parameter]} changes {besides}.", width=80),
     ]
     if vary.parameter != "normal_force" and asdict(belt) | {
         vary.parameter: getattr(DEFAULT, vary.parameter)

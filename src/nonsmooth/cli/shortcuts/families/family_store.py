@@ -8,6 +8,7 @@ cut of a record, is computed anew.
 import json
 import os
 import shutil
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -48,10 +49,14 @@ def check_sums(start: int, points: npt.NDArray[np.void]) -> npt.NDArray[np.uint6
 
 @dataclass(frozen=True)
 class Store:
-    """An open file of points, `offset` bytes after its start."""
+    """An open file of points, `offset` bytes after its start, and what it is called.
+
+    Nothing is buffered: what cannot be written is said where it is, and not at the end again.
+    """
 
     file: IO[bytes]
     offset: int
+    name: str
 
     def __len__(self) -> int:
         """Return how many whole points the file holds."""
@@ -68,13 +73,18 @@ class Store:
         return len(self)
 
     def write(self, start: int, points: npt.NDArray[np.void]) -> None:
-        """Write points from number `start` on, and wait until they are on the disk."""
+        """Write points from number `start` on, and wait until they are on the disk.
+
+        Raises
+        ------
+        Problem
+            If the disk does not take them; it names the file.
+        """
         records = np.empty(len(points), dtype=RECORD)
         records["point"], records["check"] = points, check_sums(start, points)
-        self.file.seek(self.offset + start * RECORD.itemsize)
-        self.file.write(records.tobytes())
-        self.file.flush()
-        os.fsync(self.file.fileno())
+        with _named(self.name):
+            _put(self.file, self.offset + start * RECORD.itemsize, records.tobytes())
+            os.fsync(self.file.fileno())
 
     def read(self, start: int, stop: int) -> npt.NDArray[np.void]:
         """Return the points from number `start` up to, not including, number `stop`."""
@@ -108,6 +118,43 @@ def beside(target: Path) -> Path:
     return target.with_name(f"{target.name}.part")
 
 
+@contextmanager
+def _named(name: object) -> Iterator[None]:
+    """Turn an error of the disk into the problem of the file of this name."""
+    try:
+        yield
+    except OSError as error:
+        raise Problem(f"-o: cannot write {name}: {error.strerror or error}") from error
+
+
+def _put(file: IO[bytes], place: int, content: bytes) -> None:
+    """Write all of `content` at `place`: without a buffer a write may end early."""
+    file.seek(place)
+    rest = memoryview(content)
+    while rest:
+        rest = rest[file.write(rest) :]
+
+
+def _descriptor(path: Path) -> int:
+    """Open the file of the points, or make it.
+
+    Raises
+    ------
+    Problem
+        If it is a symbolic link, which may lead into another file, or not a file.
+    """
+    if path.is_symlink():
+        raise Problem(f"-o: {path} is a symbolic link, expected a file or none")
+    # Without waiting for the other end, should it be a pipe.
+    only = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+    with _named(path):
+        found = os.open(path, os.O_RDWR | os.O_CREAT | only, 0o666)
+    if not stat.S_ISREG(os.fstat(found).st_mode):
+        os.close(found)
+        raise Problem(f"-o: {path} is a device or a pipe, expected a file or none")
+    return found
+
+
 def _lock(file: IO[bytes], path: Path) -> None:
     """Keep other runs off the file until it is closed; the end of the process closes it."""
     try:
@@ -127,16 +174,16 @@ def opened(target: Path | None, plan: dict[str, Any]) -> Iterator[Store]:
     Raises
     ------
     Problem
-        If the file holds another sweep, or another run is writing it.
+        If the file holds another sweep, another run is writing it, or it is a link or a pipe.
     """
     text = json.dumps(plan)
     line = text.encode().ljust(LINE * (len(text) // LINE + 1) - 1) + b"\n"
     if target is None:
-        with tempfile.TemporaryFile() as file:
-            yield Store(file, 0)
+        with tempfile.TemporaryFile(buffering=0) as file:
+            yield Store(file, 0, f"a temporary file in {tempfile.gettempdir()}")
         return
     path = beside(target)
-    with open(os.open(path, os.O_RDWR | os.O_CREAT, 0o666), "r+b") as file:
+    with open(_descriptor(path), "r+b", buffering=0) as file:
         _lock(file, path)
         begun = file.readline()
         if not line.startswith(begun):
@@ -144,7 +191,6 @@ def opened(target: Path | None, plan: dict[str, Any]) -> Iterator[Store]:
                 f"-o: {path} holds another sweep; finish it by its own command, or delete it"
             )
         if begun != line:
-            file.seek(0)
-            file.write(line)
-            file.flush()
-        yield Store(file, len(line))
+            with _named(path):
+                _put(file, 0, line)
+        yield Store(file, len(line), str(path))

@@ -1,0 +1,89 @@
+"""One name for one thing: ``--method`` and ``--methods``, ``--order`` and ``--orders``.
+
+`solve` is about one order, `sweep` about several; what one of them understands the other does.
+Help and messages have the name that is documented.
+"""
+
+from typing import Any
+
+import click
+
+from .orders import parse_orders
+from .problems import Problem
+
+
+class Aliased(click.Option):
+    """An option that has another name as well, which is not shown.
+
+    Parameters
+    ----------
+    alias : str
+        The other name.
+    """
+
+    def __init__(self, *arguments: Any, alias: str, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self.alias = alias
+
+    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
+        """Add the option to a parser, by both names."""
+        shown = self.opts
+        self.opts = [*shown, self.alias]
+        try:
+            super().add_to_parser(parser, ctx)
+        finally:
+            self.opts = shown
+
+
+class OneOrder(click.ParamType[int]):
+    """One order, in the ways in which `sweep` takes several."""
+
+    name = "integer"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> int:
+        """Return the order.
+
+        Raises
+        ------
+        Problem
+            If these are several; it says which command takes them.
+        """
+        try:
+            return int(value)  # one that is out of range is refused with the range
+        except ValueError:
+            pass
+        try:
+            orders = parse_orders(value)
+        except Problem:
+            self.fail(f"{value!r} is not a valid integer.", param, ctx)
+        if len(orders) > 1:
+            raise Problem(
+                f"--order: got {value!r}, expected one order; "
+                f"'nonsmooth sweep --orders {value}' takes several"
+            )
+        return orders[0]
+
+
+def split_methods(text: str | None) -> list[str]:
+    """Return the methods of a list with commas, each once; none of None.
+
+    Examples
+    --------
+    >>> split_methods("hb, ck,hb"), split_methods(None)
+    (['hb', 'ck'], [])
+    """
+    return [] if text is None else list(dict.fromkeys(q.strip() for q in text.split(",")))
+
+
+def check_one_method(names: list[str], beside: str) -> None:
+    """Check that there is at most one method where an option takes no more.
+
+    Raises
+    ------
+    Problem
+        Naming the methods and the option.
+    """
+    if len(names) > 1:
+        raise Problem(f"--method: got {','.join(names)!r} beside {beside}, expected one method")
