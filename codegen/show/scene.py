@@ -31,7 +31,7 @@ def scene_equations(scene: Scene) -> tuple[Equation, ...]:
     >>> from ..scenes.impact import SCENE
     >>> print(scene_equations(SCENE)[0].text(unicode=False))
         -  equation of motion in flight; 0 <= t < T
-           c*x'(t) + k*x(t) + m*x''(t) = F*cos(Omega*t + phi)
+           m*x''(t) + c*x'(t) + k*x(t) = F*cos(Omega*t + phi)
     """
     notation = Notation.of(scene)
     return (

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.cli.orders import parse_orders
 from nonsmooth.cli.problems import Problem
+from nonsmooth.cli.values.orders import parse_orders
 from nonsmooth.solver.shortcuts.accuracy.convergence import rate
 from nonsmooth.solver.shortcuts.accuracy.errors import Errors
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT

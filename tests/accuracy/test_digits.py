@@ -100,7 +100,7 @@ def test_the_command_prints_a_table_and_writes_json_and_picture(
     assert status == 0
     assert "4 of 4 cells meet their target" in out
     assert max(map(len, out.splitlines())) <= 80
-    assert "digits: 4 of 4 done" in err
+    assert err.startswith("wrote ")  # nothing of what takes seconds
     status, out, _ = run("digits", "--json", "-o", tmp_path / "digits.png")
     document = json.loads(out)
     assert document["schema"] == 1

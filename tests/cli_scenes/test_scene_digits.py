@@ -8,6 +8,7 @@ from refusals import refused
 
 pytest.importorskip("flint")
 
+from nonsmooth.cli import progress
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.precision import digits
 
@@ -73,7 +74,8 @@ def test_the_picture_has_a_map_a_method(found) -> None:
     assert np.isnan(colours[0]).all()
 
 
-def test_it_measures_the_scene_at_its_extremes(run, tmp_path) -> None:
+def test_it_measures_the_scene_at_its_extremes(run, tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr(progress, "QUIET", 0.0)
     picture = tmp_path / "digits.png"
     status, out, err = run("digits", "impact", "--quick", "--methods", "ck-tau", "-o", picture)
     words = [words for words, _ in digits.extremes(registry.load("impact")())[1:]]

@@ -37,7 +37,7 @@ def test_some_docstrings_have_examples() -> None:
         "solver.shortcuts.search.sweep",
         "solver.shortcuts.orbit.oscillator",
         "solver.shortcuts.orbit.motion",
-        "cli.orders",
+        "cli.values.orders",
     )
     for name in names:
         module = importlib.import_module(f"nonsmooth.{name}")

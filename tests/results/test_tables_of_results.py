@@ -40,7 +40,7 @@ def test_a_motion_over_one_period(kind: str) -> None:
 
 def test_rows_that_have_no_orbit_have_no_numbers() -> None:
     table = thing("family").table()
-    assert table.columns["status"] == ["ok", "ok", "not-converged"]
+    assert table.columns["status"] == ["ok", "ok", "no-orbit"]
     assert np.isnan(column(table.columns["period"])[2])
     assert table.columns["gap"] == [0.1, 0.2, 50.0]
     assert table.columns["largest_displacement"][0] == pytest.approx(0.1)
@@ -59,7 +59,7 @@ def test_rows_are_found_and_told_one_after_another() -> None:
         assert [row.order for row in sweep][:2] == [row.order for row in sweep[:2]]
     family = thing("family")
     assert family[1].value == 0.2
-    assert [row.status for row in family] == ["ok", "ok", "not-converged"]
+    assert [row.status for row in family] == ["ok", "ok", "no-orbit"]
     assert family[:1] == family.rows[:1]
 
 

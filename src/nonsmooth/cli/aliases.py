@@ -8,8 +8,8 @@ from typing import Any
 
 import click
 
-from .orders import parse_orders
 from .problems import Problem
+from .values.orders import parse_orders
 
 
 class Aliased(click.Option):

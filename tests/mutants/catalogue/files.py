@@ -197,14 +197,14 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "the last value of --vary is left to rounding",
-        f"{CLI}/vary.py",
+        f"{CLI}/values/vary.py",
         "        found[numbers == steps] = self.last\n",
         "",
         VARY,
     ),
     Mutant(
         "the last value of --vary is set in its place in a chunk",
-        f"{CLI}/vary.py",
+        f"{CLI}/values/vary.py",
         "found[numbers == steps] = self.last",
         "found[-1:] = self.last",
         VARY,

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..flint import need_flint
-from ..orders import parse_orders
 from ..output import PICTURES, check_target, write_text, write_whole
 from ..problems import Problem, as_problems
 from ..progress import progress
+from ..values.orders import parse_orders
 from .options import case_from, command_of, motion_options
 from .solve import method_names
 
@@ -117,7 +117,7 @@ def run(
 
 
 def _text(case: "Case", found: "list[Kept]", names: list[str]) -> str:
-    from .shown import documents  # noqa: PLC0415
+    from nonsmooth.files.scenes import documents  # noqa: PLC0415
 
     rows = [
         asdict(kept) | {"digits": kept.digits, "met": kept.met, "conditioned": kept.conditioned}

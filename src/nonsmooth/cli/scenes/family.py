@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..orders import is_whole
 from ..output import DATA, write_file, write_picture, write_text
 from ..problems import Problem, as_problems
 from ..progress import progress
-from ..vary import Vary, parse_vary
+from ..values.orders import is_whole
+from ..values.vary import Vary, parse_vary
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case

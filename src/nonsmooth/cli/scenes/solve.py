@@ -8,7 +8,7 @@ import click
 
 from ..aliases import Aliased, OneOrder, split_methods
 from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
-from ..seconds import parse_seconds
+from ..values.seconds import parse_seconds
 from .options import case_from, command_of, motion_options
 from .wanted import ORDER, Wanted, exact_near, search
 

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..aliases import Aliased, split_methods
-from ..orders import parse_orders
 from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
 from ..problems import Problem, as_problems
 from ..progress import progress
+from ..values.orders import parse_orders
 from . import family
 from .options import PREFIX, case_from, command_of, motion_options
 from .solve import FUNCTIONS, method_names

@@ -12,7 +12,7 @@ from ..problems import Problem
 from ..progress import busy
 from ..scenes.command import SceneCommand
 from ..scenes.wanted import Wanted
-from ..seconds import parse_seconds
+from ..values.seconds import parse_seconds
 from .by_scene import (
     FUNCTIONS,
     NO_SHORTCUTS,

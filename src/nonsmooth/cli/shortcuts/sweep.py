@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 import click
 
 from ..aliases import Aliased
-from ..orders import parse_orders
 from ..output import DATA, PICTURES, check_target, write_file, write_picture
 from ..problems import Problem, about_option
 from ..progress import progress
 from ..scenes.command import SceneCommand
+from ..values.orders import parse_orders
 from .by_scene import (
     FUNCTIONS,
     NO_SHORTCUTS,

@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..orders import parse_orders
 from ..output import PICTURES, check_target, write_picture, write_text, write_whole
 from ..problems import Problem
 from ..progress import progress
+from ..values.orders import parse_orders
 from .options import as_problems, attached_from, command_of
 
 if TYPE_CHECKING:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from ..orders import is_whole
 from ..problems import Problem
+from ..values.orders import is_whole
 
 if TYPE_CHECKING:
     from nonsmooth.solver.space.attached import Attached

@@ -6,9 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ...orders import is_whole
 from ...output import DATA, write_file, write_picture
 from ...problems import Problem, about_option
+from ...values.orders import is_whole
 from .vary import parse_vary
 
 if TYPE_CHECKING:

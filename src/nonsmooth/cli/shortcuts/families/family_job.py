@@ -15,7 +15,7 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 from nonsmooth.solver.shortcuts.search import family, family_points, kernels
 
 from ...progress import progress
-from ...vary import Vary
+from ...values.vary import Vary
 from ...workers import in_order
 from .family_store import Store, beside
 

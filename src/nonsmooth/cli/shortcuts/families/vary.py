@@ -1,7 +1,7 @@
 """What a sweep over a parameter of the paper's oscillator has to say of it."""
 
-from ...vary import Vary
-from ...vary import parse_vary as parse
+from ...values.vary import Vary
+from ...values.vary import parse_vary as parse
 from ..parameters import FLAGS
 
 #: Points of a sweep: days of computing, and a hundred gigabytes.

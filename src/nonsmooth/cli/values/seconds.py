@@ -2,7 +2,7 @@
 
 import re
 
-from .problems import Problem
+from ..problems import Problem
 
 UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
 

@@ -5,8 +5,8 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ..problems import Problem
 from .orders import is_whole
-from .problems import Problem
 
 if TYPE_CHECKING:
     from nonsmooth.solver.arrays import Vector

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from .problems import Problem
+from ..problems import Problem
 
 #: Most figures of a whole number.
 MOST_FIGURES = 18
