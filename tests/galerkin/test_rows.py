@@ -14,8 +14,8 @@ from galerkin.solving import jacobian, residual, times_of
 #: Scenes on which each kernel is tried in every run; the others have phases of the same kinds.
 TRIED = {
     "ck": ("S1n2", "S1", "S4a", "S5a"),
-    "hb_ck_1": ("S1n2", "S1", "S2b", "S4a", "S5a"),
-    "hb_ck_2": ("S1", "S3b"),
+    "hb_ck_1": ("S1n2", "S1", "S2b", "S3b", "S4a"),
+    "hb_ck_2": ("S1", "S5a"),
 }
 
 PAIRS = tried(

@@ -174,7 +174,7 @@ MUTANTS = (
         "closure",
         "range(2, switch.k + 1 if not held else 2)",
         "range(2, switch.k if not held else 2)",
-        _row("S2b-ck"),
+        _row("S4a-ck"),
     ),
     _conditions(
         "half a period as long as one of the forcing",
