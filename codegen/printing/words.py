@@ -14,8 +14,7 @@ from .typeset import latex
 
 _MATHEMATICS = re.compile(
     r"""(
-      \|K\ x\|\ <=\ mu_s\ F_N
-    | \w+\ <=\ t\ <\ \w+
+      \w+\ <=\ t\ <\ \w+
     | \w\ !=\ \w
     | [jkN]\ =\ [01],\ \.\.\.,\ N
     | i\ =\ 1,\ \.\.\.,\ K

@@ -116,7 +116,7 @@ def correct(J: Matrix, rows: Any, scales: Vector, R: Vector, step: Vector) -> No
 def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(case, z) = 0`` from `z`, which is overwritten.
 
-    It stops where all corrections are small and that of the times, or the one that would
+    It ends where all corrections are small and that of the times, or the one that would
     follow, is at rounding level or no longer falls.  Returned are the status, 0 if converged,
     the Jacobians factorised, the last correction of the times, and the norm of the residual.
     """

@@ -2,7 +2,7 @@
 
 Each operation of the text is one on balls (Arb, through python-flint), with every fraction of
 whole numbers exact; a result says how far rounding may have moved it.  Only the spherical
-Bessel functions are replaced: their recurrences stop where float64 does.
+Bessel functions are replaced: their recurrences end where float64 does.
 """
 
 import ast

@@ -71,7 +71,7 @@ def line(method: str, **changes: Any) -> dict[str, Any]:
 
 
 def draw_floor(axes: Any) -> None:
-    """Mark where rounding of t1 alone holds (22); what is far below it is so by luck."""
+    """Mark where rounding of a time alone holds (22); what is far below it is so by luck."""
     axes.axhline(FLOOR, color="0.5", linewidth=0.8, linestyle=(0, (5, 5)))
     where = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
     style = {"fontsize": 7, "color": "0.4"}

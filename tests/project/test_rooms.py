@@ -37,6 +37,15 @@ MAY_SAY = {
     "src/nonsmooth/style.py": {"hb-c1"},  # one style for a method in all pictures
 }
 
+#: Generic texts that have a word of a scene, and why.
+SPOKEN_OF = {
+    "codegen/galerkin/tables.py": {"mu"},  # of the moments of the forcing
+    "codegen/printing/html.py": {"gap"},  # of columns, in CSS
+    "codegen/space/emission.py": {"mu"},  # of the eigenvalues without an attachment
+    "src/nonsmooth/cli/__init__.py": {"stick", "slip"},  # the default scene
+    "src/nonsmooth/cli/equations.py": {"impact"},  # where a method needs one impulse more
+}
+
 #: A paper's method that is also the name of a coefficient.
 COEFFICIENT = "c1"
 
@@ -107,6 +116,19 @@ def test_no_text_of_a_generic_file_is_the_name_of_a_scene_or_of_a_paper_s_method
     names = {spelled for name in scenes.names() for spelled in (name, name.replace("-", "_"))}
     allowed = MAY_SAY.get(str(path.relative_to(ROOT)), set())
     assert literals(path) & (names | own | set(SOLVED)) == allowed
+
+
+def prose(text: str) -> set[str]:
+    """Return the words of scenes in a text; what is an example or quoted does not count."""
+    plain = re.split(r"\n *Examples\n|Examples:", text)[0]
+    plain = re.sub(r"``.*?``|\"[^\"]*\"", " ", plain, flags=re.DOTALL)
+    return set(re.findall(r"[a-z0-9]+", plain.lower())) & words()
+
+
+@pytest.mark.parametrize("path", GENERIC, ids=lambda q: str(q.relative_to(ROOT)))
+def test_docstrings_help_and_messages_of_a_generic_file_speak_of_no_scene(path: Path) -> None:
+    found = set().union(*(prose(text) for text in literals(path) if " " in text))
+    assert found <= SPOKEN_OF.get(str(path.relative_to(ROOT)), set())
 
 
 def test_no_folder_has_more_files_than_one_can_look_through() -> None:

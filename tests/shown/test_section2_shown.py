@@ -51,7 +51,7 @@ def test_1_is_newtons_law_with_the_friction_force() -> None:
 
 
 def test_2_is_the_spring_force_in_stick_and_opposes_the_motion_in_slip() -> None:
-    force, friction = ROWS["friction force, |K x| <= mu_s F_N in stick"]
+    force, friction = ROWS["friction force, `|K x| <= mu_s F_N` in stick"]
     assert force == F_f
     assert friction.subs(V_r, 0) == K * x(t)
     assert friction.subs(V_r, 3) == -mu_k * F_N

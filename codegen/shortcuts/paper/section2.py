@@ -57,7 +57,7 @@ def equations() -> tuple[Equation, ...]:
     shorter = {AMPLITUDE: A}
     return (
         Equation("1", "equation of motion", motion),
-        Equation("2", "friction force, |K x| <= mu_s F_N in stick", (F_f, friction)),
+        Equation("2", "friction force, `|K x| <= mu_s F_N` in stick", (F_f, friction)),
         Equation("", "natural frequency", (omega_n, sp.sqrt(K / M))),
         *parameters,
         Equation("", "half the travel in stick", amplitude),

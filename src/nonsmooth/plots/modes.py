@@ -131,7 +131,7 @@ def _places(attached: Any) -> Any:
 
 
 def _apart(attached: Any, x: Any, values: Any) -> Any:
-    """Return values with a gap at the attachment."""
+    """Return values that are not joined at the attachment."""
     found = np.array(values)
     place = int(np.searchsorted(x, float(attached.a) * attached.length))
     found[min(place, len(found) - 1)] = np.nan

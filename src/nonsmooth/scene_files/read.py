@@ -41,7 +41,7 @@ def read_scene(path: Path, text: bytes) -> "Scene":
     Raises
     ------
     SceneFileError
-        If it is no Python, stops with an exception, or defines no scene.
+        If it is not Python, raises an exception, or does not define a scene.
     """
     from nonsmooth.codegen.scene import Scene  # noqa: PLC0415  (SymPy)
 
