@@ -60,10 +60,9 @@ def _with_sign(sign: str, first: bool, *parts: str | prettyForm) -> Sequence[str
 def _rows(side: sp.Expr, columns: int, unicode: bool) -> list[prettyForm]:
     """Return one side as lines of drawings, as many pieces on each as fit."""
     forms = _forms(side, columns, unicode)
-    narrower = range(columns - STEP, columns // 3, -STEP) if side.has(sp.Sum) else ()
-    for limit in narrower:
+    for limit in range(columns - STEP, columns // 3, -STEP):
         if max(form.width() for form in forms) <= columns:
-            break  # with the sign of the sum and the brackets about it, each term fits
+            break  # with the sign of a sum and the brackets about it, each term fits
         forms = _forms(side, limit, unicode)
     lines = filled([form.width() for form in forms], columns)
     return [prettyForm(*stringPict.next(*forms[line])) for line in lines]

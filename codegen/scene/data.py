@@ -84,7 +84,7 @@ class Phase:
 
 @dataclass(frozen=True)
 class Memory:
-    """A constant of the motion that a switch sets anew: such as the offset of an element that yields.
+    """A constant of the motion that a switch sets anew, such as the offset after yielding.
 
     Parameters
     ----------
