@@ -4,12 +4,17 @@
 Help and messages have the name that is documented.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from .problems import Problem
 from .values.orders import parse_orders
+
+if TYPE_CHECKING:
+    IntegerType = click.ParamType[int]
+else:  # not generic in click 8.2
+    IntegerType = click.ParamType
 
 
 class Aliased(click.Option):
@@ -35,7 +40,7 @@ class Aliased(click.Option):
             self.opts = shown
 
 
-class OneOrder(click.ParamType[int]):
+class OneOrder(IntegerType):
     """One order, in the ways in which `sweep` takes several."""
 
     name = "integer"
