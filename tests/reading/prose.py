@@ -17,7 +17,7 @@ def bare(text: str) -> str:
     for mark, plain in _SAME.items():
         text = text.replace(mark, plain)
     letters = (letter(c) if ord(c) > 127 else c for c in unicodedata.normalize("NFKC", text))
-    return re.sub(r"[\\${}_^\[\]*\s]", "", "".join(letters))
+    return re.sub(r"[\\${}_^\[\]*`\s]", "", "".join(letters))
 
 
 def mathematics_in(words: str) -> str:
