@@ -18,7 +18,7 @@ CASES = [
 
 
 def on_a_terminal(words: str, unicode: bool) -> str:
-    """Return a title without the marks about its mathematics, whose signs a terminal may have."""
+    """Return a title without the marks about its mathematics, in the signs of a terminal."""
     return words.replace("`", "").replace("mu_s", "μₛ" if unicode else "mu_s")
 
 

@@ -178,7 +178,7 @@ MUTANTS: tuple[Mutant, ...] = (
         "the umask is left at zero",
         f"{FILES}/whole.py",
         "    os.umask(mask)\n",
-        "",
+        "    pass\n",
         MODES,
     ),
     Mutant(
