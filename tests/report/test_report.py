@@ -21,7 +21,8 @@ from nonsmooth.report import build
 from nonsmooth.report.case import Case
 from nonsmooth.report.claims import CLAIMS
 from nonsmooth.report.intervals import Interval, Intervals
-from nonsmooth.report.page import page
+from nonsmooth.report.page import page, prose
+from nonsmooth.report.quotations import QUOTATIONS
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 #: What is not simply true of the default case.
@@ -147,6 +148,10 @@ def test_every_claim_has_a_verdict_and_intervals(text: str) -> None:
         assert shown[1] == NOT_QUITE.get(claim.name, "holds"), claim.name
         assert article.count("up to 200\xa0N and from 360\xa0N up") == len(claim.parts)
         assert claim.where in article
+        quoted = QUOTATIONS[claim.name]
+        assert f'“{prose(quoted.words)}” <span class="where">{quoted.section}<' in article
+        ours = [prose(part.ours) for part in claim.parts if part.ours]
+        assert re.findall(r"\(our threshold: (.*?)\)</span>", article) == ours
         kind = {"holds": "holds", "holds in part": "in-part", "does not hold": "not"}[shown[1]]
         assert f'<article class="claim {kind}"' in article
         marks = re.findall(r'class="mark">(.)<', article)
