@@ -23,6 +23,7 @@ from .finding import VERDICTS, Claim, verdict
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
 from .ours import remark, space_heads, space_rows
 from .quotations import QUOTATIONS, Quotation
+from .reading import reading
 from .words import number, percent, signed
 
 #: Modules of the mathematics that the page rests on, and the orders in its table.
@@ -223,6 +224,7 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         orders=ORDERS,
         most=MOST,
         table=_table(case),
+        reading=reading(case, MOST),
         plates=_plates(case, pictures),
         ours=remark(case),
         groups=groups,
