@@ -9,7 +9,7 @@ from fakes import Fake
 
 from nonsmooth.report import checks_c1, checks_fourier, checks_orbit
 from nonsmooth.report.claims import CLAIMS
-from nonsmooth.report.quotations import QUOTATIONS
+from nonsmooth.report.claims.quotations import QUOTATIONS
 from nonsmooth.shortcuts import printed
 from nonsmooth.solver.scaling import equilibrated
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT

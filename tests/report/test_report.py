@@ -19,9 +19,9 @@ from nonsmooth.cli import folders
 from nonsmooth.report import build
 from nonsmooth.report.case import Case
 from nonsmooth.report.claims import CLAIMS
+from nonsmooth.report.claims.quotations import QUOTATIONS
 from nonsmooth.report.intervals import Interval, Intervals
 from nonsmooth.report.page import page, prose
-from nonsmooth.report.quotations import QUOTATIONS
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 #: What is not simply true of the default case.

@@ -19,10 +19,10 @@ from nonsmooth.style import FLOOR
 from .captions import PLATES, Plate, flags
 from .case import MOST, Case
 from .claims import CLAIMS, GROUPS
+from .claims.quotations import QUOTATIONS, Quotation
 from .finding import VERDICTS, Claim, verdict
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
 from .ours import remark, space_heads, space_rows
-from .quotations import QUOTATIONS, Quotation
 from .reading import reading
 from .words import number, percent, signed
 
