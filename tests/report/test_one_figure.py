@@ -8,8 +8,9 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("jinja2")
 
-from computed import ODD, case
-from drawn import data, labels, note, report_axes
+from computed import LIGHT, ODD, case
+from drawn import data, labels, longest, note, report_axes
+from matplotlib.figure import Figure
 from refusals import refused
 
 from nonsmooth.cli.shortcuts.report import FIGURES as NUMBERS
@@ -61,13 +62,24 @@ def test_a_figure_is_one_file(run, tmp_path: Path, suffix: str, begins: bytes) -
     assert target.read_bytes().startswith(begins)
 
 
-def test_the_figure_is_that_of_the_oscillator(run, tmp_path: Path) -> None:
-    made = []
-    for force in (400, 98.1, 400):
-        target = tmp_path / "fig1.pdf"
-        assert run("report", "--figure", 1, "--normal-force", force, "-o", target)[0] == 0
-        made.append(target.read_bytes())
-    assert made[0] == made[2] != made[1]
+@pytest.mark.parametrize("number", [2, 5, 6])
+def test_the_command_draws_the_figure_of_that_number(
+    run, tmp_path: Path, monkeypatch, number: int
+) -> None:
+    made: list[Figure] = []
+
+    def keep(figure: Figure, target: Path) -> None:
+        made.append(figure)
+        target.write_bytes(b"")
+
+    monkeypatch.setattr(build, "save", keep)
+    target = tmp_path / "figure.pdf"
+    assert run("report", "--figure", number, "--normal-force", 100, "-o", target)[0] == 0
+    (found,) = made
+    for axes, name in zip(found.axes, PLATES[number - 1].pictures, strict=True):
+        expected = report_axes(name, LIGHT)
+        assert labels(axes) == labels(expected)
+        np.testing.assert_array_equal(data(longest(axes)), data(longest(expected)))
 
 
 @pytest.mark.parametrize("number", ["0", "7", "2a", "x"])
