@@ -16,12 +16,12 @@ from written import value
 
 import nonsmooth as ns
 from nonsmooth.cli import folders
-from nonsmooth.plots import axes
 from nonsmooth.report import build
 from nonsmooth.report.case import Case
 from nonsmooth.report.claims import CLAIMS
+from nonsmooth.report.claims.quotations import QUOTATIONS
 from nonsmooth.report.intervals import Interval, Intervals
-from nonsmooth.report.page import page
+from nonsmooth.report.page import page, prose
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 #: What is not simply true of the default case.
@@ -147,6 +147,10 @@ def test_every_claim_has_a_verdict_and_intervals(text: str) -> None:
         assert shown[1] == NOT_QUITE.get(claim.name, "holds"), claim.name
         assert article.count("up to 200\xa0N and from 360\xa0N up") == len(claim.parts)
         assert claim.where in article
+        quoted = QUOTATIONS[claim.name]
+        assert f'“{prose(quoted.words)}” <span class="where">{quoted.section}<' in article
+        ours = [prose(part.ours) for part in claim.parts if part.ours]
+        assert re.findall(r"\(our threshold: (.*?)\)</span>", article) == ours
         kind = {"holds": "holds", "holds in part": "in-part", "does not hold": "not"}[shown[1]]
         assert f'<article class="claim {kind}"' in article
         marks = re.findall(r'class="mark">(.)<', article)
@@ -159,7 +163,8 @@ def test_every_claim_has_a_verdict_and_intervals(text: str) -> None:
 def test_the_table_of_the_page_has_the_errors_of_the_rows(text: str) -> None:
     table, _ = re.findall(r"<table>.*?</table>", text, re.DOTALL)
     assert re.findall(r"N = (\d+)", table) == ["3", "10", "40"]
-    assert re.findall(r"<th scope=\"col\">(.*?)</th>", table) == ["period", "(22)"] * 3
+    assert re.findall(r"<th scope=\"col\">(.*?)</th>", table) == ["err. T", "acc. err (22)"] * 3
+    assert "hb 6.43\xa0% instead of 5.86\xa0%." in text.partition("</table>")[2][:500]
     rows = re.findall(r"<tr><th scope=\"row\"><code>(.*?)</code>(.*?)</tr>", table, re.DOTALL)
     assert [name for name, _ in rows] == ["hb", "hb-c1", "c1"]
     for name, cells in rows:
@@ -192,13 +197,13 @@ def test_the_page_says_who_chose_the_normal_force(text: str) -> None:
 
 def test_the_commands_on_the_page_run(text: str, run, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(axes, "save", lambda figure, target: target.write_bytes(b""))
+    monkeypatch.setattr(build, "save", lambda figure, target: target.write_bytes(b""))
+    monkeypatch.setattr(build, "Case", shared)
     commands = set(re.findall(r"<pre><code>nonsmooth (.*?)</code></pre>", text))
     commands.remove("report -o report")
-    assert len(commands) == 4  # Figs. 4 and 6 share one
     for command in commands:
         assert run(*shlex.split(command))[0] == 0
-    assert len(list(tmp_path.iterdir())) == 4
+    assert {path.name for path in tmp_path.iterdir()} == {f"fig{n}.pdf" for n in range(1, 7)}
 
 
 def test_the_same_case_gives_the_same_bytes(

@@ -3,15 +3,18 @@
 import re
 from html.parser import HTMLParser
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.report.scenes import collected, figures, gallery
+from nonsmooth.report.scenes import collected, figures, gallery, multipliers
 from nonsmooth.report.scenes.collected import Collected, collect, overshoot
 from nonsmooth.report.scenes.page import GIBBS, page
 from nonsmooth.report.scenes.theory import rate_of_jump, rate_of_times
+from nonsmooth.solver.stability.monodromy import NoMultipliersError
+from nonsmooth.solver.stability.stability import Stability
 
 CASE = ns.scene("impact")(gap=0.2)
 
@@ -120,6 +123,55 @@ def test_the_page_says_the_numbers(found: Collected) -> None:
         percent = 100 * max(0.0, overshoot(orbit, found.exact))
         assert f"{name}, N = {orbit.order}: {percent:.2g} %" in text
     assert text.count('role="img"') == len(pictures)
+
+
+def test_the_page_has_the_multipliers_of_the_exact_orbit(found: Collected) -> None:
+    text = page(found, dict.fromkeys(figures.figures_of(found), '<svg viewBox=""></svg>'), "")
+    table = text.partition("<h3>Stability</h3>")[2].partition("</table>")[0]
+    assert "The orbit is stable." in table
+    assert "a shift in time" not in table  # it is forced
+    rows = re.findall(r"<tr><td>(.*?)</td><td>(.*?)</td><th[^>]*>(.*?)</th></tr>", table)
+    values = [
+        float(modulus) * np.exp(1j * float(argument.replace("−", "-")))
+        for modulus, argument, _ in rows
+    ]
+    assert values == pytest.approx(list(ns.exact(CASE).multipliers), rel=1e-4)
+    assert [stable for _, _, stable in rows] == ["stable"] * 2
+
+
+@pytest.mark.parametrize(
+    ("value", "row"),
+    [
+        (0.5, ("0.5", "0", "stable")),
+        (-1.25, ("1.25", "3.1416", "unstable")),
+        (1 + 1e-13, ("1", "0", "neither, to rounding")),
+        (0, ("0", "none", "stable")),
+    ],
+)
+def test_a_multiplier_is_judged_by_its_modulus(value: float, row: tuple[str, ...]) -> None:
+    motion = SimpleNamespace(
+        stability=Stability(np.array([value], dtype=complex), 1.0, 1e-12),
+        multipliers=np.array([value], dtype=complex),
+        stable=True,
+    )
+    found = multipliers.multipliers(motion)  # type: ignore[arg-type]
+    assert (found.rows, found.shift) == ([multipliers.Row(*row)], True)
+
+
+def test_an_autonomous_orbit_loses_the_multiplier_of_a_shift() -> None:
+    found = multipliers.multipliers(ns.exact(ns.scene("stick-slip")()))
+    assert found == multipliers.Multipliers(
+        [multipliers.Row("0", "none", "stable")], "stable", shift=True
+    )
+
+
+def test_an_orbit_without_multipliers_is_said_to_have_none(monkeypatch) -> None:
+    def touched(motion: object) -> None:
+        raise NoMultipliersError("an event is touched")
+
+    monkeypatch.setattr("nonsmooth.solver.stability.stability.stability", touched)
+    found = multipliers.multipliers(ns.exact(ns.scene("impact")(gap=0.21)))
+    assert (found.rows, found.verdict) == ([], "an event is touched")
 
 
 def test_a_scene_of_the_user_s_own_has_no_sketch(found: Collected) -> None:

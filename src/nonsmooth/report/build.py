@@ -1,17 +1,20 @@
 """From an oscillator to a folder: the scan, the pictures, the page."""
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 
 import matplotlib as mpl
+from matplotlib.figure import Figure
 
 from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 from nonsmooth.style import save
 
+from .captions import PLATES
 from .case import Case
 from .claim_map import claim_map
 from .claims import CLAIMS
-from .figures import FIGURES, LOOK, figure
+from .figures import FIGURES, LOOK, SIZE, figure
 from .intervals import SCANNED, Intervals, scan
 from .page import page
 
@@ -41,6 +44,35 @@ def draw(case: Case, intervals: Intervals, folder: Path, done: Callable[[str], N
             for suffix in SUFFIXES:
                 save(made, folder / (name + suffix))
         done(name)
+
+
+def plate(belt: StickSlip, number: int) -> Figure:
+    """Return one figure of the paper, its pictures beside and below each other.
+
+    Parameters
+    ----------
+    belt : StickSlip
+        The oscillator.
+    number : int
+        Of the figure, from 1 to 6.
+    """
+    (names,) = (tuple(plate.pictures) for plate in PLATES if plate.number == number)
+    columns = min(len(names), 2)
+    rows = math.ceil(len(names) / columns)
+    made = Figure(figsize=(columns * SIZE[0], rows * SIZE[1]), layout="constrained")
+    case = Case(belt)
+    for axes, name in zip(made.subplots(rows, columns, squeeze=False).flat, names, strict=True):
+        FIGURES[name](axes, case)
+        letter = name.removeprefix(f"fig-{number}")
+        if len(letter) == 1:
+            axes.annotate(f"({letter})", (-0.12, 1.02), xycoords="axes fraction")
+    return made
+
+
+def write_plate(belt: StickSlip, number: int, target: Path) -> None:
+    """Write one figure of the paper as a picture, in the format that its ending names."""
+    with mpl.rc_context(LOOK):
+        save(plate(belt, number), target)
 
 
 def build(belt: StickSlip, folder: Path, done: Callable[[str], None]) -> None:

@@ -10,7 +10,8 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip
 from .case import MOST, Case
 from .checks_c1 import THREE
 from .checks_fourier import BAND, rises
-from .words import listed, number, percent, power_of_order, times
+from .reading import reading
+from .words import listed, number, percent, power_of_order
 
 
 @dataclass(frozen=True)
@@ -24,14 +25,14 @@ class Plate:
         Names of the pictures, and what each shows, for those who do not see it.
     see : callable
         From a `Case` to what to look at; it may raise `NoOrbit`.
-    arguments : str
-        The command that draws it, but for the oscillator; empty where none does.
+    number : int
+        Of the figure in the paper.
     """
 
     title: str
     pictures: dict[str, str]
     see: Callable[[Case], str]
-    arguments: str
+    number: int
 
     def text(self, case: Case) -> str:
         """Return what to look at in this case."""
@@ -41,8 +42,8 @@ class Plate:
             return f"In this case {missing.reason}."
 
     def command(self, belt: StickSlip) -> str:
-        """Return the whole command."""
-        return f"nonsmooth {self.arguments}{flags(belt)}" if self.arguments else ""
+        """Return the command that draws this figure alone."""
+        return f"nonsmooth report --figure {self.number}{flags(belt)} -o fig{self.number}.pdf"
 
 
 def flags(belt: StickSlip) -> str:
@@ -90,20 +91,37 @@ def _many_harmonics(case: Case) -> str:
     jump = case.alpha * case.belt.acceleration_unit
     time, size = case.peak("hb", MOST)
     end = case.orbit("hb", MOST).t1 - time
+    error = percent(case.acceleration_error("hb", MOST))
     return (
         f"Even with N = {MOST} harmonics the series overshoots beside each jump, in stick by "
         f"{percent(size / jump)} of it, {number(end)} s before stick ends. More harmonics make "
         "the ripple narrower, not lower: Gibbs' phenomenon. Only the mean square of the "
-        f"error, (22), goes to zero; here it is {percent(case.acceleration_error('hb', MOST))}."
+        f"error, (22), goes to zero; here it is {error}. {reading(case, MOST)}"
     )
 
 
-def _first_inside(case: Case, method: str) -> str:
-    """Return from which order on the period is in the band of Fig. 4."""
+def _first_inside(case: Case, method: str) -> int:
+    """Return from which order on the period is in the band of Fig. 4; past `MOST` if never."""
     errors = {N: abs(case.period_error(method, N)) for N in case.orders(method)}
     outside = [N for N in range(1, MOST + 1) if N not in errors or errors[N] > BAND]
-    first = max(outside, default=0) + 1
-    return f"{method} from N = {first}" if first <= MOST else f"{method} not by N = {MOST}"
+    return max(outside, default=0) + 1
+
+
+def _inside(case: Case) -> str:
+    """Return which methods stay in the band, from which orders on, and which do not."""
+    by_order: dict[int, list[str]] = {}
+    for method in ("hb", "hb-c1", "c1"):
+        by_order.setdefault(_first_inside(case, method), []).append(method)
+    never = by_order.pop(MOST + 1, [])
+    band = f"{percent(BAND, 1)} of the exact period (grey band)"
+    out = f"{listed(never)} {'is' if len(never) == 1 else 'are'} still outside"
+    if not by_order:
+        return f"{out} {band} at N = {MOST}."
+    (first, ahead), *later = sorted(by_order.items())
+    stay = "stays" if len(ahead) == 1 else "stay"
+    groups = [f"{listed(ahead)} {stay} within {band} from N = {first} on"]
+    groups += [f"{listed(methods)} from N = {N} on" for N, methods in later]
+    return "; ".join([*groups, *([f"{out} at N = {MOST}"] if never else [])]) + "."
 
 
 def _overtaking(case: Case) -> str:
@@ -116,13 +134,12 @@ def _overtaking(case: Case) -> str:
 
 
 def _period(case: Case) -> str:
-    inside = listed([_first_inside(case, method) for method in ("hb", "hb-c1", "c1")])
     digits = case.rates("c1").period
     gain = f", and it gains {number(digits, 2)} digits with each order" if digits else ""
     return (
-        f"Within 0.1 % of the exact period (the grey band) for good: {inside}. "
-        f"{_overtaking(case)}{gain}, until rounding stops it. The logarithmic scale is ours: "
-        "on the other all three seem to arrive."
+        f"{_inside(case)} {_overtaking(case)}{gain}, until rounding stops it. The second "
+        "picture (not in the paper) has a logarithmic scale: on a linear one all three look "
+        "converged."
     )
 
 
@@ -135,7 +152,7 @@ def _three_methods(case: Case) -> str:
     return (
         f"At the same order N = {THREE} the harmonics alone cannot jump at all; those with one "
         "C¹ function can, and so can the C¹ series, whose stick is exact. Error (22): "
-        f"{listed(errors)}."
+        f"{listed(errors)}. {reading(case, THREE, ('hb', 'hb-c1', 'c1'))}"
     )
 
 
@@ -143,11 +160,12 @@ def _acceleration(case: Case) -> str:
     rates = [(m, case.rates(m).acceleration) for m in ("hb", "hb-c1")]
     fall = listed([f"{m} like {power_of_order(rate)}" for m, rate in rates if rate is not None])
     rising = [(m, len(rises(case, m))) for m in ("hb", "hb-c1", "c1")]
-    up = listed([f"{m} {times(count)}" for m, count in rising])
+    up = listed([f"{m} {count}" for m, count in rising])
     return (
         f"The error falls slowly in Fourier series, {fall or 'how is not to be said here'}; in "
-        "the C¹ series it goes down in stairs, two orders to a step. How often it is larger "
-        f"than at the order before, from N = 2 to {MOST}: {up}."
+        "the C¹ series it goes down in stairs, two orders to a step. Number of orders from "
+        f"N = 2 to {MOST} at which it is larger than at the order before: {up}. "
+        f"{reading(case, MOST)}"
     )
 
 
@@ -159,7 +177,7 @@ PLATES = (
             "fig-1b": "Friction against relative velocity: constant in slip, larger in stick.",
         },
         _oscillator,
-        "",
+        1,
     ),
     Plate(
         "Fig. 2: the exact orbit",
@@ -170,7 +188,7 @@ PLATES = (
             "fig-2d": "Acceleration against time: zero in stick, with a jump at each end.",
         },
         _orbit,
-        "solve --method c1 --order 20 -o orbit.svg",
+        2,
     ),
     Plate(
         f"Fig. 3: acceleration by classical harmonic balance, N = {MOST}",
@@ -179,7 +197,7 @@ PLATES = (
             "fig-3-detail": "The end of stick, enlarged: the overshoot before the jump.",
         },
         _many_harmonics,
-        f"solve --method hb --order {MOST} -o harmonics.svg",
+        3,
     ),
     Plate(
         "Fig. 4: the period against the order",
@@ -188,18 +206,18 @@ PLATES = (
             "fig-4-errors": "Size of the period error against N, on a logarithmic scale.",
         },
         _period,
-        f"sweep --orders 1-{MOST} -o convergence.svg",
+        4,
     ),
     Plate(
         f"Fig. 5: acceleration by the three methods, N = {THREE}",
         {"fig-5": "Acceleration over a period at N = 3 by three methods, and the exact one."},
         _three_methods,
-        f"solve --order {THREE} -o three.svg",
+        5,
     ),
     Plate(
         "Fig. 6: the error of the acceleration against the order",
         {"fig-6": "Error (22) against N on a logarithmic scale, for three methods."},
         _acceleration,
-        f"sweep --orders 1-{MOST} -o convergence.svg",
+        6,
     ),
 )

@@ -7,6 +7,7 @@ of its own here.
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from nonsmooth.plots.axes import LEAST
@@ -28,6 +29,9 @@ NAMES = {"hb": "hb (3.1)", "hb-c1": "hb-c1 (3.2)", "c1": "c1 (3.3)"}
 
 #: Order of Fig. 5, and the last one in Fig. 4, where the curves can still be told apart.
 SMALL, LAST = 3, 12
+
+#: Periods of Fig. 2(b) to (d): past the first, so that both ends of slip are inside.
+PERIODS = 1.2
 
 
 def figure(draw: Callable[[Any, Case], None], case: Case) -> Figure:
@@ -74,17 +78,30 @@ def history(derivative: int) -> Callable[[Any, Case], None]:
             centre = case.belt.slip_centre
             axes.axhline(centre, color="0.5", linewidth=0.8, linestyle="--")
             axes.annotate(
-                "$x_s$", (1, centre), xytext=(-3, 3), textcoords="offset points", ha="right"
+                "$x_s$",
+                (1, centre),
+                xytext=(-3, 3),
+                textcoords="offset points",
+                ha="right",
             )
         draw_motion(motion, axes, name, linewidth=1.6)
+        _go_on(axes.lines[-1])
         share = motion.t1 / motion.period
         axes.axvspan(0, share, color="0.9", zorder=0)
+        axes.axvspan(1, min(1 + share, PERIODS), color="0.9", zorder=0)
         where = {"xycoords": ("data", "axes fraction"), "ha": "center", "fontsize": 9}
         axes.annotate("stick", (share / 2, 1.02), **where)
         axes.annotate("slip", ((1 + share) / 2, 1.02), **where)
-        axes.set(xlim=(0, 1))
+        axes.set(xlim=(0, PERIODS))
 
     return draw
+
+
+def _go_on(curve: Any) -> None:
+    """Draw a curve over one period, in periods, on to `PERIODS`."""
+    part, values = curve.get_data()
+    again = part <= PERIODS - 1
+    curve.set_data(np.append(part, 1 + part[again]), np.append(values, values[again]))
 
 
 def _accelerations(axes: Any, case: Case, methods: tuple[str, ...], order: int) -> None:

@@ -35,11 +35,14 @@ class Part:
         From a `Case` to a `Finding`; it may raise `NoOrbit`.
     counts : bool
         Whether the verdict depends on it; False for another way to read the claim.
+    ours : str
+        The threshold, where the paper gives none: the number is ours.
     """
 
     words: str
     check: Callable[[Case], Finding]
     counts: bool = True
+    ours: str = ""
 
     def of(self, case: Case) -> Finding:
         """Return the finding; an orbit that is missing counts against the statement."""

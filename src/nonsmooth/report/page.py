@@ -19,9 +19,11 @@ from nonsmooth.style import FLOOR
 from .captions import PLATES, Plate, flags
 from .case import MOST, Case
 from .claims import CLAIMS, GROUPS
+from .claims.quotations import QUOTATIONS, Quotation
 from .finding import VERDICTS, Claim, verdict
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
 from .ours import remark, space_heads, space_rows
+from .reading import reading
 from .words import number, percent, signed
 
 #: Modules of the mathematics that the page rests on, and the orders in its table.
@@ -47,6 +49,8 @@ class Checked:
     ----------
     number : int
     claim : Claim
+    quotation : Quotation
+        What the paper says, in its words.
     verdict : str
     parts : list of dict
         The words of each part, its finding, and the forces for which it holds.
@@ -54,6 +58,7 @@ class Checked:
 
     number: int
     claim: Claim
+    quotation: Quotation
     verdict: str
     parts: list[dict[str, object]]
 
@@ -66,6 +71,7 @@ def check(case: Case, intervals: Intervals) -> list[Checked]:
         parts: list[dict[str, object]] = [
             {
                 "words": part.words,
+                "ours": part.ours,
                 "counts": part.counts,
                 "holds": finding.holds,
                 "numbers": finding.numbers,
@@ -73,7 +79,8 @@ def check(case: Case, intervals: Intervals) -> list[Checked]:
             }
             for part, finding in zip(claim.parts, findings, strict=True)
         ]
-        checked.append(Checked(place, claim, verdict(claim, findings), parts))
+        quotation = QUOTATIONS[claim.name]
+        checked.append(Checked(place, claim, quotation, verdict(claim, findings), parts))
     return checked
 
 
@@ -217,6 +224,7 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         orders=ORDERS,
         most=MOST,
         table=_table(case),
+        reading=reading(case, MOST),
         plates=_plates(case, pictures),
         ours=remark(case),
         groups=groups,

@@ -110,6 +110,103 @@ _FIGURES = (
     ),
 )
 
+#: What is quoted and measured: the paper's words, the other reading of (21), multipliers.
+_SAID = (
+    Mutant(
+        "a quotation with a word left out",
+        REPORT + "claims/quotations.py",
+        'is entirely "\n        "eliminated',
+        'is "\n        "eliminated',
+        ("tests/report/test_quotations.py",),
+    ),
+    Mutant(
+        "a quotation in another section",
+        REPORT + "claims/quotations.py",
+        '"Section 3.3", "for t < t₁',
+        '"Section 3.2", "for t < t₁',
+        ("tests/report/test_quotations.py",),
+    ),
+    Mutant(
+        "a threshold that is ours said to be another",
+        REPORT + "claims/one_function.py",
+        'ours="a factor of 0.7"',
+        'ours="a factor of 0.8"',
+        ("tests/report/test_quotations.py",),
+    ),
+    Mutant(
+        "a quotation under the next claim",
+        REPORT + "page.py",
+        "quotation = QUOTATIONS[claim.name]",
+        "quotation = QUOTATIONS[CLAIMS[place % len(CLAIMS)].name]",
+        ("tests/report/test_report.py",),
+    ),
+    Mutant(
+        "the other reading is that of normalised time",
+        REPORT + "reading.py",
+        "np.mod(T * part, z[-1])",
+        "z[-1] * part",
+        CAPTIONS,
+    ),
+    Mutant(
+        "the other reading without the jumps of the series",
+        REPORT + "reading.py",
+        "for time in (t1, *z[-2:])",
+        "for time in (t1,)",
+        CAPTIONS,
+    ),
+    Mutant(
+        "both readings of (21) exchanged",
+        REPORT + "reading.py",
+        'f"{method} {percent(error_at_equal_times(case, method, order))} instead of "\n'
+        '        f"{percent(case.acceleration_error(method, order))}"',
+        'f"{method} {percent(case.acceleration_error(method, order))} instead of "\n'
+        '        f"{percent(error_at_equal_times(case, method, order))}"',
+        CAPTIONS,
+    ),
+    Mutant(
+        "Fig. 2(d) ends with the period",
+        REPORT + "figures.py",
+        "PERIODS = 1.2",
+        "PERIODS = 1.0",
+        FIGURES,
+    ),
+    Mutant(
+        "Fig. 2(b) to (d) begin again with slip",
+        REPORT + "figures.py",
+        "np.append(values, values[again])",
+        "np.append(values, values[-again.sum() :])",
+        FIGURES,
+    ),
+    Mutant(
+        "--figure draws the figure before",
+        "src/nonsmooth/cli/shortcuts/report.py",
+        "write_plate(belt, int(figure), target)",
+        "write_plate(belt, max(int(figure) - 1, 1), target)",
+        ("tests/report/test_one_figure.py",),
+    ),
+    Mutant(
+        "the parts of a figure in another order",
+        REPORT + "build.py",
+        "FIGURES[name](axes, case)\n",
+        "FIGURES[names[-1 - names.index(name)]](axes, case)\n",
+        ("tests/report/test_one_figure.py",),
+    ),
+    Mutant(
+        "a multiplier is stable by its real part",
+        REPORT + "scenes/multipliers.py",
+        "modulus = abs(value)",
+        "modulus = value.real",
+        ("tests/report/test_report_of_a_scene.py",),
+    ),
+    Mutant(
+        "a multiplier at 1 counted as unstable",
+        REPORT + "scenes/multipliers.py",
+        "abs(modulus - 1) <= rounding",
+        "abs(modulus - 1) < 0",
+        ("tests/report/test_report_of_a_scene.py",),
+    ),
+)
+
 #: What is written beside the figures.
 _CAPTIONS = (
     Mutant(
@@ -191,4 +288,4 @@ _CAPTIONS = (
     ),
 )
 
-MUTANTS: tuple[Mutant, ...] = _FIGURES + _CAPTIONS
+MUTANTS: tuple[Mutant, ...] = _FIGURES + _SAID + _CAPTIONS

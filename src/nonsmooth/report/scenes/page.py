@@ -15,6 +15,7 @@ from nonsmooth.solver.case.registry import mathematics, methods
 from ..page import inline, prose
 from .collected import Collected, overshoot
 from .figures import FIGURES, theory
+from .multipliers import multipliers
 
 #: What Fourier series of a jump tend to go beyond it: Wilbraham's and Gibbs' constant.
 GIBBS = 0.0894899
@@ -47,6 +48,7 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         values=case.values,
         description=case.description,
         exact=_times(found),
+        multipliers=multipliers(found.exact),
         k=scene.k,
         ringing=_overshoots(found),
         gibbs=f"{100 * GIBBS:.2f}",
