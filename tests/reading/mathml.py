@@ -130,7 +130,7 @@ def words(page: str) -> str:
 def equations(page: str) -> Iterator[Printed]:
     """Yield the equations of a page or a fragment."""
     heading = ""
-    for element in _body(page):
+    for element in _body(page).iter():  # what is folded as well
         if element.tag == "h2":
             heading = "".join(element.itertext())
         if element.tag != "figure":

@@ -1,5 +1,6 @@
 """The equations of a page, read back from their MathML: they are the record's."""
 
+import re
 from collections import Counter
 
 import pytest
@@ -34,3 +35,14 @@ def test_the_sentence_below_a_heading_names_the_unknowns() -> None:
     shown = bare(mathml.words(html_of(2)))
     for note in notes(2):
         assert bare(note) in shown
+
+
+def test_what_the_paper_does_not_number_and_a_kernel_computes_is_folded() -> None:
+    page = html_of(None)
+    folded = re.findall(r"<details>(.*?)</details>", page, flags=re.DOTALL)
+    assert folded
+    for part in folded:
+        assert part.count("<figure") >= 2
+        assert 'class="number"' not in part
+    assert "integral" in folded[0]
+    assert "exact orbit" not in "".join(folded)

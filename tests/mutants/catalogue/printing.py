@@ -310,4 +310,11 @@ MUTANTS = (
         "for name in equation.functions[1:])",
         CODE,
     ),
+    Mutant(
+        "what the paper says without a number is folded away",
+        "codegen/printing/html.py",
+        "return numbered and not equation.number and bool(equation.functions)",
+        "return numbered and not equation.number",
+        ("tests/shown/test_read_back_html.py",),
+    ),
 )
