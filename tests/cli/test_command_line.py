@@ -78,8 +78,10 @@ def test_solve_without_a_method_compares_all_three(run) -> None:
     status, out, _ = run("solve", "--order", 5)
     assert status == 0
     assert "F_N = 400 N is assumed" in out
-    methods = [line.split()[0] for line in out.splitlines()[-4:]]
-    assert methods == ["exact", "hb", "hb-c1", "c1"]
+    table, legend = out.split("\n\n")[1:]
+    methods = [line.split()[0] for line in table.splitlines()]
+    assert methods == ["method", "exact", "hb", "hb-c1", "c1"]
+    assert all(f"{head}:" in legend for head in ("(22)", "aligned", "estimate", "it"))
     assert max(map(len, out.splitlines())) <= 80
     _, out, _ = run("solve", "--order", 5, "--json")
     assert [orbit["method"] for orbit in json.loads(out)["orbits"]] == ["hb", "hb-c1", "c1"]

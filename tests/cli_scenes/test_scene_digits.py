@@ -85,14 +85,6 @@ def test_it_measures_the_scene_at_its_extremes(run, tmp_path, monkeypatch) -> No
     assert "digits: 14 of 14 done (a stop 1e-3 of the amplitude away: c0-tau, N = 10)" in err
 
 
-def test_the_default_scene_by_the_kernels_of_every_scene(run, monkeypatch) -> None:
-    monkeypatch.setattr(digits, "QUICK_ORDERS", (4,))
-    status, out, _ = run("digits", "--no-shortcuts", "--quick")
-    assert status == 0
-    assert "alpha = 1e-6" in out
-    assert "c1-tau" in out
-
-
 def test_a_scene_that_names_no_extremes_is_measured_as_it_is(run, monkeypatch) -> None:
     monkeypatch.setattr(registry.load("impact").module, "EXTREMES", ())
     status, out, err = run("digits", "impact", "--orders", 4, "--methods", "hb")

@@ -9,6 +9,7 @@ from refusals import refused
 
 import nonsmooth as ns
 from nonsmooth.solver.case import registry
+from nonsmooth.solver.precision import digits
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 from nonsmooth.solver.solve import solve_case
 
@@ -118,3 +119,11 @@ def test_the_belt_by_the_kernels_of_every_scene() -> None:
     with pytest.raises(ValueError, match="c1_terms"):
         ns.sweep(belt, ["c1-tau"], [3], c1_terms=2)
     assert isinstance(ns.exact(DEFAULT), ns.ExactOrbit)
+
+
+def test_digits_of_it_by_the_kernels_of_every_scene(run, monkeypatch) -> None:
+    monkeypatch.setattr(digits, "QUICK_ORDERS", (4,))
+    status, out, _ = run("digits", "--no-shortcuts", "--quick")
+    assert status == 0
+    assert "alpha = 1e-6" in out
+    assert "c1-tau" in out

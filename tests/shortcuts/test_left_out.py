@@ -122,7 +122,7 @@ def test_the_default_scene_is_solved_as_any_other(house: Path) -> None:
 
 def tested(house: Path, *places: str) -> tuple[int, str]:
     """Run tests in the copy."""
-    options = ("-q", "-p", "no:cacheprovider", "-m", "not long")
+    options = ("-q", "-rf", "-p", "no:cacheprovider", "-m", "not long")
     return ran(house, "-m", "pytest", *options, *places)
 
 

@@ -154,7 +154,7 @@ def solve(
     if json_:
         click.echo(text, nl=False)
     else:
-        from .tables import solutions  # noqa: PLC0415
+        from .tables import legend, solutions  # noqa: PLC0415
 
         click.echo(caption(belt))
         solutions(belt, found)
@@ -162,6 +162,7 @@ def solve(
             click.echo(why(choice))
         if digits is not None:
             show_precise(documents)
+        legend(found)
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
     _warn_of_far_off(orbits if tol is None else [])
     if output is not None:

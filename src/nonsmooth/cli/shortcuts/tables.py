@@ -24,6 +24,19 @@ if TYPE_CHECKING:
     from nonsmooth.solver.shortcuts.search.sweep import Sweep
 
 
+#: What the headings of a table of orbits mean.
+LEGEND = """
+T, t1: period and end of stick, T_ex exact; (22): L2 error of the acceleration
+over normalised time; aligned: the same, phase by phase; estimate: of the error
+of T, without the exact orbit; it: iterations."""
+
+
+def legend(found: "Mapping[str, Orbit | NoOrbit]") -> None:
+    """Say what the headings of `solutions` mean, if there is an orbit."""
+    if any(isinstance(orbit, Orbit) for orbit in found.values()):
+        click.echo(LEGEND)
+
+
 def solutions(belt: "StickSlip", found: "Mapping[str, Orbit | NoOrbit]") -> None:
     """Print the orbit by each method, below the exact one."""
     reference = exact(belt)
