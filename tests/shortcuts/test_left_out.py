@@ -140,4 +140,4 @@ def test_all_tests_of_scenes_and_expansions_pass(house: Path) -> None:
 @pytest.mark.long
 def test_what_is_generated_is_what_the_copy_derives(house: Path) -> None:
     status, said = ran(house, "-m", "nonsmooth", "generate", "--check")
-    assert (status, said) == (0, "generated/ is up to date\n")
+    assert (status, said.splitlines()[0]) == (0, "generated/ is up to date")
