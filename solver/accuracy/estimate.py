@@ -21,6 +21,10 @@ MORE, LEAST, MOST = 4, 20, 60
 #: method; and of the derivative.
 ROUNDING, CORRECTIONS, DERIVATIVE_ROUNDING = 2e-15, 4.0, 1e-14
 
+#: Differences of times and of the derivative below which two solutions are the same root: one
+#: is an orbit if the other is, and is not followed through its critical points again.
+SAME, SAME_DERIVATIVE = 1e-6, 1e-3
+
 NOTHING = SceneErrors(math.inf, math.inf, math.inf)
 
 
@@ -32,11 +36,17 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     if orbit.method != FIRST:
         order = min(order, MOST)
     better = _neighbour(orbit, order)
-    beyond = better and _neighbour(better, order + MORE)
-    if better is None or beyond is None:
+    if not better.converged:
+        return NOTHING
+    beyond = _neighbour(better, order + MORE)
+    if not beyond.converged:
         return NOTHING
     apart = difference(orbit, better, max(order, orbit.order))
     doubt = difference(better, beyond, order + MORE)
+    if not ((orbit.admissible and _same(apart)) or better.admissible):
+        return NOTHING
+    if not (_same(doubt) or beyond.admissible):
+        return NOTHING
     rounding = ROUNDING + CORRECTIONS * orbit.outcome.correction
     return SceneErrors(
         period=abs(apart.period) + abs(doubt.period) + rounding,
@@ -48,8 +58,12 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     )
 
 
-def _neighbour(orbit: SceneOrbit, order: int) -> SceneOrbit | None:
-    """Return the orbit of the better method to which the times of an orbit lead."""
+def _neighbour(orbit: SceneOrbit, order: int) -> SceneOrbit:
+    """Return where the times of an orbit lead by the better method, if it converged."""
     kernel = registry.quicker_kernel(orbit.case.scene, FIRST, None, order)
-    found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
-    return found if found.converged and found.admissible else None
+    return attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
+
+
+def _same(change: SceneErrors) -> bool:
+    """Whether two solutions are so near to each other that either is an orbit if one is."""
+    return change.times <= SAME and change.discontinuous <= SAME_DERIVATIVE

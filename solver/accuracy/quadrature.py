@@ -1,6 +1,7 @@
 """Gauss rules for functions that jump and oscillate."""
 
 import math
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -9,6 +10,12 @@ from ..arrays import Vector
 
 #: Nodes of the Gauss rule in each panel; a panel holds at most one wave.
 NODES = 20
+
+
+@cache
+def _rule() -> tuple[Vector, Vector]:
+    """Return nodes and weights of the Gauss rule on ``(-1, 1)``."""
+    return np.polynomial.legendre.leggauss(NODES)
 
 
 def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
@@ -21,7 +28,7 @@ def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
     waves : int
         Waves of the highest harmonic on ``(0, 1)``; at least one panel each.
     """
-    x, w = np.polynomial.legendre.leggauss(NODES)
+    x, w = _rule()
     edges = np.array(sorted({0.0, *breaks, 1.0}))
     points, weights = [], []
     for left, right in pairwise(edges):

@@ -3,11 +3,18 @@
 import types
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .modules import module_of
+
 if TYPE_CHECKING:
     from .case import Case
+
+
+#: The module of a folder that holds the scene itself; any other module is a method's.
+SCENE = "scene"
 
 
 @dataclass(frozen=True)
@@ -147,6 +154,30 @@ class SceneNumbers:
         from .registry import of_motion  # noqa: PLC0415  (it imports this module)
 
         return tuple(of_motion(self, name) for name in self.motions) or (self,)
+
+    @cached_property
+    def files(self) -> dict[tuple[str, int | None], Path]:
+        """The modules of its methods, by method and number of functions: as first looked for."""
+        if self.motions:
+            return self.each_motion[0].files  # those of the others are the same
+        found: dict[tuple[str, int | None], Path] = {}
+        for path in self.folder.glob("*.py"):
+            parts = path.stem.split("_")
+            number = int(parts.pop()) if parts[-1].isdecimal() else None
+            if path.stem not in (SCENE, "__init__"):
+                found["-".join(parts), number] = path
+        return found
+
+    @cached_property
+    def _kernels(self) -> dict[tuple[str, int | None], types.ModuleType]:
+        return {}
+
+    def kernel_module(self, method: str, number: int | None) -> types.ModuleType:
+        """Return the module of a method, loaded once."""
+        key = method, number
+        if key not in self._kernels:
+            self._kernels[key] = module_of(self.files[key])
+        return self._kernels[key]
 
     @property
     def frequency(self) -> str | None:

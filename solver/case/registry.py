@@ -10,13 +10,10 @@ from typing import TYPE_CHECKING
 
 from .modules import module_of
 from .names import generic
-from .numbers import SceneNumbers
+from .numbers import SCENE, SceneNumbers
 
 if TYPE_CHECKING:
     from .kernel import SceneKernel
-
-#: The module of a folder that holds the scene itself; any other module is a method's.
-SCENE = "scene"
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
 
@@ -88,7 +85,7 @@ def of_motion(scene: SceneNumbers, name: object) -> SceneNumbers:
 
 def methods(scene: SceneNumbers) -> tuple[str, ...]:
     """Return the methods that have a kernel for a scene."""
-    return tuple(sorted({method for method, _ in _files(scene)}))
+    return tuple(sorted({method for method, _ in scene.files}))
 
 
 def functions(scene: SceneNumbers, method: str) -> tuple[int, ...]:
@@ -96,21 +93,8 @@ def functions(scene: SceneNumbers, method: str) -> tuple[int, ...]:
 
     One kernel a number: ``<method>_<number>.py``.
     """
-    found = (number for name, number in _files(scene) if name == method)
+    found = (number for name, number in scene.files if name == method)
     return tuple(sorted(number for number in found if number is not None))
-
-
-def _files(scene: SceneNumbers) -> dict[tuple[str, int | None], Path]:
-    """Return the modules of the methods of a scene, by method and number of functions."""
-    if scene.motions:
-        return _files(of_motion(scene, scene.motions[0]))  # those of the others are the same
-    found = {}
-    for path in scene.folder.glob("*.py"):
-        parts = path.stem.split("_")
-        number = int(parts.pop()) if parts[-1].isdecimal() else None
-        if path.stem not in (SCENE, "__init__"):
-            found["-".join(parts), number] = path
-    return found
 
 
 def generic_method(scene: SceneNumbers, method: object) -> str:
@@ -174,11 +158,10 @@ def _module(scene: SceneNumbers, method: str, number: int | None) -> types.Modul
         If the scene has none.
     """
     name = generic_method(scene, method)
-    path = _files(scene).get((name, number))
-    if path is None:
+    if (name, number) not in scene.files:
         known = ", ".join(map(str, functions(scene, name))) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
-    return module_of(path)
+    return scene.kernel_module(name, number)
 
 
 def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
@@ -186,8 +169,8 @@ def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
     wanted = {generic_method(scene, method) for method in chosen}
     texts = [scene.module.BODY]
     for motion in scene.each_motion:
-        files = sorted(path for (name, _), path in _files(motion).items() if name in wanted)
-        texts += [module_of(path).MATHEMATICS for path in files]
+        kernels = sorted((path, *key) for key, path in motion.files.items() if key[0] in wanted)
+        texts += [motion.kernel_module(*key).MATHEMATICS for _, *key in kernels]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
 
 

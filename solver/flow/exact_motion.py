@@ -54,7 +54,7 @@ class ExactSceneOrbit(SceneMotion):
         found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
         return tuple(map(float, found))
 
-    def part(self, p: int, u: Vector, derivative: int) -> Vector:
+    def _part(self, p: int, u: Vector, derivative: int) -> Vector:
         """Return a derivative of the displacement on phase `p` of the cell, without units."""
         return self._kernel.motion(self.case.cell, self.outcome.unknowns, p, u, derivative)
 

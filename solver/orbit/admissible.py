@@ -31,7 +31,8 @@ HELD = (0.5, 3.0)
 #: parts of an orbit are the same: between distinct orbits they are larger.
 SAME = 1e-6
 
-#: ``allowed(p, form)``: what a demand on phase p may be below 0, as a part of its scale.
+#: ``allowed(p, form)``: what a demand on phase p may be below 0, as a part of its scale; at
+#: least `ROUNDING`, and asked only of demands that are further below than that.
 Allowance = Callable[[int, Form], float]
 
 
@@ -48,8 +49,7 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
     orbit : SceneMotion
         A solution of the equations.
     allowed : callable
-        How far below 0 a demand may fall; see `allowance` for those of an expansion.  Where
-        it is infinite, the size of the demand is not looked at.
+        How far below 0 a demand may fall; see `allowance` for those of an expansion.
     """
     durations = orbit.cell_durations
     total, unit = float(np.sum(durations)), orbit.case.units.time
@@ -63,21 +63,24 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
     for p, phase in enumerate(orbit.cell.phases):
         found += _held(orbit, p)
         for words, form in phase.demands:
-            found += _demand(orbit, p, words, form, allowed(p, form))
+            found += _demand(orbit, p, words, form, allowed)
         for words, form in phase.switch_demands:
-            found += _at_switch(orbit, p, words, form, allowed(p, form))
+            found += _at_switch(orbit, p, words, form, allowed)
     return tuple(found) or _repeated(orbit)
 
 
-def _at_switch(orbit: SceneMotion, p: int, words: str, form: Form, allowed: float) -> list[str]:
+def _at_switch(
+    orbit: SceneMotion, p: int, words: str, form: Form, allowed: Allowance
+) -> list[str]:
     """Return how a demand where a phase ends is violated, if it is."""
     scale = scale_of(orbit, p, form)
     value = float(terms(orbit, p, form, np.ones(1)).sum())
-    if value >= -allowed * scale:
+    if value >= -ROUNDING * scale or value >= -allowed(p, form) * scale:
         return []
     return [
         f"where {orbit.cell.phases[p].name} ends, not true that {words}: by "
-        f"{-value / scale:.3g} of its size {_state(orbit, p, 1.0)} (allowed: {allowed:.2g})"
+        f"{-value / scale:.3g} of its size {_state(orbit, p, 1.0)} "
+        f"(allowed: {allowed(p, form):.2g})"
     ]
 
 
@@ -119,7 +122,7 @@ def _held(orbit: SceneMotion, p: int) -> list[str]:
     ]
 
 
-def _demand(orbit: SceneMotion, p: int, words: str, form: Form, allowed: float) -> list[str]:
+def _demand(orbit: SceneMotion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
     """Return how a demand on a phase is violated, if it is."""
     phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
 
@@ -129,16 +132,16 @@ def _demand(orbit: SceneMotion, p: int, words: str, form: Form, allowed: float) 
     if not np.isfinite(scale):
         return [f"in {phase.name}, where {words}: the motion is not finite"]
     parts = chebyshev.pieces(value, scale)
-    if allowed < np.inf:
-        points = chebyshev.candidates(parts)
-        values = value(points)
-        worst = int(np.argmin(values))
-        if values[worst] < -allowed * scale:
-            where = _state(orbit, p, float(points[worst]))
-            return [
-                f"in {phase.name}, not true that {words}: by {-values[worst] / scale:.3g} of "
-                f"its size {where} (allowed: {allowed:.2g})"
-            ]
+    points = chebyshev.candidates(parts)
+    values = value(points)
+    worst = int(np.argmin(values))
+    below = -float(values[worst])
+    if below > ROUNDING * scale and below > allowed(p, form) * scale:
+        where = _state(orbit, p, float(points[worst]))
+        return [
+            f"in {phase.name}, not true that {words}: by {below / scale:.3g} of "
+            f"its size {where} (allowed: {allowed(p, form):.2g})"
+        ]
     if vanishes_by_event(orbit, p, form):
         slope = float(chebyshev.derivative_at(parts, np.ones(1), 1)[0])
         if not slope < 0:

@@ -10,12 +10,15 @@ before the one that jumps.  It excuses sizes only, never the direction in which 
 crossed nor a phase without duration, by which spurious roots are told.
 """
 
+from functools import cache
+
 import numpy as np
 
 from ..arrays import Vector
 from ..case.cell import Form
 from . import chebyshev
 from .admissible import ROUNDING, Allowance
+from .extremes import LOOK
 from .forms import scale_of
 from .motion import SceneMotion
 
@@ -45,18 +48,26 @@ def defect(orbit: SceneMotion, p: int) -> tuple[float, float]:
     def residual(u: Vector) -> Vector:
         return np.asarray(terms(u).sum(axis=0))
 
-    size = float(np.abs(terms(np.linspace(0.0, 1.0, 65))).sum(axis=0).max())
+    size = float(np.abs(terms(LOOK)).sum(axis=0).max())
     rate, travel = chebyshev.accumulated(chebyshev.pieces(residual, size))
     return s * rate, s * s * travel
 
 
 def by_residual(orbit: SceneMotion) -> Allowance:
-    """Return what each demand of an orbit may fall below 0, as a part of its scale."""
-    found = [defect(orbit, p) for p in range(len(orbit.cell.phases))]
-    velocity, displacement = map(max, zip(*found, strict=True))
+    """Return what each demand of an orbit may fall below 0, as a part of its scale.
+
+    The residual is looked at when the first demand asks.
+    """
+
+    @cache
+    def errors() -> tuple[float, float]:
+        found = [defect(orbit, p) for p in range(len(orbit.cell.phases))]
+        velocity, displacement = map(max, zip(*found, strict=True))
+        return velocity, displacement
 
     def allowed(p: int, form: Form) -> float:
         scale = scale_of(orbit, p, form)
+        velocity, displacement = errors()
         error = abs(form[0]) * displacement + abs(form[1]) * velocity
         return min(MOST, max(ROUNDING, FACTOR * error / scale)) if scale else ROUNDING
 

@@ -17,6 +17,9 @@ from .extremes import LOOK, extremes
 if TYPE_CHECKING:
     from ..stability.stability import Complex, Stability
 
+#: Points of a phase, at most, at which values are kept.
+FEW = len(LOOK)
+
 
 @dataclass(frozen=True)
 class OrbitPhase:
@@ -107,8 +110,24 @@ class SceneMotion(Shown):
         raise NotImplementedError
 
     def part(self, p: int, u: Vector, derivative: int) -> Vector:
-        """Return a derivative of the displacement on phase `p` of the cell, without units."""
+        """Return a derivative of the displacement on phase `p` of the cell, without units.
+
+        Checks look at the same few points of a phase many times: what was found is kept.
+        """
+        if len(u) > FEW:
+            return self._part(p, u, derivative)
+        key = p, derivative, u.tobytes()
+        if key not in self._parts:
+            self._parts[key] = self._part(p, u, derivative)
+        return self._parts[key]
+
+    def _part(self, p: int, u: Vector, derivative: int) -> Vector:
+        """Return what `part` does, computed anew."""
         raise NotImplementedError
+
+    @cached_property
+    def _parts(self) -> dict[tuple[int, int, bytes], Vector]:
+        return {}
 
     @cached_property
     def durations(self) -> tuple[float, ...]:

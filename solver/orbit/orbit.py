@@ -70,7 +70,7 @@ class SceneOrbit(SceneMotion):
         """Phase of the forcing at the first switch, anywhere on the circle."""
         return self._kernel.split(self.unknowns)[1]
 
-    def part(self, p: int, u: Vector, derivative: int) -> Vector:
+    def _part(self, p: int, u: Vector, derivative: int) -> Vector:
         """Return a derivative of the displacement on phase `p` of the cell, without units."""
         values = self._kernel.motion(self.case.arguments, self.unknowns, p, u, derivative)
         return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
@@ -112,8 +112,7 @@ class SceneOrbit(SceneMotion):
     @cached_property
     def violations(self) -> tuple[str, ...]:
         """What keeps the solution from being an orbit, in words."""
-        found = admissible.violations(self, lambda p, form: np.inf)  # durations, directions
-        return found or admissible.violations(self, by_residual(self))
+        return admissible.violations(self, by_residual(self))
 
     @property
     def admissible(self) -> bool:
