@@ -14,7 +14,6 @@ from .accuracy.errors import SceneErrors
 from .arrays import Vector
 from .case import registry
 from .case.case import Case
-from .case.kernel import SceneKernel
 from .case.methods import FIRST
 from .case.names import shown
 from .case.parameters import ParameterError
@@ -56,6 +55,8 @@ class FamilyRow:
         Whether it was found from the orbit at the value before.
     message : str
         Why there is no orbit; empty if there is one.
+    motion : str or None
+        Which of the scene's motions it is; None without an orbit, or where there is only one.
     """
 
     value: float
@@ -68,6 +69,7 @@ class FamilyRow:
     iterations: int
     followed: bool
     message: str = ""
+    motion: str | None = None
 
     def as_dict(self) -> dict[str, Any]:
         """Return the row as JSON has it."""
@@ -144,6 +146,12 @@ class SceneFamily(Tabular):
         )
         return ", ".join(parts)
 
+    def durations_of(self, row: FamilyRow) -> dict[str, float]:
+        """Return the durations of the phases of a cell in s, by name; empty without an orbit."""
+        scene = self.case.scene
+        own = registry.of_motion(scene, row.motion) if row.motion else scene
+        return dict(zip(own.phases, row.durations or (), strict=False))
+
     def plot(self, ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
         """Draw one quantity along the parameter and return the axes.
 
@@ -212,6 +220,8 @@ class SceneFamily(Tabular):
         return {
             "scene": self.case.scene.name,
             "class": f"C{self.case.scene.k}",
+            "motion": self.case.scene.motion,
+            "cycles": self.case.cycles,
             "method": self.method,
             "order": self.order,
             "functions": self.functions,
@@ -267,13 +277,11 @@ def family_case(
         raise ValueError(f"values: got {len(cases)}, expected 1 to {MOST_VALUES}")
     name = registry.generic_method(scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions
-    kernel = registry.kernel(scene, name, count)
-    number = check_order(kernel, order)
+    number = check_order(registry.kernel(scene.each_motion[0], name, count), order)
     rows: list[FamilyRow] = []
     orbit: SceneOrbit | None = None
     for each in cases:
-        kernel = registry.quicker_kernel(scene, name, count, number)
-        orbit, row = _next(kernel, each, number, count, orbit, each.values[parameter])
+        orbit, row = _next(each, name, number, count, orbit, each.values[parameter])
         rows.append(row)
         progress(row)
     return SceneFamily(cases[0], parameter, name, number, count, tuple(rows))
@@ -284,25 +292,27 @@ def _with_value(case: Case, parameter: str, value: object) -> Case:
     if parameter not in names:
         expected = f"one of {', '.join(names)}"
         raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
-    return Case(case.scene, dict(case.values) | {parameter: value})
+    return Case(case.scene, dict(case.values) | {parameter: value}, case.cycles)
 
 
 def _next(
-    kernel: SceneKernel, case: Case, order: int, functions: int | None,
-    before: SceneOrbit | None, value: float,
+    case: Case, method: str, order: int, functions: int | None, before: SceneOrbit | None,
+    value: float,
 ) -> tuple[SceneOrbit | None, FamilyRow]:  # fmt: skip
     """Return the orbit of a case, from the one before if that can be, and its row."""
     spent = 0
     if before is not None:
+        here = case.of_motion(before.case.scene.motion) if case.scene.motions else case
+        kernel = registry.quicker_kernel(here.scene, method, functions, order)
         times = kernel.times(before.unknowns).copy()
-        durations = slice(0, len(case.cell.phases))
+        durations = slice(0, len(here.cell.phases))
         times[durations] *= before.case.units.time / case.units.time
-        found = attempt(kernel, case, order, times, functions)
+        found = attempt(kernel, here, order, times, functions)
         if found.converged and found.admissible:
             return found, _row(found, value, followed=True)
         spent = found.iterations
     try:
-        found = solve_case(case, kernel.method, order, functions)
+        found = solve_case(case, method, order, functions)
     except NoOrbit as finding:
         nothing = (None, None, None, None, None)
         iterations = finding.iterations + spent
@@ -315,5 +325,5 @@ def _next(
 def _row(orbit: SceneOrbit, value: float, *, followed: bool) -> FamilyRow:
     return FamilyRow(
         value, "ok", orbit.period, orbit.forcing_phase, orbit.durations, orbit.extremes,
-        orbit.estimate, orbit.iterations, followed,
+        orbit.estimate, orbit.iterations, followed, motion=orbit.case.scene.motion,
     )  # fmt: skip

@@ -177,3 +177,43 @@ def test_no_orbit_at_the_first_value_does_not_end_the_sweep() -> None:
     assert [row.status for row in found.rows] == ["no-orbit", "ok"]
     with pytest.raises(NoOrbit):
         ns.solve(IMPACT(gap=50.0), order=ORDER)
+
+
+@pytest.fixture(scope="module")
+def between():
+    """Return a family that goes over from one motion, with stops, to another, without."""
+    return ns.family(ns.scene("dry-friction")(), "force", [0.36, 0.38, 0.5, 0.55], order=12)
+
+
+def test_a_family_goes_over_from_one_motion_to_another(between) -> None:
+    assert [row.motion for row in between] == ["two-stops", "two-stops", "sliding", "sliding"]
+    assert [row.followed for row in between] == [False, True, False, True]
+    for row in between:
+        orbit = ns.solve(ns.scene("dry-friction")(force=row.value), order=12)
+        assert orbit.case.scene.motion == row.motion
+        assert row.durations == pytest.approx(orbit.durations, rel=1e-12)
+    names = [list(between.durations_of(row)) for row in between]
+    assert names == [["slide", "stop"]] * 2 + [["slide"]] * 2
+
+
+def test_what_shows_a_family_of_several_motions(between, run, tmp_path: Path) -> None:
+    ns.save(between, tmp_path / "between.json")
+    assert ns.load(tmp_path / "between.json") == between
+    slide, stop = between.plot(quantity="times").lines
+    expected = [row.durations[1] / row.period for row in between.rows[:2]]
+    assert list(stop.get_ydata()[:2]) == expected
+    assert np.isnan(stop.get_ydata()[2:]).all()
+    assert slide.get_ydata()[2] == pytest.approx(0.5)
+    _, out, _ = run("sweep", "dry-friction", "--vary", "force=0.36:0.5:2", "--orders", 12)
+    first, second = (line.split() for line in out.splitlines() if line[:3] in {"0.3", "0.5"})
+    assert (first[3], second[3]) == ("two-stops", "sliding")
+    assert float(first[5]) == pytest.approx(between[0].durations[1], rel=1e-5)
+    assert len(second) == len(first) - 1
+
+
+def test_the_cycles_of_a_case_are_those_of_its_family(tmp_path: Path) -> None:
+    case = IMPACT(frequency=3.4, cycles=2)
+    (row,) = found = ns.family(case, "gap", [0.1], order=12)
+    assert row.period == pytest.approx(2 * 2 * np.pi / 3.4, rel=1e-14)
+    ns.save(found, tmp_path / "twice.json")
+    assert ns.load(tmp_path / "twice.json") == found

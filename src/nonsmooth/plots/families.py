@@ -89,12 +89,11 @@ def _draw_times(
         axes.plot(along, result["forcing_phase"], **style)
         axes.set_ylabel("phase of the forcing [rad]")
         return
-    for p, (name, line) in enumerate(zip(names, cycle(("-", "--", "-.", ":")), strict=False)):
+    for name, line in zip(names, cycle(("-", "--", "-.", ":")), strict=False):
         part = [
-            np.nan if row.durations is None or row.period is None
-            else row.durations[p] / row.period
+            result.durations_of(row).get(name, np.nan) / (row.period or np.nan)
             for row in result.rows
-        ]  # fmt: skip
+        ]
         axes.plot(along, part, **{"linestyle": line, "label": name} | style)
     axes.set_ylabel(QUANTITIES["times"])
     axes.legend(frameon=False)

@@ -4,6 +4,7 @@ from ..mutant import Mutant
 
 TRADE = ("tests/cli_scenes/test_scene_trade.py",)
 FAMILY = ("tests/cli_scenes/test_scene_family.py",)
+ESTIMATE = ("tests/scenes/test_orbit_scenes.py", "tests/scenes/test_never_wrong.py")
 KEYS = ("tests/files/test_keys_of_any_scene.py",)
 OWN = ("tests/galerkin/test_new_expansion.py",)
 CLI = "src/nonsmooth/cli/scenes"
@@ -28,6 +29,36 @@ MUTANTS: tuple[Mutant, ...] = (
         "solver/budget.py",
         "size(orbit.estimate) < size(best.estimate)",
         "size(orbit.estimate) > size(best.estimate)", TRADE,
+    ),
+    Mutant(
+        "a family of one cycle",
+        "solver/family.py",
+        "{parameter: value}, case.cycles)", "{parameter: value})", FAMILY,
+    ),
+    Mutant(
+        "a family followed by another motion",
+        "solver/family.py",
+        "case.of_motion(before.case.scene.motion)", "case.each_motion[-1]", FAMILY,
+    ),
+    Mutant(
+        "durations by the names of another motion",
+        "solver/family.py",
+        "registry.of_motion(scene, row.motion) if row.motion else scene", "scene", FAMILY,
+    ),
+    Mutant(
+        "a family without its cycles in a file",
+        "solver/family.py",
+        '"cycles": self.case.cycles,\n            "method"', '"cycles": 1,\n            "method"', FAMILY,
+    ),
+    Mutant(
+        "any better solution is taken for an orbit",
+        "solver/accuracy/estimate.py",
+        "return change.times <= SAME and change.discontinuous <= SAME_DERIVATIVE", "return True", ESTIMATE,
+    ),
+    Mutant(
+        "no better solution is taken for an orbit",
+        "solver/accuracy/estimate.py",
+        "(orbit.admissible and _same(apart)) or better.admissible", "better.admissible and False", ESTIMATE,
     ),
     Mutant(
         "columns of a printed trade swapped",

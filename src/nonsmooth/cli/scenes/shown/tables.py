@@ -119,7 +119,8 @@ def family(result: "SceneFamily") -> None:
     heading = parameter.symbol + (f" [{parameter.unit}]" if parameter.unit else "")
     table = table_of(
         heading, "T [s]", *(["phi [rad]"] if scene.frequency else []),
-        *(f"{phase} [s]" for phase in phases), "least x", "largest x", "estimate", "it",
+        *(["motion"] if scene.motions else []), *(f"{phase} [s]" for phase in phases),
+        "least x", "largest x", "estimate", "it",
     )  # fmt: skip
     count = len(result.rows)
     chosen = sorted({round(i * (count - 1) / (ROWS - 1)) for i in range(ROWS)})
@@ -127,11 +128,13 @@ def family(result: "SceneFamily") -> None:
         if row.durations is None or row.extremes is None or row.estimate is None:
             table.add_row(f"{row.value:.6g}", row.status)
             continue
+        own = result.durations_of(row)
         table.add_row(
             f"{row.value:.6g}",
             f"{row.period:.9g}",
             *([f"{row.forcing_phase:.7g}"] if scene.frequency else []),
-            *(f"{s:.6g}" for s in row.durations[: len(phases)]),
+            *([row.motion] if scene.motions else []),
+            *(f"{own[phase]:.6g}" if phase in own else "" for phase in phases),
             *(f"{end:.6g}" for end in without_rounding(row.extremes["displacement"])),
             f"{row.estimate.times:.1e}",
             str(row.iterations),
