@@ -122,7 +122,9 @@ def _held(orbit: SceneMotion, p: int) -> list[str]:
     ]
 
 
-def _demand(orbit: SceneMotion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
+def _demand(
+    orbit: SceneMotion, p: int, words: str, form: Form, allowed: Allowance
+) -> list[str]:
     """Return how a demand on a phase is violated, if it is."""
     phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
+from nonsmooth.solver.accuracy import estimate as estimates
 from nonsmooth.solver.accuracy.errors import difference
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow.exact import exact_orbit
@@ -79,6 +80,24 @@ def test_estimates_of_slow_methods_hold(case) -> None:
     assert orbit.errors.times == pytest.approx(orbit.estimate.times, rel=0.01)
     assert orbit.errors.discontinuous == pytest.approx(orbit.estimate.discontinuous, rel=0.01)
     assert 1e-4 < orbit.errors.times < 0.1
+
+
+@pytest.mark.parametrize("method", ["hb", "ck-tau"])
+def test_a_far_better_solution_has_to_be_an_orbit(monkeypatch, method: str) -> None:
+    """It is looked at unless it is next to the orbit: then it is the same root."""
+    orbit = solve_case(S1, method, 8)
+    neighbour, looked_at = estimates._neighbour, []
+
+    def refused(near, order):
+        found = neighbour(near, order)
+        looked_at.append(order)
+        found.__dict__["violations"] = ("not an orbit",)
+        return found
+
+    monkeypatch.setattr(estimates, "_neighbour", refused)
+    known = estimates.estimate(orbit)
+    assert len(looked_at) == 2
+    assert (known.times == math.inf) == (method == "hb")
 
 
 def test_errors_are_what_their_names_say() -> None:
