@@ -147,7 +147,7 @@ class SceneFamily(Tabular):
         return ", ".join(parts)
 
     def durations_of(self, row: FamilyRow) -> dict[str, float]:
-        """Return the durations of the phases of a cell in s, by name; empty without an orbit."""
+        """Return the durations of a cell's phases in s, by name; empty without an orbit."""
         scene = self.case.scene
         own = registry.of_motion(scene, row.motion) if row.motion else scene
         return dict(zip(own.phases, row.durations or (), strict=False))

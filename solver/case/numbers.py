@@ -157,7 +157,7 @@ class SceneNumbers:
 
     @cached_property
     def files(self) -> dict[tuple[str, int | None], Path]:
-        """The modules of its methods, by method and number of functions: as first looked for."""
+        """The modules of its methods, by method and number of functions; looked for once."""
         if self.motions:
             return self.each_motion[0].files  # those of the others are the same
         found: dict[tuple[str, int | None], Path] = {}

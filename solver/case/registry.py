@@ -169,8 +169,8 @@ def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
     wanted = {generic_method(scene, method) for method in chosen}
     texts = [scene.module.BODY]
     for motion in scene.each_motion:
-        kernels = sorted((path, *key) for key, path in motion.files.items() if key[0] in wanted)
-        texts += [motion.kernel_module(*key).MATHEMATICS for _, *key in kernels]
+        by_path = sorted((path, key) for key, path in motion.files.items() if key[0] in wanted)
+        texts += [motion.kernel_module(*key).MATHEMATICS for _, key in by_path]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
 
 
