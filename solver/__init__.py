@@ -3,7 +3,7 @@
 In the order in which a solution runs through them: `case` (parameters, the scene in numbers,
 its kernels), `iteration` (starts, Newton's method), `orbit` (the result, and whether it is
 one), `flow` (the exact orbit), `accuracy` (errors and their estimate); `solve`, `sweep` and
-`tolerance` join them.
+`family` join them, and `trade` says which order a tolerance or a budget comes to.
 
 `shortcut` finds what is quicker for one scene: the table in `shortcuts`, and the paper's own
 oscillator with all that is known of it alone.  Without that room the rest works the same.

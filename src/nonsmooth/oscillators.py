@@ -157,13 +157,13 @@ def solve(
     if budget is not None:
         if tol is not None:
             raise ValueError(f"budget: got {budget!r} beside a tolerance, expected one of them")
-        from .solver.budget import choose_within  # noqa: PLC0415
+        from .solver.trade.budget import choose_within  # noqa: PLC0415
 
         return choose_within(generic, budget, method, functions).orbit
     chosen = FIRST if method is None else method
     if tol is None:
         return solve_case(generic, chosen, ORDER if order is None else order, functions, motion)
-    from .solver.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
+    from .solver.trade.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
     return choose_order(generic, tol, chosen, functions, motion).orbit
 

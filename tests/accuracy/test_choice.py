@@ -3,9 +3,9 @@
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.not_certified import MARGIN
 from nonsmooth.solver.shortcuts.choice.tolerance import _spread, within
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.solver.trade.not_certified import MARGIN
 
 
 @pytest.mark.parametrize("order", [7, 9, 11])

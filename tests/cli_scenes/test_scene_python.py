@@ -7,10 +7,10 @@ import nonsmooth as ns
 from nonsmooth.solver.accuracy.estimate import MOST, estimate
 from nonsmooth.solver.accuracy.rates import FLOORS, rate
 from nonsmooth.solver.case import registry
-from nonsmooth.solver.choice import NotCertifiedScene
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.sweep import sweep_case
+from nonsmooth.solver.trade.choice import NotCertifiedScene
 
 IMPACT = registry.load("impact")
 

@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 
 import nonsmooth as ns
 from nonsmooth.plots.trade import trade_figure
-from nonsmooth.solver import budget as budgets
-from nonsmooth.solver import trade as trades
 from nonsmooth.solver.case.registry import load
-from nonsmooth.solver.not_certified import TooSlow
-from nonsmooth.solver.trade import EXACT, Trade, TradePoint, front, trade
+from nonsmooth.solver.trade import budget as budgets
+from nonsmooth.solver.trade import measured as trades
+from nonsmooth.solver.trade.measured import EXACT, Trade, TradePoint, front, trade
+from nonsmooth.solver.trade.not_certified import TooSlow
 
 IMPACT = load("impact")
 

@@ -4,8 +4,8 @@ import math
 from collections.abc import Callable, Sequence
 
 from ...case.parameters import is_number
-from ...not_certified import TooSlow
-from ...timing import median_seconds
+from ...trade.not_certified import TooSlow
+from ...trade.timing import median_seconds
 from ..orbit.methods import METHODS, check_belt, check_method
 from ..orbit.orbit import Orbit
 from ..orbit.oscillator import StickSlip

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ...no_orbit import NoOrbit
-from ...not_certified import MARGIN, NotCertified
+from ...trade.not_certified import MARGIN, NotCertified
 from ..accuracy.estimate import ACCELERATION_ROUNDING, ROUNDING, Estimate
 from ..orbit.orbit import Orbit
 from ..orbit.oscillator import StickSlip

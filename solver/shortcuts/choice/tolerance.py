@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 
 from ...case.parameters import is_number
-from ...not_certified import MARGIN
+from ...trade.not_certified import MARGIN
 from ..accuracy.estimate import Estimate
 from ..orbit.methods import METHODS, check_belt, check_method
 from ..orbit.oscillator import StickSlip

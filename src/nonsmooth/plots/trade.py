@@ -6,12 +6,12 @@ from matplotlib.figure import Figure
 
 from nonsmooth.solver.case.methods import about
 from nonsmooth.solver.case.names import shown
-from nonsmooth.solver.trade import EXACT as FLOW
+from nonsmooth.solver.trade.measured import EXACT as FLOW
 
 from .axes import frame
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.trade import Trade
+    from nonsmooth.solver.trade.measured import Trade
 
 
 def trade_figure(result: "Trade") -> Figure:

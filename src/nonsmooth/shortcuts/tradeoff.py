@@ -16,8 +16,8 @@ from ..solver.shortcuts.orbit.methods import name_with_terms
 from ..solver.shortcuts.orbit.orbit import Orbit
 from ..solver.shortcuts.orbit.oscillator import StickSlip
 from ..solver.shortcuts.search.solve import solve
-from ..solver.timing import median_seconds
-from ..solver.trade import front
+from ..solver.trade.measured import front
+from ..solver.trade.timing import median_seconds
 
 #: Method and its C1 functions, with the orders in float64.  Of 3.2 with several functions
 #: those numbers that are the first of their order of convergence.

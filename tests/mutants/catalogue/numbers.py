@@ -116,7 +116,7 @@ MUTANTS = (
     ),
     Mutant(
         "the whole tolerance is used up",
-        "solver/not_certified.py", "MARGIN = 0.9", "MARGIN = 1.0", CHOSEN,
+        "solver/trade/not_certified.py", "MARGIN = 0.9", "MARGIN = 1.0", CHOSEN,
     ),
     Mutant(
         "one tolerance of two is enough",

@@ -58,7 +58,8 @@ MUTANTS = (
     ),
     Mutant(
         "what is demanded at a switch is not looked at",
-        "solver/orbit/admissible.py", "if value >= -allowed * scale:", "if True:", WRONG,
+        "solver/orbit/admissible.py",
+        "if value >= -ROUNDING * scale or value >= -allowed(p, form) * scale:", "if True:", WRONG,
     ),
     Mutant(
         "an orbit of one cycle is taken for one of two",

@@ -158,13 +158,13 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     python(
         "a tolerance is held by the times alone",
-        "solver/choice.py",
+        "solver/trade/choice.py",
         "return max(errors.times, abs(errors.period))",
         "return min(errors.times, abs(errors.period))",
     ),
     python(
         "the first order that is found for the lowest",
-        "solver/tolerance.py",
+        "solver/trade/tolerance.py",
         "orbit = search.lowest(last, order, orbit)\n",
         "pass\n",
     ),

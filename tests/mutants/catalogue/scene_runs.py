@@ -12,21 +12,21 @@ CLI = "src/nonsmooth/cli/scenes"
 MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "what another matches is on the front",
-        "solver/trade.py", "if points[index][1] < best:", "if points[index][1] <= best:", TRADE,
+        "solver/trade/measured.py", "if points[index][1] < best:", "if points[index][1] <= best:", TRADE,
     ),
     Mutant(
         "the estimate for the error of a trade",
-        "solver/trade.py",
+        "solver/trade/measured.py",
         "error, judged = max(orbit.errors.times, ROUNDING), orbit.estimate.times",
         "error, judged = max(orbit.errors.discontinuous, ROUNDING), orbit.estimate.times", TRADE,
     ),
     Mutant(
         "a scene's budget is overdrawn",
-        "solver/budget.py", "if seconds > budget:", "if seconds > 2 * budget:", TRADE,
+        "solver/trade/budget.py", "if seconds > budget:", "if seconds > 2 * budget:", TRADE,
     ),
     Mutant(
         "the worst within a scene's budget",
-        "solver/budget.py",
+        "solver/trade/budget.py",
         "size(orbit.estimate) < size(best.estimate)",
         "size(orbit.estimate) > size(best.estimate)", TRADE,
     ),

@@ -99,7 +99,7 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "a generic module takes a number from the paper's room",
-        "solver/tolerance.py",
+        "solver/trade/tolerance.py",
         "from .not_certified import MARGIN",
         "from .shortcuts.choice.tolerance import MARGIN",
         IMPORTS,

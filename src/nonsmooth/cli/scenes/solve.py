@@ -15,9 +15,9 @@ from .wanted import ORDER, Wanted, exact_near, search
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.case.numbers import SceneNumbers
-    from nonsmooth.solver.choice import SceneChoice
     from nonsmooth.solver.flow.exact import ExactSceneOrbit
     from nonsmooth.solver.orbit.orbit import SceneOrbit
+    from nonsmooth.solver.trade.choice import SceneChoice
 
 #: Estimated error of the times above which an orbit is not returned without a word.
 FAR_OFF = 0.1

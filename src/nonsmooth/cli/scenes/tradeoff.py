@@ -54,7 +54,7 @@ def run(case: "Case", json_: bool, output: Path | None) -> int:
     """Measure, show, write; the exit status."""
     from nonsmooth.files.scenes import documents  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.trade import trade, ways  # noqa: PLC0415
+    from nonsmooth.solver.trade.measured import trade, ways  # noqa: PLC0415
 
     try:
         with progress(1 + len(ways(case)), "tradeoff") as advance:

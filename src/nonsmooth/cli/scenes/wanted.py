@@ -12,10 +12,10 @@ from ..progress import busy
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.choice import SceneChoice
     from nonsmooth.solver.flow.exact import ExactSceneOrbit
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit.orbit import SceneOrbit
+    from nonsmooth.solver.trade.choice import SceneChoice
 
 #: N without ``--order``.
 ORDER = 10
@@ -97,12 +97,12 @@ def _solve(
 def _choose(
     case: "Case", method: str | None, wanted: Wanted
 ) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
-    from nonsmooth.solver.budget import choose_within  # noqa: PLC0415
     from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
-    from nonsmooth.solver.choice import NotCertifiedScene  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.not_certified import TooSlow  # noqa: PLC0415
-    from nonsmooth.solver.tolerance import choose_order  # noqa: PLC0415
+    from nonsmooth.solver.trade.budget import choose_within  # noqa: PLC0415
+    from nonsmooth.solver.trade.choice import NotCertifiedScene  # noqa: PLC0415
+    from nonsmooth.solver.trade.not_certified import TooSlow  # noqa: PLC0415
+    from nonsmooth.solver.trade.tolerance import choose_order  # noqa: PLC0415
 
     option = "--budget" if wanted.tol is None else "--tol"
     if wanted.order is not None:

@@ -29,8 +29,8 @@ def choose(
         if float64 cannot meet it, or nothing is quick enough.
     """
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.not_certified import NotCertified, TooSlow  # noqa: PLC0415
     from nonsmooth.solver.shortcuts.choice.choose import choose as find  # noqa: PLC0415
+    from nonsmooth.solver.trade.not_certified import NotCertified, TooSlow  # noqa: PLC0415
 
     try:
         with busy(f"choosing {method or 'a method'}") as say:

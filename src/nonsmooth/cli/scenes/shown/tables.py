@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit.motion import SceneMotion
     from nonsmooth.solver.sweep import SceneSweep
-    from nonsmooth.solver.trade import Trade
+    from nonsmooth.solver.trade.measured import Trade
 
 #: Points of a printed family.
 ROWS = 25

@@ -3,10 +3,10 @@
 import math
 from dataclasses import dataclass
 
-from .accuracy.errors import SceneErrors
-from .accuracy.estimate import ROUNDING
+from ..accuracy.errors import SceneErrors
+from ..accuracy.estimate import ROUNDING
+from ..orbit.orbit import SceneOrbit
 from .not_certified import MARGIN, NotCertified
-from .orbit.orbit import SceneOrbit
 
 
 @dataclass(frozen=True)

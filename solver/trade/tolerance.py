@@ -6,17 +6,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .accuracy.estimate import ROUNDING
-from .case import registry
-from .case.case import Case
-from .case.methods import FIRST, about
-from .case.names import shown
-from .case.parameters import is_number
+from ..accuracy.estimate import ROUNDING
+from ..case import registry
+from ..case.case import Case
+from ..case.methods import FIRST, about
+from ..case.names import shown
+from ..case.parameters import is_number
+from ..no_orbit import NoOrbit
+from ..orbit.orbit import SceneOrbit
+from ..solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case, with_motion
 from .choice import NotCertifiedScene, SceneChoice, SceneTrial, size
-from .no_orbit import NoOrbit
 from .not_certified import MARGIN
-from .orbit.orbit import SceneOrbit
-from .solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case, with_motion
 
 #: Up to here every order is tried; beyond, each is larger than the last by a part of it.
 EVERY, STEP = 24, 0.15

@@ -4,12 +4,12 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from .case import registry
-from .case.case import Case
-from .case.methods import about, in_order
-from .flow.exact import exact_orbit
-from .no_orbit import NoOrbit
-from .solve import number_of_functions, solve_case
+from ..case import registry
+from ..case.case import Case
+from ..case.methods import about, in_order
+from ..flow.exact import exact_orbit
+from ..no_orbit import NoOrbit
+from ..solve import number_of_functions, solve_case
 from .timing import median_seconds
 
 #: Orders of a method whose errors fall by a power of the order, and by a factor with each.

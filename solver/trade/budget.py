@@ -2,17 +2,17 @@
 
 import math
 
-from .case import registry
-from .case.case import Case
-from .case.methods import about, in_order
-from .case.parameters import is_number
+from ..case import registry
+from ..case.case import Case
+from ..case.methods import about, in_order
+from ..case.parameters import is_number
+from ..no_orbit import NoOrbit
+from ..orbit.orbit import SceneOrbit
+from ..solve import number_of_functions, solve_case
 from .choice import SceneChoice, SceneTrial, size
-from .no_orbit import NoOrbit
+from .measured import FACTOR_ORDERS, POWER_ORDERS
 from .not_certified import TooSlow
-from .orbit.orbit import SceneOrbit
-from .solve import number_of_functions, solve_case
 from .timing import median_seconds
-from .trade import FACTOR_ORDERS, POWER_ORDERS
 
 
 def choose_within(
