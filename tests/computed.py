@@ -19,8 +19,6 @@ LIGHT = ns.StickSlip(
     mass=10, stiffness=1000, belt_speed=1, mu_s=0.5, mu_k=0.25, normal_force=100
 )
 
-METHODS = ("hb", "hb-c1", "c1")
-
 
 class Exact:
     """The exact orbit, from the parameters: stick from A to B, then an arc back."""

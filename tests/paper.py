@@ -11,6 +11,9 @@ from numpy.polynomial.legendre import leggauss
 
 Function = Callable[[np.ndarray], np.ndarray]
 
+#: The three methods, as the program calls them.
+METHODS = ("hb", "hb-c1", "c1")
+
 _X, _W = leggauss(200)
 
 

@@ -7,8 +7,9 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
-from computed import METHODS, ODD, Exact, acceleration_errors, period_errors
+from computed import ODD, Exact, acceleration_errors, period_errors
 from drawn import MARKERS, data, explained, labels, legend, note
+from paper import METHODS
 
 import nonsmooth as ns
 from nonsmooth.cli.shortcuts.families.family import job_from

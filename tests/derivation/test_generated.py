@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from numpy.testing import assert_array_equal
+from paper import METHODS
 
 from nonsmooth import codegen as derived
 from nonsmooth.codegen import derive, generate, scenes
@@ -22,9 +23,6 @@ from nonsmooth.codegen.expansions import kernels as kernels_of_a_scene
 from nonsmooth.codegen.shortcuts import emit
 from nonsmooth.codegen.system import ClosedForm, GalerkinSystem
 from nonsmooth.solver.shortcuts.search import kernels
-
-METHODS = ("hb", "hb-c1", "c1")
-
 
 DERIVE = """
 import sys

@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from paper import Problem, cosine, one, sine
+from paper import METHODS, Problem, cosine, one, sine
 
 from nonsmooth.solver.shortcuts.search import kernels
 
-METHODS = ("hb", "hb-c1", "c1")
 ALPHA = 1.3
 
 

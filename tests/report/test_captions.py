@@ -13,7 +13,6 @@ pytest.importorskip("jinja2")
 
 from computed import (
     LIGHT,
-    METHODS,
     ODD,
     Exact,
     acceleration_errors,
@@ -22,6 +21,7 @@ from computed import (
     swept,
 )
 from fakes import Fake
+from paper import METHODS
 from written import value
 
 import nonsmooth as ns

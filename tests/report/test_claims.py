@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from computed import METHODS, acceleration_errors, case, period_errors
+from computed import acceleration_errors, case, period_errors
+from paper import METHODS
 from scipy.special import sici
 
 from nonsmooth.report import build, checks_c1, checks_fourier, intervals

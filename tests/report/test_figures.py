@@ -6,9 +6,10 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("jinja2")
 
-from computed import LIGHT, METHODS, ODD, acceleration_errors, period_errors
+from computed import LIGHT, ODD, acceleration_errors, period_errors
 from drawn import MARKERS, data, explained, labels, legend, note, report_axes
 from matplotlib.colors import to_rgb
+from paper import METHODS
 
 from nonsmooth.report.captions import PLATES
 from nonsmooth.report.figures import FIGURES

@@ -6,8 +6,9 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("jinja2")
 
-from computed import METHODS, ODD, Exact
+from computed import ODD, Exact
 from drawn import data, explained, labels, longest, note, report_axes, words
+from paper import METHODS
 
 import nonsmooth as ns
 

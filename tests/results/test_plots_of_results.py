@@ -106,6 +106,24 @@ def test_modes_have_the_exact_one_below(axes) -> None:
             modes.plot(number=number)
 
 
+@pytest.mark.parametrize("quantity", ["shape", "discontinuous"])
+def test_several_modes_have_one_exact_one_below_all(quantity: str, axes) -> None:
+    def ritz(position: str) -> ns.Modes:
+        return ns.modes("beam-mass", "ritz", 6, position=position, mass=10, count=1)
+
+    both = [thing("modes"), ritz("1/3")]
+    ns.plot(both, axes, quantity=quantity)
+    names = [f"{modes.shown}, N = {modes.order}" for modes in both]
+    assert axes.get_legend_handles_labels()[1] == ["exact", *names]
+    exact, *above = [line for line in axes.lines if len(line.get_xdata()) > 2]
+    assert exact.get_label() == "exact"
+    assert len(above) == len(both)
+    assert exact.get_zorder() < min(line.get_zorder() for line in above)
+    ns.plot(ritz("1/4"), axes, quantity=quantity)  # another mode, which the legend explains
+    wide = [line.get_label() for line in axes.lines if line.get_linewidth() == 3]
+    assert wide == ["exact", "_exact"]
+
+
 def test_a_simulation_from_a_time_on(axes) -> None:
     motion = thing("simulation")
     motion.plot(axes, "velocity", since=3.0)

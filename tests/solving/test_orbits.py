@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
-from paper import Problem, cosine, one, sine
+from paper import METHODS, Problem, cosine, one, sine
 
 import nonsmooth as ns
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -12,7 +12,6 @@ from nonsmooth.solver.no_orbit import NoOrbit
 BELT = ns.StickSlip(
     mass=0.7, stiffness=30.0, belt_speed=0.4, mu_s=0.6, mu_k=0.2, normal_force=5.0
 )
-METHODS = ("hb", "hb-c1", "c1")
 CASES = [*itertools.product(METHODS, (3, 7)), ("hb", 20), ("hb-c1", 20)]
 
 

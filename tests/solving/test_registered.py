@@ -5,9 +5,7 @@ from collections.abc import Iterable
 
 import numpy as np
 import pytest
-import test_generated
-import test_kernels
-import test_orbits
+from paper import METHODS
 from shown import PAGES
 
 import nonsmooth as ns
@@ -35,9 +33,7 @@ LISTS: dict[str, Iterable[str]] = {
     "src/nonsmooth/report/figures.py: NAMES": figures.NAMES,
     "src/nonsmooth/report/page.py: GENERATED": page.GENERATED,
     "src/nonsmooth/files/shortcuts/origin.py: COEFFICIENTS": origin.COEFFICIENTS,
-    "tests/derivation/test_generated.py: METHODS": test_generated.METHODS,
-    "tests/derivation/test_kernels.py: METHODS": test_kernels.METHODS,
-    "tests/solving/test_orbits.py: METHODS": test_orbits.METHODS,
+    "tests/paper.py: METHODS": METHODS,
 }
 
 

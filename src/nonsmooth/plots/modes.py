@@ -139,20 +139,34 @@ def _apart(attached: Any, x: Any, values: Any) -> Any:
 
 
 def draw_exact(modes: "Modes", axes: Any, quantity: str, number: int) -> None:
-    """Draw the exact mode with the scale and the sign of the expansion's."""
+    """Draw the exact mode below all curves, with the scale and the sign of the expansion's.
+
+    Of several modes on the same axes each exact curve is drawn once, and one is in the legend.
+    """
     attached, x = modes.attached, _places(modes.attached)
     length, broken = attached.length, modes.structure.broken
     middle = (np.arange(2000) + 0.5) / 2000
     u = modes.exact.shape(number, middle, 0)
     sign = np.sign(u @ modes[number - 1].shape(middle * length)) or 1.0
     scale = sign / np.sqrt(np.mean(u**2))
-    style = EXACT | {"color": "0.7", "linewidth": 3.0, "label": "exact"}
     if quantity == "shape":
-        axes.plot(x, scale * modes.exact.shape(number, x / length, 0), **style)
+        values = scale * modes.exact.shape(number, x / length, 0)
+    else:
+        jumps = scale * modes.exact.shape(number, x / length, broken) / length**broken
+        factor = attached.restoring if broken > 1 else 1.0
+        values = _apart(attached, x, factor * jumps)
+    before = [line for line in axes.lines if line.get_gid() == "exact"]
+    if any(_is_same(line, x, values) for line in before):
         return
-    jumps = scale * modes.exact.shape(number, x / length, broken) / length**broken
-    factor = attached.restoring if broken > 1 else 1.0
-    axes.plot(x, _apart(attached, x, factor * jumps), **style)
+    style = EXACT | {"color": "0.7", "linewidth": 3.0, "zorder": 1.9, "gid": "exact"}
+    axes.plot(x, values, label="_exact" if before else "exact", **style)
+
+
+def _is_same(line: Any, x: Any, values: Any) -> bool:
+    """Return whether a line is this curve, to rounding."""
+    return np.array_equal(line.get_xdata(), x) and np.allclose(
+        line.get_ydata(), values, rtol=1e-9, atol=0, equal_nan=True
+    )
 
 
 def _line(method: str) -> dict[str, Any]:
