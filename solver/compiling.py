@@ -4,13 +4,17 @@ Which of the two is quicker depends on how often a kernel is used, and nobody sa
 beforehand.  So a kernel begins in plain Python, and is compiled, or loaded from numba's cache,
 once it has cost about as long as that takes: what is spent in all is then at most about twice
 what knowing would have cost.  Both give the same bits.
+
+The cache is a convenience: where it cannot be read or written, because a disk is full or
+damaged, kernels are compiled all the same, for this process, and a `CacheWarning` says so.
 """
 
 import os
 import sys
 import time
 import types
-from collections.abc import Iterator
+import warnings
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -67,7 +71,7 @@ class Account:
     def is_cached(self) -> bool:
         """Return whether the compiled kernel is in numba's cache, as far as can be seen."""
         if self._cached is None:
-            folder, pattern = os.environ.get("NUMBA_CACHE_DIR"), f"*.{self._name}-*.nbi"
+            folder, pattern = os.environ.get("NUMBA_CACHE_DIR"), f"*.{self._name}-*.nbc"
             beside = (Path(self._file).parent / "__pycache__").glob(pattern)
             self._cached = any(Path(folder).rglob(pattern) if folder else beside)
         return self._cached
@@ -80,8 +84,12 @@ def rebuilt(function: Any, namespace: dict[str, Any]) -> Any:
     return clone
 
 
+class CacheWarning(UserWarning):
+    """What is compiled is not kept for the next process."""
+
+
 def jit(function: types.FunctionType) -> Any:
-    """Return `function` compiled; uncached where no folder for the cache is writable."""
+    """Return `function` compiled, and kept in numba's cache where that can be written."""
     import numba  # noqa: PLC0415  (750 ms, for compiled kernels only)
 
     options: dict[str, Any] = {
@@ -89,6 +97,44 @@ def jit(function: types.FunctionType) -> Any:
         "parallel": "prange" in function.__code__.co_names,
     }
     try:
-        return numba.njit(cache=True, **options)(function)
-    except RuntimeError:
+        found = numba.njit(cache=True, **options)(function)
+    except RuntimeError:  # numba found no folder that it can write to
+        folder = Path(function.__code__.co_filename).parent / "__pycache__"
+        _warn_once(str(folder), "not writable, and no other folder is")
         return numba.njit(**options)(function)
+    _guard(found._cache)
+    return found
+
+
+def _guard(cache: Any) -> None:
+    """Let compiling go on where a cache of numba cannot be read or written.
+
+    numba raises what the system says, with no folder in it, and its own guard is for Windows
+    alone; so two methods of this one cache are replaced.
+    """
+
+    def guarded(action: Callable[..., Any]) -> Callable[..., Any]:
+        def or_none(*arguments: Any) -> Any:
+            try:
+                return action(*arguments)
+            except OSError as error:
+                cache.disable()
+                _warn_once(cache.cache_path, error.strerror or str(error))
+                return None  # not cached, or not kept
+
+        return or_none
+
+    cache.load_overload = guarded(cache.load_overload)
+    cache.save_overload = guarded(cache.save_overload)
+
+
+#: What was said of the cache in this process: one line is enough.
+_SAID: list[str] = []
+
+
+def _warn_once(folder: str, cause: str) -> None:
+    """Warn that what is compiled is not kept."""
+    words = f"numba's cache: {folder}: {cause}; kernels are compiled for this process alone"
+    if not _SAID:
+        _SAID.append(words)
+        warnings.warn(words, CacheWarning, stacklevel=3)

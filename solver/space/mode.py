@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ..arrays import Vector
 from .attached import Attached
-from .expansions.shapes import Shape, jump_mismatch
+from .expansions.shapes import Shape
 
 #: What the broken derivative is in mechanics, by the class.
 QUANTITIES = {0: "slope", 1: "moment", 2: "shear force"}
@@ -34,6 +34,9 @@ class Mode:
     node : int or None
         The `n` of an exact mode ``sin(n pi x/L)`` with a node at the attachment (of a
         rotation, an antinode), which does not feel it; else None.
+    jump_mismatch : float or None
+        The jump at the attachment over that of its law, less one; None of a node.  It needs no
+        exact solution; -1 where the expansion has no jump.
     """
 
     number: int
@@ -42,6 +45,7 @@ class Mode:
     error: float
     bounds: tuple[float | None, float]
     node: int | None
+    jump_mismatch: float | None
     _attached: Attached = field(repr=False)
     _shape: Shape = field(repr=False)
 
@@ -71,17 +75,6 @@ class Mode:
         """How far the frequency can be off, relative, by the bounds; None without both."""
         low, high = self.bounds
         return None if low is None else (math.sqrt(high) - math.sqrt(low)) / math.sqrt(low)
-
-    @property
-    def jump_mismatch(self) -> float | None:
-        """The jump at the attachment over that of its law, less one; None of a node.
-
-        It needs no exact solution; -1 where the expansion has no jump.
-        """
-        if self.node is not None:
-            return None
-        found = jump_mismatch(self._attached, self._shape, self.eigenvalue)
-        return found if math.isfinite(found) else None
 
     def shape(self, x: npt.ArrayLike, derivative: int = 0) -> Vector:
         """Return the displacement or a derivative of it at places from 0 to the length.

@@ -23,7 +23,7 @@ from .expansions.methods import (
     generic_method,
     shown,
 )
-from .expansions.shapes import shape_of
+from .expansions.shapes import Shape, jump_mismatch, shape_of
 from .mode import Mode
 from .structure import Structure, load
 
@@ -283,16 +283,23 @@ def _mode(
     attached: Attached, bare: BareModes, roots: secular.Roots, exact: ExactModes, i: int,
     low: float, high: float,
 ) -> Mode:  # fmt: skip
+    shape, eigenvalue = shape_of(attached, bare, roots, i), float(roots.values[i])
     return Mode(
         number=i + 1,
-        eigenvalue=float(roots.values[i]),
+        eigenvalue=eigenvalue,
         exact_beta=float(exact.beta[i]),
         error=_frequency_error(roots, exact, i),
         bounds=(low if math.isfinite(low) else None, high),
         node=int(exact.n[i]) if exact.untouched[i] else None,
+        jump_mismatch=None if exact.untouched[i] else _mismatch(attached, shape, eigenvalue),
         _attached=attached,
-        _shape=shape_of(attached, bare, roots, i),
+        _shape=shape,
     )
+
+
+def _mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float | None:
+    found = jump_mismatch(attached, shape, eigenvalue)
+    return found if math.isfinite(found) else None
 
 
 def _frequency_error(roots: secular.Roots, exact: ExactModes, i: int) -> float:

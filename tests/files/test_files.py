@@ -222,7 +222,7 @@ def test_an_orbit_of_other_equations(suffix: str, tmp_path: Path, monkeypatch) -
         ("a.json", "{}", "not a file of nonsmooth"),
         ("a.json", "[1]", "not a file of nonsmooth"),
         ("a.json", "nothing", "not JSON"),
-        ("a.json", json_text.sealed({"roots": []}), "holds no orbit, sweep or family"),
+        ("a.json", json_text.sealed({"roots": []}), "holds no orbit, sweep, family or modes"),
         ("a.csv", "", "not a file of nonsmooth"),
         ("a.csv", "x,y\n1,2\n", "not a file of nonsmooth"),
         ("a.txt", "", "expected a name that ends in one of .json, .csv, .nc"),

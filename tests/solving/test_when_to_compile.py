@@ -26,7 +26,7 @@ def account(tmp_path: Path, monkeypatch) -> Account:
 
 def cached(account: Account, tmp_path: Path) -> None:
     (tmp_path / "__pycache__").mkdir()
-    (tmp_path / "__pycache__" / "driver.iterate_0123-7.py311.nbi").touch()
+    (tmp_path / "__pycache__" / "driver.iterate_0123-7.py311.1.nbc").touch()
 
 
 def spend(account: Account, seconds: float, others: float = 0.0) -> None:
@@ -68,7 +68,7 @@ def test_what_is_compiled_stays_so(account) -> None:
 def test_the_cache_may_be_elsewhere(account, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "elsewhere"))
     (tmp_path / "elsewhere" / "solver_1").mkdir(parents=True)
-    (tmp_path / "elsewhere" / "solver_1" / "driver.iterate_0123-7.py311.nbi").touch()
+    (tmp_path / "elsewhere" / "solver_1" / "driver.iterate_0123-7.py311.1.nbc").touch()
     assert account.is_cached()
     assert not Account(str(tmp_path / "driver.py"), "iterate_4567").is_cached()
 

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from known import FELT, NAMES, attached
 
+import nonsmooth as ns
 from nonsmooth.report import ours
 from nonsmooth.solver.space.attached import Attached
 from nonsmooth.solver.space.convergence import Line, convergence
@@ -262,3 +263,11 @@ def test_the_table_of_the_report() -> None:
     assert float(spring[0]) == pytest.approx(6.5e-3, rel=0.02)
     assert float(spring[1]) == pytest.approx(5.9e-11, rel=0.05)
     assert spring[2] == "rounding"
+
+
+def test_the_mismatch_of_a_jump_is_that_of_its_shape() -> None:
+    for mode in ns.modes("string-mass", count=4):  # [u'] = -s lambda u
+        before, after = mode.shape([0.3 - 1e-9, 0.3 + 1e-9], 1)
+        law = -10 * mode.eigenvalue * mode.shape(0.3)
+        assert mode.jump_mismatch == pytest.approx((after - before) / law - 1, abs=1e-6)
+        assert mode.jump_mismatch > 1e-5

@@ -18,7 +18,7 @@ from ..series.matrix_free import Problem
 from . import continuation
 from .kernels import Kernel
 from .newton import Outcome, newton
-from .rounding import first_within_rounding, padded
+from .rounding import first_within_rounding, padded, solve_by_least_norm
 from .start import cubic_slip, rough_times, with_coefficients
 
 #: Where the rough start converges at every order: continuation in alpha begins here.
@@ -153,6 +153,22 @@ def _from_fewer_functions(search: Search) -> Outcome:
     return replace(found, unknowns=from_symmetric(found.unknowns, order))
 
 
+def _by_least_norm(search: Search) -> Outcome:
+    """Start 3.2 with one C1 function, and add the others at once, by steps of least norm.
+
+    Where stick is far shorter than the shortest wave, rounding hides some functions, but not
+    all: with fewer the equations do not hold, and with all Newton's method wanders.
+    """
+    alpha, terms, order = search.belt.alpha, search.method.c1_terms or 0, search.order
+    kernel = search.load("hb-symmetric")
+    found = search.about_mid_stick(kernel, alpha, 1, order, rough_times(alpha))
+    if found.converged:
+        start = padded(found.unknowns, kernel.size(order, terms))
+        found = solve_by_least_norm(kernel, (alpha, terms), start)
+        search.iterations += found.iterations
+    return replace(found, unknowns=from_symmetric(found.unknowns, order))
+
+
 def _from_root(search: Search) -> Outcome:
     """Start 3.3 from the admissible one of all its real solutions; see `c1_roots`."""
     start = admissible_root(search.belt, search.order)
@@ -189,6 +205,7 @@ _EASY: Start = (f"by continuation from alpha = {EASY_ALPHA:g}", _from_easy_alpha
 _STICK: Start = (f"by continuation of t1 from alpha = {EASY_ALPHA:g}", _from_short_stick)
 _SERIES: Start = ("from the orbit of 3.1", _from_fourier)
 _FEWER: Start = ("from the orbit with fewer C1 functions", _from_fewer_functions)
+_LEAST: Start = ("from the orbit with one C1 function, by steps of least norm", _by_least_norm)
 _ROOTS: Start = ("from the isolation of all real solutions", _from_root)
 
 
@@ -211,4 +228,5 @@ def starts(method: Method, alpha: float, order: int) -> tuple[Start, ...]:
     others = (_SERIES,) if method.c1_terms == 1 else (_FEWER, _SERIES)
     first = (*others, _ROUGH) if alpha < EASY_ALPHA else (_ROUGH, *others)
     reached = 1 / continuation.FARTHEST <= alpha <= continuation.FARTHEST
-    return (*first, _STICK) if reached else first
+    ways = (*first, _STICK) if reached else first
+    return (*ways, _LEAST) if others[0] is _FEWER and alpha < EASY_ALPHA else ways

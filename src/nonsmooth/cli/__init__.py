@@ -17,7 +17,7 @@ import click
 from nonsmooth.room import room
 
 from . import equations, generate
-from .problems import Problem
+from .problems import Problem, print_warnings
 from .scenes import command as scene_command
 from .scenes import simulate as simulation
 from .scenes.default import EXAMPLE
@@ -131,6 +131,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     # For matrices as small as these threads cost more than they give: twice the time.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     _print_what_can_be()
+    print_warnings()
     context: dict[str, Any] = {"prog_name": "nonsmooth", "standalone_mode": False}
     try:
         status = cli.main(arguments, **context)

@@ -1,7 +1,11 @@
 """A mistake of the user, or an orbit that is not there: one line and an exit status."""
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TextIO
+
+import click
 
 
 class Problem(Exception):  # noqa: N818  (its text is what the user reads)
@@ -37,3 +41,19 @@ def as_problems(*, plural: bool = False) -> Iterator[None]:
         name, _, rest = str(error).partition(": ")
         option = f"{name}s" if plural and name in {"method", "order"} else name
         raise Problem(f"--{option}: {rest}") from error
+
+
+def print_warnings() -> None:
+    """Let warnings of this package be one line each on stderr, and others what they are."""
+    others = warnings.showwarning
+
+    def show(
+        message: Warning | str, category: type[Warning], filename: str, lineno: int,
+        file: TextIO | None = None, line: str | None = None,
+    ) -> None:  # fmt: skip
+        if category.__module__.partition(".")[0] == __package__.partition(".")[0]:
+            click.echo(f"nonsmooth: {message}", err=True)
+        else:
+            others(message, category, filename, lineno, file, line)
+
+    warnings.showwarning = show

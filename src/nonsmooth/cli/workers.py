@@ -10,12 +10,15 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from multiprocessing import get_context
 from typing import TypeVar
 
+from .problems import print_warnings
+
 Argument = TypeVar("Argument")
 Result = TypeVar("Result")
 
 
 def _leave_with(parent: int) -> None:
     """Leave Ctrl-C to the parent process, and end when it has ended, however it did."""
+    print_warnings()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
     def watch() -> None:

@@ -1,8 +1,9 @@
-"""Orbits, sweeps and families as files that others can read, and that read back the same.
+"""Orbits, sweeps, families and modes as files that others read, and that read back the same.
 
 JSON holds everything, with a digest; netCDF (extra ``netcdf``) as well, for tools that work
-on arrays; CSV holds the rows of a sweep or a family, and the motion of an orbit.  Numbers are
-in SI units, and every file says with which version and which mathematics it was made.
+on arrays; CSV holds the rows of a sweep, a family or modes, and the motion of an orbit.
+Numbers are in SI units, and every file says with which version and which mathematics it was
+made.
 """
 
 import json
@@ -24,7 +25,7 @@ from .whole import whole
 if TYPE_CHECKING:
     from netCDF4 import Dataset
 
-#: An orbit, a sweep or a family of any oscillator; or several orbits, several families.
+#: An orbit, a sweep or a family of any oscillator, modes; or several orbits, families, modes.
 Savable: TypeAlias = Any
 Loaded: TypeAlias = Any
 
@@ -37,8 +38,8 @@ def save(thing: Savable, path: str | Path) -> None:
 
     Parameters
     ----------
-    thing : orbit, sweep or family, or a sequence of orbits or of families
-        What to save, of a `StickSlip` or of a case of any scene.
+    thing : orbit, sweep, family or modes, or a sequence of orbits, of families or of modes
+        What to save, of a `StickSlip`, of a case of any scene, or of one structure.
     path : str or Path
         Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs: that
         of orbits has their motion over one period.  Only that of a sweep or a family of a
@@ -98,15 +99,16 @@ def load(path: str | Path, scene: object = None) -> Loaded:
 
     Returns
     -------
-    orbit, sweep or family, or a list of orbits or of families
+    orbit, sweep, family or modes, or a list of orbits, of families or of modes
         With the bits of what was saved.
 
     Raises
     ------
     FileError
         A `ValueError`: if the file cannot be right (a period that is not positive, too many
-        or too few numbers, an orbit that does not satisfy its equations), is from a newer
-        version, of another kind or scene, or an orbit of other equations.
+        or too few numbers, an orbit that does not satisfy its equations, modes that are not
+        those of the structure), is from a newer version, of another kind or scene, or of other
+        equations.
     OSError
         If it cannot be read.
     """
@@ -132,10 +134,13 @@ def _content(thing: Savable) -> Content:
     TypeError
         If it is not a result, or not one that is saved.
     """
+    from .space.content import content_of as content_of_modes  # noqa: PLC0415  (SciPy)
+
     own = room(__package__, "content")
     found: Content | None = (own and own.content_of(thing)) or content_of(thing)
+    found = found or content_of_modes(thing)
     if found is None:
-        kinds = "an orbit, a family, a sequence of one of these, or a sweep"
+        kinds = "an orbit, a family, modes, a sequence of one of these, or a sweep"
         raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
     return found
 
@@ -168,8 +173,12 @@ def _from_document(path: Path, document: Mapping[str, Any], scene: object = None
     try:
         if own is not None and own.is_of_the_paper(document):
             return own.restored(path, document)
+        if "structure" in document:
+            from .space.restored import restored as restored_modes  # noqa: PLC0415  (SciPy)
+
+            return restored_modes(path, document)
         if "scene" not in document:
-            raise FileError(path, "holds no orbit, sweep or family")
+            raise FileError(path, "holds no orbit, sweep, family or modes")
         return restored(path, document, scene)
     except FileError:
         raise
@@ -208,7 +217,7 @@ def _from_open(path: Path, file: "Dataset", scene: object) -> tuple[Loaded, bool
         return found, True
     own = room(__package__, "netcdf")
     if own is None:
-        raise FileError(path, "holds no orbit, sweep or family")
+        raise FileError(path, "holds no orbit, sweep, family or modes")
     return own.read(path, file), False
 
 

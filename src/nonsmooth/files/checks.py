@@ -25,7 +25,7 @@ def positive(name: str, value: Any) -> None:
     NotRightError
         If it is not.
     """
-    if not (_is_real(value) and math.isfinite(value) and value > 0):
+    if not (is_real(value) and math.isfinite(value) and value > 0):
         raise NotRightError(f"{name} is {value!r}, expected a positive number")
 
 
@@ -37,7 +37,7 @@ def not_negative(name: str, value: Any) -> None:
     NotRightError
         If it is.
     """
-    if value is not None and not (_is_real(value) and value >= 0):
+    if value is not None and not (is_real(value) and value >= 0):
         raise NotRightError(f"{name} is {value!r}, expected a number not below 0")
 
 
@@ -49,7 +49,7 @@ def same(name: str, value: Any, expected: float, of: str) -> None:
     NotRightError
         If it is not.
     """
-    if not (_is_real(value) and abs(value - expected) <= SAME * abs(expected)):
+    if not (is_real(value) and abs(value - expected) <= SAME * abs(expected)):
         raise NotRightError(f"{name} is {value!r}, but {of} give {expected!r}")
 
 
@@ -95,5 +95,6 @@ def residual(R: Any, z: Any) -> None:
         raise NotRightError(f"an orbit that does not satisfy its equations, by {largest:.1e}")
 
 
-def _is_real(value: Any) -> bool:
+def is_real(value: Any) -> bool:
+    """Return whether a value of a document is a number."""
     return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,4 +1,4 @@
-"""netCDF-4 of orbits, sweeps and families: arrays over coordinates, and the whole document.
+"""netCDF-4 of orbits, sweeps, families, modes: arrays over coordinates, and the document.
 
 The arrays are for other programs; what is loaded is the document, a text beside them, and it
 is refused if they do not say the same.  By netCDF4, the extra ``netcdf``.
@@ -24,6 +24,9 @@ from .netcdf_seal import seal_of
 
 #: The variable that holds the document.
 DOCUMENT = "document"
+
+#: What is in a document, by a key that only it has; without these, orbits.
+KINDS = {"structure": "modes", "rates": "sweep", "vary": "family"}
 
 #: What columns of a kind are stored as.
 TYPES = {"b": "i1", "i": "i8", "f": "f8", "U": str}
@@ -67,7 +70,7 @@ def write(
     first, *others = (table.about for table in tables)
     about = {n: v for n, v in first.items() if all(q.get(n) == v for q in others)}
     origin = {name: document[name] for name in ("version", "mathematics") if name in document}
-    kind = "sweep" if "rates" in document else "family" if "vary" in document else "orbits"
+    kind = next((kind for key, kind in KINDS.items() if key in document), "orbits")
     with created(target, {"title": title, "kind": kind} | origin | about) as file:
         for name, (dimensions, values, unit) in variables(tables).items():
             for dimension, length in zip(dimensions, np.shape(values), strict=True):

@@ -43,6 +43,37 @@ MUTANTS = (
         MANY, "ROUNDINGS = 16.0", "ROUNDINGS = 16.0e3", (*MANIES,),
     ),
     Mutant(
+        "no steps of least norm where rounding hides functions",
+        f"{SEARCH}/search.py", "return (*ways, _LEAST) if", "return ways if", MANIES,
+    ),
+    Mutant(
+        "steps of least norm go in directions that rounding made",
+        MANY, "kept = sizes > ROUNDINGS * np.finfo(float).eps * len(R) * sizes[0]",
+        "kept = sizes > 0", MANIES,
+    ),
+    Mutant(
+        "steps of least norm leave out what can be told",
+        MANY, "eps * len(R) * sizes[0]", "eps**0.5 * len(R) * sizes[0]", MANIES,
+    ),
+    Mutant(
+        "rows are not scaled before the singular values are compared",
+        MANY, "rows = np.abs(J).max(axis=1)\n", "rows = np.ones(len(J))\n", MANIES,
+    ),
+    Mutant(
+        "columns are not scaled back",
+        MANY, "sizes[kept]) / columns", "sizes[kept])", MANIES,
+    ),
+    Mutant(
+        "steps of least norm end before the equations hold",
+        MANY, "if correction <= ROUNDOFF and _within_rounding(R, J, z):", "if correction <= ROUNDOFF:",
+        MANIES,
+    ),
+    Mutant(
+        "steps of least norm end before the times are at rest",
+        MANY, "if correction <= ROUNDOFF and _within_rounding(R, J, z):",
+        "if _within_rounding(R, J, z):", MANIES,
+    ),
+    Mutant(
         "a file that is replaced gets the mode of a new one",
         "src/nonsmooth/files/whole.py", "return stat.S_IMODE(path.stat().st_mode)",
         "raise FileNotFoundError", ("tests/files/test_file_modes.py",),

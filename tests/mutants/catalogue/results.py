@@ -8,6 +8,7 @@ LINES = ("tests/results/test_lines_of_results.py",)
 CHANGED = ("tests/files/test_changed_files.py",)
 SCENES = ("tests/files/test_files_of_scenes.py",)
 COMPILE = ("tests/solving/test_when_to_compile.py",)
+COMPILING, FAILING = "solver/compiling.py", ("tests/solving/test_cache_that_fails.py",)
 
 MUTANTS: tuple[Mutant, ...] = (
     Mutant(
@@ -128,5 +129,54 @@ MUTANTS: tuple[Mutant, ...] = (
         "    return compiled(module) if wanted else plain(module)",
         "    return plain(module)",
         COMPILE,
+    ),
+    Mutant(
+        "a cache that cannot be written ends the command",
+        COMPILING,
+        "cache.save_overload = guarded(cache.save_overload)",
+        "pass",
+        FAILING,
+    ),
+    Mutant(
+        "a cache that cannot be read ends the command",
+        COMPILING,
+        "cache.load_overload = guarded(cache.load_overload)",
+        "pass",
+        FAILING,
+    ),
+    Mutant(
+        "a cache that fails is not said",
+        COMPILING,
+        "_warn_once(cache.cache_path, error.strerror or str(error))",
+        "pass",
+        FAILING,
+    ),
+    Mutant(
+        "that no folder can be written is not said",
+        COMPILING,
+        '_warn_once(str(folder), "not writable, and no other folder is")',
+        "pass",
+        FAILING,
+    ),
+    Mutant(
+        "a cache that fails is said again and again",
+        COMPILING,
+        "if not _SAID:",
+        "if True:",
+        FAILING,
+    ),
+    Mutant(
+        "an index without its code counts as cached",
+        COMPILING,
+        'f"*.{self._name}-*.nbc"',
+        'f"*.{self._name}-*.nbi"',
+        COMPILE,
+    ),
+    Mutant(
+        "warnings are printed with where they were raised",
+        "src/nonsmooth/cli/problems.py",
+        "    warnings.showwarning = show\n",
+        "",
+        FAILING,
     ),
 )

@@ -96,7 +96,7 @@ MUTANTS = (
     ),
     Mutant(
         "no way round the folds",
-        "solver/shortcuts/search/search.py", "return (*first, _STICK) if reached else first", "return first",
+        "solver/shortcuts/search/search.py", "ways = (*first, _STICK) if reached else first", "ways = first",
         FOLDS,
     ),
     Mutant(

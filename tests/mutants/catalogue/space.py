@@ -6,6 +6,7 @@ DERIVED = ("tests/space/test_space_derivation.py",)
 MATRICES = ("tests/space/test_space_matrices.py",)
 REFERENCES = ("tests/space/test_space_references.py",)
 CLAIMS = ("tests/space/test_space_claims.py",)
+FILES, RESTORED = ("tests/space/test_space_files.py",), "src/nonsmooth/files/space/restored.py"
 COMMANDS = ("tests/space/test_space_commands.py",)
 
 
@@ -193,5 +194,82 @@ MUTANTS = (
         "    scale = sign / np.sqrt(np.mean(u**2))",
         "    scale = -sign / np.sqrt(np.mean(u**2))",
         COMMANDS,
+    ),
+    Mutant(
+        "modes of other equations are loaded",
+        RESTORED,
+        "if found != mathematics(structure):",
+        "if False:",
+        FILES,
+    ),
+    Mutant(
+        "an edited error of a mode goes unnoticed",
+        RESTORED,
+        "ERROR, MISMATCH = 1e-11, 1e-6",
+        "ERROR, MISMATCH = 1e-8, 1e-6",
+        FILES,
+    ),
+    Mutant(
+        "an edited jump goes unnoticed",
+        RESTORED,
+        "ERROR, MISMATCH = 1e-11, 1e-6",
+        "ERROR, MISMATCH = 1e-11, 1.0",
+        FILES,
+    ),
+    Mutant(
+        "a bound that is left out of a file goes unnoticed",
+        RESTORED,
+        "right = value is expected",
+        "right = True",
+        FILES,
+    ),
+    Mutant(
+        "loaded modes have the bits of this machine",
+        RESTORED,
+        'eigenvalue=row["eigenvalue"],',
+        "",
+        FILES,
+    ),
+    Mutant(
+        "loaded modes have the forced modes of the default",
+        RESTORED,
+        'forced if method == "ritz-ck" else None',
+        "None",
+        FILES,
+    ),
+    Mutant(
+        "loaded modes are as many as the default",
+        RESTORED,
+        'document["order"], K, len(document["modes"]))',
+        'document["order"], K, None)',
+        FILES,
+    ),
+    Mutant(
+        "the jump of a mode is not that of its shape",
+        "solver/space/modes.py",
+        "found = jump_mismatch(attached, shape, eigenvalue)",
+        "found = jump_mismatch(attached, shape, 2 * eigenvalue)",
+        COMMANDS,
+    ),
+    Mutant(
+        "expansions of a netCDF file are not told apart",
+        "src/nonsmooth/files/space/content.py",
+        'columns["expansion"] += [place] * rows',
+        'columns["expansion"] += [1] * rows',
+        FILES,
+    ),
+    Mutant(
+        "modes of several structures are one file",
+        "src/nonsmooth/files/space/content.py",
+        "if any(found.structure != structure for found in several):",
+        "if False:",
+        FILES,
+    ),
+    Mutant(
+        "what is varied is twice in a table",
+        "src/nonsmooth/files/space/documents.py",
+        'if name != vary.replace("-", "_")]',
+        "]",
+        FILES,
     ),
 )

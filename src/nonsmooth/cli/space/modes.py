@@ -5,7 +5,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_picture, write_text, write_whole
+from ..output import (
+    DATA,
+    PICTURES,
+    check_target,
+    write_file,
+    write_picture,
+    write_text,
+    write_whole,
+)
 from ..problems import Problem
 from ..progress import progress
 from .named import StructureCommand, known
@@ -17,7 +25,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.space.structure import Structure
 
 #: What modes can be written as.
-SUFFIXES = (".json", ".csv", *PICTURES)
+SUFFIXES = (*DATA, *PICTURES)
 
 #: What asks for every expansion.
 ALL = "all"
@@ -95,7 +103,7 @@ def command(structure: "Structure", said: str) -> click.Command:
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
             ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the modes: .json, .csv; or a picture .png, .svg, .pdf.",
+            help="Write the modes: .json, .csv, .nc; or a picture .png, .svg, .pdf.",
         ),
     ]  # fmt: skip
 
@@ -152,7 +160,9 @@ def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
 
 def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path | None) -> int:
     """Compute the modes, show them, write them; the exit status."""
-    from . import documents, shown  # noqa: PLC0415
+    from nonsmooth.files.space import documents  # noqa: PLC0415
+
+    from . import shown  # noqa: PLC0415
 
     found = compute(attached, wanted)
     text = documents.text(attached.structure, documents.of_modes(found))
@@ -168,6 +178,8 @@ def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path 
             write_text(output, text)
         elif output.suffix.lower() == ".csv":
             write_whole(output, lambda target: documents.write_modes(found, target))
+        elif output.suffix.lower() == ".nc":
+            write_file(output, found)
         else:
             from nonsmooth.plots.modes import modes_figure  # noqa: PLC0415
 
@@ -187,7 +199,9 @@ def run_family(
     output: Path | None,
 ) -> int:  # fmt: skip
     """Compute the modes over a parameter, show them, write them; the exit status."""
-    from . import documents, shown  # noqa: PLC0415
+    from nonsmooth.files.space import documents  # noqa: PLC0415
+
+    from . import shown  # noqa: PLC0415
     from .vary import parse_vary  # noqa: PLC0415
 
     if wanted["method"] == ALL:
@@ -220,6 +234,8 @@ def run_family(
                 output,
                 lambda target: documents.write_modes(found, target, over.name, over.values),
             )
+        elif output.suffix.lower() == ".nc":
+            write_file(output, found)
         else:
             from nonsmooth.plots.modes import family_figure  # noqa: PLC0415
 

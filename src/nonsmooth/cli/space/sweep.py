@@ -102,9 +102,10 @@ def run(
     output: Path | None,
 ) -> int:  # fmt: skip
     """Sweep, show it, write it; the exit status."""
+    from nonsmooth.files.space import documents  # noqa: PLC0415
     from nonsmooth.solver.space.convergence import convergence  # noqa: PLC0415
 
-    from . import documents, shown  # noqa: PLC0415
+    from . import shown  # noqa: PLC0415
 
     with as_problems({"order": "orders"}), progress(len(lines) * len(orders), "sweep") as done:
         study = convergence(attached, lines, orders, mode, done)

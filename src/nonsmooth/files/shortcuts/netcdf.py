@@ -56,7 +56,7 @@ def write_points(points: Points, target: Path) -> None:
 def read(path: Path, file: Dataset) -> Any:
     """Return the families of an open file."""
     if getattr(file, "kind", "") != "family":
-        raise FileError(path, "holds no orbit, sweep or family")
+        raise FileError(path, "holds no orbit, sweep, family or modes")
     parameter = file.parameter
     values = file[parameter][:]
     others = [name for name in PARAMETERS if name != parameter]

@@ -115,9 +115,10 @@ def read(path: Path) -> Any:
 
 
 def _restored(path: Path, rows: list[dict[str, str]]) -> Any:
-    if rows and "scene" in rows[0]:
-        words = f"rows of the scene {rows[0]['scene']}, for other programs"
-        raise FileError(path, f"{words}; save as .json to load it")
+    for what in ("scene", "structure"):
+        if rows and what in rows[0]:
+            words = f"rows of the {what} {rows[0][what]}, for other programs"
+            raise FileError(path, f"{words}; save as .json to load it")
     if not rows or "schema" not in rows[0]:
         if rows and "displacement" in rows[0]:
             raise FileError(path, "the motion of an orbit; save the orbit as .json to load it")

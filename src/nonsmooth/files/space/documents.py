@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.files.json_text import sealed
+from ..json_text import sealed
 
 if TYPE_CHECKING:
     from nonsmooth.solver.space.convergence import Convergence
@@ -18,23 +18,41 @@ COLUMNS = (
     "exact_beta", "error", "low", "high", "jump_mismatch", "node",
 )  # fmt: skip
 
+#: Behind them, before the parameters.
+BEHIND = ("structure", "position", "strength")
+
 
 def text(structure: "Structure", document: dict[str, Any]) -> str:
     """Return a document as text that says where it comes from and ends with its digest."""
+    return sealed(document | origin(structure))
+
+
+def origin(structure: "Structure") -> dict[str, Any]:
+    """Return units, version and mathematics, as documents have them."""
     from nonsmooth import __version__  # noqa: PLC0415
 
     units = {q.name: q.unit or "1" for q in structure.parameters} | {"frequency": "Hz"}
-    origin = {"version": __version__, "mathematics": structure.module.MATHEMATICS[:16]}
-    return sealed(document | {"units": units} | origin)
+    return {"units": units, "version": __version__, "mathematics": mathematics(structure)}
+
+
+def mathematics(structure: "Structure") -> str:
+    """Return the hash of the closed forms behind the modes of a structure."""
+    found: str = structure.module.MATHEMATICS[:16]
+    return found
 
 
 def of_modes(found: "Sequence[Modes]") -> dict[str, Any]:
-    """Return the document of one expansion, or of several in ``expansions``."""
+    """Return the document of one expansion, or of several in ``expansions``.
+
+    Before several stands what is the same of all.
+    """
     documents = [expansion.as_dict() for expansion in found]
     if len(documents) == 1:
         return documents[0]
-    head = {key: documents[0][key] for key in ("structure", "class", "parameters", "position")}
-    return head | {"strength": documents[0]["strength"], "expansions": documents}
+    keys = ("structure", "class", "parameters", "position", "strength")
+    first = documents[0]
+    head = {key: first[key] for key in keys if all(q[key] == first[key] for q in documents)}
+    return head | {"expansions": documents}
 
 
 def of_family(name: str, values: Sequence[float], found: "Sequence[Modes]") -> dict[str, Any]:
@@ -54,19 +72,27 @@ def of_family(name: str, values: Sequence[float], found: "Sequence[Modes]") -> d
 def write_modes(
     found: "Sequence[Modes]", target: Path, vary: str = "", values: Sequence[float] = ()
 ) -> None:
-    """Write modes as CSV, a row a mode; first the value of what is varied."""
-    head = [vary] if vary else []
-    rows = []
+    """Write modes as CSV, a row a mode, with the structure and its parameters behind it.
+
+    First stands the value of what is varied.
+    """
+    head, rows = [vary] if vary else [], []
+    first = found[0].attached
+    behind = [name for name in (*BEHIND, *first.values) if name != vary.replace("-", "_")]
     for place, expansion in enumerate(found):
         value = [repr(values[place])] if vary else []
         said = (expansion.method, expansion.order, expansion.forced, expansion.unknowns)
+        a = expansion.attached
+        known = {"structure": a.structure.name, "position": a.a, "strength": a.s}
+        known |= a.values
         for mode in expansion:
             low, high = mode.bounds
             rows.append(
                 [*value, *said, mode.number, mode.frequency, mode.beta, mode.eigenvalue,
-                 mode.exact_beta, mode.error, low, high, mode.jump_mismatch, mode.node]
+                 mode.exact_beta, mode.error, low, high, mode.jump_mismatch, mode.node,
+                 *(known[name] for name in behind)]
             )  # fmt: skip
-    _write(target, [*head, *COLUMNS], rows)
+    _write(target, [*head, *COLUMNS, *behind], rows)
 
 
 def write_convergence(study: "Convergence", target: Path) -> None:

@@ -1,0 +1,1 @@
+"""Files of modes: JSON, netCDF, CSV."""

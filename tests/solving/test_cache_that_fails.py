@@ -1,0 +1,115 @@
+"""Where numba's cache cannot be read or written, kernels are compiled and one line says so."""
+
+import errno
+import importlib
+import os
+import shutil
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+
+import numba
+import pytest
+
+import nonsmooth
+from nonsmooth.cli.problems import print_warnings
+from nonsmooth.solver import compiling
+from nonsmooth.solver.compiling import CacheWarning, jit
+
+
+@pytest.fixture
+def double(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Return a function of a file, with an empty cache in a folder of its own."""
+    (tmp_path / "doubling.py").write_text("def double(x):\n    return 2 * x\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
+    monkeypatch.setattr(compiling, "_SAID", [])
+    yield importlib.import_module("doubling").double
+    del sys.modules["doubling"]
+
+
+def test_a_cache_that_works_is_used(double) -> None:
+    assert [jit(double)(2), jit(double)(3)] == [4, 6]
+    again = jit(double)
+    assert again(4) == 8
+    assert sum(again.stats.cache_hits.values()) == 1
+
+
+def test_a_cache_that_cannot_be_written(double, tmp_path: Path) -> None:
+    function = jit(double)
+    folder = Path(function.stats.cache_path)
+    shutil.rmtree(folder)
+    folder.touch()  # a file in its place: neither read nor written
+    words = f"numba's cache: {folder}: Not a directory; kernels are compiled for this process"
+    with pytest.warns(CacheWarning) as said:
+        assert function(2) == 4
+    assert [str(each.message).startswith(words) for each in said] == [True]
+    assert function(2.5) == 5.0  # of other types, compiled too, and nothing more is said
+
+
+def test_a_disk_that_is_full_when_it_is_written(double, monkeypatch) -> None:
+    function = jit(double)
+
+    def full(overloads: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(function._cache._cache_file, "_save_index", full)
+    with pytest.warns(CacheWarning, match="No space left on device"):
+        assert function(2) == 4
+    assert not list(Path(function.stats.cache_path).glob("*.nbc"))
+
+
+def test_no_folder_can_be_written(double, monkeypatch) -> None:
+    locator = numba.core.caching._CacheLocator
+
+    def refuse(self) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(locator, "ensure_cache_path", refuse)
+    with pytest.warns(CacheWarning, match="__pycache__: not writable, and no other folder is;"):
+        function = jit(double)
+    assert function(2) == 4
+
+
+def test_the_command_line_says_it_in_one_line(monkeypatch, capsys) -> None:
+    monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)
+    monkeypatch.setattr(compiling, "_SAID", [])
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        print_warnings()
+        compiling._warn_once("/a/folder", "full")
+        compiling._warn_once("/another/folder", "full")
+    words = "numba's cache: /a/folder: full; kernels are compiled for this process alone"
+    assert capsys.readouterr().err == f"nonsmooth: {words}\n"
+
+
+def test_warnings_of_others_stay_what_they_are(monkeypatch) -> None:
+    shown = []
+    monkeypatch.setattr(warnings, "showwarning", lambda *arguments: shown.append(arguments))
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        print_warnings()
+        warnings.warn("of another", UserWarning, stacklevel=1)
+    assert [str(arguments[0]) for arguments in shown] == ["of another"]
+
+
+@pytest.mark.long
+def test_the_command_solves_with_files_of_no_size(tmp_path: Path) -> None:
+    resource = pytest.importorskip("resource")
+    environment = os.environ | {
+        "NUMBA_CACHE_DIR": str(tmp_path / "cache"),
+        "PYTHONPATH": str(Path(nonsmooth.__file__).parents[1]),
+    }
+    done = subprocess.run(
+        [sys.executable, "-m", "nonsmooth", "solve", "--method", "c1", "--order", "60"],
+        env=environment, capture_output=True, text=True, check=False,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)),
+    )  # fmt: skip
+    assert done.returncode == 0
+    assert "c1, N = 60: T = 0.671238898" in done.stdout
+    assert done.stderr.startswith(f"nonsmooth: numba's cache: {tmp_path / 'cache'}")
+    assert done.stderr.endswith(
+        ": File too large; kernels are compiled for this process alone\n"
+    )
+    assert done.stderr.count("\n") == 1
