@@ -49,7 +49,16 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
 
 
 def _neighbour(orbit: SceneOrbit, order: int) -> SceneOrbit | None:
-    """Return the orbit of the better method to which the times of an orbit lead."""
-    kernel = registry.quicker_kernel(orbit.case.scene, FIRST, None, order)
-    found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
-    return found if found.converged and found.admissible else None
+    """Return the orbit of the better method to which the times of an orbit lead.
+
+    Where the conditions of that method are singular, by its functions of class C^1.
+    """
+    once = registry.class_one(orbit.case.scene, FIRST)
+    for method in (FIRST, once) if orbit.method != once else (once,):
+        if method is None:
+            continue
+        kernel = registry.quicker_kernel(orbit.case.scene, method, None, order)
+        found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
+        if found.converged and found.admissible:
+            return found
+    return None
