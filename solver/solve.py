@@ -14,6 +14,7 @@ from .case.methods import FIRST
 from .flow.exact import exact_orbit
 from .flow.existence import infinitely_many, shown_to_be_none, without_switches
 from .iteration.attempt import attempt
+from .iteration.singular import is_reversible, is_singular
 from .iteration.start import rough_times
 from .motions import of_any_motion
 from .no_orbit import NoOrbit
@@ -103,6 +104,8 @@ def _orbit(case: Case, method: str, order: int, functions: int | None) -> SceneO
     search = _Search(case, kernel)
     for times in search.starts():
         found = search.note(attempt(kernel, case, order, times, functions))
+        if not (found.converged and found.admissible):
+            found = search.less_smooth(found, times)
         if found.converged and found.admissible:
             return replace(found, iterations=search.iterations)
     reason = f"{case.scene.label}, {kernel.method}, N = {order}: no admissible orbit was found"
@@ -154,6 +157,22 @@ class _Search:
             self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
         return found
 
+    def less_smooth(self, failed: SceneOrbit, times: Vector) -> SceneOrbit:
+        """Return the orbit by functions of class C^1, if no smoother ones can be told apart.
+
+        That is so where the conditions of the method are singular at that orbit.  In any other
+        case what failed is returned.
+        """
+        name = registry.class_one(self.case.scene, failed.method)
+        if name is None:
+            return failed
+        kernel = registry.kernel(self.case.scene, name)
+        found = self.note(attempt(kernel, self.case, failed.order, times))
+        there = kernel.times(found.unknowns)
+        if found.converged and is_singular(self.kernel, self.case, failed.order, there):
+            return found
+        return failed
+
     def starts(self) -> Iterator[Vector]:
         """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
 
@@ -162,7 +181,8 @@ class _Search:
         """
         scene = self.case.scene
         known = FIRST in registry.methods(scene)
-        coarse = registry.quicker_kernel(scene, FIRST) if known else None
+        once = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
+        coarse = registry.quicker_kernel(scene, once or FIRST) if known else None
         waves = WAVES * (self.case.cycles - 1)
         for order in [q + waves for q in COARSE] if coarse else COARSE[:1]:
             for rough in rough_times(self.case.cell):

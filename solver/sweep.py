@@ -242,6 +242,6 @@ def _row(case: Case, method: str, order: int, functions: int | None) -> SceneRow
         return _empty(method, order, finding, time.perf_counter() - begin)
     seconds = time.perf_counter() - begin
     return SceneRow(
-        method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
+        orbit.method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
         orbit.iterations, orbit.errors, orbit.estimate, seconds,
     )  # fmt: skip

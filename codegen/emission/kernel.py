@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks
 from .expressions import math_names, python
-from .loops import Writer, per_order, places, size
+from .loops import Writer, per_order, places, size, start_of
 from .printer import digest
 from .runtime import breaks as broken
 from .runtime import harmonics, moments, phases, unknowns
@@ -61,7 +61,7 @@ def module_source(system: GalerkinConditions) -> str:
     writer = Writer(system)
     parts = [form.source for form in writer.functions]
     parts += [_size(system), _residual(system, writer), _jacobian(system, writer)]
-    parts += [_motion(system), _coefficients(system)]
+    parts += [*_class_one(system), _motion(system), _coefficients(system)]
     parts = [*_break_series(system), *_runtime("\n".join(parts)), *parts]
     body = "\n\n".join(part.strip() + "\n" for part in parts)
     _check_names(system, body)
@@ -207,6 +207,43 @@ def _jacobian(system: GalerkinConditions, writer: Writer) -> str:
     known = ["rates = True", *_prologue(system)]
     lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *writer.jacobian])
     return _function("jacobian(case, z, J)", "Fill J with their derivatives.", lines)
+
+
+def _class_one(system: GalerkinConditions) -> list[str]:
+    """Return the functions of the same order for class C^1, where the conditions say how."""
+    places, row = [], sp.Integer(0)
+    for condition in system.conditions:
+        if condition.once is not None:
+            family, index = condition.once.base.label, condition.once.indices[0]
+            unknown = sp.expand(start_of(system, str(family)) + index)
+            places.append(f"({sp.expand(row)}, {unknown}),")
+        row += condition.count
+    if not places:
+        return []
+    slope, rest = per_order(system)
+    rows = [
+        f"N = (size - {rest})//{slope}",
+        "return (",
+        *("    " + pair for pair in places),
+        ")",
+    ]
+    residual = ["residual(case, z, R)", "for row, unknown in once(len(z)):"]
+    jacobian = ["jacobian(case, z, J)", "for row, unknown in once(len(z)):"]
+    return [
+        _function(
+            "once(size)", "Return rows of x'' and beyond, and what is zero instead.", rows
+        ),
+        _function(
+            "residual_once(case, z, R)",
+            "Fill R for functions of class C^1: their accelerations have degree N.",
+            [*residual, "    R[row] = z[unknown]"],
+        ),
+        _function(
+            "jacobian_once(case, z, J)",
+            "Fill J with the derivatives of that.",
+            [*jacobian, "    J[row, :] = 0.0", "    J[row, unknown] = 1.0"],
+        ),
+    ]
 
 
 def _motion(system: GalerkinConditions) -> str:

@@ -169,6 +169,13 @@ def places(system: GalerkinConditions) -> Lines:
     return lines
 
 
+def start_of(system: GalerkinConditions, name: str) -> sp.Expr:
+    """Return where the unknowns of a block begin, in `N`."""
+    names = [block.name for block in system.blocks]
+    before = system.blocks[: names.index(name)]
+    return sp.expand(sum((block.count for block in before), sp.Integer(0)))
+
+
 def size(system: GalerkinConditions) -> sp.Expr:
     """Return the number of unknowns, in `N`."""
     counts = sum((block.count for block in system.blocks), sp.Integer(0))

@@ -15,6 +15,9 @@ from .times import Times
 #: ``(phase, order)``: a derivative of the displacement at an end of a phase.
 End = Callable[[int, int], sp.Expr]
 
+#: ``(phase, order)``: the unknown that vanishes where this derivative need not be continuous.
+Once = Callable[[int, int], sp.Expr | None]
+
 
 def one_sum(expression: sp.Expr) -> sp.Expr:
     """Return an expression with its sums over the same index made one."""
@@ -30,7 +33,11 @@ def one_sum(expression: sp.Expr) -> sp.Expr:
 
 
 def joints(
-    scene: Scene, switches: Sequence[Switch], start: End, end: End
+    scene: Scene,
+    switches: Sequence[Switch],
+    start: End,
+    end: End,
+    once: Once = lambda p, order: None,
 ) -> Iterator[Condition]:
     """Yield continuity of displacement, the law of the velocity, and smoothness up to C^k."""
     for p, switch in enumerate(switches):
@@ -54,6 +61,7 @@ def joints(
                 f"derivative_{order}_{name}",
                 f"derivative {order} is continuous where {name} begins",
                 one_sum(start(p, order) - sign * end(left, order)),
+                once=once(p, order),
             )
 
 

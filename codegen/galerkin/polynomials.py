@@ -106,6 +106,27 @@ def orthogonality(
     )
 
 
+def class_one(
+    scene: Scene, found: tuple[Switch, ...], trial: tuple[PhaseSeries, ...], test: Test
+) -> closure.Once:
+    """Return which unknown vanishes in place of continuity beyond the velocity.
+
+    At order N the accelerations of functions of class C^1 are of degree N, tested to degree N.
+    Those of a smoother scene have ``k - 1`` coefficients more and as many tests: so the
+    highest of them vanish instead.  That holds if the tests are the same for any class.
+    """
+    smoother = min(switch.k for switch in found) > 1
+    same = all(test(l, switch.k) == test(l, 1) for switch in found)
+
+    def once(p: int, order: int) -> sp.Expr | None:
+        q = trial[p]
+        if not (smoother and same) or q.acceleration is None:
+            return None
+        return q.acceleration[q.count - 1 - (found[p].k - order)]
+
+    return once
+
+
 def _lowest(rows: list[Condition]) -> int:
     """Return the lowest order at which every condition has a row."""
     wanted = [c.count.subs(N, 0) for c in rows if c.index is not None]
@@ -134,7 +155,11 @@ def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditi
         for condition in orthogonality(phase, q, switch, looked_up, test)
     ]
     joined = closure.joints(
-        scene, found, lambda p, r: trial[p].at_start(r), lambda p, r: trial[p].at_end(r)
+        scene,
+        found,
+        lambda p, r: trial[p].at_start(r),
+        lambda p, r: trial[p].at_end(r),
+        class_one(scene, found, trial, test),
     )
     events = closure.events(scene, times, lambda p, r: trial[p].at_end(r))
     memory = closure.memory(scene, times, lambda p, r: trial[p].at_start(r))

@@ -34,7 +34,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "43083ed6253efd038ed713f32206539b4ebc2abdc91866700583932ad2bcb105"  # of the conditions, by srepr
-BODY = "ada82a652420fde848fd683a8f7e36c6062d67ca7c2af36a9efe1ab1f37622b9"  # of the text below
+BODY = "a70a7416544553fd9a0eb65b578a4254445fb207598418d8bdeb30262f3ddb9c"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -771,6 +771,31 @@ def jacobian(case, z, J):
     q0 = cell_by_s_plastic()
     J[row, at_s_plastic] += q0
     row += 1
+
+
+def once(size):
+    """Return rows of x'' and beyond, and what is zero instead."""
+    N = (size - 13)//2
+    return (
+        (2*N + 4, N + 3),
+        (2*N + 5, N + 4),
+        (2*N + 8, 2*N + 8),
+    )
+
+
+def residual_once(case, z, R):
+    """Fill R for functions of class C^1: their accelerations have degree N."""
+    residual(case, z, R)
+    for row, unknown in once(len(z)):
+        R[row] = z[unknown]
+
+
+def jacobian_once(case, z, J):
+    """Fill J with the derivatives of that."""
+    jacobian(case, z, J)
+    for row, unknown in once(len(z)):
+        J[row, :] = 0.0
+        J[row, unknown] = 1.0
 
 
 def motion(case, z, p, u, derivative):

@@ -35,18 +35,11 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     order = max(orbit.order + MORE, LEAST)
     if orbit.method != FIRST:
         order = min(order, MOST)
-    better = _neighbour(orbit, order)
-    if not better.converged:
+    better = _neighbour(orbit, order, orbit.admissible)
+    beyond = better and _neighbour(better[0], order + MORE, True)
+    if better is None or beyond is None:
         return NOTHING
-    beyond = _neighbour(better, order + MORE)
-    if not beyond.converged:
-        return NOTHING
-    apart = difference(orbit, better, max(order, orbit.order))
-    doubt = difference(better, beyond, order + MORE)
-    if not ((orbit.admissible and _same(apart)) or better.admissible):
-        return NOTHING
-    if not (_same(doubt) or beyond.admissible):
-        return NOTHING
+    apart, doubt = better[1], beyond[1]
     rounding = ROUNDING + CORRECTIONS * orbit.outcome.correction
     return SceneErrors(
         period=abs(apart.period) + abs(doubt.period) + rounding,
@@ -58,10 +51,26 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     )
 
 
-def _neighbour(orbit: SceneOrbit, order: int) -> SceneOrbit:
-    """Return where the times of an orbit lead by the better method, if it converged."""
-    kernel = registry.quicker_kernel(orbit.case.scene, FIRST, None, order)
-    return attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
+def _neighbour(
+    orbit: SceneOrbit, order: int, is_orbit: bool
+) -> tuple[SceneOrbit, SceneErrors] | None:
+    """Return the orbit of the better method to which the times of an orbit lead, and how far.
+
+    Where the conditions of that method are singular, by its functions of class C^1.  What is
+    next to an orbit is one; anything else has to be admissible.
+    """
+    once = registry.class_one(orbit.case.scene, FIRST)
+    for method in (FIRST, once) if orbit.method != once else (once,):
+        if method is None:
+            continue
+        kernel = registry.quicker_kernel(orbit.case.scene, method, None, order)
+        found = attempt(kernel, orbit.case, order, kernel.times(orbit.unknowns))
+        if not found.converged:
+            continue
+        change = difference(orbit, found, max(order, orbit.order))
+        if (is_orbit and _same(change)) or found.admissible:
+            return found, change
+    return None
 
 
 def _same(change: SceneErrors) -> bool:

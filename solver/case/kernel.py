@@ -8,7 +8,7 @@ that is compiled with them, so that a change finds nothing old.
 import hashlib
 import types
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from ..arrays import Matrix, Vector
 from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
 from ..iteration import iteration, linear
 from ..iteration.iteration import Iteration
+from .names import with_class_one
 
 #: Functions that are compiled with a kernel, callers after what they call.
 DRIVER: tuple[Any, ...] = (
@@ -32,7 +33,10 @@ DRIVER: tuple[Any, ...] = (
 )
 
 #: What a kernel does that only NumPy can: plain Python, even where the rest is compiled.
-PLAIN = ("motion", "coefficients", "integrated", "phase_motion")
+PLAIN = (
+    "motion", "coefficients", "integrated", "phase_motion",
+    "once", "residual_once", "jacobian_once",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -105,6 +109,27 @@ def plain(module: types.ModuleType) -> SceneKernel:
     functions = (module.residual, module.jacobian)
     iterate = linked(*functions, module.DURATIONS, module.FORCED)
     return _kernel(module, vars(module), iterate, account(module))
+
+
+@cache
+def once_continuous(module: types.ModuleType) -> SceneKernel | None:
+    """Return the kernel for functions of class C^1, where a smoother scene's module has it.
+
+    Accelerations are polynomials of degree N on each phase, tested to degree N, and need not be
+    continuous.  Order, size and sequence of the unknowns are those of the module; it is wanted
+    where the module's own conditions are singular, and rarely: so it stays plain Python.
+    """
+    if not hasattr(module, "residual_once"):
+        return None
+    found, functions = plain(module), (module.residual_once, module.jacobian_once)
+    return replace(
+        found,
+        method=with_class_one(found.method),
+        residual=functions[0],
+        jacobian=functions[1],
+        iterate=linked(*functions, found.durations, found.forced),
+        account=None,
+    )
 
 
 @cache

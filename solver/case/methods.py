@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...generated.methods import FIRST, METHODS
+from .names import without_class
 
 __all__ = ["FIRST", "About", "about", "in_order"]
 
@@ -36,7 +37,8 @@ def about(method: str) -> About:
     >>> about(FIRST).power, about("another").title
     (False, 'another')
     """
-    facts: dict[str, Any] = dict(METHODS.get(method, {"title": method, "power": False}))
+    unknown = {"title": method, "power": False}
+    facts: dict[str, Any] = dict(METHODS.get(without_class(method), unknown))
     title, power = facts.pop("title"), facts.pop("power")
     look = {"color": "0.5", "marker": "x", "linestyle": "--"} | facts
     if not look.pop("filled", True):
@@ -54,4 +56,4 @@ def in_order(methods: Iterable[str]) -> tuple[str, ...]:
     """
     known = [*METHODS]
     place = {method: i for i, method in enumerate(known)}
-    return tuple(sorted(methods, key=lambda m: (place.get(m, len(known)), m)))
+    return tuple(sorted(methods, key=lambda m: (place.get(without_class(m), len(known)), m)))

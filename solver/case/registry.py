@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .modules import module_of
-from .names import generic
+from .names import generic, with_class_one, without_class
 from .numbers import SCENE, SceneNumbers
 
 if TYPE_CHECKING:
@@ -100,6 +100,8 @@ def functions(scene: SceneNumbers, method: str) -> tuple[int, ...]:
 def generic_method(scene: SceneNumbers, method: object) -> str:
     """Return the generic name of a method: ``ck-tau`` where the class is in it (``c0-tau``).
 
+    Where the scene is smoother, ``c1-tau`` is a method of its own: see `class_one`.
+
     Raises
     ------
     UnknownScene
@@ -107,9 +109,24 @@ def generic_method(scene: SceneNumbers, method: object) -> str:
     """
     known = methods(scene)
     wanted = generic(scene, method) if isinstance(method, str) else ""
-    if wanted not in known:
+    base = without_class(wanted)
+    if wanted not in known and not (base in known and class_one(scene, base) == wanted):
         raise UnknownScene(_unknown("method", method, known))
     return wanted
+
+
+def class_one(scene: SceneNumbers, method: str) -> str | None:
+    """Return the name of a method with functions of class C^1 in place of smoother ones.
+
+    None where it has no such conditions of its own, or the scene is not smoother.
+    """
+    from .kernel import once_continuous  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    if scene.k < 2 or (method, None) not in scene.files:
+        return None
+    if once_continuous(scene.kernel_module(method, None)) is None:
+        return None
+    return with_class_one(method)
 
 
 def kernel(
@@ -134,7 +151,8 @@ def kernel(
     from .kernel import compiled, plain  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
     found = _module(scene, method, number)
-    return compiled(found) if compile_it else plain(found)
+    once = _once(scene, method, found)
+    return once or (compiled(found) if compile_it else plain(found))
 
 
 def quicker_kernel(
@@ -146,7 +164,16 @@ def quicker_kernel(
     """
     from .kernel import quicker  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
-    return quicker(_module(scene, method, number), order)
+    found = _module(scene, method, number)
+    return _once(scene, method, found) or quicker(found, order)
+
+
+def _once(scene: SceneNumbers, method: str, module: types.ModuleType) -> "SceneKernel | None":
+    """Return the kernel of class C^1 if that is the method; else None."""
+    from .kernel import once_continuous  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    name = generic_method(scene, method)
+    return None if name in methods(scene) else once_continuous(module)
 
 
 def _module(scene: SceneNumbers, method: str, number: int | None) -> types.ModuleType:
@@ -157,7 +184,7 @@ def _module(scene: SceneNumbers, method: str, number: int | None) -> types.Modul
     UnknownScene
         If the scene has none.
     """
-    name = generic_method(scene, method)
+    name = without_class(generic_method(scene, method))
     if (name, number) not in scene.files:
         known = ", ".join(map(str, functions(scene, name))) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
@@ -166,7 +193,7 @@ def _module(scene: SceneNumbers, method: str, number: int | None) -> types.Modul
 
 def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
     """Return a hash of the conditions behind these methods: 16 hexadecimal digits."""
-    wanted = {generic_method(scene, method) for method in chosen}
+    wanted = {without_class(generic_method(scene, method)) for method in chosen}
     texts = [scene.module.BODY]
     for motion in scene.each_motion:
         by_path = sorted((path, key) for key, path in motion.files.items() if key[0] in wanted)

@@ -38,7 +38,8 @@ def residual_in_balls(residual: Callable[..., None]) -> Residual:
     residual : callable
         That of the module, in plain Python.
     """
-    found: Residual = _functions(residual.__code__.co_filename, ctx.dps)["residual"]
+    functions = _functions(residual.__code__.co_filename, ctx.dps)
+    found: Residual = functions[residual.__name__]
     return found
 
 

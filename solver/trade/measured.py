@@ -115,7 +115,7 @@ def _measured(case: Case, method: str, order: int) -> Iterable[TradePoint]:
         return []
     seconds = median_seconds(lambda: solve_case(case, method, order))
     error, judged = max(orbit.errors.times, ROUNDING), orbit.estimate.times
-    return [TradePoint(method, order, orbit.functions, seconds, error, judged)]
+    return [TradePoint(orbit.method, order, orbit.functions, seconds, error, judged)]
 
 
 def front(points: Sequence[tuple[float, float]]) -> set[int]:

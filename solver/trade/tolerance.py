@@ -107,6 +107,7 @@ class _Search:
             self.finding = finding
             self.trials.append(SceneTrial(name, order, None))
             return None
+        name = shown(self.case.scene, orbit.method)
         self.trials.append(SceneTrial(name, order, orbit.estimate))
         return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
 

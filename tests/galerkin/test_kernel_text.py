@@ -65,6 +65,8 @@ def test_a_kernel_has_nothing_that_it_does_not_use(name, kernel):
     functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
     calls = [node.func for node in ast.walk(tree) if isinstance(node, ast.Call)]
     called = {function.id for function in calls if isinstance(function, ast.Name)}
+    if kernel == "ck_tau" and min(REFERENCES[name]["classes"]) >= 2:
+        offered = offered - {"residual", "jacobian"} | {"residual_once", "jacobian_once"}
     assert functions - called == offered
 
 

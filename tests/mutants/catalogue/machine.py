@@ -35,7 +35,37 @@ def _emission(what: str, file: str, old: str, new: str, tests: tuple[str, ...]) 
     return Mutant(what, f"codegen/emission/{file}.py", old, new, tests)
 
 
+ONCE = ("tests/galerkin/test_class_one.py",)
+
 MUTANTS = (
+    _conditions(
+        "for class C^1 the second highest coefficient vanishes, not the highest",
+        "polynomials",
+        "q.count - 1 - (found[p].k - order)",
+        "q.count - 1 - order + 1",
+        ONCE,
+    ),
+    _conditions(
+        "functions of class C^1 are made of tests that belong to another class",
+        "polynomials",
+        "if not (smoother and same)",
+        "if not smoother",
+        ONCE,
+    ),
+    _emission(
+        "the rows for class C^1 are counted without those of the tests",
+        "kernel",
+        "row += condition.count",
+        "row += 1",
+        ONCE,
+    ),
+    _emission(
+        "the Jacobian for class C^1 keeps the row of the continuity that it drops",
+        "kernel",
+        '"    J[row, :] = 0.0", ',
+        "",
+        ONCE,
+    ),
     _scene(
         "what stands below the slash of a unit stands above it",
         "units",

@@ -58,7 +58,7 @@ MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "no better solution is taken for an orbit",
         "solver/accuracy/estimate.py",
-        "(orbit.admissible and _same(apart)) or better.admissible", "better.admissible and False", ESTIMATE,
+        "(is_orbit and _same(change)) or found.admissible", "found.admissible and False", ESTIMATE,
     ),
     Mutant(
         "columns of a printed trade swapped",

@@ -15,7 +15,33 @@ FOLLOW, FOLDS = (
 )
 FREE, MANY = "solver/shortcuts/series/matrix_free.py", ("tests/solving/test_matrix_free.py",)
 
+SEARCH, SINGULAR = "solver/solve.py", ("tests/scenes/test_singular.py",)
+
 MUTANTS = (
+    Mutant(
+        "functions of class C^1 are taken where the smoother ones are not singular",
+        SEARCH, "if found.converged and is_singular(self.kernel, self.case, failed.order, there):",
+        "if found.converged:", SINGULAR,
+    ),
+    Mutant(
+        "an undamped orbit is searched from coarse orbits of singular equations",
+        SEARCH, "once = is_reversible(self.case.cell) and registry", "once = False and registry",
+        SINGULAR,
+    ),
+    Mutant(
+        "whatever is damped is taken to run backwards",
+        "solver/iteration/singular.py", "phase.c == 0 and not", "not", SINGULAR,
+    ),
+    Mutant(
+        "an estimate has no better orbit where the equations of the best method are singular",
+        "solver/accuracy/estimate.py", "once = registry.class_one(orbit.case.scene, FIRST)",
+        "once = None", SINGULAR,
+    ),
+    Mutant(
+        "a Jacobian is taken for singular whose rows differ in size",
+        "solver/iteration/singular.py", "np.linalg.svd(equilibrated(J), compute_uv=False)",
+        "np.linalg.svd(J, compute_uv=False)**3", SINGULAR,
+    ),
     Mutant(
         "the static limit is not checked inside stick",
         ADMISSIBLE, "elif highest > allowed:", "elif False:", DEMANDS,
