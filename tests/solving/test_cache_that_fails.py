@@ -108,8 +108,7 @@ def test_the_command_solves_with_files_of_no_size(tmp_path: Path) -> None:
     )  # fmt: skip
     assert done.returncode == 0
     assert "c1, N = 60: T = 0.671238898" in done.stdout
-    assert done.stderr.startswith(f"nonsmooth: numba's cache: {tmp_path / 'cache'}")
-    assert done.stderr.endswith(
-        ": File too large; kernels are compiled for this process alone\n"
-    )
-    assert done.stderr.count("\n") == 1
+    said = [line for line in done.stderr.splitlines() if line.startswith("nonsmooth: ")]
+    assert len(said) == 1
+    assert said[0].startswith(f"nonsmooth: numba's cache: {tmp_path / 'cache'}")
+    assert said[0].endswith(": File too large; kernels are compiled for this process alone")
