@@ -71,7 +71,7 @@ dist:  ## the sdist and the wheel, installed in an environment of its own and ru
 	@dist/.venv/bin/python -m build --outdir dist . >/dev/null
 	@$(PYTHON) -m venv --clear dist/.venv
 	@dist/.venv/bin/python -m pip install --quiet --disable-pip-version-check dist/*.whl
-	@cd dist && .venv/bin/nonsmooth solve --tol 1e-8 && .venv/bin/nonsmooth generate --check
+	@cd dist && .venv/bin/nonsmooth solve --tol 1e-8 && .venv/bin/nonsmooth generate impact --check
 	@rm -rf dist/.venv && ls dist
 
 lowest:  ## all tests with the lowest versions that pyproject.toml allows, in .venv-lowest

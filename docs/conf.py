@@ -38,10 +38,11 @@ extensions = [
     "sphinx_copybutton",
     "derived",
     "mathml",
+    "navigation",
     "places",
+    "rooms",
 ]
 exclude_patterns = ["_build", "_extensions"]
-templates_path = ["_templates"]
 nitpicky = True
 highlight_language = "none"
 default_role = "code"
@@ -60,9 +61,18 @@ nb_merge_streams = True
 # Reference: from the docstrings, which state the types.
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
-autosummary_generate = True
+autosummary_generate = False
 numpydoc_show_class_members = False
 numpydoc_class_members_toctree = False
+rooms = [
+    "nonsmooth.codegen",
+    "nonsmooth.generated",
+    "nonsmooth.solver",
+    "nonsmooth.files",
+    "nonsmooth.scene_files",
+    "nonsmooth.report",
+    "nonsmooth.shortcuts",
+]
 
 html_theme = "furo"
 html_title = f"nonsmooth {version}"

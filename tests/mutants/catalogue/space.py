@@ -8,6 +8,7 @@ REFERENCES = ("tests/space/test_space_references.py",)
 CLAIMS = ("tests/space/test_space_claims.py",)
 FILES, RESTORED = ("tests/space/test_space_files.py",), "src/nonsmooth/files/space/restored.py"
 COMMANDS = ("tests/space/test_space_commands.py",)
+SEVERAL = ("tests/results/test_plots_of_results.py",)
 
 
 def _derivation(what: str, file: str, old: str, new: str) -> Mutant:
@@ -271,5 +272,33 @@ MUTANTS = (
         'if name != vary.replace("-", "_")]',
         "]",
         FILES,
+    ),
+    Mutant(
+        "the exact mode is drawn with each expansion",
+        "src/nonsmooth/plots/modes.py",
+        "    if any(_is_same(line, x, values) for line in before):",
+        "    if False:",
+        SEVERAL,
+    ),
+    Mutant(
+        "another exact mode is taken for one that is drawn",
+        "src/nonsmooth/plots/modes.py",
+        "    if any(_is_same(line, x, values) for line in before):",
+        "    if before:",
+        SEVERAL,
+    ),
+    Mutant(
+        "each exact mode is in the legend",
+        "src/nonsmooth/plots/modes.py",
+        'label="_exact" if before else "exact"',
+        'label="exact"',
+        SEVERAL,
+    ),
+    Mutant(
+        "the exact mode covers the expansions",
+        "src/nonsmooth/plots/modes.py",
+        '"zorder": 1.9',
+        '"zorder": 2.1',
+        SEVERAL,
     ),
 )
