@@ -23,8 +23,8 @@ def outcome(K: int, order: int, alpha: float) -> str:
     try:
         ns.solve(belt, "hb-c1", order, c1_terms=K, many=True)
     except ns.NoOrbit as finding:
-        inadmissible = any("that is no orbit" in text for text in finding.tried)
-        return "a solution that is no orbit" if inadmissible else "nothing"
+        inadmissible = any("that is not an orbit" in text for text in finding.tried)
+        return "a solution that is not an orbit" if inadmissible else "nothing"
     return "an orbit"
 
 

@@ -21,7 +21,7 @@ import numpy as np
 prange = range  # numba's, where this is compiled
 
 MATHEMATICS = "462d09cbb3110f740a2a6748b3215b3ef741acf0d88655fb22bcce38e9379470"  # of the closed forms, by srepr
-BODY = "4edacb623bb9d49b63dd14274b5afb380d90c7f07411be8f0f53441cebf64979"  # of the text below
+BODY = "68e962cf918d7852691d513813f32f6c910bae4efee1ac44a6241f126eee835a"  # of the text below
 
 
 def ratio_at_1(j, n):
@@ -123,7 +123,7 @@ def orbit_times(alpha, N, table):
     """Return t1, s = T - t1 and a status for one alpha, by Newton in s.
 
     Status 0: converged and admissible; 1: not converged; 2: converged to a solution that
-    is no orbit.  The orbit ends stick within 1/(2 N) of its travel 2 alpha, and slips for
+    is not an orbit.  The orbit ends stick within 1/(2 N) of its travel 2 alpha, and slips for
     no more than a natural period.
     """
     s = rough_slip(alpha)

@@ -15,7 +15,7 @@ REASONS = (
     "converged",
     "the equations overflow",
     "the Jacobian is singular",
-    "no step reduces the correction",
+    "Newton's method stalled (no damped step reduces the correction)",
     "no convergence within the limit of iterations",
 )
 

@@ -1,6 +1,6 @@
 """Whether a solution of the equations is an orbit: the inequalities that they leave out.
 
-The equations of a cell, exact or of an expansion, have roots that are no motion of the
+The equations of a cell, exact or of an expansion, have roots that are not a motion of the
 oscillator: a state on the wrong side of a limit, an event crossed from beyond it, a phase of no
 duration.  Each demand of a phase is followed over the phase through its critical points, and
 must fall where the event that ends the phase is the end of the demand.

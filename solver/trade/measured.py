@@ -39,7 +39,7 @@ class TradePoint:
         Error of the times as a part of the period, not below rounding; and as estimated
         without the exact orbit, 0 for the exact flow.
     front : bool
-        Whether nothing measured is both faster and better, or as good.
+        Whether it is on the Pareto front: nothing measured is both faster and as accurate.
     """
 
     method: str

@@ -185,8 +185,8 @@ def sweep(
     case : StickSlip or Case
         The oscillator.
     methods : str or sequence of str, optional
-        The methods, each in its turn; without it all, those orders left out that a method
-        cannot compute and another can.
+        The methods, one after the other.  The default is all of them, without those orders
+        that a method cannot compute and another can.
     orders : iterable of int, optional
         The orders of every method; 1 to 40 without it, of a `Case` 1 to 20.
     c1_terms : int

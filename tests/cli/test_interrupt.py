@@ -1,4 +1,4 @@
-"""Ctrl-C: in the midst of commands, and where Python would forget it."""
+"""Ctrl-C: during commands, and where Python would forget it."""
 
 import os
 import signal

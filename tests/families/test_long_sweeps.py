@@ -14,7 +14,7 @@ from nonsmooth.cli.shortcuts.families.family_store import RECORD, beside
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
 
-#: The command line in chunks of 32 points, killed in the midst of the one after the first
+#: The command line in chunks of 32 points, killed during the one after the first
 #: so many.  Its workers hold its stdout open as long as they live.
 KILLED = """
 import os, signal, sys

@@ -11,7 +11,7 @@ from nonsmooth.cli.progress import busy, progress
 
 
 def lines(monkeypatch, capsys, total: int, seconds: float) -> list[str]:
-    """Return what is written where stderr is no terminal and each step takes `seconds`."""
+    """Return what is written where stderr is not a terminal and each step takes `seconds`."""
     clock = iter(range(10**6))
     monkeypatch.setattr("time.monotonic", lambda: next(clock) * seconds)
     with progress(total, "sweep") as advance:

@@ -15,7 +15,7 @@ OTHER = pytest.mark.parametrize(
     "other", [POWERS, GRAM_MILLIMETRE_MILLISECOND], ids=["powers", "g, mm, ms"]
 )
 
-#: What differs between two runs anyway, and columns that are no numbers.
+#: What differs between two runs anyway, and columns that are not numbers.
 ANYWAY = {"seconds"}
 TEXTS = {"method", "status", "message", "parameter", "version", "mathematics"}
 

@@ -27,7 +27,7 @@ OTHER = pytest.mark.parametrize(
 WITHOUT = {"errors", "estimate", "outcome", "rates", "trials", "transition_mismatch", "units"}
 ANYWAY = {"seconds", "sha256"}
 
-#: A number of seconds in a text, such as why a solution is no orbit.
+#: A number of seconds in a text, such as why a solution is not an orbit.
 SECONDS = r"-?\d\S*(?= s\b)"
 
 

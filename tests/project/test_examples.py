@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from shown import ROOT, differences
 
-#: A scene file is no script: it is tested where its page is.
+#: A scene file is not a script: it is tested where its page is.
 SCRIPTS = [
     path
     for path in sorted((ROOT / "examples").glob("*.py"))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 
 class ReadingError(Exception):
-    """What is printed is no mathematics."""
+    """What is printed is not mathematics."""
 
 
 @dataclass(frozen=True)

@@ -160,7 +160,7 @@ def test_the_convergence_of_the_period_is_described(belt: ns.StickSlip) -> None:
     behind = [N for N in range(1, 13) if abs(ours.get(N, math.inf)) >= abs(theirs[N])]
     assert tuple(first_inside(belt, method) for method in METHODS) == INSIDE[belt][0]
     sentence = (
-        f"{INSIDE[belt][1]} The C¹ series is ahead for good from N = {behind[-1] + 1}, and it "
+        f"{INSIDE[belt][1]} The C¹ series stays ahead from N = {behind[-1] + 1} on, and it "
         "gains # digits with each order, until rounding stops it. The second picture (not in "
         "the paper) has a logarithmic scale: on a linear one all three look converged."
     )

@@ -189,7 +189,7 @@ def test_the_page_on_the_paper_counts_the_verdicts() -> None:
 
 
 def test_the_page_says_who_chose_the_normal_force(text: str) -> None:
-    assert "is our choice" in text
+    assert "= 400 N is assumed:" in text
     assert 'id="ours"><strong>What is ours and what is the paper’s:</strong> The three' in text
     assert "0.671239" in text
     assert ns.__version__ in text

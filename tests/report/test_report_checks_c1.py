@@ -160,7 +160,7 @@ def test_no_check_of_the_claims_is_left_out() -> None:
 
 
 def test_findings_have_the_numbers_that_were_measured() -> None:
-    assert checks.overtakes(from_order(20)).numbers == "for good from N = 20"
+    assert checks.overtakes(from_order(20)).numbers == "from N = 20 on"
     assert checks.overtakes(from_order(41)).numbers == "not by then"
     assert checks.beyond_three(only_at(9)).numbers == "2.00 % off against 1.00 % at N = 9"
     assert checks.behind_at_three(only_at(3)).numbers == "2.00 % off against 1.00 %"

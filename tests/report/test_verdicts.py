@@ -67,8 +67,8 @@ NUMBERS = {
         "15 %, 6.8 % and 3.0 % of the jump at N = 10, 20 and 40",
         "5.4 %, 2.6 % and 1.2 % of the jump at N = 10, 20 and 40",
     ),
-    checks_c1.overtakes: ("for good from N = 9", "for good from N = 2"),
-    checks_c1.overtakes_acceleration: ("for good from N = 7", "for good from N = 1"),
+    checks_c1.overtakes: ("from N = 9 on", "from N = 2 on"),
+    checks_c1.overtakes_acceleration: ("from N = 7 on", "from N = 1 on"),
     checks_c1.no_ripple: (
         "20 % and 0.058 % of the jump at N = 5 and 10",
         "0.13 % and 8.1×10⁻⁵ % of the jump at N = 5 and 10",

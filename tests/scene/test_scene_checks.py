@@ -300,7 +300,7 @@ WHOLE = {
         ),
         "frequency: no equation and no event has forcing",
     ),
-    "frequency that is no parameter": (
+    "frequency that is not a parameter": (
         lambda: scene(frequency=stranger),
         "frequency: stranger is not a parameter",
     ),
@@ -460,7 +460,7 @@ TYPES = {
         lambda: scene(phase={"demands": {1: g - x}}),
         "phase flight: demand: got 1, expected text",
     ),
-    "a jump that is no mapping": (
+    "a jump that is not a mapping": (
         lambda: scene(ends={"jump": -r * v}),
         "phase flight: jump: got -r*v, expected a mapping",
     ),

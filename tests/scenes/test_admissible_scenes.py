@@ -1,4 +1,4 @@
-"""What solves the equations and is no orbit is found, and refused in words."""
+"""What solves the equations and is not an orbit is found, and refused in words."""
 
 import math
 

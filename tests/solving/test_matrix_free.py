@@ -124,7 +124,7 @@ def test_very_many_harmonics_are_an_orbit(method: str, order: int) -> None:
 
 
 def test_no_orbit_is_said_where_the_harmonics_do_not_resolve_the_phases() -> None:
-    with pytest.raises(ns.NoOrbit, match="no step reduces"):
+    with pytest.raises(ns.NoOrbit, match="no damped step reduces"):
         ns.solve(belt_at(1e4), "hb", search.MOST_DENSE + 50)
 
 

@@ -45,7 +45,7 @@ def test_no_root_is_reported_not_returned() -> None:
         lambda z: [z[0] ** 2 + 1, z[1] - 1, z[2] - 3], quadratic_jacobian, [3, 0.5, 2]
     )
     assert not outcome.converged
-    assert outcome.reason == "no step reduces the correction"
+    assert outcome.reason == "Newton's method stalled (no damped step reduces the correction)"
 
 
 def test_a_singular_jacobian_is_reported() -> None:

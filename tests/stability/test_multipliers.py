@@ -132,7 +132,7 @@ def test_stick_forgets_the_velocity() -> None:
 
 
 def test_stick_between_other_phases_gives_an_exact_zero_too() -> None:
-    # the cell begins in the midst of slip, where x passes 0
+    # the cell begins during slip, where x passes 0
     scene = made(
         [(1, 0, 1, 0, 0), (1, 0, 0, 0, 0), (1, 0, 1, 0, 0)],
         [(0, 1, 0, -1), (1, 0, 0, -1), (1, 0, 0, 0)],

@@ -80,7 +80,7 @@ def orbit_times(alpha, N, table):
     """Return t1, s = T - t1 and a status for one alpha, by Newton in s.
 
     Status 0: converged and admissible; 1: not converged; 2: converged to a solution that
-    is no orbit.  The orbit ends stick within 1/(2 N) of its travel 2 alpha, and slips for
+    is not an orbit.  The orbit ends stick within 1/(2 N) of its travel 2 alpha, and slips for
     no more than a natural period.
     """
     s = rough_slip(alpha)

@@ -161,8 +161,8 @@ class StickSlip:
         return self.mu_s * self.normal_force / self.stiffness
 
 
-#: Section 4 of the paper.  The paper does not print F_N; 400 N is our choice, because
-#: it makes alpha = 1 and is the roundest force at which nearly all claims of Fig. 4 hold.
+#: Section 4 of the paper.  The paper does not give F_N; 400 N is assumed: it makes
+#: alpha = 1, and is the roundest force at which nearly all claims of Fig. 4 hold.
 DEFAULT = StickSlip(
     mass=10.0, stiffness=1000.0, belt_speed=1.0, mu_s=0.5, mu_k=0.25, normal_force=400.0
 )

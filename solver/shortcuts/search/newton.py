@@ -42,7 +42,7 @@ REASONS = (
     "the equations overflow",
     "the Jacobian is singular",
     "t1 ran out of (0, T)",
-    "no step reduces the correction",
+    "Newton's method stalled (no damped step reduces the correction)",
     "no convergence within the limit of iterations",
 )
 

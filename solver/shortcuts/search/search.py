@@ -200,7 +200,7 @@ def admissible_root(belt: StickSlip, order: int) -> Vector:
 #: A way to an orbit, and its name.
 Start = tuple[str, Callable[[Search], Outcome]]
 
-_ROUGH: Start = ("from a rough slip duration", _from_rough_times)
+_ROUGH: Start = ("from the estimated slip duration", _from_rough_times)
 _EASY: Start = (f"by continuation from alpha = {EASY_ALPHA:g}", _from_easy_alpha)
 _STICK: Start = (f"by continuation of t1 from alpha = {EASY_ALPHA:g}", _from_short_stick)
 _SERIES: Start = ("from the orbit of 3.1", _from_fourier)

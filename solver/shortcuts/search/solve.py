@@ -106,7 +106,7 @@ def solve(
         if orbit.admissible:
             outcome.unknowns.flags.writeable = False
             return orbit
-        tried.append(f"{name}: a solution that is no orbit: {orbit.violations[0]}")
+        tried.append(f"{name}: a solution that is not an orbit: {orbit.violations[0]}")
     failure = NoOrbit(f"no orbit of {method} found at order {order}", False, tuple(tried))
     failure.iterations = search.iterations
     raise failure

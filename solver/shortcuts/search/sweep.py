@@ -174,8 +174,8 @@ def sweep(
     belt : StickSlip
         The oscillator.
     methods : {"hb", "hb-c1", "c1"} or a sequence of them, optional
-        The methods, each in its turn; without it all three, those orders left out that a
-        method cannot compute and another can.
+        The methods, one after the other.  The default is all three, without those orders that
+        a method cannot compute and another can.
     orders : iterable of int
         The orders of every method.
     c1_terms : int

@@ -1,4 +1,4 @@
-"""``nonsmooth --version``: what a bug report needs."""
+"""``nonsmooth --version``: versions and the machine."""
 
 import os
 import platform

@@ -130,7 +130,7 @@ def _overtaking(case: Case) -> str:
         return "The C¹ series is ahead at every order"
     if behind[-1] == MOST:
         return "The C¹ series does not overtake"
-    return f"The C¹ series is ahead for good from N = {behind[-1] + 1}"
+    return f"The C¹ series stays ahead from N = {behind[-1] + 1} on"
 
 
 def _period(case: Case) -> str:

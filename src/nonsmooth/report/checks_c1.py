@@ -36,7 +36,7 @@ def above_rounding(case: Case, first: int, name: str = "period") -> list[tuple[i
 def _overtakes(case: Case, name: str) -> Finding:
     behind = case.behind(name, "c1", "hb-c1")
     first = max(behind, default=0) + 1
-    words = f"for good from N = {first}" if first < MOST else "not by then"
+    words = f"from N = {first} on" if first < MOST else "not by then"
     return Finding(first <= MOST // 2, words)
 
 

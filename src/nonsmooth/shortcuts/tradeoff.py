@@ -57,7 +57,7 @@ class Point:
     error, estimate : float or None
         Error of the period, without sign: true, and as estimated (float64 only).
     front : bool
-        Whether nothing measured is both faster and better, or as good.
+        Whether it is on the Pareto front: nothing measured is both faster and as accurate.
     """
 
     regime: str

@@ -37,7 +37,7 @@ MOST_DIGITS, ITERATION_LIMIT = 10_000, 200
 
 
 class PrecisionError(ArithmeticError):
-    """The refinement did not converge: the float64 orbit was no approximation of one."""
+    """The refinement did not converge: the float64 orbit was not an approximation of one."""
 
 
 @contextmanager

@@ -212,8 +212,8 @@ _CAPTIONS = (
     Mutant(
         "the caption of Fig. 4 inverted",
         REPORT + "captions.py",
-        'return f"The C¹ series is ahead for good from',
-        'return f"The C¹ series is behind for good from',
+        'return f"The C¹ series stays ahead from',
+        'return f"The C¹ series stays behind from',
         CAPTIONS,
     ),
     Mutant(

@@ -136,7 +136,7 @@ MUTANTS = (
         ("tests/derivation/test_c1_reduced.py",),
     ),
     Mutant(
-        "a batch keeps times of what is no orbit",
+        "a batch keeps times of what is not an orbit",
         "solver/shortcuts/polynomials/batch.py", "t1[status != OK] = s[status != OK] = np.nan", "pass",
         ("tests/derivation/test_c1_reduced.py",),
     ),

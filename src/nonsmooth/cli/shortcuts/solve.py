@@ -56,7 +56,7 @@ Examples:
     cls=Aliased,
     alias="--methods",
     type=MethodOfPaper(METHODS),
-    help="Section 3.1, 3.2 or 3.3, without it all; or c1-tau, of every scene.",
+    help="hb, hb-c1 or c1 of the paper (default: all); or c1-tau, as of every scene.",
 )
 @click.option(
     "--order",

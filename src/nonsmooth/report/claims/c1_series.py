@@ -22,7 +22,7 @@ C1 = (
         "Its period overtakes that of harmonics with one C¹ function, beyond N = 3.",
         "Section 4, Fig. 4",
         (
-            Part("it does so for good at an order up to 20", c1.overtakes, ours="N = 20"),
+            Part("from some order up to 20 on it does", c1.overtakes, ours="N = 20"),
             Part("it is better at every order beyond 3", c1.beyond_three),
             Part("it is still behind at N = 3", c1.behind_at_three, counts=False),
         ),
@@ -103,7 +103,7 @@ C1 = (
         "Section 4, Fig. 6",
         (
             Part(
-                "it is smaller than with one C¹ function, for good from an order up to 20",
+                "it is smaller than with one C¹ function from some order up to 20 on",
                 c1.overtakes_acceleration,
                 ours="N = 20",
             ),
