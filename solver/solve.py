@@ -3,6 +3,7 @@
 import operator
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from itertools import product
 
 import numpy as np
 
@@ -12,10 +13,16 @@ from .case.case import Case
 from .case.kernel import SceneKernel
 from .case.methods import FIRST
 from .flow.exact import exact_orbit
-from .flow.existence import infinitely_many, shown_to_be_none, without_switches
+from .flow.existence import (
+    infinitely_many,
+    is_in_vain,
+    scanned,
+    shown_to_be_none,
+    without_switches,
+)
 from .iteration.attempt import attempt
 from .iteration.singular import is_reversible, is_singular
-from .iteration.start import rough_times
+from .iteration.start import PATIENCE, rough_times
 from .motions import of_any_motion
 from .no_orbit import NoOrbit
 from .orbit.orbit import SceneOrbit
@@ -124,6 +131,7 @@ def _what_else(case: Case, search: "_Search") -> Iterator[str]:
     many = infinitely_many(case)
     if many:
         yield many
+    yield from scanned(case)
     yield from without_switches(case)
 
 
@@ -184,17 +192,22 @@ class _Search:
         once = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
         coarse = registry.quicker_kernel(scene, once or FIRST) if known else None
         waves = WAVES * (self.case.cycles - 1)
-        for order in [q + waves for q in COARSE] if coarse else COARSE[:1]:
-            for rough in rough_times(self.case.cell):
-                self.words = rough.words
-                angle = (rough.angle,) if self.kernel.forced else ()
-                times = np.array([*rough.durations, *angle])
-                if coarse is None:
-                    yield times
-                    continue
-                found = self.note(attempt(coarse, self.case, order, times))
-                if found.converged and found.admissible:
-                    yield coarse.times(found.unknowns)
+        orders = [q + waves for q in COARSE] if coarse else COARSE[:1]
+        ways = product(orders, rough_times(self.case.cell))
+        vain = False
+        for number, (order, rough) in enumerate(ways):
+            vain = number == PATIENCE and is_in_vain(self.case)
+            if vain:
+                break
+            self.words = rough.words
+            angle = (rough.angle,) if self.kernel.forced else ()
+            times = np.array([*rough.durations, *angle])
+            if coarse is None:
+                yield times
+                continue
+            found = self.note(attempt(coarse, self.case, order, times))
+            if found.converged and found.admissible:
+                yield coarse.times(found.unknowns)
         for settled in rough_times_by_simulation(self.case):
             self.words = settled.words
             if settled.times is None:
@@ -202,6 +215,8 @@ class _Search:
             else:
                 angle = (settled.times.angle,) if self.kernel.forced else ()
                 yield np.array([*settled.times.durations, *angle])
+        if vain:
+            return
         try:
             exact = exact_orbit(self.case)
         except NoOrbit:

@@ -5,13 +5,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ..case.case import Case
-from ..iteration.newton import newton
-from ..iteration.start import RoughTimes, rough_times, with_coefficients
+from ..iteration.start import PATIENCE, RoughTimes, rough_times
 from ..motions import of_any_motion
 from ..no_orbit import NoOrbit
-from .exact_motion import ExactSceneOrbit
-from .exact_system import exact_kernel
-from .existence import shown_to_be_none, without_switches
+from .exact_motion import ExactSceneOrbit, from_times
+from .existence import is_in_vain, scanned, shown_to_be_none, without_switches
 
 __all__ = ["ExactSceneOrbit", "exact_orbit"]
 
@@ -44,7 +42,7 @@ def exact_orbit(
     tried: list[str] = []
     iterations = 0
     for start in [given] if given else _starts(case, tried):
-        orbit = _from(case, start)
+        orbit = from_times(case, start)
         iterations += orbit.outcome.iterations
         if not orbit.outcome.converged:
             tried.append(f"from {start.words}: {orbit.outcome.reason}")
@@ -53,9 +51,8 @@ def exact_orbit(
         else:
             return orbit
     shown = None if given else shown_to_be_none(case, tried)
-    words = "; ".join(
-        [f"{case.scene.label}: no admissible exact orbit was found", *without_switches(case)]
-    )
+    reason = f"{case.scene.label}: no admissible exact orbit was found"
+    words = "; ".join([reason, *scanned(case), *without_switches(case)])
     error = shown or NoOrbit(words, False, tuple(tried))
     error.iterations = iterations
     raise error
@@ -65,7 +62,10 @@ def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
     """Yield rough times, then those on which a simulation settles; why not goes to `tried`."""
     from ..simulation.settle import rough_times_by_simulation  # noqa: PLC0415  (by this flow)
 
-    yield from rough_times(case.cell)
+    for number, rough in enumerate(rough_times(case.cell)):
+        if number == PATIENCE and is_in_vain(case):
+            break
+        yield rough
     for settled in rough_times_by_simulation(case):
         if settled.times is None:
             tried.append(settled.words)
@@ -82,10 +82,3 @@ def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes |
         raise ValueError(f"durations: got {tuple(durations)!r}, expected {expected}")
     dimensionless = tuple(float(s / case.units.time) for s in durations)
     return RoughTimes(dimensionless, float(angle), "the given times")
-
-
-def _from(case: Case, start: RoughTimes) -> ExactSceneOrbit:
-    kernel = exact_kernel(case.cell)
-    times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
-    z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
-    return ExactSceneOrbit(case, newton(kernel.iterate, case.cell, z))

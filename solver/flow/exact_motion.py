@@ -3,10 +3,13 @@
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
 from ..arrays import Vector
 from ..case.case import Case
 from ..case.kernel import SceneKernel
-from ..iteration.newton import Outcome
+from ..iteration.newton import Outcome, newton
+from ..iteration.start import RoughTimes, with_coefficients
 from ..orbit import admissible
 from ..orbit.motion import SceneMotion
 from ..stability.words import in_words
@@ -90,3 +93,11 @@ class ExactSceneOrbit(SceneMotion):
 
     def __repr__(self) -> str:
         return f"<exact orbit of {self.case.scene.label}: {self._times}>"
+
+
+def from_times(case: Case, start: RoughTimes) -> ExactSceneOrbit:
+    """Return where Newton's method leads from rough times: an orbit only if it says so."""
+    kernel = exact_kernel(case.cell)
+    times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
+    z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
+    return ExactSceneOrbit(case, newton(kernel.iterate, case.cell, z))

@@ -2,16 +2,21 @@
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 import numpy as np
 
 from ..case.case import Case
 from ..case.cell import Form, Phase
 from ..iteration.newton import Outcome
+from ..iteration.start import RoughTimes
 from ..no_orbit import NoOrbit
-from . import one_phase
-from .exact_motion import ExactSceneOrbit
+from . import one_phase, two_phases
+from .exact_motion import ExactSceneOrbit, from_times
 from .exact_system import residual
+
+#: Solutions of a scan that are told of.
+TOLD = 3
 
 #: How far the ratio of two frequencies may be from a whole number, as a part of it.
 NEAR = 1e-9
@@ -51,6 +56,46 @@ def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
     return NoOrbit(
         f"{no_orbit}: its equations have no other solutions than these", True, reasons
     )
+
+
+def is_in_vain(case: Case) -> bool:
+    """Return whether all solutions of the exact equations are known, and none is an orbit.
+
+    Of a cell of one phase that is proved (see `one_phase`), of one of two phases it is what a
+    scan of their durations finds (see `two_phases`).  Both need a forcing.
+    """
+    return bool(scanned_words(case)) or shown_to_be_none(case) is not None
+
+
+def scanned(case: Case) -> Iterator[str]:
+    """Yield what a scan of the durations of two phases finds, if that is no orbit."""
+    if scanned_words(case):
+        yield scanned_words(case)
+
+
+@lru_cache(maxsize=16)
+def scanned_words(case: Case) -> str:
+    """Return in words that a scan finds no orbit; empty if it finds one or decides nothing."""
+    found = two_phases.solutions(case.cell) if two_phases.applies(case.cell) else None
+    if found is None:
+        return ""
+    name = case.cell.phases[0].name
+    if not found:
+        return (
+            f"the exact equations have no solution: a scan of the durations of {name}, from 0 "
+            "to the whole cell, finds none that fits the forcing"
+        )
+    orbits = [from_times(case, RoughTimes(*each, "the scan")) for each in found]
+    if not all(orbit.outcome.converged and orbit.violations for orbit in orbits):
+        return ""
+    said = [
+        f"{name} {orbit.durations[0]:.4g} s: {'; '.join(orbit.violations)}"
+        for orbit in orbits[:TOLD]
+    ]
+    more = f"; and {len(orbits) - TOLD} more" if len(orbits) > TOLD else ""
+    count = "one solution, which is" if len(orbits) == 1 else f"{len(orbits)} solutions,"
+    which = "not an orbit" if len(orbits) == 1 else "none of them an orbit"
+    return f"a scan of the durations of {name} finds {count} {which} ({'; '.join(said)}{more})"
 
 
 def infinitely_many(case: Case) -> str:

@@ -19,6 +19,9 @@ from ..case.kernel import SceneKernel
 #: Phases of the forcing from which a blind search starts.
 ANGLES = 12
 
+#: Starts that are tried before it is asked whether there can be a solution.
+PATIENCE = 6
+
 #: Duration of one phase, as a part of the others', where equal ones have led nowhere.
 UNEQUAL = ((1.5, "long"), (0.2, "short"))
 

@@ -7,6 +7,7 @@ settles on another order of phases than the scene declares, that is said in word
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 from ..case.case import Case
 from ..case.cell import Cell
@@ -48,13 +49,20 @@ def rough_times_by_simulation(case: Case) -> Iterator[Settled]:
     >>> f"{found.times.angle:.6f}", found.words
     ('0.929644', 'a simulation settles on flight')
     """
-    machine, unit = Machine.of(case.cell), cycle(case.cell)
+    machine = Machine.of(case.cell)
     starts = [at_rest(machine, 0.0)]
     held = [State(0.0, q.phase.speed, 0.0) for q in machine.nodes if q.phase.held]
     starts += map(machine.remembered, held)
     for start in dict.fromkeys(starts):
         if start is not None and machine.first(start) is not None:
-            yield settled(case.cell, follow(case, machine, start, CYCLES * unit))
+            yield _followed(case, start)
+
+
+@lru_cache(maxsize=16)
+def _followed(case: Case, start: State) -> Settled:
+    """Return what the simulation from one state comes to; every method asks for the same."""
+    machine = Machine.of(case.cell)
+    return settled(case.cell, follow(case, machine, start, CYCLES * cycle(case.cell)))
 
 
 def settled(cell: Cell, motion: Simulation) -> Settled:

@@ -28,10 +28,10 @@ def polynomial_with(roots):
 
 def exact_roots(case, starts):
     """Return what the exact equations have as roots, admissible or not."""
-    from nonsmooth.solver.flow.exact import _from
+    from nonsmooth.solver.flow.exact_motion import from_times
     from nonsmooth.solver.iteration.start import RoughTimes
 
-    found = (_from(case, RoughTimes(durations, angle, "")) for durations, angle in starts)
+    found = (from_times(case, RoughTimes(durations, angle, "")) for durations, angle in starts)
     return [orbit for orbit in found if orbit.outcome.converged]
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver import solve
+from nonsmooth.solver import solve, tolerance
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.singular import is_reversible, is_singular
@@ -94,7 +94,9 @@ def test_sweeps_say_which_functions_they_have(orbit, tmp_path):
         ns.save(kept, tmp_path / "kept.json")
         again = ns.load(tmp_path / "kept.json")
         assert again.as_dict() == kept.as_dict()
-    assert "c1-tau, N = 6" in str(ns.solve(UNDAMPED, tol=1e-11).label)
+    search = tolerance._Search(UNDAMPED, 1e-10, "ck-tau", None, [])
+    assert search.meets(6).method == "c1-tau"
+    assert search.trials[0].method == "c1-tau"
 
 
 def test_without_them_it_is_said_that_there_is_an_exact_orbit(monkeypatch):

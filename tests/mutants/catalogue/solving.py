@@ -17,7 +17,47 @@ FREE, MANY = "solver/shortcuts/series/matrix_free.py", ("tests/solving/test_matr
 
 SEARCH, SINGULAR = "solver/solve.py", ("tests/scenes/test_singular.py",)
 
+TWO, SCAN = "solver/flow/two_phases.py", ("tests/scenes/test_two_phases.py",)
+
 MUTANTS = (
+    Mutant(
+        "a scan of durations misses two solutions between neighbours",
+        TWO, "for _ in range(TIMES):", "for _ in range(0):", SCAN,
+    ),
+    Mutant(
+        "a scan takes the second phase to begin where the first does",
+        TWO, "np.exp(1j * omega * begin)", "np.exp(0j * omega * begin)", SCAN,
+    ),
+    Mutant(
+        "a scan forgets that half a period is mirrored",
+        TWO, "law = (cell.sign if after == 0 else 1)", "law = 1", SCAN,
+    ),
+    Mutant(
+        "a scan forgets what the memory does to the events",
+        TWO, "A[:, row, 4 : 4 + more] += np.array(factors)", "pass", SCAN,
+    ),
+    Mutant(
+        "a scan takes the memory for free of the state",
+        TWO, "A[:, 6 + i, 2 * memory.phase], A[:, 6 + i, 2 * memory.phase + 1] = -vx, -vv",
+        "pass", SCAN,
+    ),
+    Mutant(
+        "a phase that is held is taken to keep its velocity",
+        TWO, "[[one, zero], [zero, zero]]", "[[one, zero], [zero, one]]", SCAN,
+    ),
+    Mutant(
+        "solutions of a scan that are orbits are taken for none",
+        "solver/flow/existence.py", "if not all(orbit.outcome.converged and orbit.violations",
+        "if not all(orbit.outcome.converged", SCAN,
+    ),
+    Mutant(
+        "a search goes on though no solution can be an orbit",
+        SEARCH, "vain = number == PATIENCE and", "vain = number == 10**6 and", SCAN,
+    ),
+    Mutant(
+        "the search for the exact orbit goes on though none can be",
+        "solver/flow/exact.py", "if number == PATIENCE and", "if number == 10**6 and", SCAN,
+    ),
     Mutant(
         "functions of class C^1 are taken where the smoother ones are not singular",
         SEARCH, "if found.converged and is_singular(self.kernel, self.case, failed.order, there):",
