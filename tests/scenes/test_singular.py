@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver import solve, tolerance
+from nonsmooth.solver import solve
+from nonsmooth.solver.trade import tolerance
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.singular import is_reversible, is_singular

@@ -42,10 +42,6 @@ MUTANTS = (
         "pass", SCAN,
     ),
     Mutant(
-        "a phase that is held is taken to keep its velocity",
-        TWO, "[[one, zero], [zero, zero]]", "[[one, zero], [zero, one]]", SCAN,
-    ),
-    Mutant(
         "solutions of a scan that are orbits are taken for none",
         "solver/flow/existence.py", "if not all(orbit.outcome.converged and orbit.violations",
         "if not all(orbit.outcome.converged", SCAN,
