@@ -92,7 +92,11 @@ def test_the_start_is_not_overwritten() -> None:
 @pytest.mark.parametrize(
     ("residual", "jacobian", "reason"),
     [
-        (lambda z: [z[0] ** 2 + 1, z[1] - 2], lambda z: np.diag([2 * z[0], 1]), "stalled"),
+        (
+            lambda z: [z[0] ** 2 + 1, z[1] - 2],
+            lambda z: np.diag([2 * z[0], 1]),
+            "no damped step",
+        ),
         (quadratic, lambda z: np.zeros((2, 2)), "the Jacobian is singular"),
         (lambda z: [math.inf, 0], quadratic_jacobian, "the equations overflow"),
         (lambda z: [z[0] - 1, z[1] ** 2], quadratic_jacobian, "within the limit"),
