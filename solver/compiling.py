@@ -102,7 +102,9 @@ def jit(function: types.FunctionType) -> Any:
         folder = Path(function.__code__.co_filename).parent / "__pycache__"
         _warn_once(str(folder), "not writable, and no other folder is")
         return numba.njit(**options)(function)
-    _guard(found._cache)
+    cache = getattr(found, "_cache", None)
+    if cache is not None:  # numba may be disabled
+        _guard(cache)
     return found
 
 
