@@ -99,8 +99,10 @@ def jit(function: types.FunctionType) -> Any:
     try:
         found = numba.njit(cache=True, **options)(function)
     except RuntimeError:  # numba found no folder that it can write to
-        folder = Path(function.__code__.co_filename).parent / "__pycache__"
-        _warn_once(str(folder), "not writable, and no other folder is")
+        text = Path(function.__code__.co_filename)
+        if text.exists():  # what is not from a file has no cache anywhere
+            folder = text.parent / "__pycache__"
+            _warn_once(str(folder), "not writable, and no other folder is")
         return numba.njit(**options)(function)
     cache = getattr(found, "_cache", None)
     if cache is not None:  # numba may be disabled
