@@ -140,7 +140,8 @@ def made(residual, jacobian) -> kernels.Kernel:
 
 @pytest.mark.parametrize(("alpha", "order"), [(1.3348776e-5, 13), (6.1960683e-6, 64)])
 def test_added_one_by_one_what_rounding_hides_stays_zero(alpha: float, order: int) -> None:
-    search = Search(with_alpha(alpha), with_terms(METHODS["hb-c1"], 6), order, kernels.plain)
+    method = with_terms(METHODS["hb-c1"], 6)
+    search = Search(with_alpha(alpha), method, order, kernels.compiled)
     found = _from_fewer_functions(search)
     assert found.converged
     assert (found.unknowns[-8:-2] == 0).tolist() == [False] * 4 + [True] * 2
