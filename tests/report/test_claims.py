@@ -6,8 +6,9 @@ from computed import acceleration_errors, case, period_errors
 from paper import METHODS
 from scipy.special import sici
 
-from nonsmooth.report import build, checks_c1, checks_fourier, intervals
+from nonsmooth.report import build, intervals
 from nonsmooth.report.case import Case, at_alpha
+from nonsmooth.report.checks import c1, fourier
 from nonsmooth.report.claim_map import segments
 from nonsmooth.report.finding import Claim, Finding, Part, verdict
 from nonsmooth.report.intervals import Interval
@@ -23,7 +24,7 @@ def test_every_claim_is_decided_at_the_extremes(alpha: float) -> None:
 
 def test_the_ripple_of_many_harmonics_is_that_of_gibbs() -> None:
     constant = sici(np.pi)[0] / np.pi - 0.5
-    assert pytest.approx(constant, rel=1e-12) == checks_fourier.GIBBS
+    assert pytest.approx(constant, rel=1e-12) == fourier.GIBBS
     assert Case(DEFAULT).overshoot("hb", 160) == pytest.approx(constant, rel=0.02)
 
 
@@ -38,15 +39,15 @@ def test_what_the_claims_say_of_the_default_case_is_what_a_sweep_says() -> None:
     for method, expected in (("hb", [5, 15, 22, 25, 32]), ("c1", [2, 6, 8, 10, 12, 14])):
         errors = acceleration_errors(DEFAULT, method)
         up = [N for N in range(2, 41) if errors[N] > errors[N - 1] and errors[N] > 1e-6]
-        assert up == checks_fourier.rises(case(), method) == expected
+        assert up == fourier.rises(case(), method) == expected
 
 
 @pytest.mark.parametrize(
     ("check", "force"),
     [
-        (checks_c1.in_band_with_any_solution, 342.5),
-        (checks_c1.in_band_from_three, 1163),
-        (checks_c1.beyond_three, None),
+        (c1.in_band_with_any_solution, 342.5),
+        (c1.in_band_from_three, 1163),
+        (c1.beyond_three, None),
     ],
 )
 def test_ends_of_intervals(check, force: float | None, monkeypatch) -> None:

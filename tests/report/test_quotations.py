@@ -7,7 +7,8 @@ import pytest
 from computed import case
 from fakes import Fake
 
-from nonsmooth.report import checks_c1, checks_fourier, checks_orbit
+from nonsmooth.report.checks import c1, fourier
+from nonsmooth.report.checks import orbit as motion
 from nonsmooth.report.claims import CLAIMS
 from nonsmooth.report.claims.quotations import QUOTATIONS
 from nonsmooth.shortcuts import printed
@@ -100,21 +101,21 @@ def ours(check) -> list[float]:
 @pytest.mark.parametrize(
     ("check", "scale", "measured"),
     [
-        (checks_fourier.not_uniform, 100, lambda x: {"largest": {"hb": lambda N: x}}),
-        (checks_fourier.mean_square, 1, lambda x: {"acceleration": {"hb": lambda N: N**-x}}),
+        (fourier.not_uniform, 100, lambda x: {"largest": {"hb": lambda N: x}}),
+        (fourier.mean_square, 1, lambda x: {"acceleration": {"hb": lambda N: N**-x}}),
         (
-            checks_fourier.uniform,
+            fourier.uniform,
             1,
             lambda x: {"largest": {"hb-c1": lambda N: x ** np.log2(N / 10)}},
         ),
-        (checks_c1.no_ripple, 100, lambda x: {"largest": {"c1": lambda N: x}}),
+        (c1.no_ripple, 100, lambda x: {"largest": {"c1": lambda N: x}}),
         (
-            checks_fourier.no_ripple_at_3,
+            fourier.no_ripple_at_3,
             100,
             lambda x: {"overshoot": dict.fromkeys(("hb", "hb-c1"), lambda N: x)},
         ),
         (
-            checks_fourier.ripple_vanishes,
+            fourier.ripple_vanishes,
             100,
             lambda x: {"overshoot": {"hb": lambda N: 0.5, "hb-c1": lambda N: x}},
         ),
@@ -128,7 +129,7 @@ def test_a_threshold_is_where_it_is_said_to_be(check, scale: float, measured) ->
 
 
 def test_thresholds_that_are_ours_are_not_those_of_the_paper() -> None:
-    papers = {checks_c1.in_band_beyond_three, checks_fourier.visible}  # 0.1 %: Section 4
+    papers = {c1.in_band_beyond_three, fourier.visible}  # 0.1 %: Section 4
     assert all(not PARTS[check].ours for check in papers)
     numbers = re.compile(r"\d+ %|factor|exponent|half|third|fifth|up to 20|N⁻")
     for check, part in PARTS.items():
@@ -142,7 +143,7 @@ def test_what_is_left_of_g1_and_what_its_jacobian_loses() -> None:
     left, printed_, scaled, solved = re.search(
         r"leave (\S+) % .* number (\S+), or (\S+) once .* number is (\d+),", claim.note
     ).groups()  # type: ignore[union-attr]
-    assert checks_orbit.in_span_of_harmonics(case()).numbers.startswith(f"{left}12 % of g₁")
+    assert motion.in_span_of_harmonics(case()).numbers.startswith(f"{left}12 % of g₁")
     orbit = case().orbit("hb-c1", 40)
     J = np.empty((len(orbit.unknowns),) * 2)
     kernels.compiled("hb-c1").jacobian(DEFAULT.alpha, orbit.unknowns, J)

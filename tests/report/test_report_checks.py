@@ -8,8 +8,8 @@ from types import SimpleNamespace
 import pytest
 from fakes import Fake
 
-from nonsmooth.report import checks_fourier as checks
 from nonsmooth.report.case import MOST
+from nonsmooth.report.checks import fourier as checks
 from nonsmooth.report.claims import CLAIMS
 
 ALL_HB = [("hb", N) for N in range(1, MOST + 1)]

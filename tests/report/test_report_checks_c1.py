@@ -7,7 +7,7 @@ import pytest
 from fakes import Fake
 
 import nonsmooth as ns
-from nonsmooth.report import checks_c1 as checks
+from nonsmooth.report.checks import c1 as checks
 from nonsmooth.report.claims import CLAIMS
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 

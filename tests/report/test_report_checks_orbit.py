@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from fakes import Fake
 
-from nonsmooth.report import checks_orbit as checks
 from nonsmooth.report.case import Case
+from nonsmooth.report.checks import orbit as checks
 from nonsmooth.report.claims import CLAIMS
 from nonsmooth.report.finding import Finding
 from nonsmooth.solver.shortcuts.orbit import exact

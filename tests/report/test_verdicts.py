@@ -5,8 +5,9 @@ import pytest
 from computed import ODD, Exact
 
 import nonsmooth as ns
-from nonsmooth.report import checks_c1, checks_fourier, checks_orbit
 from nonsmooth.report.case import Case, at_alpha
+from nonsmooth.report.checks import c1, fourier
+from nonsmooth.report.checks import orbit as motion
 from nonsmooth.report.claims import CLAIMS
 from nonsmooth.report.finding import verdict
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
@@ -39,37 +40,37 @@ NOT_QUITE = {
 
 #: Numbers of checks at each alpha, whatever the units.
 NUMBERS = {
-    checks_fourier.mean_square: (
+    fourier.mean_square: (
         "4.1 %, 2.9 % and 2.1 % at N = 10, 20 and 40",
         "69 %, 51 % and 36 % at N = 10, 20 and 40",
     ),
-    checks_fourier.gibbs: (
+    fourier.gibbs: (
         "8.34 % of the jump; Gibbs' limit is 8.95 %",
         "9.02 % of the jump; Gibbs' limit is 8.95 %",
     ),
-    checks_fourier.ripple_stays: (
+    fourier.ripple_stays: (
         "2.6 %, 6.2 % and 8.3 % of the jump at N = 10, 20 and 40",
         "9.0 %, 10 % and 9.0 % of the jump at N = 10, 20 and 40",
     ),
-    checks_fourier.not_uniform: (
+    fourier.not_uniform: (
         "55 %, 52 % and 52 % of the jump at N = 10, 20 and 40",
         "50 %, 51 % and 49 % of the jump at N = 10, 20 and 40",
     ),
-    checks_fourier.half_way_at_exact_end: (
+    fourier.half_way_at_exact_end: (
         "53.9 % of the jump at N = 40",
         "106 % of the jump at N = 40",
     ),
-    checks_fourier.slow: (
+    fourier.slow: (
         "like N⁻⁰·⁹⁸; 0.00191 % off at N = 40",
         "like N⁻⁰·⁷⁷; 5.19 % off at N = 40",
     ),
-    checks_fourier.uniform: (
+    fourier.uniform: (
         "15 %, 6.8 % and 3.0 % of the jump at N = 10, 20 and 40",
         "5.4 %, 2.6 % and 1.2 % of the jump at N = 10, 20 and 40",
     ),
-    checks_c1.overtakes: ("from N = 9 on", "from N = 2 on"),
-    checks_c1.overtakes_acceleration: ("from N = 7 on", "from N = 1 on"),
-    checks_c1.no_ripple: (
+    c1.overtakes: ("from N = 9 on", "from N = 2 on"),
+    c1.overtakes_acceleration: ("from N = 7 on", "from N = 1 on"),
+    c1.no_ripple: (
         "20 % and 0.058 % of the jump at N = 5 and 10",
         "0.13 % and 8.1×10⁻⁵ % of the jump at N = 5 and 10",
     ),
@@ -93,8 +94,8 @@ def test_the_verdicts_on_both_are_those_of_their_alpha(alpha: float, pair) -> No
 
 
 def test_what_has_no_unit_is_the_same_for_both(alpha: float, pair) -> None:
-    si = {checks_orbit.smooth, checks_orbit.friction_drives, checks_orbit.centred}
-    rounding = {checks_c1.all_derivatives}
+    si = {motion.smooth, motion.friction_drives, motion.centred}
+    rounding = {c1.all_derivatives}
     for part in (part for claim in CLAIMS for part in claim.parts):
         one, other = (part.of(case) for case in pair)
         assert one.holds == other.holds, part.words
@@ -107,11 +108,11 @@ def test_what_has_no_unit_is_the_same_for_both(alpha: float, pair) -> None:
 def test_what_has_a_unit_is_that_of_the_oscillator(pair) -> None:
     for case in pair:
         exact, belt = Exact(case.belt), case.belt
-        falls = float(checks_orbit.smooth(case).numbers.split()[4])
+        falls = float(motion.smooth(case).numbers.split()[4])
         assert falls == pytest.approx(exact.jump, rel=5e-3)
-        centre = float(checks_orbit.centred(case).numbers.split()[2])
+        centre = float(motion.centred(case).numbers.split()[2])
         assert centre == pytest.approx(exact.centre, rel=5e-3)
-        least = float(checks_orbit.friction_drives(case).numbers.split()[-2])
+        least = float(motion.friction_drives(case).numbers.split()[-2])
         lowest = belt.stiffness * (exact.centre - exact.reach)  # N: the spring in A
         assert least == pytest.approx(lowest, rel=5e-3, abs=1e-12)
 

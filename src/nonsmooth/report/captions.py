@@ -8,8 +8,8 @@ from nonsmooth.solver.shortcuts.orbit.motion import exact
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip
 
 from .case import MOST, Case
-from .checks_c1 import THREE
-from .checks_fourier import BAND, rises
+from .checks.c1 import THREE
+from .checks.fourier import BAND, rises
 from .reading import reading
 from .words import listed, number, percent, power_of_order
 

@@ -16,7 +16,7 @@ from nonsmooth.solver.shortcuts.orbit.motion import ExactOrbit, exact
 from nonsmooth.style import EXACT, SETTINGS, STYLES, above_floor, draw_floor, line
 
 from .case import MOST, Case
-from .checks_fourier import BAND
+from .checks.fourier import BAND
 from .sketch import friction, oscillator
 from .words import percent
 

@@ -10,17 +10,17 @@ VERDICTS = ("tests/report/test_verdicts.py",)
 
 def fourier(what: str, old: str, new: str) -> Mutant:
     """Return a mistake in a check of a Fourier series."""
-    return Mutant(what, REPORT + "checks_fourier.py", old, new, CHECKS[:1])
+    return Mutant(what, REPORT + "checks/fourier.py", old, new, CHECKS[:1])
 
 
 def c1(what: str, old: str, new: str) -> Mutant:
     """Return a mistake in a check of the C1 series."""
-    return Mutant(what, REPORT + "checks_c1.py", old, new, CHECKS[1:2])
+    return Mutant(what, REPORT + "checks/c1.py", old, new, CHECKS[1:2])
 
 
 def orbit(what: str, old: str, new: str) -> Mutant:
     """Return a mistake in a check of the exact orbit or g1."""
-    return Mutant(what, REPORT + "checks_orbit.py", old, new, CHECKS[2:])
+    return Mutant(what, REPORT + "checks/orbit.py", old, new, CHECKS[2:])
 
 
 def measure(what: str, old: str, new: str) -> Mutant:

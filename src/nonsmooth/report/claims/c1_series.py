@@ -1,6 +1,6 @@
 """What the paper claims of a series of C1 functions (Section 3.3)."""
 
-from .. import checks_c1 as c1
+from ..checks import c1
 from ..finding import Claim, Part
 
 C1 = (

@@ -1,6 +1,6 @@
 """What the paper claims of the exact orbit (Section 2)."""
 
-from .. import checks_orbit as orbit
+from ..checks import orbit
 from ..finding import Claim, Part
 
 ORBIT = (

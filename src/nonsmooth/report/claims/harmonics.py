@@ -1,6 +1,6 @@
 """What the paper claims of classical harmonic balance (Section 3.1)."""
 
-from .. import checks_fourier as fourier
+from ..checks import fourier
 from ..finding import Claim, Part
 
 HB = (

@@ -1,7 +1,6 @@
 """What the paper claims of one C1 function beside the harmonics (Section 3.2)."""
 
-from .. import checks_fourier as fourier
-from .. import checks_orbit as orbit
+from ..checks import fourier, orbit
 from ..finding import Claim, Part
 
 HB_C1 = (

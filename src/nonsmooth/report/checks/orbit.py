@@ -8,9 +8,9 @@ from nonsmooth.solver.accuracy.quadrature import panels
 from nonsmooth.solver.shortcuts.orbit import exact
 from nonsmooth.solver.shortcuts.series.fourier import smoothstep
 
-from .case import MOST, Case
-from .finding import Finding
-from .words import number, percent
+from ..case import MOST, Case
+from ..finding import Finding
+from ..words import number, percent
 
 #: What is left of zero after a handful of operations in float64.
 ROUNDING = 1e-12

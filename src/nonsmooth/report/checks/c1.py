@@ -9,10 +9,10 @@ from nonsmooth.solver.shortcuts.accuracy.convergence import FLOORS
 from nonsmooth.solver.shortcuts.orbit import exact
 from nonsmooth.solver.shortcuts.polynomials import c1_roots
 
-from .case import MOST, SAMPLES, Case
-from .checks_fourier import BAND, UNSEEN
-from .finding import Finding
-from .words import listed, number, percent
+from ..case import MOST, SAMPLES, Case
+from ..finding import Finding
+from ..words import listed, number, percent
+from .fourier import BAND, UNSEEN
 
 #: The order after which the paper says things of this series.
 THREE = 3

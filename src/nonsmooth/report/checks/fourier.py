@@ -5,9 +5,9 @@ from itertools import pairwise
 from nonsmooth.solver.shortcuts.accuracy.convergence import FLOORS
 from nonsmooth.solver.shortcuts.orbit import exact
 
-from .case import MOST, Case
-from .finding import Finding
-from .words import listed, number, percent, power_of_order, times
+from ..case import MOST, Case
+from ..finding import Finding
+from ..words import listed, number, percent, power_of_order, times
 
 #: Gibbs' constant: the overshoot of a Fourier series, in jumps.
 GIBBS = 0.0894898722360836
