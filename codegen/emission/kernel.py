@@ -9,7 +9,16 @@ import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks
 from .expressions import math_names, python
-from .loops import Writer, per_order, places, size
+from .loops import (
+    Row,
+    forms,
+    jacobian_lines,
+    per_order,
+    places,
+    residual_lines,
+    rows_of,
+    size,
+)
 from .printer import digest
 from .runtime import breaks as broken
 from .runtime import harmonics, moments, phases, unknowns
@@ -58,9 +67,9 @@ RUNTIME = (
 
 def module_source(system: GalerkinConditions) -> str:
     """Return the text of ``generated/<scene>/<method>.py``."""
-    writer = Writer(system)
-    parts = [form.source for form in writer.functions]
-    parts += [_size(system), _residual(system, writer), _jacobian(system, writer)]
+    rows = rows_of(system)
+    parts = [form.source for form in forms(rows)]
+    parts += [_size(system), _residual(system, rows), _jacobian(system, rows)]
     parts += [_motion(system), _coefficients(system)]
     parts = [*_break_series(system), *_runtime("\n".join(parts)), *parts]
     body = "\n\n".join(part.strip() + "\n" for part in parts)
@@ -195,17 +204,17 @@ def _function(name: str, summary: str, lines: Sequence[str]) -> str:
     return f'def {name}:\n    """{summary}"""\n{text}'
 
 
-def _residual(system: GalerkinConditions, writer: Writer) -> str:
+def _residual(system: GalerkinConditions, rows: Sequence[Row]) -> str:
     known = ["rates = False", *_prologue(system)]
-    lines = with_used(known, ["row = 0", *writer.residual])
+    lines = with_used(known, ["row = 0", *residual_lines(rows)])
     return _function(
         "residual(case, z, R)", "Fill R with the left sides of the conditions.", lines
     )
 
 
-def _jacobian(system: GalerkinConditions, writer: Writer) -> str:
+def _jacobian(system: GalerkinConditions, rows: Sequence[Row]) -> str:
     known = ["rates = True", *_prologue(system)]
-    lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *writer.jacobian])
+    lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *jacobian_lines(rows)])
     return _function("jacobian(case, z, J)", "Fill J with their derivatives.", lines)
 
 
