@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks
+from .condensed import Writer, condensed
 from .expressions import math_names, python
 from .loops import (
     Row,
@@ -21,6 +22,7 @@ from .loops import (
 )
 from .printer import digest
 from .runtime import breaks as broken
+from .runtime import condensed as following
 from .runtime import harmonics, moments, phases, unknowns
 from .used import with_used
 
@@ -45,12 +47,23 @@ Plain Python as it stands; the solver compiles the same functions with numba.
 #: Of the last entry of a forced case.
 CYCLES = " (an integer: periods of the forcing in one of the motion)"
 
+#: What the functions of the condensed form do.
+KEPT_PLACES = "Return the places in z of the unknowns that remain where each band is solved."
+BAND_PLACES = """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+BANDS = """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+BAND_RATES = "Fill in how right sides less the bands change with the unknowns that remain."
+JOINTS = "Fill R with the left sides of the conditions that are not in a band."
+JOINT_RATES = "Fill J with their derivatives, slopes being those of the unknowns of the bands."
+
 #: What may be copied into a kernel, callers after what they call.
 RUNTIME = (
     moments.spherical_bessel,
     moments.legendre_moments,
     unknowns.entry,
     unknowns.put,
+    following.follow,
     phases.integrated,
     phases.phase_motion,
     harmonics.multiples,
@@ -70,7 +83,7 @@ def module_source(system: GalerkinConditions) -> str:
     rows = rows_of(system)
     parts = [form.source for form in forms(rows)]
     parts += [_size(system), _residual(system, rows), _jacobian(system, rows)]
-    parts += [_motion(system), _coefficients(system)]
+    parts += [_motion(system), _coefficients(system), *_condensed(system, rows)]
     parts = [*_break_series(system), *_runtime("\n".join(parts)), *parts]
     body = "\n\n".join(part.strip() + "\n" for part in parts)
     _check_names(system, body)
@@ -216,6 +229,32 @@ def _jacobian(system: GalerkinConditions, rows: Sequence[Row]) -> str:
     known = ["rates = True", *_prologue(system)]
     lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *jacobian_lines(rows)])
     return _function("jacobian(case, z, J)", "Fill J with their derivatives.", lines)
+
+
+def _condensed(system: GalerkinConditions, rows: Sequence[Row]) -> list[str]:
+    """Return the functions of the condensed form, if there is one."""
+    found = condensed(system, rows)
+    if found is None:
+        return []
+    writer = Writer(system, found)
+    plain, with_rates = ([f"rates = {rates}", *_prologue(system)] for rates in (False, True))
+    written = (
+        ("kept_places(z)", KEPT_PLACES, plain, writer.kept_places()),
+        ("band_places(z)", BAND_PLACES, plain, writer.band_places()),
+        ("bands(case, z, diagonals, right)", BANDS, plain, writer.bands()),
+        ("band_rates(case, z, right, slopes)", BAND_RATES, with_rates, writer.band_rates()),
+        ("joints(case, z, R)", JOINTS, plain, ["row = 0", *writer.joints()]),
+        (
+            "joint_rates(case, z, slopes, J)",
+            JOINT_RATES,
+            with_rates,
+            ["row = 0", *writer.joint_rates()],
+        ),
+    )
+    functions = [
+        _function(name, what, with_used(known, body)) for name, what, known, body in written
+    ]
+    return ["\n".join(writer.constants()), *functions]
 
 
 def _motion(system: GalerkinConditions) -> str:

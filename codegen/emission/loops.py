@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..galerkin import Condition, GalerkinConditions
+from ..galerkin import Block, Condition, GalerkinConditions
 from ..galerkin.condition import N
 from .orthogonal import with_known
 from .terms import ClosedFunction, Term, closed_function, known, rates, terms
@@ -28,7 +28,7 @@ class Part:
     form : ClosedFunction
         Their coefficients.
     rates : tuple
-        For each unknown time on which some depend: the time, their derivatives by it, the terms.
+        For each time on which some depend: the time, their derivatives by it, the terms.
     over : tuple or None
         Index and limits of the sum.
     """
@@ -94,7 +94,7 @@ def _part(
     everything: Sequence[Term],
     over: tuple[sp.Symbol, sp.Expr, sp.Expr] | None,
 ) -> Part | None:
-    """Return the part of the terms that stand in one sum, or in none; None if there are none."""
+    """Return the part of terms that stand in one sum, or in none; None if there are none."""
     found = [term for term in everything if term.over == over]
     if not found:
         return None
@@ -115,7 +115,9 @@ def _part(
 def forms(rows: Sequence[Row]) -> list[ClosedFunction]:
     """Return the closed forms of rows, in the sequence of a kernel."""
     parts = [part for row in rows for part in row.parts]
-    return [form for part in parts for form in (part.form, *(rate for _, rate, _ in part.rates))]
+    return [
+        form for part in parts for form in (part.form, *(rate for _, rate, _ in part.rates))
+    ]
 
 
 def residual_lines(rows: Sequence[Row]) -> Lines:
@@ -141,7 +143,9 @@ def jacobian_lines(rows: Sequence[Row]) -> Lines:
         for part in row.parts:
             inner: Lines = []
             if any(term.block for term in part.found):
-                inner.append(part.form.assigned([term.block is not None for term in part.found]))
+                inner.append(
+                    part.form.assigned([term.block is not None for term in part.found])
+                )
                 inner += [
                     _put(term, f"q{i}", row.condition)
                     for i, term in enumerate(part.found)
@@ -156,11 +160,15 @@ def jacobian_lines(rows: Sequence[Row]) -> Lines:
     return lines
 
 
-def combined(found: Sequence[Term], condition: Condition) -> str:
-    """Return the sum of coefficients ``q0, q1, ...`` times unknowns, as Python."""
+def combined(found: Sequence[Term], condition: Condition, without: Block | None = None) -> str:
+    """Return the sum of coefficients ``q0, q1, ...`` times unknowns, as Python.
+
+    The terms of the family `without`, if there is one, are left out.
+    """
     return " + ".join(
         f"q{i}" if term.block is None else f"q{i}*{_read(term, condition)}"
         for i, term in enumerate(found)
+        if without is None or term.block != without
     )
 
 
