@@ -52,7 +52,7 @@ KEPT_PLACES = "Return the places in z of the unknowns that remain where each ban
 BAND_PLACES = """Return for each band: where it stands in z, how many unknowns it determines,
     where its others stand among those that remain, how many, and how many the joints see."""
 BANDS = """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
 BAND_RATES = "Fill in how right sides less the bands change with the unknowns that remain."
 JOINTS = "Fill R with the left sides of the conditions that are not in a band."
 JOINT_RATES = "Fill J with their derivatives, slopes being those of the unknowns of the bands."

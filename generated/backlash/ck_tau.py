@@ -33,7 +33,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "c7cabc1652b6a88c836268b6c089375fc15abd5f6e3b74af49338f7561ce10a6"  # of the conditions, by srepr
-BODY = "064f52076ef0a7508c6810dff1063695195e840ca0adfc258d26b0c893920831"  # of the text below
+BODY = "2aea1ec685b1e32cd0575cf56dbe268ad628af6806c1c1571f1b6c67879902ba"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -786,7 +786,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_engaged = 0

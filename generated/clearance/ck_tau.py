@@ -33,7 +33,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "b312fa0ba4cbc5d15190a5bdb6c7744c50211d78cce5ba2e593802cf5f0885e0"  # of the conditions, by srepr
-BODY = "d25b6b77b7a82b619b6fedee66e1e782deae20875750f09adbef86d3148cda91"  # of the text below
+BODY = "dcf1dbcd094efba78e1273d7456f697c7be269e0e750c8da28e0963e57461ea5"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -786,7 +786,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_x_contact = 0

@@ -34,7 +34,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "43083ed6253efd038ed713f32206539b4ebc2abdc91866700583932ad2bcb105"  # of the conditions, by srepr
-BODY = "ee3eaa9fa492df432c028fdc85d83a90be0c5b8a8a37d586f0416be6816b9503"  # of the text below
+BODY = "9d1ad89fe6252b44c0e323b5fd29182d9eeeb956a07fedd26665e8dec21b21ad"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -855,7 +855,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     m, c, k, F_y, h, F, Omega, cycles = case
     N = (len(z) - 13)//2
     at_x_elastic = 0

@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
 MATHEMATICS = "fc8877d7aca8301680e0628a9e8962698c58c0f5c0f8b381d4dd1a7e0af6c1d5"  # of the conditions, by srepr
-BODY = "2803d9e2305a9cce3d6c414aa63c018ce9969a48de48e474fb36765ae72f6a11"  # of the text below
+BODY = "de05a1ab3fa7a16546de3cf5931e349a48b5552457cc11b86bcd833a9e1da6a6"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -457,7 +457,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_flight = 0

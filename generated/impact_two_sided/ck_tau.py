@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
 MATHEMATICS = "06e53eb2e663e42e9ee22c11e71358347e1cf4cc0c8a6ef1494c0d57f26121a7"  # of the conditions, by srepr
-BODY = "766326dcc0b5576bec1b3f2c3159d27008e4244c8180f7e6f751d064e61cd02a"  # of the text below
+BODY = "192bafbde5f4f22cce6f9b96babe7cb2cbd947827bd5359ef8c882dbe0694661"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -459,7 +459,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_crossing = 0

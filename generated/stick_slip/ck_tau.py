@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "eb9aa506363646813984bebd40497c784b23ebe28d0ef3c2033f6c52c068cd38"  # of the conditions, by srepr
-BODY = "6224f1b2420094d52caae0c3f38e8f0708db4bdacdd102dc8a78ea6c37217610"  # of the text below
+BODY = "da6c3d9b20e0e8a1d11cc7dad9c8591e85548e607d8c4103462abde02670918c"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -423,7 +423,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     M, K, V, mu_s, mu_k, F_N = case
     N = len(z) - 7
     at_x_slip = 2

@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "a496b5b6bff00d3289e4cd3e076b9772a4451588b8fbc98344a91c6ba3bc9445"  # of the conditions, by srepr
-BODY = "f991a8a17f550d098332d684e60720cf279fe3b0955eb9262636c6a9371a3948"  # of the text below
+BODY = "84a09db753628e039d3d4427292f5e91e3118f9a2c71181e7031d48c0381619b"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -432,7 +432,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     M, K, V, mu_s, mu_k, F_N, c, w = case
     N = len(z) - 7
     at_x_slip = 2

@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "f32e23c3366fcd0abeadc0e8bb30d3308716493191d1398f5b51ed51a608509b"  # of the conditions, by srepr
-BODY = "35a89deb2fb3fe846fc908826dce1c0d87025af6b1da55e7401d6232363c506a"  # of the text below
+BODY = "d7e34cca4e137b0d1a317f04547a4dda3202e7eb06f3b222459dccf9a953d1a9"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -450,7 +450,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
     N = len(z) - 5
     at_x_slide = 0

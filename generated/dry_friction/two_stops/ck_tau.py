@@ -32,7 +32,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "8561ae69baadc6f5da00a88d9856fadd2cb808fa1495908ff72cb89525537bad"  # of the conditions, by srepr
-BODY = "67163dc13dc007de74f274e65c51eaee5dad99f8ba6a66b4b67553868f07ab06"  # of the text below
+BODY = "50afcf98e33c22fe60356ff3e91b26ab9d686ca712cf5e7a8c4e5d4362a4eca3"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -564,7 +564,7 @@ def band_places(z):
 
 def bands(case, z, diagonals, right):
     """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and their right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
     N = len(z) - 8
     at_x_slide = 0
