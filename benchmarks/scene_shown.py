@@ -8,7 +8,6 @@ RK4, EXACT = "numba RK4 return map", "exact flow, by hand"
 
 #: What the legend says, where it is not the name.
 LEGEND = {
-    "  start by LAPACK": "ck-tau, start by LAPACK",
     "  no event, known period": "RK4 over the known period",
     "hb-ck": "hb-ck (K = 2; K = 1)",
 }

@@ -32,6 +32,8 @@ def newton(scene, method):
     """
     counts = number_of_functions(scene(), method, None) is not None
     own = registry.kernel(scene, method, FUNCTIONS if counts else None, compile_it=True)
+    if own.condensed:
+        return _from_times(own)
     residual, jacobian, iterate, size = own.residual, own.jacobian, own.iterate, own.size
     names = getattr(iterate, "py_func", iterate).__globals__  # plain where numba is disabled
     factorise, solve_factorised = names["factorise"], names["solve_factorised"]
@@ -60,6 +62,21 @@ def newton(scene, method):
         if iterate(case, z, LIMIT)[0] != 0:
             z[:] = np.nan
         return z[count:].copy()
+
+    return solve
+
+
+def _from_times(kernel):
+    """Return the iteration of a kernel that starts from times alone."""
+    iterate, size = kernel.iterate, kernel.size
+
+    @numba.njit(error_model="numpy")
+    def solve(case, order, times):
+        z = np.zeros(size(order))
+        z[len(z) - len(times) :] = times
+        if iterate(case, z, LIMIT)[0] != 0:
+            z[:] = np.nan
+        return z[len(z) - len(times) :].copy()
 
     return solve
 

@@ -8,10 +8,22 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks
+from .condensed import Writer, condensed
 from .expressions import math_names, python
-from .loops import Writer, per_order, places, size, start_of
+from .loops import (
+    Row,
+    forms,
+    jacobian_lines,
+    per_order,
+    places,
+    residual_lines,
+    rows_of,
+    size,
+    start_of,
+)
 from .printer import digest
 from .runtime import breaks as broken
+from .runtime import condensed as following
 from .runtime import harmonics, moments, phases, unknowns
 from .used import with_used
 
@@ -36,12 +48,23 @@ Plain Python as it stands; the solver compiles the same functions with numba.
 #: Of the last entry of a forced case.
 CYCLES = " (an integer: periods of the forcing in one of the motion)"
 
+#: What the functions of the condensed form do.
+KEPT_PLACES = "Return the places in z of the unknowns that remain where each band is solved."
+BAND_PLACES = """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+BANDS = """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+BAND_RATES = "Fill in how right sides less the bands change with the unknowns that remain."
+JOINTS = "Fill R with the left sides of the conditions that are not in a band."
+JOINT_RATES = "Fill J with their derivatives, slopes being those of the unknowns of the bands."
+
 #: What may be copied into a kernel, callers after what they call.
 RUNTIME = (
     moments.spherical_bessel,
     moments.legendre_moments,
     unknowns.entry,
     unknowns.put,
+    following.follow,
     phases.integrated,
     phases.phase_motion,
     harmonics.multiples,
@@ -58,10 +81,11 @@ RUNTIME = (
 
 def module_source(system: GalerkinConditions) -> str:
     """Return the text of ``generated/<scene>/<method>.py``."""
-    writer = Writer(system)
-    parts = [form.source for form in writer.functions]
-    parts += [_size(system), _residual(system, writer), _jacobian(system, writer)]
+    rows = rows_of(system)
+    parts = [form.source for form in forms(rows)]
+    parts += [_size(system), _residual(system, rows), _jacobian(system, rows)]
     parts += [*_class_one(system), _motion(system), _coefficients(system)]
+    parts += _condensed(system, rows)
     parts = [*_break_series(system), *_runtime("\n".join(parts)), *parts]
     body = "\n\n".join(part.strip() + "\n" for part in parts)
     _check_names(system, body)
@@ -195,17 +219,17 @@ def _function(name: str, summary: str, lines: Sequence[str]) -> str:
     return f'def {name}:\n    """{summary}"""\n{text}'
 
 
-def _residual(system: GalerkinConditions, writer: Writer) -> str:
+def _residual(system: GalerkinConditions, rows: Sequence[Row]) -> str:
     known = ["rates = False", *_prologue(system)]
-    lines = with_used(known, ["row = 0", *writer.residual])
+    lines = with_used(known, ["row = 0", *residual_lines(rows)])
     return _function(
         "residual(case, z, R)", "Fill R with the left sides of the conditions.", lines
     )
 
 
-def _jacobian(system: GalerkinConditions, writer: Writer) -> str:
+def _jacobian(system: GalerkinConditions, rows: Sequence[Row]) -> str:
     known = ["rates = True", *_prologue(system)]
-    lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *writer.jacobian])
+    lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *jacobian_lines(rows)])
     return _function("jacobian(case, z, J)", "Fill J with their derivatives.", lines)
 
 
@@ -244,6 +268,32 @@ def _class_one(system: GalerkinConditions) -> list[str]:
             [*jacobian, "    J[row, :] = 0.0", "    J[row, unknown] = 1.0"],
         ),
     ]
+
+
+def _condensed(system: GalerkinConditions, rows: Sequence[Row]) -> list[str]:
+    """Return the functions of the condensed form, if there is one."""
+    found = condensed(system, rows)
+    if found is None:
+        return []
+    writer = Writer(system, found)
+    plain, with_rates = ([f"rates = {rates}", *_prologue(system)] for rates in (False, True))
+    written = (
+        ("kept_places(z)", KEPT_PLACES, plain, writer.kept_places()),
+        ("band_places(z)", BAND_PLACES, plain, writer.band_places()),
+        ("bands(case, z, diagonals, right)", BANDS, plain, writer.bands()),
+        ("band_rates(case, z, right, slopes)", BAND_RATES, with_rates, writer.band_rates()),
+        ("joints(case, z, R)", JOINTS, plain, ["row = 0", *writer.joints()]),
+        (
+            "joint_rates(case, z, slopes, J)",
+            JOINT_RATES,
+            with_rates,
+            ["row = 0", *writer.joint_rates()],
+        ),
+    )
+    functions = [
+        _function(name, what, with_used(known, body)) for name, what, known, body in written
+    ]
+    return ["\n".join(writer.constants()), *functions]
 
 
 def _motion(system: GalerkinConditions) -> str:

@@ -1,10 +1,11 @@
 """Residual and Jacobian as loops, written from the conditions of a record."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import sympy as sp
 
-from ..galerkin import Condition, GalerkinConditions
+from ..galerkin import Block, Condition, GalerkinConditions
 from ..galerkin.condition import N
 from .orthogonal import with_known
 from .terms import ClosedFunction, Term, closed_function, known, rates, terms
@@ -16,105 +17,158 @@ def _index_text(index: sp.Expr) -> str:
     return str(sp.expand(index)).replace(" ", "")
 
 
-class Writer:
-    """Writes one condition at a time: its closed forms, and its rows in both loops.
+@dataclass(frozen=True)
+class Part:
+    """Terms of a condition whose coefficients one closed form has.
 
     Parameters
     ----------
-    system : GalerkinConditions
+    found : tuple of Term
+        Single terms, or those of one sum.
+    form : ClosedFunction
+        Their coefficients.
+    rates : tuple
+        For each time on which some depend: the time, their derivatives by it, the terms.
+    over : tuple or None
+        Index and limits of the sum.
     """
 
-    def __init__(self, system: GalerkinConditions) -> None:
-        self.system = system
-        self.functions: list[ClosedFunction] = []
-        self.residual: Lines = []
-        self.jacobian: Lines = []
-        for condition in system.conditions:
-            self._write(with_known(condition, system.tables))
+    found: tuple[Term, ...]
+    form: ClosedFunction
+    rates: tuple[tuple[sp.Symbol, ClosedFunction, tuple[Term, ...]], ...]
+    over: tuple[sp.Symbol, sp.Expr, sp.Expr] | None = None
 
-    def _write(self, condition: Condition) -> None:
-        found = terms(condition, self.system.blocks)
-        groups = sorted({term.over for term in found if term.over is not None}, key=str)
-        indices = [] if condition.index is None else [condition.index]
-        single = [term for term in found if term.over is None]
-        body_R: Lines = []
-        body_J: Lines = []
-        self._add(condition, "", single, indices, body_R, body_J)
-        if body_R:
-            body_R[-1] = body_R[-1].replace("+=", "=", 1)
-        else:
-            body_R = ["R[row] = 0.0"]
-        for number, over in enumerate(groups):
-            group = [term for term in found if term.over == over]
-            tail = f"_sum{number}" if len(groups) > 1 else "_sum"
-            inner_R: Lines = []
-            inner_J: Lines = []
-            self._add(condition, tail, group, [*indices, over[0]], inner_R, inner_J)
-            head = f"for {over[0]} in range({over[1]}, {sp.expand(over[2] + 1)}):"
-            body_R += [head, *("    " + line for line in inner_R)]
-            body_J += [head, *("    " + line for line in inner_J)]
-        for target, body in ((self.residual, body_R), (self.jacobian, body_J)):
-            target += list(self._rows(condition, [*body, "row += 1"]))
-
-    def _rows(self, condition: Condition, body: Lines) -> Iterator[str]:
-        """Yield the lines of a condition, in a loop if it has an index."""
-        if condition.index is None:
-            yield from body
-            return
-        last = sp.expand(condition.first + condition.count)
-        yield f"for {condition.index} in range({condition.first}, {last}):"
-        yield from ("    " + line for line in body)
-
-    def _add(
-        self,
-        condition: Condition,
-        tail: str,
-        found: Sequence[Term],
-        indices: Sequence[sp.Expr],
-        body_R: Lines,
-        body_J: Lines,
-    ) -> None:
-        if not found:
-            return
-        order = [*indices, *known(self.system)]
-        name = condition.name + tail
-        what = f"Coefficients: {condition.title}."
-        form = closed_function(name, what, [q.coefficient for q in found], order)
-        self.functions.append(form)
-        values = [f"q{i}" for i in range(len(found))]
-        assign = f"{', '.join(values)} = {form.call}"
-        body_R += [assign, f"R[row] += {_combined(values, found, condition)}"]
-        unknown = [
-            (value, term) for value, term in zip(values, found, strict=True) if term.block
-        ]
-        if unknown:
-            names = [
-                value if term.block else "_" for value, term in zip(values, found, strict=True)
-            ]
-            body_J.append(f"{', '.join(names)} = {form.call}")
-            body_J += [_put(term, value, condition) for value, term in unknown]
-        for time in self.system.times.unknown:
-            pairs = rates(found, time, self.system.tables)
-            if not pairs:
-                continue
-            rate = closed_function(
-                f"{name}_by_{time}",
-                f"Their derivatives by {time}, of those that depend on it.",
-                [value for _, value in pairs],
-                order,
-            )
-            self.functions.append(rate)
-            names = values[: len(pairs)]
-            body_J.append(f"{', '.join(names)} = {rate.call}")
-            change = _combined(names, [term for term, _ in pairs], condition)
-            body_J.append(f"J[row, at_{time}] += {change}")
+    @property
+    def sum(self) -> str | None:
+        """The head of the loop over a sum."""
+        if self.over is None:
+            return None
+        return f"for {self.over[0]} in range({self.over[1]}, {sp.expand(self.over[2] + 1)}):"
 
 
-def _combined(values: Sequence[str], found: Sequence[Term], condition: Condition) -> str:
-    """Return the sum of coefficients times unknowns, as Python."""
+@dataclass(frozen=True)
+class Row:
+    """A condition, as the parts that are added in its row, or rows."""
+
+    condition: Condition
+    parts: tuple[Part, ...]
+
+    def loop(self, body: Sequence[str]) -> Lines:
+        """Return the lines of a row: in a loop if the condition has an index."""
+        c = self.condition
+        return indented(
+            f"for {c.index} in range({c.first}, {sp.expand(c.first + c.count)}):"
+            if c.index is not None
+            else None,
+            [*body, "row += 1"],
+        )
+
+
+def indented(head: str | None, body: Sequence[str]) -> Lines:
+    """Return lines as the body of a loop, or as they are if there is none."""
+    return list(body) if head is None else [head, *("    " + line for line in body)]
+
+
+def rows_of(system: GalerkinConditions) -> list[Row]:
+    """Return the conditions of a record as the rows of a kernel."""
+    return [_row(system, with_known(c, system.tables)) for c in system.conditions]
+
+
+def _row(system: GalerkinConditions, condition: Condition) -> Row:
+    found = terms(condition, system.blocks)
+    groups = sorted({term.over for term in found if term.over is not None}, key=str)
+    indices = [] if condition.index is None else [condition.index]
+    parts = [_part(system, condition.name, condition.title, indices, found, None)]
+    for number, over in enumerate(groups):
+        name = condition.name + (f"_sum{number}" if len(groups) > 1 else "_sum")
+        inner = [*indices, over[0]]
+        parts.append(_part(system, name, condition.title, inner, found, over))
+    return Row(condition, tuple(part for part in parts if part is not None))
+
+
+def _part(
+    system: GalerkinConditions,
+    name: str,
+    title: str,
+    indices: Sequence[sp.Expr],
+    everything: Sequence[Term],
+    over: tuple[sp.Symbol, sp.Expr, sp.Expr] | None,
+) -> Part | None:
+    """Return the part of terms that stand in one sum, or in none; None if there are none."""
+    found = [term for term in everything if term.over == over]
+    if not found:
+        return None
+    order = [*indices, *known(system)]
+    values = [q.coefficient for q in found]
+    form = closed_function(name, f"Coefficients: {title}.", values, order)
+    by_times = []
+    for time in system.times.unknown:
+        pairs = rates(found, time, system.tables)
+        if pairs:
+            what = f"Their derivatives by {time}, of those that depend on it."
+            values = [value for _, value in pairs]
+            rate = closed_function(f"{name}_by_{time}", what, values, order)
+            by_times.append((time, rate, tuple(term for term, _ in pairs)))
+    return Part(tuple(found), form, tuple(by_times), over)
+
+
+def forms(rows: Sequence[Row]) -> list[ClosedFunction]:
+    """Return the closed forms of rows, in the sequence of a kernel."""
+    parts = [part for row in rows for part in row.parts]
+    return [
+        form for part in parts for form in (part.form, *(rate for _, rate, _ in part.rates))
+    ]
+
+
+def residual_lines(rows: Sequence[Row]) -> Lines:
+    """Return the lines that fill R."""
+    lines: Lines = []
+    for row in rows:
+        single = [part for part in row.parts if part.over is None]
+        body = [] if single else ["R[row] = 0.0"]
+        for part in row.parts:
+            sign = "=" if part.over is None else "+="
+            value = combined(part.found, row.condition)
+            inner = [part.form.assigned(len(part.found)), f"R[row] {sign} {value}"]
+            body += indented(part.sum, inner)
+        lines += row.loop(body)
+    return lines
+
+
+def jacobian_lines(rows: Sequence[Row]) -> Lines:
+    """Return the lines that add to J, which is zero."""
+    lines: Lines = []
+    for row in rows:
+        body: Lines = []
+        for part in row.parts:
+            inner: Lines = []
+            if any(term.block for term in part.found):
+                inner.append(
+                    part.form.assigned([term.block is not None for term in part.found])
+                )
+                inner += [
+                    _put(term, f"q{i}", row.condition)
+                    for i, term in enumerate(part.found)
+                    if term.block
+                ]
+            for time, rate, changing in part.rates:
+                inner.append(rate.assigned(len(changing)))
+                change = combined(changing, row.condition)
+                inner.append(f"J[row, at_{time}] += {change}")
+            body += indented(part.sum, inner)
+        lines += row.loop(body)
+    return lines
+
+
+def combined(found: Sequence[Term], condition: Condition, without: Block | None = None) -> str:
+    """Return the sum of coefficients ``q0, q1, ...`` times unknowns, as Python.
+
+    The terms of the family `without`, if there is one, are left out.
+    """
     return " + ".join(
-        value if term.block is None else f"{value}*{_read(term, condition)}"
-        for value, term in zip(values, found, strict=True)
+        f"q{i}" if term.block is None else f"q{i}*{_read(term, condition)}"
+        for i, term in enumerate(found)
+        if without is None or term.block != without
     )
 
 

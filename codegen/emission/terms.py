@@ -111,6 +111,12 @@ class ClosedFunction:
         """How it is called, its arguments being there under their names."""
         return f"{self.name}({', '.join(map(str, self.arguments))})"
 
+    def assigned(self, wanted: int | Sequence[bool]) -> str:
+        """Return the statement that has its values in ``q0, q1, ...``, or those wanted."""
+        flags = [True] * wanted if isinstance(wanted, int) else wanted
+        names = [f"q{i}" if flag else "_" for i, flag in enumerate(flags)]
+        return f"{', '.join(names)} = {self.call}"
+
 
 def closed_function(
     name: str,

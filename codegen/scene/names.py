@@ -24,6 +24,7 @@ _RESERVED = re.compile(
     r"|[CS]_[mckfgw](_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
     r"|entry|put|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"
     r"|rates|integrated|multiples|weighted_integrals"
+    r"|bands|joints|(band|joint)_rates|(band|kept)_places|diagonals|right|slopes|follow|column"
     r"|break_(series|ends|integrals)|breaks_on_phases?)"
 )
 

@@ -33,7 +33,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "c7cabc1652b6a88c836268b6c089375fc15abd5f6e3b74af49338f7561ce10a6"  # of the conditions, by srepr
-BODY = "86c2553437269242f3f950d2fb870ef2d998d14fd56a6727946dcc22606002a5"  # of the text below
+BODY = "f91a36002fdd0849300314cad665f34f2c2fe51beae76f6f7869699a88510595"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -99,6 +99,12 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -772,3 +778,310 @@ def coefficients(z):
         "v_loose": (z[at_v_loose], 1),
         "d_loose": (z[at_d_loose:at_d_loose + number_d_loose], 2),
     }
+
+
+KEPT = 9  # unknowns that remain where each band is solved
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that remain where each band is solved."""
+    N = (len(z) - 11)//2
+    at_x_engaged = 0
+    at_v_engaged = 1
+    at_d_engaged = 2
+    at_x_loose = N + 4
+    at_v_loose = N + 5
+    at_d_loose = N + 6
+    at_s_engaged = 2*N + 8
+    at_s_loose = 2*N + 9
+    at_phi = 2*N + 10
+    return at_x_engaged, at_v_engaged, at_d_engaged + N + 1, at_x_loose, at_v_loose, at_d_loose + N + 1, at_s_engaged, at_s_loose, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+    N = (len(z) - 11)//2
+    at_d_engaged = 2
+    at_d_loose = N + 6
+    return ((at_d_engaged, N + 1, 2, 1, N + 1), (at_d_loose, N + 1, 5, 1, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_x_engaged = 0
+    at_v_engaged = 1
+    at_x_loose = N + 4
+    at_v_loose = N + 5
+    at_s_engaged = 2*N + 8
+    at_s_loose = 2*N + 9
+    at_phi = 2*N + 10
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    phi = z[at_phi]
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5 = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_engaged] + q1*z[at_v_engaged] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = engaged_by_1(m, c, k, F, s_engaged, mu_engaged)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_engaged] + q5)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = engaged_by_l(l, m, c, k, F, s_engaged, mu_engaged)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5)
+        row += 1
+    row = 4
+    q0, q1, q2, q3, q4, q5 = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_x_loose] + q1*z[at_v_loose] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = loose_by_1(m, c, k_0, F, s_loose, mu_loose)
+    diagonals[1, row, 3] = q1
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_v_loose] + q5)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = loose_by_l(l, m, c, k_0, F, s_loose, mu_loose)
+        diagonals[1, row, 4] = q0
+        diagonals[1, row, 2] = q1
+        diagonals[1, row, 3] = q2
+        diagonals[1, row, 5] = q3
+        diagonals[1, row, 6] = q4
+        right[1, row] = -(q5)
+        row += 1
+
+
+def band_rates(case, z, right, slopes):
+    """Fill in how right sides less the bands change with the unknowns that remain."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_v_engaged = 1
+    at_v_loose = N + 5
+    at_s_engaged = 2*N + 8
+    at_s_loose = 2*N + 9
+    at_phi = 2*N + 10
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    phi = z[at_phi]
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    nu_engaged = over_engaged[1]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
+    nu_loose = over_loose[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, _ = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    q0, q1, q2, q3, q4 = engaged_by_0_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
+    slopes[0, row, 6] = -(q0*z[at_v_engaged] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    q0 = engaged_by_0_by_phi(F, nu_engaged)
+    slopes[0, row, 8] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = engaged_by_1(m, c, k, F, s_engaged, mu_engaged)
+    slopes[0, row, 1] = -q0
+    q0, q1, q2, q3, q4, q5 = engaged_by_1_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
+    slopes[0, row, 6] = -(q0*z[at_v_engaged] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    q0 = engaged_by_1_by_phi(F, nu_engaged)
+    slopes[0, row, 8] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged)
+        slopes[0, row, 6] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+        q0 = engaged_by_l_by_phi(l, F, nu_engaged)
+        slopes[0, row, 8] = -(q0)
+        row += 1
+    row = 4
+    q0, q1, _, _, _, _ = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
+    slopes[1, row, 3] = -q0
+    slopes[1, row, 4] = -q1
+    q0 = loose_by_0_by_s_engaged(F, Omega, nu_loose)
+    slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4 = loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    slopes[1, row, 7] = -(q0*z[at_v_loose] + q1*right[1, row] + q2*right[1, row + 1] + q3*right[1, row + 2] + q4)
+    q0 = loose_by_0_by_phi(F, nu_loose)
+    slopes[1, row, 8] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = loose_by_1(m, c, k_0, F, s_loose, mu_loose)
+    slopes[1, row, 4] = -q0
+    q0 = loose_by_1_by_s_engaged(F, Omega, nu_loose)
+    slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4, q5 = loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    slopes[1, row, 7] = -(q0*z[at_v_loose] + q1*right[1, row - 1] + q2*right[1, row] + q3*right[1, row + 1] + q4*right[1, row + 2] + q5)
+    q0 = loose_by_1_by_phi(F, nu_loose)
+    slopes[1, row, 8] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        q0 = loose_by_l_by_s_engaged(l, F, Omega, nu_loose)
+        slopes[1, row, 6] = -(q0)
+        q0, q1, q2, q3, q4, q5 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
+        slopes[1, row, 7] = -(q0*right[1, row] + q1*right[1, row - 2] + q2*right[1, row - 1] + q3*right[1, row + 1] + q4*right[1, row + 2] + q5)
+        q0 = loose_by_l_by_phi(l, F, nu_loose)
+        slopes[1, row, 8] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are not in a band."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_x_engaged = 0
+    at_v_engaged = 1
+    at_d_engaged = 2
+    at_x_loose = N + 4
+    at_v_loose = N + 5
+    at_d_loose = N + 6
+    at_s_engaged = 2*N + 8
+    at_s_loose = 2*N + 9
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    row = 0
+    q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_x_loose] + q2*z[at_v_loose] + q3*z[at_d_loose] + q4*z[at_d_loose + 1]
+    row += 1
+    q0, q1, q2 = velocity_engaged(s_loose)
+    R[row] = q0*z[at_v_engaged] + q1*z[at_v_loose] + q2*z[at_d_loose]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_engaged_sum(n)
+        R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_loose(s_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*z[at_x_loose]
+    row += 1
+    q0, q1, q2 = velocity_loose(s_engaged)
+    R[row] = q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_v_loose]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_loose_sum(n)
+        R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
+    row += 1
+    q0, q1, q2, q3, q4 = event_engaged(g, s_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4
+    row += 1
+    q0, q1, q2, q3, q4 = event_loose(g, s_loose)
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
+    row += 1
+    q0 = cell(Omega, cycles, s_engaged, s_loose)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_v_engaged = 1
+    at_d_engaged = 2
+    at_v_loose = N + 5
+    at_d_loose = N + 6
+    at_s_engaged = 2*N + 8
+    at_s_loose = 2*N + 9
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
+    J[row, 0] += q0
+    J[row, 3] += q1
+    J[row, 4] += q2
+    follow(J, row, slopes, 1, 4, q3)
+    follow(J, row, slopes, 1, 5, q4)
+    q0, q1, q2 = displacement_engaged_by_s_loose(s_loose)
+    J[row, 7] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
+    row += 1
+    q0, q1, q2 = velocity_engaged(s_loose)
+    J[row, 1] += q0
+    J[row, 4] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    q0 = velocity_engaged_by_s_loose()
+    J[row, 7] += q0*z[at_d_loose]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_engaged_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 4] += q1
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_loose(s_engaged)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 3] += q4
+    q0, q1, q2 = displacement_loose_by_s_engaged(s_engaged)
+    J[row, 6] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    row += 1
+    q0, q1, q2 = velocity_loose(s_engaged)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    J[row, 4] += q2
+    q0 = velocity_loose_by_s_engaged()
+    J[row, 6] += q0*z[at_d_engaged]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_loose_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 4] += q1
+    row += 1
+    q0, q1, q2, q3, _ = event_engaged(g, s_engaged)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_engaged_by_s_engaged(s_engaged)
+    J[row, 6] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_loose(g, s_loose)
+    J[row, 3] += q0
+    J[row, 4] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    follow(J, row, slopes, 1, 5, q3)
+    q0, q1, q2 = event_loose_by_s_loose(s_loose)
+    J[row, 7] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
+    row += 1
+    q0 = cell_by_s_engaged()
+    J[row, 6] += q0
+    q0 = cell_by_s_loose()
+    J[row, 7] += q0
+    row += 1

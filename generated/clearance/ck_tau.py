@@ -33,7 +33,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "b312fa0ba4cbc5d15190a5bdb6c7744c50211d78cce5ba2e593802cf5f0885e0"  # of the conditions, by srepr
-BODY = "d1f7b2ce175e15b543cc492f3635a2ae3622e3451645679025f6d077a6aa023c"  # of the text below
+BODY = "6cc103ad301a7c4c91dea3a0d591d3813bc61a30e8422256b852dafd550c4e22"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -99,6 +99,12 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -772,3 +778,310 @@ def coefficients(z):
         "v_separated": (z[at_v_separated], 1),
         "d_separated": (z[at_d_separated:at_d_separated + number_d_separated], 2),
     }
+
+
+KEPT = 9  # unknowns that remain where each band is solved
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that remain where each band is solved."""
+    N = (len(z) - 11)//2
+    at_x_contact = 0
+    at_v_contact = 1
+    at_d_contact = 2
+    at_x_separated = N + 4
+    at_v_separated = N + 5
+    at_d_separated = N + 6
+    at_s_contact = 2*N + 8
+    at_s_separated = 2*N + 9
+    at_phi = 2*N + 10
+    return at_x_contact, at_v_contact, at_d_contact + N + 1, at_x_separated, at_v_separated, at_d_separated + N + 1, at_s_contact, at_s_separated, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+    N = (len(z) - 11)//2
+    at_d_contact = 2
+    at_d_separated = N + 6
+    return ((at_d_contact, N + 1, 2, 1, N + 1), (at_d_separated, N + 1, 5, 1, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_x_contact = 0
+    at_v_contact = 1
+    at_x_separated = N + 4
+    at_v_separated = N + 5
+    at_s_contact = 2*N + 8
+    at_s_separated = 2*N + 9
+    at_phi = 2*N + 10
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    phi = z[at_phi]
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5 = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_contact] + q1*z[at_v_contact] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = contact_by_1(m, c, k, k_c, F, s_contact, mu_contact)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_contact] + q5)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = contact_by_l(l, m, c, k, k_c, F, s_contact, mu_contact)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5)
+        row += 1
+    row = 4
+    q0, q1, q2, q3, q4, q5 = separated_by_0(m, c, k, F, s_separated, mu_separated)
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_x_separated] + q1*z[at_v_separated] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = separated_by_1(m, c, k, F, s_separated, mu_separated)
+    diagonals[1, row, 3] = q1
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_v_separated] + q5)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = separated_by_l(l, m, c, k, F, s_separated, mu_separated)
+        diagonals[1, row, 4] = q0
+        diagonals[1, row, 2] = q1
+        diagonals[1, row, 3] = q2
+        diagonals[1, row, 5] = q3
+        diagonals[1, row, 6] = q4
+        right[1, row] = -(q5)
+        row += 1
+
+
+def band_rates(case, z, right, slopes):
+    """Fill in how right sides less the bands change with the unknowns that remain."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_v_contact = 1
+    at_v_separated = N + 5
+    at_s_contact = 2*N + 8
+    at_s_separated = 2*N + 9
+    at_phi = 2*N + 10
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    phi = z[at_phi]
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    nu_contact = over_contact[1]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
+    nu_separated = over_separated[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, _ = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    q0, q1, q2, q3, q4 = contact_by_0_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
+    slopes[0, row, 6] = -(q0*z[at_v_contact] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    q0 = contact_by_0_by_phi(F, nu_contact)
+    slopes[0, row, 8] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = contact_by_1(m, c, k, k_c, F, s_contact, mu_contact)
+    slopes[0, row, 1] = -q0
+    q0, q1, q2, q3, q4, q5 = contact_by_1_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
+    slopes[0, row, 6] = -(q0*z[at_v_contact] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    q0 = contact_by_1_by_phi(F, nu_contact)
+    slopes[0, row, 8] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact)
+        slopes[0, row, 6] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+        q0 = contact_by_l_by_phi(l, F, nu_contact)
+        slopes[0, row, 8] = -(q0)
+        row += 1
+    row = 4
+    q0, q1, _, _, _, _ = separated_by_0(m, c, k, F, s_separated, mu_separated)
+    slopes[1, row, 3] = -q0
+    slopes[1, row, 4] = -q1
+    q0 = separated_by_0_by_s_contact(F, Omega, nu_separated)
+    slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4 = separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    slopes[1, row, 7] = -(q0*z[at_v_separated] + q1*right[1, row] + q2*right[1, row + 1] + q3*right[1, row + 2] + q4)
+    q0 = separated_by_0_by_phi(F, nu_separated)
+    slopes[1, row, 8] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = separated_by_1(m, c, k, F, s_separated, mu_separated)
+    slopes[1, row, 4] = -q0
+    q0 = separated_by_1_by_s_contact(F, Omega, nu_separated)
+    slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4, q5 = separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    slopes[1, row, 7] = -(q0*z[at_v_separated] + q1*right[1, row - 1] + q2*right[1, row] + q3*right[1, row + 1] + q4*right[1, row + 2] + q5)
+    q0 = separated_by_1_by_phi(F, nu_separated)
+    slopes[1, row, 8] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        q0 = separated_by_l_by_s_contact(l, F, Omega, nu_separated)
+        slopes[1, row, 6] = -(q0)
+        q0, q1, q2, q3, q4, q5 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
+        slopes[1, row, 7] = -(q0*right[1, row] + q1*right[1, row - 2] + q2*right[1, row - 1] + q3*right[1, row + 1] + q4*right[1, row + 2] + q5)
+        q0 = separated_by_l_by_phi(l, F, nu_separated)
+        slopes[1, row, 8] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are not in a band."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_x_contact = 0
+    at_v_contact = 1
+    at_d_contact = 2
+    at_x_separated = N + 4
+    at_v_separated = N + 5
+    at_d_separated = N + 6
+    at_s_contact = 2*N + 8
+    at_s_separated = 2*N + 9
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    row = 0
+    q0, q1, q2, q3, q4 = displacement_contact(s_separated)
+    R[row] = q0*z[at_x_contact] + q1*z[at_x_separated] + q2*z[at_v_separated] + q3*z[at_d_separated] + q4*z[at_d_separated + 1]
+    row += 1
+    q0, q1, q2 = velocity_contact(s_separated)
+    R[row] = q0*z[at_v_contact] + q1*z[at_v_separated] + q2*z[at_d_separated]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_contact_sum(n)
+        R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_separated(s_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*z[at_x_separated]
+    row += 1
+    q0, q1, q2 = velocity_separated(s_contact)
+    R[row] = q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_v_separated]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_separated_sum(n)
+        R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
+    row += 1
+    q0, q1, q2, q3, q4 = event_contact(g, s_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4
+    row += 1
+    q0, q1, q2, q3, q4 = event_separated(g, s_separated)
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
+    row += 1
+    q0 = cell(Omega, cycles, s_contact, s_separated)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 11)//2
+    at_v_contact = 1
+    at_d_contact = 2
+    at_v_separated = N + 5
+    at_d_separated = N + 6
+    at_s_contact = 2*N + 8
+    at_s_separated = 2*N + 9
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4 = displacement_contact(s_separated)
+    J[row, 0] += q0
+    J[row, 3] += q1
+    J[row, 4] += q2
+    follow(J, row, slopes, 1, 4, q3)
+    follow(J, row, slopes, 1, 5, q4)
+    q0, q1, q2 = displacement_contact_by_s_separated(s_separated)
+    J[row, 7] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
+    row += 1
+    q0, q1, q2 = velocity_contact(s_separated)
+    J[row, 1] += q0
+    J[row, 4] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    q0 = velocity_contact_by_s_separated()
+    J[row, 7] += q0*z[at_d_separated]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_contact_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 4] += q1
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_separated(s_contact)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 3] += q4
+    q0, q1, q2 = displacement_separated_by_s_contact(s_contact)
+    J[row, 6] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    row += 1
+    q0, q1, q2 = velocity_separated(s_contact)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    J[row, 4] += q2
+    q0 = velocity_separated_by_s_contact()
+    J[row, 6] += q0*z[at_d_contact]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_separated_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 4] += q1
+    row += 1
+    q0, q1, q2, q3, _ = event_contact(g, s_contact)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_contact_by_s_contact(s_contact)
+    J[row, 6] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_separated(g, s_separated)
+    J[row, 3] += q0
+    J[row, 4] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    follow(J, row, slopes, 1, 5, q3)
+    q0, q1, q2 = event_separated_by_s_separated(s_separated)
+    J[row, 7] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
+    row += 1
+    q0 = cell_by_s_contact()
+    J[row, 6] += q0
+    q0 = cell_by_s_separated()
+    J[row, 7] += q0
+    row += 1

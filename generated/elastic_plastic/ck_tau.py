@@ -34,7 +34,7 @@ DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "43083ed6253efd038ed713f32206539b4ebc2abdc91866700583932ad2bcb105"  # of the conditions, by srepr
-BODY = "a70a7416544553fd9a0eb65b578a4254445fb207598418d8bdeb30262f3ddb9c"  # of the text below
+BODY = "971d9d3ccb9ce953a77fb7aff4ef0e8f2bd49efdeceaa9e85b026d623633c556"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -100,6 +100,12 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -841,3 +847,355 @@ def coefficients(z):
         "d_plastic": (z[at_d_plastic:at_d_plastic + number_d_plastic], 2),
         "w": (z[at_w], 0),
     }
+
+
+KEPT = 11  # unknowns that remain where each band is solved
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that remain where each band is solved."""
+    N = (len(z) - 13)//2
+    at_x_elastic = 0
+    at_v_elastic = 1
+    at_d_elastic = 2
+    at_x_plastic = N + 5
+    at_v_plastic = N + 6
+    at_d_plastic = N + 7
+    at_w = 2*N + 9
+    at_s_elastic = 2*N + 10
+    at_s_plastic = 2*N + 11
+    at_phi = 2*N + 12
+    return at_x_elastic, at_v_elastic, at_d_elastic + N + 1, at_d_elastic + N + 2, at_x_plastic, at_v_plastic, at_d_plastic + N + 1, at_w, at_s_elastic, at_s_plastic, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+    N = (len(z) - 13)//2
+    at_d_elastic = 2
+    at_d_plastic = N + 7
+    return ((at_d_elastic, N + 1, 2, 2, N + 1), (at_d_plastic, N + 1, 6, 1, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 13)//2
+    at_x_elastic = 0
+    at_v_elastic = 1
+    at_x_plastic = N + 5
+    at_v_plastic = N + 6
+    at_w = 2*N + 9
+    at_s_elastic = 2*N + 10
+    at_s_plastic = 2*N + 11
+    at_phi = 2*N + 12
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    phi = z[at_phi]
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6 = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_elastic] + q1*z[at_v_elastic] + q5*z[at_w] + q6)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = elastic_by_1(m, c, k, h, F, s_elastic, mu_elastic)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_elastic] + q5)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = elastic_by_l(l, m, c, k, h, F, s_elastic, mu_elastic)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5)
+        row += 1
+    row = 4
+    q0, q1, q2, q3, q4, q5 = plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic)
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_x_plastic] + q1*z[at_v_plastic] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = plastic_by_1(m, c, h, F, s_plastic, mu_plastic)
+    diagonals[1, row, 3] = q1
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_v_plastic] + q5)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = plastic_by_l(l, m, c, h, F, s_plastic, mu_plastic)
+        diagonals[1, row, 4] = q0
+        diagonals[1, row, 2] = q1
+        diagonals[1, row, 3] = q2
+        diagonals[1, row, 5] = q3
+        diagonals[1, row, 6] = q4
+        right[1, row] = -(q5)
+        row += 1
+
+
+def band_rates(case, z, right, slopes):
+    """Fill in how right sides less the bands change with the unknowns that remain."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 13)//2
+    at_v_elastic = 1
+    at_v_plastic = N + 6
+    at_s_elastic = 2*N + 10
+    at_s_plastic = 2*N + 11
+    at_phi = 2*N + 12
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    phi = z[at_phi]
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    nu_elastic = over_elastic[1]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
+    nu_plastic = over_plastic[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, q5, _ = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 7] = -q5
+    q0, q1, q2, q3, q4 = elastic_by_0_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
+    slopes[0, row, 8] = -(q0*z[at_v_elastic] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    q0 = elastic_by_0_by_phi(F, nu_elastic)
+    slopes[0, row, 10] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = elastic_by_1(m, c, k, h, F, s_elastic, mu_elastic)
+    slopes[0, row, 1] = -q0
+    q0, q1, q2, q3, q4, q5 = elastic_by_1_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
+    slopes[0, row, 8] = -(q0*z[at_v_elastic] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    q0 = elastic_by_1_by_phi(F, nu_elastic)
+    slopes[0, row, 10] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic)
+        slopes[0, row, 8] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+        q0 = elastic_by_l_by_phi(l, F, nu_elastic)
+        slopes[0, row, 10] = -(q0)
+        row += 1
+    row = 4
+    q0, q1, _, _, _, _ = plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic)
+    slopes[1, row, 4] = -q0
+    slopes[1, row, 5] = -q1
+    q0 = plastic_by_0_by_s_elastic(F, Omega, nu_plastic)
+    slopes[1, row, 8] = -(q0)
+    q0, q1, q2, q3, q4 = plastic_by_0_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
+    slopes[1, row, 9] = -(q0*z[at_v_plastic] + q1*right[1, row] + q2*right[1, row + 1] + q3*right[1, row + 2] + q4)
+    q0 = plastic_by_0_by_phi(F, nu_plastic)
+    slopes[1, row, 10] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = plastic_by_1(m, c, h, F, s_plastic, mu_plastic)
+    slopes[1, row, 5] = -q0
+    q0 = plastic_by_1_by_s_elastic(F, Omega, nu_plastic)
+    slopes[1, row, 8] = -(q0)
+    q0, q1, q2, q3, q4, q5 = plastic_by_1_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
+    slopes[1, row, 9] = -(q0*z[at_v_plastic] + q1*right[1, row - 1] + q2*right[1, row] + q3*right[1, row + 1] + q4*right[1, row + 2] + q5)
+    q0 = plastic_by_1_by_phi(F, nu_plastic)
+    slopes[1, row, 10] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        q0 = plastic_by_l_by_s_elastic(l, F, Omega, nu_plastic)
+        slopes[1, row, 8] = -(q0)
+        q0, q1, q2, q3, q4, q5 = plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic)
+        slopes[1, row, 9] = -(q0*right[1, row] + q1*right[1, row - 2] + q2*right[1, row - 1] + q3*right[1, row + 1] + q4*right[1, row + 2] + q5)
+        q0 = plastic_by_l_by_phi(l, F, nu_plastic)
+        slopes[1, row, 10] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are not in a band."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 13)//2
+    at_x_elastic = 0
+    at_v_elastic = 1
+    at_d_elastic = 2
+    at_x_plastic = N + 5
+    at_v_plastic = N + 6
+    at_d_plastic = N + 7
+    at_w = 2*N + 9
+    at_s_elastic = 2*N + 10
+    at_s_plastic = 2*N + 11
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    row = 0
+    q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_x_plastic] + q2*z[at_v_plastic] + q3*z[at_d_plastic] + q4*z[at_d_plastic + 1]
+    row += 1
+    q0, q1, q2 = velocity_elastic(s_plastic)
+    R[row] = q0*z[at_v_elastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0 = derivative_2_elastic_sum0()
+        R[row] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_2_elastic_sum1(n)
+        R[row] += q0*z[at_d_elastic + n]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0 = derivative_3_elastic_sum0(n, s_plastic)
+        R[row] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_3_elastic_sum1(n, s_elastic)
+        R[row] += q0*z[at_d_elastic + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_plastic(s_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_x_plastic]
+    row += 1
+    q0, q1, q2 = velocity_plastic(s_elastic)
+    R[row] = q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_v_plastic]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0 = derivative_2_plastic_sum0(n)
+        R[row] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_2_plastic_sum1()
+        R[row] += q0*z[at_d_elastic + n]
+    row += 1
+    q0, q1, q2, q3, q4, q5 = event_elastic(k, F_y, s_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_w] + q5
+    row += 1
+    q0, q1 = event_plastic(s_plastic)
+    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic]
+    row += 1
+    q0, q1 = memory_w()
+    R[row] = q0*z[at_x_elastic] + q1*z[at_w]
+    row += 1
+    q0 = cell(Omega, cycles, s_elastic, s_plastic)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 13)//2
+    at_v_elastic = 1
+    at_d_elastic = 2
+    at_v_plastic = N + 6
+    at_d_plastic = N + 7
+    at_s_elastic = 2*N + 10
+    at_s_plastic = 2*N + 11
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
+    J[row, 0] += q0
+    J[row, 4] += q1
+    J[row, 5] += q2
+    follow(J, row, slopes, 1, 4, q3)
+    follow(J, row, slopes, 1, 5, q4)
+    q0, q1, q2 = displacement_elastic_by_s_plastic(s_plastic)
+    J[row, 9] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1]
+    row += 1
+    q0, q1, q2 = velocity_elastic(s_plastic)
+    J[row, 1] += q0
+    J[row, 5] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    q0 = velocity_elastic_by_s_plastic()
+    J[row, 9] += q0*z[at_d_plastic]
+    row += 1
+    for n in range(0, N + 2):
+        q0 = derivative_2_elastic_sum0()
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q0)
+        else:
+            J[row, -N + n + 5] += q0
+    for n in range(0, N + 3):
+        q0 = derivative_2_elastic_sum1(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+    row += 1
+    for n in range(0, N + 2):
+        q0 = derivative_3_elastic_sum0(n, s_plastic)
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q0)
+        else:
+            J[row, -N + n + 5] += q0
+        q0 = derivative_3_elastic_sum0_by_s_plastic(n, s_plastic)
+        J[row, 9] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_3_elastic_sum1(n, s_elastic)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        q0 = derivative_3_elastic_sum1_by_s_elastic(n, s_elastic)
+        J[row, 8] += q0*z[at_d_elastic + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_plastic(s_elastic)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 4] += q4
+    q0, q1, q2 = displacement_plastic_by_s_elastic(s_elastic)
+    J[row, 8] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
+    row += 1
+    q0, q1, q2 = velocity_plastic(s_elastic)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    J[row, 5] += q2
+    q0 = velocity_plastic_by_s_elastic()
+    J[row, 8] += q0*z[at_d_elastic]
+    row += 1
+    for n in range(0, N + 2):
+        q0 = derivative_2_plastic_sum0(n)
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q0)
+        else:
+            J[row, -N + n + 5] += q0
+    for n in range(0, N + 3):
+        q0 = derivative_2_plastic_sum1()
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+    row += 1
+    q0, q1, q2, q3, q4, _ = event_elastic(k, F_y, s_elastic)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 7] += q4
+    q0, q1, q2 = event_elastic_by_s_elastic(k, s_elastic)
+    J[row, 8] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
+    row += 1
+    q0, q1 = event_plastic(s_plastic)
+    J[row, 5] += q0
+    follow(J, row, slopes, 1, 4, q1)
+    q0 = event_plastic_by_s_plastic()
+    J[row, 9] += q0*z[at_d_plastic]
+    row += 1
+    q0, q1 = memory_w()
+    J[row, 0] += q0
+    J[row, 7] += q1
+    row += 1
+    q0 = cell_by_s_elastic()
+    J[row, 8] += q0
+    q0 = cell_by_s_plastic()
+    J[row, 9] += q0
+    row += 1

@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
 MATHEMATICS = "fc8877d7aca8301680e0628a9e8962698c58c0f5c0f8b381d4dd1a7e0af6c1d5"  # of the conditions, by srepr
-BODY = "f3ae35032f0ea46e6676f466c926c7afdad2965e1a920da3627b33e2179e6d1f"  # of the text below
+BODY = "de05a1ab3fa7a16546de3cf5931e349a48b5552457cc11b86bcd833a9e1da6a6"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -95,6 +95,12 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -425,3 +431,162 @@ def coefficients(z):
         "v_flight": (z[at_v_flight], 1),
         "d_flight": (z[at_d_flight:at_d_flight + number_d_flight], 2),
     }
+
+
+KEPT = 4  # unknowns that remain where each band is solved
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that remain where each band is solved."""
+    N = len(z) - 4
+    at_x_flight = 0
+    at_v_flight = 1
+    at_s_flight = N + 2
+    at_phi = N + 3
+    return at_x_flight, at_v_flight, at_s_flight, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+    N = len(z) - 4
+    at_d_flight = 2
+    return ((at_d_flight, N, 2, 0, 2),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_x_flight = 0
+    at_v_flight = 1
+    at_s_flight = N + 2
+    at_phi = N + 3
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5 = flight_by_0(m, c, k, F, s_flight, mu_flight)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_flight] + q1*z[at_v_flight] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = flight_by_1(m, c, k, F, s_flight, mu_flight)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_flight] + q5)
+    row += 1
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5)
+        row += 1
+
+
+def band_rates(case, z, right, slopes):
+    """Fill in how right sides less the bands change with the unknowns that remain."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_v_flight = 1
+    at_s_flight = N + 2
+    at_phi = N + 3
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    q0, q1, q2, q3, q4 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    slopes[0, row, 2] = -(q0*z[at_v_flight] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    q0 = flight_by_0_by_phi(F, nu_flight)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = flight_by_1(m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 1] = -q0
+    q0, q1, q2, q3, q4, q5 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    slopes[0, row, 2] = -(q0*z[at_v_flight] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    q0 = flight_by_1_by_phi(F, nu_flight)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
+        slopes[0, row, 2] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+        q0 = flight_by_l_by_phi(l, F, nu_flight)
+        slopes[0, row, 3] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are not in a band."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_x_flight = 0
+    at_v_flight = 1
+    at_d_flight = 2
+    at_s_flight = N + 2
+    s_flight = z[at_s_flight]
+    row = 0
+    q0, q1, q2 = displacement_flight(s_flight)
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
+    row += 1
+    q0, q1 = velocity_flight(r, s_flight)
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
+    row += 1
+    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
+    row += 1
+    q0 = cell(Omega, cycles, s_flight)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_v_flight = 1
+    at_d_flight = 2
+    at_s_flight = N + 2
+    s_flight = z[at_s_flight]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2 = displacement_flight(s_flight)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    follow(J, row, slopes, 0, 5, q2)
+    q0, q1, q2 = displacement_flight_by_s_flight(s_flight)
+    J[row, 2] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
+    row += 1
+    q0, q1 = velocity_flight(r, s_flight)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    q0 = velocity_flight_by_s_flight(r)
+    J[row, 2] += q0*z[at_d_flight]
+    row += 1
+    q0, q1, q2, q3, _ = event_flight(g, s_flight)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_flight_by_s_flight(s_flight)
+    J[row, 2] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
+    row += 1
+    q0 = cell_by_s_flight()
+    J[row, 2] += q0
+    row += 1

@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
 MATHEMATICS = "06e53eb2e663e42e9ee22c11e71358347e1cf4cc0c8a6ef1494c0d57f26121a7"  # of the conditions, by srepr
-BODY = "3e235b10ab79dfcf2138acc860c2dab49e8620764344036cc6a285764abe27cc"  # of the text below
+BODY = "192bafbde5f4f22cce6f9b96babe7cb2cbd947827bd5359ef8c882dbe0694661"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -95,6 +95,12 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -427,3 +433,163 @@ def coefficients(z):
         "v_crossing": (z[at_v_crossing], 1),
         "d_crossing": (z[at_d_crossing:at_d_crossing + number_d_crossing], 2),
     }
+
+
+KEPT = 4  # unknowns that remain where each band is solved
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that remain where each band is solved."""
+    N = len(z) - 4
+    at_x_crossing = 0
+    at_v_crossing = 1
+    at_s_crossing = N + 2
+    at_phi = N + 3
+    return at_x_crossing, at_v_crossing, at_s_crossing, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+    N = len(z) - 4
+    at_d_crossing = 2
+    return ((at_d_crossing, N, 2, 0, 2),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_x_crossing = 0
+    at_v_crossing = 1
+    at_s_crossing = N + 2
+    at_phi = N + 3
+    s_crossing = z[at_s_crossing]
+    phi = z[at_phi]
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5 = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_crossing] + q1*z[at_v_crossing] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_crossing] + q5)
+    row += 1
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5 = crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5)
+        row += 1
+
+
+def band_rates(case, z, right, slopes):
+    """Fill in how right sides less the bands change with the unknowns that remain."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_v_crossing = 1
+    at_s_crossing = N + 2
+    at_phi = N + 3
+    s_crossing = z[at_s_crossing]
+    phi = z[at_phi]
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
+    nu_crossing = over_crossing[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, _ = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    q0, q1, q2, q3, q4 = crossing_by_0_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
+    slopes[0, row, 2] = -(q0*z[at_v_crossing] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    q0 = crossing_by_0_by_phi(F, nu_crossing)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
+    slopes[0, row, 1] = -q0
+    q0, q1, q2, q3, q4, q5 = crossing_by_1_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
+    slopes[0, row, 2] = -(q0*z[at_v_crossing] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    q0 = crossing_by_1_by_phi(F, nu_crossing)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5 = crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing)
+        slopes[0, row, 2] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+        q0 = crossing_by_l_by_phi(l, F, nu_crossing)
+        slopes[0, row, 3] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are not in a band."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_x_crossing = 0
+    at_v_crossing = 1
+    at_d_crossing = 2
+    at_s_crossing = N + 2
+    s_crossing = z[at_s_crossing]
+    row = 0
+    q0, q1, q2, q3 = displacement_crossing(s_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1]
+    row += 1
+    q0, q1 = velocity_crossing(r, s_crossing)
+    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
+    row += 1
+    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
+    row += 1
+    q0 = cell(Omega, cycles, s_crossing)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 4
+    at_v_crossing = 1
+    at_d_crossing = 2
+    at_s_crossing = N + 2
+    s_crossing = z[at_s_crossing]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3 = displacement_crossing(s_crossing)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = displacement_crossing_by_s_crossing(s_crossing)
+    J[row, 2] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
+    row += 1
+    q0, q1 = velocity_crossing(r, s_crossing)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    q0 = velocity_crossing_by_s_crossing(r)
+    J[row, 2] += q0*z[at_d_crossing]
+    row += 1
+    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_crossing_by_s_crossing(s_crossing)
+    J[row, 2] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
+    row += 1
+    q0 = cell_by_s_crossing()
+    J[row, 2] += q0
+    row += 1

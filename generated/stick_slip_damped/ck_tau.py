@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "a496b5b6bff00d3289e4cd3e076b9772a4451588b8fbc98344a91c6ba3bc9445"  # of the conditions, by srepr
-BODY = "9cb5df5494a087f4cdc18b0773cdd7560ed07504ced73726dfae4610691757a1"  # of the text below
+BODY = "84a09db753628e039d3d4427292f5e91e3118f9a2c71181e7031d48c0381619b"  # of the text below
 
 
 def entry(z, start, count, index):
@@ -41,6 +41,12 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -398,3 +404,176 @@ def coefficients(z):
         "v_slip": (z[at_v_slip], 1),
         "d_slip": (z[at_d_slip:at_d_slip + number_d_slip], 2),
     }
+
+
+KEPT = 6  # unknowns that remain where each band is solved
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that remain where each band is solved."""
+    N = len(z) - 7
+    at_x_stick = 0
+    at_v_stick = 1
+    at_x_slip = 2
+    at_v_slip = 3
+    at_s_stick = N + 5
+    at_s_slip = N + 6
+    return at_x_stick, at_v_stick, at_x_slip, at_v_slip, at_s_stick, at_s_slip
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+    N = len(z) - 7
+    at_d_slip = 4
+    return ((at_d_slip, N + 1, 4, 0, 2),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 7
+    at_x_slip = 2
+    at_v_slip = 3
+    at_s_slip = N + 6
+    s_slip = z[at_s_slip]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5 = slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_slip] + q1*z[at_v_slip] + q5)
+    row += 1
+    q0, q1, q2, q3, q4 = slip_by_1(M, K, F_N, c, w, s_slip)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_slip])
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4 = slip_by_l(l, M, K, F_N, c, w, s_slip)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        row += 1
+
+
+def band_rates(case, z, right, slopes):
+    """Fill in how right sides less the bands change with the unknowns that remain."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 7
+    at_v_slip = 3
+    at_s_slip = N + 6
+    s_slip = z[at_s_slip]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, _ = slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip)
+    slopes[0, row, 2] = -q0
+    slopes[0, row, 3] = -q1
+    q0, q1, q2, q3 = slip_by_0_by_s_slip(K, F_N, c, w, s_slip)
+    slopes[0, row, 5] = -(q0*z[at_v_slip] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2])
+    row += 1
+    q0, _, _, _, _ = slip_by_1(M, K, F_N, c, w, s_slip)
+    slopes[0, row, 3] = -q0
+    q0, q1, q2, q3, q4 = slip_by_1_by_s_slip(K, F_N, c, w, s_slip)
+    slopes[0, row, 5] = -(q0*z[at_v_slip] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2])
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
+        slopes[0, row, 5] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2])
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are not in a band."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 7
+    at_x_stick = 0
+    at_v_stick = 1
+    at_x_slip = 2
+    at_v_slip = 3
+    at_d_slip = 4
+    at_s_stick = N + 5
+    at_s_slip = N + 6
+    s_stick = z[at_s_stick]
+    s_slip = z[at_s_slip]
+    row = 0
+    q0, q1, q2, q3, q4 = displacement_stick(s_slip)
+    R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
+    row += 1
+    q0, q1, q2 = velocity_stick(s_slip)
+    R[row] = q0*z[at_v_stick] + q1*z[at_v_slip] + q2*z[at_d_slip]
+    row += 1
+    q0, q1, q2 = displacement_slip(s_stick)
+    R[row] = q0*z[at_x_stick] + q1*z[at_v_stick] + q2*z[at_x_slip]
+    row += 1
+    q0, q1 = velocity_slip()
+    R[row] = q0*z[at_v_stick] + q1*z[at_v_slip]
+    row += 1
+    q0, q1, q2 = event_stick(K, V, mu_s, F_N, c, s_stick)
+    R[row] = q0*z[at_x_stick] + q1*z[at_v_stick] + q2
+    row += 1
+    q0, q1, q2 = event_slip(V, s_slip)
+    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 7
+    at_v_stick = 1
+    at_v_slip = 3
+    at_d_slip = 4
+    at_s_stick = N + 5
+    at_s_slip = N + 6
+    s_stick = z[at_s_stick]
+    s_slip = z[at_s_slip]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4 = displacement_stick(s_slip)
+    J[row, 0] += q0
+    J[row, 2] += q1
+    J[row, 3] += q2
+    follow(J, row, slopes, 0, 4, q3)
+    follow(J, row, slopes, 0, 5, q4)
+    q0, q1, q2 = displacement_stick_by_s_slip(s_slip)
+    J[row, 5] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1]
+    row += 1
+    q0, q1, q2 = velocity_stick(s_slip)
+    J[row, 1] += q0
+    J[row, 3] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    q0 = velocity_stick_by_s_slip()
+    J[row, 5] += q0*z[at_d_slip]
+    row += 1
+    q0, q1, q2 = displacement_slip(s_stick)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    J[row, 2] += q2
+    q0 = displacement_slip_by_s_stick()
+    J[row, 4] += q0*z[at_v_stick]
+    row += 1
+    q0, q1 = velocity_slip()
+    J[row, 1] += q0
+    J[row, 3] += q1
+    row += 1
+    q0, q1, _ = event_stick(K, V, mu_s, F_N, c, s_stick)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    q0 = event_stick_by_s_stick(K)
+    J[row, 4] += q0*z[at_v_stick]
+    row += 1
+    q0, q1, _ = event_slip(V, s_slip)
+    J[row, 3] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    q0 = event_slip_by_s_slip()
+    J[row, 5] += q0*z[at_d_slip]
+    row += 1

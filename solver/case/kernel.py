@@ -15,22 +15,37 @@ from typing import Any
 
 from ..arrays import Matrix, Vector
 from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
-from ..iteration import iteration, linear
+from ..iteration import bands, condensed, iteration, linear
 from ..iteration.iteration import Iteration
 from .names import with_class_one
 
 #: Functions that are compiled with a kernel, callers after what they call.
 DRIVER: tuple[Any, ...] = (
     iteration.greatest,
-    iteration.times_size,
     iteration.step_size,
     iteration.longest_damping,
     iteration.scale_rows,
     linear.factorise,
     linear.solve_factorised,
     iteration.correct,
+    iteration.add,
     iteration.iterate_scene,
 )
+
+#: Functions that are compiled with a kernel whose bands are solved for by themselves.
+CONDENSED: tuple[Any, ...] = (
+    bands.factorise_band,
+    bands.substitute,
+    bands.solve_columns,
+    linear.least_squares,
+    condensed.condensed_residual,
+    condensed.condensed_jacobian,
+    condensed.workplace,
+    condensed.fitted,
+)
+
+#: Where they stand.
+DRIVER_FILES = (iteration, linear, bands, condensed)
 
 #: What a kernel does that only NumPy can: plain Python, even where the rest is compiled.
 PLAIN = (
@@ -56,7 +71,10 @@ class SceneKernel:
     size, residual, jacobian, motion, coefficients : callable
         As the generated modules have them.
     iterate : callable
-        ``iterate(case, z, limit)``: `iteration.iterate_scene` for these.
+        ``iterate(case, z, limit)``: `iteration.iterate_scene` for these, or, if `condensed`,
+        `condensed.iterate_condensed`.
+    condensed : bool
+        Whether it starts from the times in ``z`` alone.
     account : Account or None
         What it has cost as plain Python; None of what is compiled, or has no other form.
     """
@@ -71,6 +89,7 @@ class SceneKernel:
     motion: Callable[[Any, Vector, int, Vector, int], Vector]
     coefficients: Callable[[Vector], dict[str, tuple[Any, int]]]
     iterate: Iteration
+    condensed: bool = False
     account: Account | None = None
 
     def times(self, z: Vector) -> Vector:
@@ -91,24 +110,41 @@ def linked(
 ) -> Iteration:
     """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python."""
     namespace = {
-        **vars(iteration),
         "residual": residual,
         "jacobian": jacobian,
         "DURATIONS": durations,
         "FORCED": forced,
     }
-    for function in DRIVER:
-        namespace[function.__name__] = rebuilt(function, namespace)
-    iterate: Iteration = namespace["iterate_scene"]
-    return iterate
+    return _iteration(namespace, rebuilt)
+
+
+def _iteration(kernel: dict[str, Any], make: Callable[[Any, dict[str, Any]], Any]) -> Iteration:
+    """Return the iteration for the functions of a kernel, itself and all it calls by `make`."""
+    if "bands" not in kernel:
+        namespace = {**vars(iteration), **kernel}
+        for function in DRIVER:
+            namespace[function.__name__] = make(function, namespace)
+        iterate: Iteration = namespace["iterate_scene"]
+        return iterate
+    namespace = {**vars(linear), **vars(condensed), **kernel}
+    for function in CONDENSED:
+        namespace[function.__name__] = make(function, namespace)
+    remaining = {
+        "residual": namespace["condensed_residual"],
+        "jacobian": namespace["condensed_jacobian"],
+        "DURATIONS": kernel["DURATIONS"],
+        "FORCED": kernel["FORCED"],
+        "FAST": condensed.FAST,
+    }
+    namespace["iterate_scene"] = _iteration(remaining, make)
+    whole: Iteration = make(condensed.iterate_condensed, namespace)
+    return whole
 
 
 @cache
 def plain(module: types.ModuleType) -> SceneKernel:
     """Return the kernel of a generated module as plain Python."""
-    functions = (module.residual, module.jacobian)
-    iterate = linked(*functions, module.DURATIONS, module.FORCED)
-    return _kernel(module, vars(module), iterate, account(module))
+    return _kernel(module, vars(module), _iteration(vars(module), rebuilt), account(module))
 
 
 @cache
@@ -128,6 +164,7 @@ def once_continuous(module: types.ModuleType) -> SceneKernel | None:
         residual=functions[0],
         jacobian=functions[1],
         iterate=linked(*functions, found.durations, found.forced),
+        condensed=False,
         account=None,
     )
 
@@ -135,7 +172,8 @@ def once_continuous(module: types.ModuleType) -> SceneKernel | None:
 @cache
 def account(module: types.ModuleType) -> Account:
     """Return what the kernel of a module has cost in plain Python."""
-    return Account(str(iteration.__file__), f"{DRIVER[-1].__name__}_{fingerprint(module)}")
+    entry = condensed.iterate_condensed if "bands" in vars(module) else iteration.iterate_scene
+    return Account(entry.__code__.co_filename, f"{entry.__name__}_{fingerprint(module)}")
 
 
 def quicker(module: types.ModuleType, order: int = 0) -> SceneKernel:
@@ -157,25 +195,29 @@ def quicker(module: types.ModuleType, order: int = 0) -> SceneKernel:
 @cache
 def compiled(module: types.ModuleType) -> SceneKernel:
     """Return the kernel of a generated module compiled by numba, cached where possible."""
-    namespace = {**vars(iteration), **vars(module)}
+    namespace = dict(vars(module))
     own = [
         value
         for name, value in vars(module).items()
         if isinstance(value, types.FunctionType) and name not in PLAIN
     ]
     key = fingerprint(module)
-    for function in (*own, *DRIVER):
-        clone = rebuilt(function, namespace)
+
+    def compiled_one(function: Any, names: dict[str, Any]) -> Any:
+        clone = rebuilt(function, names)
         clone.__qualname__ = f"{function.__name__}_{key}"
-        namespace[function.__name__] = jit(clone)
+        return jit(clone)
+
+    for function in own:
+        namespace[function.__name__] = compiled_one(function, namespace)
     account(module).is_compiled = True
-    return _kernel(module, namespace, namespace["iterate_scene"])
+    return _kernel(module, namespace, _iteration(namespace, compiled_one))
 
 
 @cache
 def _driver_text() -> bytes:
     """Return the text of what is compiled with every kernel."""
-    return b"".join(Path(str(part.__file__)).read_bytes() for part in (iteration, linear))
+    return b"".join(Path(str(part.__file__)).read_bytes() for part in DRIVER_FILES)
 
 
 def fingerprint(module: types.ModuleType) -> str:
@@ -200,6 +242,7 @@ def _kernel(
         forced=bool(module.FORCED),
         lowest=int(getattr(module, "LOWEST", 1)),
         iterate=iterate,
+        condensed="bands" in functions,
         account=spent,
         **{name: functions[name] for name in names},
     )

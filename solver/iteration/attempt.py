@@ -2,6 +2,8 @@
 
 from contextlib import nullcontext
 
+import numpy as np
+
 from ..arrays import Vector
 from ..case.case import Case
 from ..case.kernel import SceneKernel
@@ -27,6 +29,10 @@ def attempt(
         See `SceneOrbit`.
     """
     with nullcontext() if kernel.account is None else kernel.account.spending():
-        start = with_coefficients(kernel, case.arguments, kernel.size(order), times)
+        size = kernel.size(order)
+        if kernel.condensed:
+            start = np.concatenate([np.zeros(size - len(times)), times])
+        else:
+            start = with_coefficients(kernel, case.arguments, size, times)
         outcome = newton(kernel.iterate, case.arguments, start)
     return SceneOrbit(case, kernel.method, order, outcome, outcome.iterations, functions)

@@ -54,41 +54,40 @@ def jacobian(case: Any, z: Vector, J: Matrix) -> None:
     raise NotImplementedError
 
 
-def greatest(values: Vector) -> float:
-    """Return the maximum norm; not a number if an entry is not."""
+def greatest(values: Vector, first: int, last: int) -> float:
+    """Return the largest modulus from `first` up to `last`; not a number if an entry is not."""
     found = 0.0
-    for value in values:
-        size = abs(value)
+    for i in range(first, last):
+        size = abs(values[i])
         if size > found or np.isnan(size):
             found = size
     return found
 
 
-def times_size(step: Vector, z: Vector) -> float:
-    """Return the size of a step of the times: as a part of the cell, and of a turn."""
-    first = len(z) - DURATIONS - (1 if FORCED else 0)
-    durations = z[first : first + DURATIONS]
-    size = greatest(step[first : first + DURATIONS]) / np.sum(np.abs(durations))
+def step_size(step: Vector, z: Vector) -> tuple[float, float]:
+    """Return the size of a step, and that of its times alone.
+
+    Times are measured as a part of the cell and of a turn, coefficients against the largest.
+    """
+    last = len(z) - (1 if FORCED else 0)
+    first, cell = last - DURATIONS, 0.0
+    for i in range(first, last):
+        cell += abs(z[i])
+    times = greatest(step, first, last) / cell
     if FORCED:
-        size = max(size, abs(step[-1]) / (2 * np.pi))
-    return float(size)
-
-
-def step_size(step: Vector, z: Vector) -> float:
-    """Return the size of a step: its times, and its coefficients against the largest."""
-    first = len(z) - DURATIONS - (1 if FORCED else 0)
-    scale = max(greatest(z[:first]), 1e-300)
-    return max(times_size(step, z), greatest(step[:first]) / scale)
+        times = max(times, abs(step[last]) / (2 * np.pi))
+    scale = max(greatest(z, 0, first), 1e-300)
+    return max(times, greatest(step, 0, first) / scale), times
 
 
 def longest_damping(step: Vector, z: Vector) -> float:
     """Return the damping that keeps a step within the limits of the times."""
-    first = len(z) - DURATIONS - (1 if FORCED else 0)
+    last = len(z) - (1 if FORCED else 0)
     excess = 1.0
-    for i in range(first, first + DURATIONS):
+    for i in range(last - DURATIONS, last):
         excess = max(excess, abs(step[i]) / (DURATION_STEP * abs(z[i])))
     if FORCED:
-        excess = max(excess, abs(step[-1]) / ANGLE_STEP)
+        excess = max(excess, abs(step[last]) / ANGLE_STEP)
     return 1.0 / excess
 
 
@@ -108,9 +107,15 @@ def scale_rows(J: Matrix, scales: Vector) -> None:
 
 def correct(J: Matrix, rows: Any, scales: Vector, R: Vector, step: Vector) -> None:
     """Fill `step` with the correction of a residual, by a Jacobian scaled and factorised."""
-    np.divide(R, scales, step)
-    np.negative(step, step)
+    for i in range(len(R)):
+        step[i] = -(R[i] / scales[i])
     solve_factorised(J, rows, step)
+
+
+def add(z: Vector, factor: float, step: Vector, found: Vector) -> None:
+    """Fill `found` with ``z + factor * step``."""
+    for i in range(len(z)):
+        found[i] = z[i] + factor * step[i]
 
 
 def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
@@ -121,49 +126,57 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
     the Jacobians factorised, the last correction of the times, and the norm of the residual.
     """
     n = len(z)
-    R, J, rows = np.empty(n), np.empty((n, n)), np.empty(n, dtype=np.int64)
-    scales, step, following, trial = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    J, rows, vectors = np.empty((n, n)), np.empty(n, dtype=np.int64), np.empty((5, n))
+    R, scales, step, following, trial = (
+        vectors[0],
+        vectors[1],
+        vectors[2],
+        vectors[3],
+        vectors[4],
+    )
     residual(case, z, R)
     damping, previous, correction = 1.0, np.inf, np.inf
     for iteration in range(1, limit + 1):
         jacobian(case, z, J)
         scale_rows(J, scales)
         if not factorise(J, rows):
-            status = SINGULAR if np.isfinite(greatest(R)) else OVERFLOW
-            return status, iteration, correction, greatest(R)
+            status = SINGULAR if np.isfinite(greatest(R, 0, n)) else OVERFLOW
+            return status, iteration, correction, greatest(R, 0, n)
         correct(J, rows, scales, R, step)
-        length, correction = step_size(step, z), times_size(step, z)
+        length, correction = step_size(step, z)
         if not np.isfinite(length):
-            return OVERFLOW, iteration, correction, greatest(R)
+            return OVERFLOW, iteration, correction, greatest(R, 0, n)
         at_rest = correction <= ROUNDOFF or correction > 0.5 * previous
         if length <= SETTLED and at_rest:
-            z += longest_damping(step, z) * step  # a duration near 0 stays positive
+            add(z, longest_damping(step, z), step, z)  # a duration near 0 stays positive
             residual(case, z, R)
-            return CONVERGED, iteration, correction, greatest(R)
+            return CONVERGED, iteration, correction, greatest(R, 0, n)
         previous = correction
         damping = min(1.0, 2.0 * damping, longest_damping(step, z))
         while True:
-            trial[:] = z + damping * step
+            add(z, damping, step, trial)
             residual(case, trial, R)
             correct(J, rows, scales, R, following)
-            size = step_size(following, z)
+            size, ahead = step_size(following, z)
             if size <= (1 - damping / 4) * length or max(size, length) <= SETTLED:
                 break
             damping /= 2
             if damping < SMALLEST_STEP:
                 residual(case, z, R)
-                return NO_DESCENT, iteration, correction, greatest(R)
+                return NO_DESCENT, iteration, correction, greatest(R, 0, n)
         z[:] = trial
         while True:
-            correction = times_size(following, z)
+            correction = ahead
             converged = max(size, length) <= SETTLED and correction <= ROUNDOFF
             fast = damping == 1 and size <= FAST * length
             if not (converged or (fast and longest_damping(following, z) == 1)):
                 break
-            z += following
-            residual(case, z, R)
+            add(z, 1.0, following, z)
+            if not converged or size > ROUNDOFF:  # else the residual hardly changes
+                residual(case, z, R)
             if converged:
-                return CONVERGED, iteration, correction, greatest(R)
+                return CONVERGED, iteration, correction, greatest(R, 0, n)
             correct(J, rows, scales, R, following)
-            length, size, previous = size, step_size(following, z), correction
-    return TOO_MANY, limit, correction, greatest(R)
+            length, previous = size, correction
+            size, ahead = step_size(following, z)
+    return TOO_MANY, limit, correction, greatest(R, 0, n)

@@ -6,7 +6,12 @@ diagonal, of which bands and borders have many, cost nothing.
 
 from typing import Any
 
+import numpy as np
+
 from ..arrays import Matrix, Vector
+
+#: A column of numbers of size 1 that is no longer than this is nothing but rounding.
+NOTHING = 1e-13
 
 
 def factorise(A: Matrix, rows: Any) -> bool:
@@ -57,3 +62,34 @@ def solve_factorised(A: Matrix, rows: Any, b: Vector) -> None:
             j = n - 1 - back
             value -= row[j] * b[j]
         b[i] = value / row[i]
+
+
+def least_squares(A: Matrix, count: int, x: Vector) -> None:
+    """Fill `x` with the solution of least residual, by Householder's reflections.
+
+    The first `count` columns of `A` are the matrix, the next is the right side; overwritten.
+    A column that adds nothing to those before it gets zero.
+    """
+    rows = len(A)
+    for k in range(count):
+        square = 0.0
+        for i in range(k, rows):
+            square += A[i, k] * A[i, k]
+        if square <= NOTHING * NOTHING:
+            A[k, k] = 0.0
+            continue
+        norm = -np.sqrt(square) if A[k, k] > 0 else np.sqrt(square)
+        A[k, k] -= norm
+        for j in range(k + 1, count + 1):
+            total = 0.0
+            for i in range(k, rows):
+                total += A[i, k] * A[i, j]
+            total /= norm * A[k, k]
+            for i in range(k, rows):
+                A[i, j] += total * A[i, k]
+        A[k, k] = norm
+    for k in range(count - 1, -1, -1):
+        value = A[k, count]
+        for j in range(k + 1, count):
+            value -= A[k, j] * x[j]
+        x[k] = value / A[k, k] if A[k, k] != 0 else 0.0

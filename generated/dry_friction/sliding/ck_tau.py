@@ -29,7 +29,7 @@ DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
 MATHEMATICS = "f32e23c3366fcd0abeadc0e8bb30d3308716493191d1398f5b51ed51a608509b"  # of the conditions, by srepr
-BODY = "09a10df02076dae9803794ef2a2c8393d68e91b779a2ff1b302705a64486b217"  # of the text below
+BODY = "d7e34cca4e137b0d1a317f04547a4dda3202e7eb06f3b222459dccf9a953d1a9"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -95,6 +95,12 @@ def put(J, row, start, count, index, value):
     """Add a derivative by the unknown of an index, if there is one."""
     if 0 <= index < count:
         J[row, start + index] += value
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -418,3 +424,160 @@ def coefficients(z):
         "v_slide": (z[at_v_slide], 1),
         "d_slide": (z[at_d_slide:at_d_slide + number_d_slide], 2),
     }
+
+
+KEPT = 4  # unknowns that remain where each band is solved
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that remain where each band is solved."""
+    N = len(z) - 5
+    at_x_slide = 0
+    at_v_slide = 1
+    at_s_slide = N + 3
+    at_phi = N + 4
+    return at_x_slide, at_v_slide, at_s_slide, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those that remain, how many, and how many the joints see."""
+    N = len(z) - 5
+    at_d_slide = 2
+    return ((at_d_slide, N + 1, 2, 0, 2),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 5
+    at_x_slide = 0
+    at_v_slide = 1
+    at_s_slide = N + 3
+    at_phi = N + 4
+    s_slide = z[at_s_slide]
+    phi = z[at_phi]
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5 = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_slide] + q1*z[at_v_slide] + q5)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = slide_by_1(m, c, k, F, s_slide, mu_slide)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_slide] + q5)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5)
+        row += 1
+
+
+def band_rates(case, z, right, slopes):
+    """Fill in how right sides less the bands change with the unknowns that remain."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 5
+    at_v_slide = 1
+    at_s_slide = N + 3
+    at_phi = N + 4
+    s_slide = z[at_s_slide]
+    phi = z[at_phi]
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
+    nu_slide = over_slide[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    q0, q1, q2, q3, q4 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
+    slopes[0, row, 2] = -(q0*z[at_v_slide] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    q0 = slide_by_0_by_phi(F, nu_slide)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    q0, _, _, _, _, _ = slide_by_1(m, c, k, F, s_slide, mu_slide)
+    slopes[0, row, 1] = -q0
+    q0, q1, q2, q3, q4, q5 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
+    slopes[0, row, 2] = -(q0*z[at_v_slide] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    q0 = slide_by_1_by_phi(F, nu_slide)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
+        slopes[0, row, 2] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+        q0 = slide_by_l_by_phi(l, F, nu_slide)
+        slopes[0, row, 3] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are not in a band."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 5
+    at_x_slide = 0
+    at_v_slide = 1
+    at_d_slide = 2
+    at_s_slide = N + 3
+    s_slide = z[at_s_slide]
+    row = 0
+    q0, q1, q2, q3 = displacement_slide(s_slide)
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1]
+    row += 1
+    q0, q1 = velocity_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    row += 1
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    row += 1
+    q0 = cell(Omega, cycles, s_slide)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    N = len(z) - 5
+    at_v_slide = 1
+    at_d_slide = 2
+    at_s_slide = N + 3
+    s_slide = z[at_s_slide]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3 = displacement_slide(s_slide)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = displacement_slide_by_s_slide(s_slide)
+    J[row, 2] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1]
+    row += 1
+    q0, q1 = velocity_slide(s_slide)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    q0 = velocity_slide_by_s_slide()
+    J[row, 2] += q0*z[at_d_slide]
+    row += 1
+    q0, q1 = event_slide(s_slide)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    q0 = event_slide_by_s_slide()
+    J[row, 2] += q0*z[at_d_slide]
+    row += 1
+    q0 = cell_by_s_slide()
+    J[row, 2] += q0
+    row += 1

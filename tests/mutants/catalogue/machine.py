@@ -286,8 +286,8 @@ MUTANTS = (
     _emission(
         "rows that are sums alone begin with what was there",
         "loops",
-        'body_R = ["R[row] = 0.0"]',
-        'body_R = ["R[row] += 0.0"]',
+        'else ["R[row] = 0.0"]',
+        'else ["R[row] += 0.0"]',
         _row("S3b-hb"),
     ),
     _emission(

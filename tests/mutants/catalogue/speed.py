@@ -158,8 +158,8 @@ MUTANTS = (
     _solver(
         "the last correction is not taken",
         "iteration/iteration",
-        "            z += following\n",
-        "            z += 0.0 if converged else following\n",
+        "add(z, 1.0, following, z)",
+        "add(z, 0.0 if converged else 1.0, following, z)",
         ITERATION,
     ),
     _solver(
