@@ -8,18 +8,16 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks
-from .condensed import Writer, condensed
+from . import class_one, condensed
 from .expressions import math_names, python
+from .functions import function, prologue
 from .loops import (
     Row,
     forms,
     jacobian_lines,
-    per_order,
-    places,
     residual_lines,
     rows_of,
     size,
-    start_of,
 )
 from .printer import digest
 from .runtime import breaks as broken
@@ -48,16 +46,6 @@ Plain Python as it stands; the solver compiles the same functions with numba.
 #: Of the last entry of a forced case.
 CYCLES = " (an integer: periods of the forcing in one of the motion)"
 
-#: What the functions of the condensed form do.
-KEPT_PLACES = "Return the places in z of the unknowns that remain where each band is solved."
-BAND_PLACES = """Return for each band: where it stands in z, how many unknowns it determines,
-    where its others stand among those that remain, how many, and how many the joints see."""
-BANDS = """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
-    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
-BAND_RATES = "Fill in how right sides less the bands change with the unknowns that remain."
-JOINTS = "Fill R with the left sides of the conditions that are not in a band."
-JOINT_RATES = "Fill J with their derivatives, slopes being those of the unknowns of the bands."
-
 #: What may be copied into a kernel, callers after what they call.
 RUNTIME = (
     moments.spherical_bessel,
@@ -84,8 +72,8 @@ def module_source(system: GalerkinConditions) -> str:
     rows = rows_of(system)
     parts = [form.source for form in forms(rows)]
     parts += [_size(system), _residual(system, rows), _jacobian(system, rows)]
-    parts += [*_class_one(system), _motion(system), _coefficients(system)]
-    parts += _condensed(system, rows)
+    parts += [*class_one.functions(system), _motion(system), _coefficients(system)]
+    parts += condensed.functions(system, rows)
     parts = [*_break_series(system), *_runtime("\n".join(parts)), *parts]
     body = "\n\n".join(part.strip() + "\n" for part in parts)
     _check_names(system, body)
@@ -129,9 +117,9 @@ def _imports(body: str) -> str:
 def _runtime(text: str) -> list[str]:
     """Return the source of the functions that `text` calls, and of those that they call."""
     wanted: list[str] = []
-    for function in reversed(RUNTIME):
-        source = _source(function)
-        if re.search(rf"\b{function.__name__}\(", text):
+    for each in reversed(RUNTIME):
+        source = _source(each)
+        if re.search(rf"\b{each.__name__}\(", text):
             wanted.insert(0, source)
             text += source
     return wanted
@@ -167,25 +155,10 @@ def _listed(system: GalerkinConditions) -> list[str]:
 
 def _size(system: GalerkinConditions) -> str:
     if not system.odd_harmonics:
-        return _function(
-            "size(N)", "Return the number of unknowns.", [f"return {size(system)}"]
-        )
+        return function("size(N)", "Return the number of unknowns.", [f"return {size(system)}"])
     summary = "Return the number of unknowns; the order is the highest harmonic, N are odd."
     lines = ["N = (order + 1)//2", f"return {size(system)}"]
-    return _function("size(order)", summary, lines)
-
-
-def _prologue(system: GalerkinConditions) -> list[str]:
-    """Return the lines by which a function may know its unknowns and have its tables."""
-    slope, rest = per_order(system)
-    names = ", ".join(symbol.name for symbol in system.parameters)
-    lines = [f"{names} = case" if len(system.parameters) > 1 else f"({names},) = case"]
-    lines.append(f"N = len(z) - {rest}" if slope == 1 else f"N = (len(z) - {rest})//{slope}")
-    lines += [*places(system), *(f"{time} = z[at_{time}]" for time in system.times.unknown)]
-    for table in system.tables:
-        lines += [line for line in table.prepare.splitlines() if line not in lines]
-        lines.append(f"{table.base.label} = {table.fill}")
-    return lines
+    return function("size(order)", summary, lines)
 
 
 def _break_series(system: GalerkinConditions) -> list[str]:
@@ -211,89 +184,21 @@ def _break_series(system: GalerkinConditions) -> list[str]:
         "return found",
     ]
     summary = "Return the Legendre coefficients [n, l] of beta_n; with `rates`, derivatives."
-    return [_function("break_series(begin, length, rates)", summary, lines)]
-
-
-def _function(name: str, summary: str, lines: Sequence[str]) -> str:
-    text = "".join(f"    {line}\n" for line in lines)
-    return f'def {name}:\n    """{summary}"""\n{text}'
+    return [function("break_series(begin, length, rates)", summary, lines)]
 
 
 def _residual(system: GalerkinConditions, rows: Sequence[Row]) -> str:
-    known = ["rates = False", *_prologue(system)]
+    known = ["rates = False", *prologue(system)]
     lines = with_used(known, ["row = 0", *residual_lines(rows)])
-    return _function(
+    return function(
         "residual(case, z, R)", "Fill R with the left sides of the conditions.", lines
     )
 
 
 def _jacobian(system: GalerkinConditions, rows: Sequence[Row]) -> str:
-    known = ["rates = True", *_prologue(system)]
+    known = ["rates = True", *prologue(system)]
     lines = with_used(known, ["J[:, :] = 0.0", "row = 0", *jacobian_lines(rows)])
-    return _function("jacobian(case, z, J)", "Fill J with their derivatives.", lines)
-
-
-def _class_one(system: GalerkinConditions) -> list[str]:
-    """Return the functions of the same order for class C^1, where the conditions say how."""
-    places, row = [], sp.Integer(0)
-    for condition in system.conditions:
-        if condition.once is not None:
-            family, index = condition.once.base.label, condition.once.indices[0]
-            unknown = sp.expand(start_of(system, str(family)) + index)
-            places.append(f"({sp.expand(row)}, {unknown}),")
-        row += condition.count
-    if not places:
-        return []
-    slope, rest = per_order(system)
-    rows = [
-        f"N = (size - {rest})//{slope}",
-        "return (",
-        *("    " + pair for pair in places),
-        ")",
-    ]
-    residual = ["residual(case, z, R)", "for row, unknown in once(len(z)):"]
-    jacobian = ["jacobian(case, z, J)", "for row, unknown in once(len(z)):"]
-    return [
-        _function(
-            "once(size)", "Return rows of x'' and beyond, and what is zero instead.", rows
-        ),
-        _function(
-            "residual_once(case, z, R)",
-            "Fill R for functions of class C^1: their accelerations have degree N.",
-            [*residual, "    R[row] = z[unknown]"],
-        ),
-        _function(
-            "jacobian_once(case, z, J)",
-            "Fill J with the derivatives of that.",
-            [*jacobian, "    J[row, :] = 0.0", "    J[row, unknown] = 1.0"],
-        ),
-    ]
-
-
-def _condensed(system: GalerkinConditions, rows: Sequence[Row]) -> list[str]:
-    """Return the functions of the condensed form, if there is one."""
-    found = condensed(system, rows)
-    if found is None:
-        return []
-    writer = Writer(system, found)
-    plain, with_rates = ([f"rates = {rates}", *_prologue(system)] for rates in (False, True))
-    written = (
-        ("kept_places(z)", KEPT_PLACES, plain, writer.kept_places()),
-        ("band_places(z)", BAND_PLACES, plain, writer.band_places()),
-        ("bands(case, z, diagonals, right)", BANDS, plain, writer.bands()),
-        ("band_rates(case, z, right, slopes)", BAND_RATES, with_rates, writer.band_rates()),
-        ("joints(case, z, R)", JOINTS, plain, ["row = 0", *writer.joints()]),
-        (
-            "joint_rates(case, z, slopes, J)",
-            JOINT_RATES,
-            with_rates,
-            ["row = 0", *writer.joint_rates()],
-        ),
-    )
-    functions = [
-        _function(name, what, with_used(known, body)) for name, what, known, body in written
-    ]
-    return ["\n".join(writer.constants()), *functions]
+    return function("jacobian(case, z, J)", "Fill J with their derivatives.", lines)
 
 
 def _motion(system: GalerkinConditions) -> str:
@@ -301,9 +206,9 @@ def _motion(system: GalerkinConditions) -> str:
     pairs = zip(system.scene.phases, system.times.durations, strict=True)
     for p, (phase, duration) in enumerate(pairs):
         lines += [f"if p == {p}:", f"    {system.motion(phase, duration)}"]
-    lines = with_used(_prologue(system), [*lines, 'raise IndexError("p")'])
+    lines = with_used(prologue(system), [*lines, 'raise IndexError("p")'])
     summary = "Return a derivative of the displacement on phase p at local times u in [0, 1]."
-    return _function("motion(case, z, p, u, derivative)", summary, lines)
+    return function("motion(case, z, p, u, derivative)", summary, lines)
 
 
 def _coefficients(system: GalerkinConditions) -> str:
@@ -315,4 +220,4 @@ def _coefficients(system: GalerkinConditions) -> str:
         lines.append(f'    "{name}": ({value}, {block.power}),')
     lines.append("}")
     summary = "Return the coefficients by name, each with the power of 1/time in its unit."
-    return _function("coefficients(z)", summary, with_used(_prologue(system), lines))
+    return function("coefficients(z)", summary, with_used(prologue(system), lines))

@@ -49,14 +49,14 @@ MUTANTS = (
     ),
     Mutant(
         "a band is condensed whatever its diagonal",
-        "codegen/emission/condensed.py",
+        "codegen/emission/condensed/bands.py",
         "return main != 0 and all(",
         "return True or all(",
         ("tests/galerkin/test_condensed.py::test_only_bands_that_can_be_eliminated",),
     ),
     Mutant(
         "the joints see one unknown of a band less than they do",
-        "codegen/emission/condensed.py",
+        "codegen/emission/condensed/writer.py",
         "q.index - band.block.first + 1 for q in terms",
         "q.index - band.block.first for q in terms",
         ("tests/galerkin/test_condensed.py::test_only_bands_that_can_be_eliminated",),
