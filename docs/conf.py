@@ -95,8 +95,19 @@ def escape(app: Sphinx, context: Any, lines: list[str]) -> None:
     lines[:] = [re.sub(r"[*\\]", r"\\\g<0>", line) for line in lines]
 
 
+def examples(app: Sphinx, context: Any, lines: list[str]) -> None:
+    """Let what a command ends with, a heading and lines to type, be set as they are typed."""
+    block = [line.removeprefix("| ") for line in lines if line.startswith("| ")]
+    if not block or not block[0].endswith(":"):
+        return
+    heading, *typed = block
+    rest = [line for line in lines if not line.startswith("| ")]
+    lines[:] = [heading, "", ".. code-block:: text", "", *typed, "", *rest]
+
+
 def setup(app: Sphinx) -> None:
     """Connect what is above."""
     app.connect("autodoc-skip-member", skip_types)
     app.connect("sphinx-click-process-description", escape)
     app.connect("sphinx-click-process-options", escape)
+    app.connect("sphinx-click-process-epilog", examples)
