@@ -54,14 +54,14 @@ MUTANTS = (
     ),
     _emission(
         "the rows for class C^1 are counted without those of the tests",
-        "kernel",
+        "class_one",
         "row += condition.count",
         "row += 1",
         ONCE,
     ),
     _emission(
         "the Jacobian for class C^1 keeps the row of the continuity that it drops",
-        "kernel",
+        "class_one",
         '"    J[row, :] = 0.0", ',
         "",
         ONCE,
