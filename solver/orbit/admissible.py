@@ -13,6 +13,7 @@ import numpy as np
 from ..arrays import Vector
 from ..case.cell import Form
 from . import chebyshev
+from .crossings import met_before
 from .forms import scale_of, terms, vanishes_by_event
 from .motion import SceneMotion
 
@@ -66,7 +67,19 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
             found += _demand(orbit, p, words, form, allowed)
         for words, form in phase.switch_demands:
             found += _at_switch(orbit, p, words, form, allowed)
+        if not any(vanishes_by_event(orbit, p, form) for _, form in phase.demands):
+            found += _too_late(orbit, p, allowed)
     return tuple(found) or _repeated(orbit)
+
+
+def _too_late(orbit: SceneMotion, p: int, allowed: Allowance) -> list[str]:
+    """Return that a phase would have ended before its end, where no demand says so."""
+    phase = orbit.cell.phases[p]
+    u = met_before(orbit, p, ROUNDING)
+    u = u if u is None else met_before(orbit, p, allowed(p, phase.event))
+    if u is None:
+        return []
+    return [f"{phase.name} would end {_state(orbit, p, u)}: its event is met there"]
 
 
 def _at_switch(

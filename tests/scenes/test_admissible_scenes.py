@@ -98,7 +98,7 @@ def test_durations_must_be_positive(duration) -> None:
 def test_a_dip_between_any_samples_is_found(width, where) -> None:
     # x = (u - where)**2 - width**2 is negative on an interval of 2 widths only
     dip = polynomial_with([where - width, where + width])
-    case = case_with({"x is not negative": (1, 0, 0, 0)}, events=[(0, 1, 0, 0)])
+    case = case_with({"x is not negative": (1, 0, 0, 0)}, events=[(0, 0, 0, 1)])
     motion = Given(case, (2.0,), dip)
     (line,) = admissible.violations(motion)
     assert "x is not negative" in line
@@ -109,7 +109,7 @@ def test_a_dip_between_any_samples_is_found(width, where) -> None:
 
 
 def test_rounding_is_allowed_and_no_more() -> None:
-    case = case_with({"x is not negative": (1, 0, 0, 0)}, events=[(0, 1, 0, 0)])
+    case = case_with({"x is not negative": (1, 0, 0, 0)}, events=[(0, 0, 0, 1)])
     shape = polynomial_with([0.5, 0.5])  # 0 to 1/4
     scale = 0.25
     assert not admissible.violations(Given(case, (1.0,), shape - 0.9e-9 * scale))
@@ -131,7 +131,7 @@ def test_the_event_of_a_demand_is_known_by_its_form() -> None:
     rising = polynomial_with([0.5])  # x = 1/2 at the end: the demand falls
     motion = Given(case_with(demands, [(4, 0, 0, -2)]), (1.0,), rising)
     assert not admissible.violations(motion)
-    other = Given(case_with(demands, [(4, 0, 0, -1)]), (1.0,), rising * -1)
+    other = Given(case_with(demands, [(4, 0, 0, -3)]), (1.0,), rising * -1)
     assert not admissible.violations(other)  # falls short of it: no event at its end
 
 

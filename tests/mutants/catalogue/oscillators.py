@@ -4,6 +4,7 @@ from ..mutant import Mutant
 
 CHECKS = ("tests/scene/test_scene_motions.py",)
 SHIPPED = ("tests/scenes/test_shipped_scenes.py",)
+CROSSED = ("tests/scenes/test_crossings.py",)
 WRONG = ("tests/scenes/test_never_wrong.py",)
 INPUT = ("tests/scenes/test_bad_scene_input.py",)
 ROWS = (
@@ -60,6 +61,32 @@ MUTANTS = (
         "what is demanded at a switch is not looked at",
         "solver/orbit/admissible.py",
         "if value >= -ROUNDING * scale or value >= -allowed(p, form) * scale:", "if True:", WRONG,
+    ),
+    Mutant(
+        "an event may be met before the end",
+        "solver/orbit/admissible.py", "    if u is None:\n", "    if True:\n", CROSSED,
+    ),
+    Mutant(
+        "a phase ends wherever its event vanishes",
+        "solver/orbit/crossings.py", "if (rate if near else value) < 0:", "if False:",
+        CROSSED,
+    ),
+    Mutant(
+        "a phase may begin though it leaves its demand at once",
+        "solver/orbit/crossings.py", "if (rate if near else value) < 0:",
+        "if value < 0 and not near:", CROSSED,
+    ),
+    Mutant(
+        "the mirror image of a cell begins where the cell does",
+        "solver/orbit/crossings.py", "(cell.sign if last else 1)", "1", CROSSED,
+    ),
+    Mutant(
+        "rounding is a crossing",
+        "solver/orbit/crossings.py", "np.abs(values) > allowed * scale", "np.abs(values) > 0", CROSSED,
+    ),
+    Mutant(
+        "a jump does not end a phase",
+        "solver/orbit/crossings.py", "(phase.rho, phase.d) != (1, 0)", "phase.d != 0", CROSSED,
     ),
     Mutant(
         "an orbit of one cycle is taken for one of two",
