@@ -70,18 +70,20 @@ def search(
     except NoOrbit as finding:
         tell(finding)
         return None, dict.fromkeys(names, finding)
+    said: set[str] = set()
     for name in names:
         count = (
             number_of_functions(case, name, wanted.functions)
             if len(names) > 1
             else wanted.functions
         )
-        found[name] = _solve(case, name, ORDER if wanted.order is None else wanted.order, count)
+        order = ORDER if wanted.order is None else wanted.order
+        found[name] = _solve(case, name, order, count, said)
     return None, found
 
 
 def _solve(
-    case: "Case", method: str, order: int, functions: int | None
+    case: "Case", method: str, order: int, functions: int | None, said: set[str]
 ) -> "SceneOrbit | NoOrbit":
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
@@ -90,7 +92,7 @@ def _solve(
         with as_problems(), busy(f"{method}, N = {order}"):
             return solve_case(case, method, order, functions)
     except NoOrbit as finding:
-        tell(finding)
+        tell(finding, said)
         return finding
 
 
@@ -128,11 +130,20 @@ def _choose(
     return choice, {choice.orbit.method: choice.orbit}
 
 
-def tell(finding: "NoOrbit") -> None:
-    """Say on stderr why there is no orbit, with the first and the last of the starts."""
+def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
+    """Say on stderr why there is no orbit, with the first and the last of the starts.
+
+    What is in `said`, but for the method in front, is not said at length again; it is added.
+    """
     first, middle, last = finding.tried[:1], finding.tried[1:-1], finding.tried[1:][-1:]
     more = [f"and {len(middle)} more starts"] if middle else []
-    click.echo(f"nonsmooth: {'; '.join([finding.reason, *first, *more, *last])}", err=True)
+    text = "; ".join([finding.reason, *first, *more, *last])
+    of_what, _, why = text.partition(": ")
+    said = set() if said is None else said
+    if text not in said:
+        shown = f"{of_what}: no orbit, for the same reasons" if why in said else text
+        click.echo(f"nonsmooth: {shown}", err=True)
+    said.update((text, why))
 
 
 def exact_near(case: "Case", orbits: "list[SceneOrbit]") -> "ExactSceneOrbit | None":
