@@ -46,6 +46,15 @@ def test_what_does_not_move_on_is_said() -> None:
     assert found.words.startswith("a simulation ends: chatter: ")
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_stop_however_far_is_said_to_be_out_of_reach() -> None:
+    far = IMPACT(gap=1e300)  # its square is beyond float64
+    (found,) = rough_times_by_simulation(far)
+    assert found.words == "a simulation comes to a motion without switches"
+    with pytest.raises(NoOrbit, match="no such orbit exists"):
+        solve_case(far)
+
+
 def test_solve_falls_back_on_it() -> None:
     # a short stick beside a long slip: rough times lead nowhere
     belt = ns.StickSlip(
