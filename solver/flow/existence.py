@@ -83,7 +83,7 @@ def scanned_words(case: Case) -> str:
     if not found:
         return (
             f"the exact equations have no solution: a scan of the durations of {name}, from 0 "
-            "to the whole cell, finds none that fits the forcing"
+            f"to the whole cell, finds none that fits the forcing{_in_the_limit(case)}"
         )
     orbits = [from_times(case, RoughTimes(*each, "the scan")) for each in found]
     if not all(orbit.outcome.converged and orbit.violations for orbit in orbits):
@@ -96,6 +96,14 @@ def scanned_words(case: Case) -> str:
     count = "one solution, which is" if len(orbits) == 1 else f"{len(orbits)} solutions,"
     which = "not an orbit" if len(orbits) == 1 else "none of them an orbit"
     return f"a scan of the durations of {name} finds {count} {which} ({'; '.join(said)}{more})"
+
+
+def _in_the_limit(case: Case) -> str:
+    """Return in words in which limits the equations are satisfied; empty if in none."""
+    names = [phase.name for phase in two_phases.vanishing(case.cell)]
+    return f"; only as {' or '.join(names)} lasts no time do they hold to rounding" * bool(
+        names
+    )
 
 
 def infinitely_many(case: Case) -> str:

@@ -9,6 +9,9 @@ left is one equation in one unknown,
 
 whose roots are looked for on a grid of durations, finer where it comes near zero.  No guess of
 a phase or duration is needed, and nothing depends on where an iteration leads.
+
+Where an event is only touched, a phase lasts no time: the equation has a double root at an end,
+and is within rounding of zero near it.  Signs tell nothing there, so that part is left out.
 """
 
 import math
@@ -32,6 +35,12 @@ FINER, TIMES = 32, 3
 #: Halvings of an interval with a root.
 HALVINGS = 30
 
+#: What is rounding of the equation.
+ROUNDING = 1e-11
+
+#: Roots are at most this part of the durations on the first grid; more are rounding.
+ROOTS = 1 / 8
+
 
 def applies(cell: Cell) -> bool:
     """Whether a cell is two phases under a forcing."""
@@ -47,8 +56,8 @@ def solutions(cell: Cell) -> tuple[tuple[tuple[float, float], float], ...] | Non
     Returns
     -------
     tuple or None
-        None where the equations are singular for any duration, or a phase oscillates too fast
-        for the grid.
+        None where the equations are singular for any duration, a phase oscillates too fast for
+        the grid, or rounding hides the roots.
 
     Examples
     --------
@@ -67,13 +76,42 @@ def solutions(cell: Cell) -> tuple[tuple[tuple[float, float], float], ...] | Non
             return None
 
 
-def _solutions(cell: Cell, grid: Vector) -> tuple[tuple[tuple[float, float], float], ...]:
+def vanishing(cell: Cell) -> list[Phase]:
+    """Return the phases that last no time in a limit which satisfies the equations to rounding.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.case import registry
+    >>> case = registry.load("dry-friction")(force=0.3).of_motion("two-stops")
+    >>> [phase.name for phase in vanishing(case.cell)]
+    ['slide']
+    """
+    ends = cell.duration * np.array([SHORTEST, 1 - SHORTEST])
+    with np.errstate(all="ignore"):
+        try:
+            near = np.abs(_size(cell, ends)) <= ROUNDING
+        except np.linalg.LinAlgError:
+            return []
+    return [phase for phase, satisfied in zip(cell.phases, near, strict=True) if satisfied]
+
+
+def _solutions(
+    cell: Cell, grid: Vector
+) -> tuple[tuple[tuple[float, float], float], ...] | None:
     values = _size(cell, grid)
+    told = np.flatnonzero(~(np.abs(values) <= ROUNDING))
+    if not len(told):
+        return None
+    inner = slice(told[0], told[-1] + 1)
+    grid, values = grid[inner], values[inner]
+    most = ROOTS * len(grid)
     for _ in range(TIMES):
         grid, values = _finer(cell, grid, values)
     crossed = np.flatnonzero(
         np.isfinite(values[:-1] + values[1:]) & (values[:-1] * values[1:] <= 0)
     )
+    if len(crossed) > most:
+        return None
     left, right, sign = grid[crossed], grid[crossed + 1], np.sign(values[crossed])
     for _ in range(HALVINGS if len(left) else 0):
         middle = (left + right) / 2

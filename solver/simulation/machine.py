@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..arrays import Vector
 from ..case.cell import Cell, Form, Phase
 from .bounds import local
 from .locate import sign_after
@@ -220,10 +221,18 @@ def same(one: Form, other: Form) -> bool:
     True
     >>> same((1.0, 0.0, 0.0, -0.5), (1.0, 0.0, 0.0, 0.5))
     False
+    >>> same((1.0, 0.0, 0.0, -1e300), (-2.0, 0.0, 0.0, 2e300))
+    True
     """
-    a, b = np.array(one), np.array(other)
+    a, b = _scaled(one), _scaled(other)
     sizes = math.sqrt(float(a @ a) * float(b @ b))
     return bool(sizes > 0 and sizes - abs(float(a @ b)) <= 1e-12 * sizes)
+
+
+def _scaled(form: Form) -> Vector:
+    """Return a form of which the largest factor is 1, so that no square overflows."""
+    factors = np.array(form)
+    return factors / (np.abs(factors).max() or 1.0)
 
 
 def _negative(form: Form) -> Form:

@@ -22,6 +22,9 @@ CYCLES, MOST = 100, 8
 #: How far from itself a settled motion may be a period later, in units of time and length.
 NEAR = 1e-3
 
+#: What is rounding of a duration, in units of time: of two events that meet, its square root.
+NO_TIME = 1e-7
+
 
 @dataclass(frozen=True)
 class Settled:
@@ -75,6 +78,9 @@ def settled(cell: Cell, motion: Simulation) -> Settled:
         first = segments[cells[-1] : cells[-1] + len(cell.phases)]
         durations = tuple(q.s for q in first)
         words = f"a simulation settles on {', '.join(q.phase.name for q in first)}"
+        touched = [q.phase.name for q in first if q.s < NO_TIME]
+        if touched:
+            words += f", where {' and '.join(touched)} lasts no time to rounding"
         again = cells[-2:-1] and segments[cells[-2] : cells[-2] + len(cell.phases)]
         if again and all(
             max(abs(one.s - two.s), abs(one.x - two.x), abs(one.v - two.v)) <= NEAR

@@ -7,7 +7,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow import two_phases
+from nonsmooth.solver.flow import existence, two_phases
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.flow.exact_motion import from_times
 from nonsmooth.solver.flow.existence import is_in_vain, scanned
@@ -130,3 +130,54 @@ def test_of_one_phase_a_proof_ends_the_search():
         ns.solve(case, method="hb", order=5)
     assert caught.value.proven
     assert caught.value.iterations < 40 * PATIENCE
+
+
+#: Loads that only touch the static limit, or are above it by rounding.
+TOUCHING = [
+    {"force": 0.3},
+    {"force": 0.4, "mu_s": 0.4, "mu_k": 0.4},
+    {"force": 0.6, "normal_force": 2},
+    {"force": 0.30000000000001},
+]
+
+
+@pytest.fixture
+def from_the_scan(monkeypatch):
+    """Return a list to which each solution of a scan that Newton's method polishes is added."""
+    existence.scanned_words.cache_clear()
+    starts = []
+
+    def counted(case, rough):
+        starts.append(rough)
+        assert len(starts) < 100
+        return from_times(case, rough)
+
+    monkeypatch.setattr(existence, "from_times", counted)
+    return starts
+
+
+@pytest.mark.parametrize("values", TOUCHING, ids=repr)
+def test_a_load_that_touches_the_static_limit_has_no_roots_of_rounding(values, from_the_scan):
+    """There were 137170 of them: noise about a double root at a slide of no duration."""
+    case = FRICTION(**values).of_motion("two-stops")
+    assert [phase.name for phase in two_phases.vanishing(case.cell)] == ["slide"]
+    with pytest.raises(ns.NoOrbit, match="only as slide lasts no time do they hold") as caught:
+        ns.solve(case, method="ck-tau")
+    assert caught.value.status == "not-converged"
+    assert len(caught.value.tried) <= PATIENCE + 3
+    assert from_the_scan == []
+
+
+@pytest.mark.parametrize(
+    ("force", "count"), [(0.3 + 1e-9, 1), (0.3 + 1e-11, 1), (0.3 - 1e-11, 0)]
+)
+def test_a_short_slide_is_told_from_none(force, count):
+    case = FRICTION(force=force).of_motion("two-stops")
+    assert len(two_phases.solutions(case.cell)) == count
+    assert two_phases.vanishing(case.cell) == []
+
+
+def test_rounding_that_is_taken_for_roots_decides_nothing(monkeypatch):
+    monkeypatch.setattr(two_phases, "ROUNDING", 0.0)
+    case = FRICTION(force=0.30000000000001).of_motion("two-stops")
+    assert two_phases.solutions.__wrapped__(case.cell) is None

@@ -8,6 +8,7 @@ from made_scenes import made
 from reached import EVERY_RUN, IMPACT, REACHED, dry
 
 import nonsmooth as ns
+from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settled
@@ -44,6 +45,35 @@ def test_what_does_not_move_on_is_said() -> None:
     )  # fmt: skip
     (found,) = rough_times_by_simulation(IMPACT(restitution=0.3, frequency=0.3, damping=0.3))
     assert found.words.startswith("a simulation ends: chatter: ")
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_stop_however_far_is_said_to_be_out_of_reach() -> None:
+    far = IMPACT(gap=1e300)  # its square is beyond float64
+    (found,) = rough_times_by_simulation(far)
+    assert found.words == "a simulation comes to a motion without switches"
+    with pytest.raises(NoOrbit, match="no such orbit exists"):
+        solve_case(far)
+
+
+def test_a_limit_that_is_only_touched_is_said() -> None:
+    def words(load):
+        case = registry.load("dry-friction")(force=load).of_motion("two-stops")
+        return [each.words for each in rough_times_by_simulation(case)]
+
+    settles = "a simulation settles on slide, stop"
+    assert words(0.3) == [f"{settles}, where slide lasts no time to rounding"]
+    assert words(0.3 + 1e-9) == [settles]
+
+
+def test_phases_of_no_duration_are_not_repeated() -> None:
+    """Each of the 40 times that the load touches its limit is one slide, not many."""
+    motion = ns.simulate(registry.load("dry-friction")(force=0.3), cycles=20)
+    assert motion.ended == ""
+    slides = [q for q in motion.phases if q.name == "slide"]
+    assert len(slides) <= 40
+    assert len(motion.phases) <= 2 * 40 + 1
+    assert max(abs(q.displacement) for q in motion.phases) < 1e-20
 
 
 def test_solve_falls_back_on_it() -> None:

@@ -15,6 +15,20 @@ def mistake(what: str, file: str, old: str, new: str, tests: tuple[str, ...]) ->
 
 MUTANTS: tuple[Mutant, ...] = (
     mistake(
+        "squares of the factors of a form overflow",
+        "machine.py",
+        "a, b = _scaled(one), _scaled(other)",
+        "a, b = np.array(one), np.array(other)",
+        SETTLE,
+    ),
+    mistake(
+        "a limit that is only touched is taken for a slide",
+        "settle.py",
+        "if q.s < NO_TIME]",
+        "if q.s < 0]",
+        SETTLE,
+    ),
+    mistake(
         "the bound is for a window of half the length",
         "bounds.py",
         "largest = (norm + forced * s)",

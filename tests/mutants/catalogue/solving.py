@@ -25,6 +25,18 @@ MUTANTS = (
         TWO, "for _ in range(TIMES):", "for _ in range(0):", SCAN,
     ),
     Mutant(
+        "a scan takes rounding about a phase of no duration for a solution",
+        TWO, "inner = slice(told[0], told[-1] + 1)", "inner = slice(None)", SCAN,
+    ),
+    Mutant(
+        "a scan takes any number of changes of sign for solutions",
+        TWO, "if len(crossed) > most:", "if False:", SCAN,
+    ),
+    Mutant(
+        "a scan takes a load well below the limit for one that touches it",
+        TWO, "ROUNDING = 1e-11", "ROUNDING = 1e-9", SCAN,
+    ),
+    Mutant(
         "a scan takes the second phase to begin where the first does",
         TWO, "np.exp(1j * omega * begin)", "np.exp(0j * omega * begin)", SCAN,
     ),
