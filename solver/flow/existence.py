@@ -101,9 +101,9 @@ def scanned_words(case: Case) -> str:
 def _in_the_limit(case: Case) -> str:
     """Return in words in which limits the equations are satisfied; empty if in none."""
     names = [phase.name for phase in two_phases.vanishing(case.cell)]
-    return f"; only as {' or '.join(names)} lasts no time do they hold to rounding" * bool(
-        names
-    )
+    if not names:
+        return ""
+    return f"; only as {' or '.join(names)} lasts no time do they hold to rounding"
 
 
 def infinitely_many(case: Case) -> str:
