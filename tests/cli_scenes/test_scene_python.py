@@ -1,5 +1,7 @@
 """Scenes from Python: one `solve`, `sweep` and `exact` for every oscillator."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -13,6 +15,9 @@ from nonsmooth.solver.sweep import sweep_case
 from nonsmooth.solver.trade.choice import NotCertifiedScene
 
 IMPACT = registry.load("impact")
+BELT = ns.StickSlip(
+    mass=10, stiffness=1000, belt_speed=1, mu_s=0.5, mu_k=0.25, normal_force=400
+)
 
 
 def test_scenes_by_name() -> None:
@@ -111,6 +116,32 @@ def test_exact_orbits() -> None:
     case = IMPACT()
     assert isinstance(ns.exact(case), ns.ExactSceneOrbit)
     assert ns.exact(case).forcing_phase == exact_orbit(case).forcing_phase
+
+
+@pytest.mark.parametrize("case", [IMPACT(), BELT], ids=["scene", "belt"])
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"orders": [0]}, r"^order: got 0, expected a whole number from 1 to"),
+        ({"orders": [0, 4]}, r"^order: got 0, expected a whole number from 1 to"),
+        ({"orders": []}, r"^orders: got \[\], expected whole numbers in a sequence$"),
+        ({"orders": 5}, r"^orders: got 5, expected whole numbers in a sequence$"),
+        ({"orders": "3-5"}, r"^orders: got '3-5', expected whole numbers in a sequence$"),
+        ({"methods": []}, r"^methods: got \[\], expected names of methods in a sequence$"),
+        ({"methods": 5}, r"^methods: got 5, expected names of methods in a sequence$"),
+    ],
+)
+def test_a_sweep_of_nothing_is_refused(case, wrong, words) -> None:
+    with pytest.raises(ValueError, match=words):
+        ns.sweep(case, **wrong)
+
+
+def test_orders_are_whole_numbers_of_any_type() -> None:
+    rows = ns.sweep(IMPACT(), orders=np.arange(2, 4)).rows
+    assert rows == tuple(
+        replace(a, seconds=b.seconds)
+        for a, b in zip(ns.sweep(IMPACT(), orders=[2, 3]).rows, rows, strict=True)
+    )
 
 
 def test_sweeps() -> None:
