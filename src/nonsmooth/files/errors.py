@@ -19,6 +19,11 @@ class FileWarning(UserWarning):
     """A file that was loaded, and is not as it was written."""
 
 
+def other_kind(path: Path) -> FileError:
+    """Return the error of a file that holds what is written for other programs."""
+    return FileError(path, "holds no orbit, sweep, family or modes: nothing else can be loaded")
+
+
 def damaged(path: Path, how: str) -> FileError:
     """Return the error of a file that cannot be right."""
     return FileError(path, f"damaged: {how}")
