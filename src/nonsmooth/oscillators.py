@@ -312,7 +312,7 @@ def simulate(
     time : float, optional
         How long in s, in place of `cycles`.
     forcing_phase : float
-        Phase of the forcing at the start, in rad.
+        Phase of the forcing at the start, in rad; 0 where nothing forces.
 
     Returns
     -------
