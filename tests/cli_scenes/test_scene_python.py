@@ -15,9 +15,6 @@ from nonsmooth.solver.sweep import sweep_case
 from nonsmooth.solver.trade.choice import NotCertifiedScene
 
 IMPACT = registry.load("impact")
-BELT = ns.StickSlip(
-    mass=10, stiffness=1000, belt_speed=1, mu_s=0.5, mu_k=0.25, normal_force=400
-)
 
 
 def test_scenes_by_name() -> None:
@@ -116,24 +113,6 @@ def test_exact_orbits() -> None:
     case = IMPACT()
     assert isinstance(ns.exact(case), ns.ExactSceneOrbit)
     assert ns.exact(case).forcing_phase == exact_orbit(case).forcing_phase
-
-
-@pytest.mark.parametrize("case", [IMPACT(), BELT], ids=["scene", "belt"])
-@pytest.mark.parametrize(
-    ("wrong", "words"),
-    [
-        ({"orders": [0]}, r"^order: got 0, expected a whole number from 1 to"),
-        ({"orders": [0, 4]}, r"^order: got 0, expected a whole number from 1 to"),
-        ({"orders": []}, r"^orders: got \[\], expected whole numbers in a sequence$"),
-        ({"orders": 5}, r"^orders: got 5, expected whole numbers in a sequence$"),
-        ({"orders": "3-5"}, r"^orders: got '3-5', expected whole numbers in a sequence$"),
-        ({"methods": []}, r"^methods: got \[\], expected names of methods in a sequence$"),
-        ({"methods": 5}, r"^methods: got 5, expected names of methods in a sequence$"),
-    ],
-)
-def test_a_sweep_of_nothing_is_refused(case, wrong, words) -> None:
-    with pytest.raises(ValueError, match=words):
-        ns.sweep(case, **wrong)
 
 
 def test_orders_are_whole_numbers_of_any_type() -> None:

@@ -20,7 +20,8 @@ def whole(path: Path) -> Iterator[Path]:
     OSError
         If it cannot be written; then nothing is left of it.
     """
-    asked, path = path, Path(os.path.realpath(path))
+    asked = path
+    path = Path(os.path.realpath(path))
     try:
         handle, name = tempfile.mkstemp(
             dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
