@@ -78,6 +78,9 @@ class FamilyRow:
         return asdict(self) | {"estimate": estimate, "extremes": ends}
 
 
+#: Numbers of which each row has one, or none.
+NUMBERS = ("value", "period", "forcing_phase", "iterations")
+
 #: Units of the numbers in a row.
 UNITS = {
     "period": "s",
@@ -131,9 +134,17 @@ class SceneFamily(Tabular):
     def __getitem__(
         self, index: str | int | slice
     ) -> Vector | FamilyRow | tuple[FamilyRow, ...]:
-        """Return ``"value"``, ``"period"`` or ``"forcing_phase"`` of all rows; or some rows."""
+        """Return ``"value"``, ``"period"`` or ``"forcing_phase"`` of all rows; or some rows.
+
+        Raises
+        ------
+        KeyError
+            If there are no numbers of this name.
+        """
         if not isinstance(index, str):
             return self.rows[index]
+        if index not in NUMBERS:
+            raise KeyError(f"got {index!r}, expected one of {', '.join(NUMBERS)}")
         return np.array([getattr(row, index) for row in self.rows], dtype=float)
 
     @property

@@ -209,11 +209,16 @@ def sweep_case(
     scene, numbers = case.scene, list(orders)
     named = in_order(registry.methods(scene)) if methods is None else methods
     wanted = (named,) if isinstance(named, str) else named
-    jobs = []
+    kernels = []
     for method in (registry.generic_method(scene, name) for name in wanted):
         count = number_of_functions(case, method, functions)
-        kernel = registry.kernel(scene.each_motion[0], method, count)
-        chosen = numbers if methods is not None else _computed(numbers, kernel.lowest)
+        kernels.append((registry.kernel(scene.each_motion[0], method, count), method, count))
+    if methods is None:
+        least = min((kernel for kernel, *_ in kernels), key=lambda kernel: kernel.lowest)
+        numbers = [check_order(least, order) for order in numbers]
+    jobs = []
+    for kernel, method, count in kernels:
+        chosen = (order for order in numbers if methods is not None or order >= kernel.lowest)
         jobs += [(method, check_order(kernel, order), count) for order in chosen]
     rows = []
     for method, order, count in jobs:
@@ -221,11 +226,6 @@ def sweep_case(
         rows.append(made)
         progress(rows[-1])
     return SceneSweep(case, tuple(rows), functions)
-
-
-def _computed(orders: list[int], lowest: int) -> list[int]:
-    """Return the orders that are not below the lowest; others are refused later."""
-    return [order for order in orders if not isinstance(order, int) or order >= lowest]
 
 
 def _empty(method: str, order: int, finding: NoOrbit, seconds: float = 0.0) -> SceneRow:

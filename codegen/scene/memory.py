@@ -7,7 +7,7 @@ import sympy as sp
 from .data import Memory, Scene
 from .error import SceneError, named
 from .linear import state_row
-from .names import check_name, reserved
+from .names import check_meaning, check_name
 from .symbols import STATE_UNITS, a, forcing, t
 from .units import Dimension, balance, dimension_of, spelled
 
@@ -50,11 +50,7 @@ def _check_symbol(field: str, memory: Memory, scene: Scene, taken: set[sp.Symbol
     check_name(f"{field}: symbol", symbol.name)
     if symbol.name in {other.name for other in taken}:
         raise SceneError(f"{field}: symbol: there is another symbol of that name")
-    if reserved(symbol.name, [phase.name for phase in scene.phases]):
-        raise SceneError(
-            f"{field}: symbol: {symbol} has a meaning of its own in the equations, "
-            "expected another name"
-        )
+    check_meaning(f"{field}: symbol", symbol.name, [phase.name for phase in scene.phases])
 
 
 def _unit(memory: Memory, scene: Scene, units: Mapping[sp.Symbol, Dimension]) -> Dimension:

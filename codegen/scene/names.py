@@ -16,9 +16,13 @@ TAKEN = frozenset(
     )
 )
 
-#: Names that kernels and equations use themselves: unknowns, indices, functions.
+#: The short ones of the names that kernels and equations use themselves.
+SHORT = ("N", "R", "J", "T", "z", "p", "u", "l", "n", "j", "t", "x", "v", "a", "b", "a0", "phi")
+
+#: All of them: unknowns, indices, functions.
 _RESERVED = re.compile(
-    r"(N|R|J|T|z|p|u|l|n|j|t|x|v|a|b|a0|q\d+|phi|row|case|angle|forcing|omega_0"
+    rf"({'|'.join(SHORT)}"
+    r"|q\d+|row|case|angle|forcing|omega_0"
     r"|np|pi|cycles|cos|sin|sqrt|exp|abs|max|range|len|legendre"
     r"|(at|by|number|over|ends|series|event|displacement|velocity|derivative|impact|jump|memory)_\w+"
     r"|[CS]_[mckfgw](_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
@@ -44,6 +48,22 @@ def check_name(field: str, name: str) -> None:
         raise SceneError(f"{field}: got {name!r}, a word of Python")
     if not name.isidentifier():
         raise SceneError(f"{field}: got {name!r}, expected letters, digits and underscores")
+
+
+def check_meaning(field: str, name: str, phases: Iterable[str]) -> None:
+    """Check that a name has no other meaning in the equations.
+
+    Raises
+    ------
+    SceneError
+        If it has, with the names that are taken.
+    """
+    if reserved(name, phases):
+        raise SceneError(
+            f"{field}: {name} has a meaning of its own in the equations, as have "
+            f"{', '.join(SHORT)}, the names of functions and those that begin with s_, x_, v_ "
+            "and the like before the name of a phase; expected another name"
+        )
 
 
 def reserved(name: str, phases: Iterable[str]) -> bool:

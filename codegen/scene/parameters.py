@@ -7,7 +7,7 @@ import sympy as sp
 
 from .data import Parameter
 from .error import SceneError, named
-from .names import TAKEN, check_name, reserved
+from .names import TAKEN, check_meaning, check_name
 from .symbols import STATE_UNITS
 from .units import dimension_of
 
@@ -47,11 +47,7 @@ def _check_symbol(field: str, symbol: sp.Symbol, phases: Sequence[str]) -> None:
     check_name(f"{field}: symbol", symbol.name)
     if symbol in STATE_UNITS:
         raise SceneError(f"{field}: symbol: {symbol} stands for the state of the motion")
-    if reserved(symbol.name, phases):
-        raise SceneError(
-            f"{field}: symbol: {symbol} has a meaning of its own in the equations, "
-            "expected another name"
-        )
+    check_meaning(f"{field}: symbol", symbol.name, phases)
 
 
 def within(parameter: Parameter, value: float) -> bool:

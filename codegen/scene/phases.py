@@ -38,7 +38,7 @@ def check_phase(
         with named(f"{field}: {name}"):
             value = sp.sympify(expression)
             if value.has(t):
-                raise SceneError("it has the time t, expected x, v, a and forcing")
+                raise SceneError("it has the time t, which enters by forcing alone")
             if value.has(forcing) and not forced:
                 raise SceneError("it has forcing, but the scene has no frequency")
             balance(sp.expand(value), units)

@@ -132,6 +132,8 @@ def _balance_of_power(expression: sp.Pow, units: Mapping[sp.Symbol, Dimension]) 
 def _unit_of(symbol: sp.Symbol, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
     if symbol in units:
         return units[symbol]
+    if symbol.name == "t":
+        raise SceneError("it has the time t, which enters by forcing alone")
     same = [other for other in units if other.name == symbol.name]
     but = f", but another symbol of that name is: with {_assumed(same[0])}" if same else ""
     raise SceneError(f"{symbol} is not a parameter of the scene{but}")

@@ -92,6 +92,11 @@ class SceneNumbers:
     def __hash__(self) -> int:
         return hash(self._identity)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        from .registry import load_folder  # noqa: PLC0415  (it imports this module)
+
+        return load_folder, (str(self.folder),)
+
     def __repr__(self) -> str:
         return f"<scene {self.label}: {self.title} (C{self.k})>"
 

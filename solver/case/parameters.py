@@ -11,6 +11,9 @@ class ParameterError(ValueError):
         super().__init__("; ".join(errors))
         self.errors = tuple(errors)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (list(self.errors),), vars(self)
+
 
 def is_number(value: object) -> bool:
     """Whether `value` is a finite real number that a float can hold; a bool is not."""

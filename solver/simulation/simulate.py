@@ -50,7 +50,7 @@ def simulate(
     time : float, optional
         How long in s, in place of `cycles`.
     forcing_phase : float
-        Phase of the forcing at the start, in rad.
+        Phase of the forcing at the start, in rad; 0 where nothing forces.
 
     Returns
     -------
@@ -76,6 +76,9 @@ def simulate(
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
     case = whole(case)
     turn = _number("forcing_phase", forcing_phase, "a finite number of rad")
+    if turn and case.scene.frequency is None:
+        expected = f"0: nothing forces {case.scene.name}"
+        raise ValueError(f"forcing_phase: got {forcing_phase!r}, expected {expected}")
     duration = _duration(case, cycles, time)
     machine = Machine.of(case.cell)
     if state is None:

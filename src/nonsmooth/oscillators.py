@@ -208,7 +208,8 @@ def sweep(
     TypeError
         If `case` is neither.
     ValueError
-        If a method or an order is not one that can be computed; before anything is.
+        If a method or an order is not one that can be computed, or there are none; before
+        anything is.
 
     Examples
     --------
@@ -221,7 +222,10 @@ def sweep(
     c0-tau      4      3.490658504   8.84e-04   2.87e-02   8.8e-04
     c0-tau      8      3.490658504   1.97e-09   7.97e-05   2.0e-09
     """
-    named = [methods] if isinstance(methods, str) or methods is None else [*methods]
+    one = methods is None or isinstance(methods, str)
+    named = [methods] if one else _several("methods", methods, "names of methods")
+    if orders is not None:
+        orders = _several("orders", orders, "whole numbers")
     generic, entrance = _way(case, named, functions, shortcuts)
     if entrance is not None:
         numbers = range(1, 41) if orders is None else orders
@@ -308,7 +312,7 @@ def simulate(
     time : float, optional
         How long in s, in place of `cycles`.
     forcing_phase : float
-        Phase of the forcing at the start, in rad.
+        Phase of the forcing at the start, in rad; 0 where nothing forces.
 
     Returns
     -------
@@ -337,6 +341,20 @@ def simulate(
 
     generic, _ = _way(case, [None], None, shortcuts=False)
     return simulated(generic, state, cycles, time=time, forcing_phase=forcing_phase)
+
+
+def _several(name: str, values: object, what: str) -> list[Any]:
+    """Return what is asked for, one or more, as a list.
+
+    Raises
+    ------
+    ValueError
+        If it is not a sequence, or an empty one.
+    """
+    found = [*values] if isinstance(values, Iterable) and not isinstance(values, str) else []
+    if not found:
+        raise ValueError(f"{name}: got {values!r:.80}, expected {what} in a sequence")
+    return found
 
 
 def _way(

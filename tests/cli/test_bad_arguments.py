@@ -99,3 +99,21 @@ def test_values_and_orders_that_are_no_numbers() -> None:
 def test_c1_functions_without_a_method_that_has_them(run, more: tuple[str, ...]) -> None:
     status, _, err = run("sweep", "--orders", "5", "--c1-terms", "3", *more)
     assert (status, "--c1-terms: got 3 without hb-c1" in err) == (2, True)
+
+
+@pytest.mark.parametrize("case", [ns.scene("impact")(), DEFAULT], ids=["scene", "belt"])
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"orders": [0]}, r"^order: got 0, expected a whole number from 1 to"),
+        ({"orders": [0, 4]}, r"^order: got 0, expected a whole number from 1 to"),
+        ({"orders": []}, r"^orders: got \[\], expected whole numbers in a sequence$"),
+        ({"orders": 5}, r"^orders: got 5, expected whole numbers in a sequence$"),
+        ({"orders": "3-5"}, r"^orders: got '3-5', expected whole numbers in a sequence$"),
+        ({"methods": []}, r"^methods: got \[\], expected names of methods in a sequence$"),
+        ({"methods": 5}, r"^methods: got 5, expected names of methods in a sequence$"),
+    ],
+)
+def test_a_sweep_of_nothing_is_refused(case, wrong, words) -> None:
+    with pytest.raises(ValueError, match=words):
+        ns.sweep(case, **wrong)

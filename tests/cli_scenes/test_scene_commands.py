@@ -244,6 +244,7 @@ def test_a_case_file_names_its_scene(run, tmp_path: Path) -> None:
     assert "no table [impact]" in refused(run, "solve", "impact", "--case", path)
     path.write_text(f"{CASE}gab = 1\n")
     error = refused(run, "solve", "--case", path)
+    assert error.startswith(f"nonsmooth: {path}: gab: not a parameter of impact; did you mean")
     assert "gap: missing, expected displacement at which the mass hits the stop in m" in error
     assert "gab: not a parameter of impact; did you mean gap?" in error
     assert "got" not in refused(run, "solve", "--case", path, "--gap", 0.1).split("gab:")[0]

@@ -36,6 +36,14 @@ def test_each_orbit_is_what_solve_gives(along) -> None:
     assert all(row.iterations < along.rows[0].iterations for row in along.rows[1:3])
 
 
+def test_numbers_that_no_row_has_are_refused(along) -> None:
+    with pytest.raises(
+        KeyError, match="got 'nope', expected one of value, period, forcing_phase"
+    ):
+        along["nope"]
+    assert along["iterations"].tolist() == [row.iterations for row in along.rows]
+
+
 def test_where_there_is_none_the_row_says_why(along) -> None:
     last = along.rows[-1]
     assert (last.status, last.period, last.durations) == ("no-orbit", None, None)

@@ -1,5 +1,7 @@
 """Scenes from Python: one `solve`, `sweep` and `exact` for every oscillator."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -111,6 +113,14 @@ def test_exact_orbits() -> None:
     case = IMPACT()
     assert isinstance(ns.exact(case), ns.ExactSceneOrbit)
     assert ns.exact(case).forcing_phase == exact_orbit(case).forcing_phase
+
+
+def test_orders_are_whole_numbers_of_any_type() -> None:
+    rows = ns.sweep(IMPACT(), orders=np.arange(2, 4)).rows
+    assert rows == tuple(
+        replace(a, seconds=b.seconds)
+        for a, b in zip(ns.sweep(IMPACT(), orders=[2, 3]).rows, rows, strict=True)
+    )
 
 
 def test_sweeps() -> None:

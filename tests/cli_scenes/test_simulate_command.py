@@ -106,6 +106,12 @@ def test_what_is_drawn_is_the_motion_and_its_late_part() -> None:
     assert t[-count] == pytest.approx(0.8 * motion.time, rel=0.01)
 
 
+def test_a_phase_of_what_does_not_force_is_refused(run) -> None:
+    status, out, err = run("simulate", "stick-slip", "--forcing-phase", 1)
+    assert (status, out) == (2, "")
+    assert err.startswith("nonsmooth: --forcing-phase: got 1.0, expected 0: nothing forces")
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.files.json_text import sealed
 
 try:
     import netCDF4
@@ -203,3 +204,45 @@ def test_netcdf_has_its_coordinates_in_the_root(made, tmp_path: Path) -> None:
         assert set(two.coords) >= {"method", "order", "t"}
         assert two["displacement"].dims == ("orbit", "sample")
         assert two["order"].values.tolist() == [5, 6]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        {"scene": "impact", "parameters": {}, "lost": False, "rows": []},  # of ``digits``
+        {"scene": "impact", "parameters": {}, "points": []},  # of ``tradeoff``
+        {"scene": "impact", "parameters": {}, "phases": [{}]},  # of ``simulate``
+    ],
+)
+def test_files_for_other_programs(content, tmp_path: Path) -> None:
+    path = tmp_path / "other.json"
+    path.write_text(sealed(content))
+    with pytest.raises(
+        ns.FileError, match="json: holds no orbit, sweep, family or modes: noth"
+    ):
+        ns.load(path)
+
+
+def test_the_motion_of_a_simulation_is_not_that_of_an_orbit(run, tmp_path: Path) -> None:
+    path = tmp_path / "motion.csv"
+    assert run("simulate", "impact", "--cycles", 1, "-o", path)[0] == 0
+    with pytest.raises(ns.FileError, match=r"csv: the motion of a simulation, which cannot be"):
+        ns.load(path)
+
+
+@pytest.mark.parametrize("kind", ["orbit", "sweep", "family"])
+def test_a_parameter_that_is_missing_has_no_default(kind: str, made, tmp_path: Path) -> None:
+    path = tmp_path / "thing.json"
+    ns.save(made[kind], path)
+    document = json.loads(path.read_text())
+    del document["parameters"]["mass"]  # 1, as its default
+    path.write_text(sealed(document))
+    with pytest.raises(ns.FileError, match=r"damaged: parameters without mass$"):
+        ns.load(path)
+
+
+def test_a_folder_that_is_not_there(made, tmp_path: Path) -> None:
+    path = tmp_path / "nowhere" / "orbit.json"
+    with pytest.raises(FileNotFoundError) as refusal:
+        ns.save(made["orbit"], path)
+    assert refusal.value.filename == str(path)

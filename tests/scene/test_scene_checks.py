@@ -31,6 +31,7 @@ from nonsmooth.codegen.scene import Event, Parameter, Phase, t
 from nonsmooth.codegen.scene.linear import without_modulus
 
 stranger = sp.Symbol("stranger", positive=True)
+OWN_TIME = sp.Symbol("t")  # without the assumption of that of a scene
 MOTION = FLIGHT.equation
 
 
@@ -65,6 +66,7 @@ NAMES = {
     "symbol of the order": (
         lambda: with_parameter(0, symbol=sp.Symbol("N", positive=True)),
         "parameter mass: symbol: N has a meaning of its own",
+        "as have N, R, J, T, z,",
     ),
     "symbol of an unknown": (
         lambda: with_parameter(0, symbol=sp.Symbol("s_flight", positive=True)),
@@ -261,8 +263,12 @@ FIELDS = {
     ),
     "time in the equation": (
         lambda: scene(phase={"equation": m * a + c * v + k * x - F * sp.cos(Omega * t)}),
-        "phase flight: equation: it has the time t",
+        "phase flight: equation: it has the time t, which enters by forcing alone",
         "forcing",
+    ),
+    "time of one's own": (
+        lambda: scene(phase={"equation": m * a + c * v + k * x - F * sp.cos(Omega * OWN_TIME)}),
+        "phase flight: equation: it has the time t, which enters by forcing alone",
     ),
     "time in the event": (
         lambda: scene(ends={"zero": x - g * Omega * t}),

@@ -1,11 +1,13 @@
 """Cases: every mistake is named, and numbers without units do not depend on the units."""
 
+import copy
 import math
 import pickle
 
 import pytest
 
 from nonsmooth.solver.case import registry
+from nonsmooth.solver.case.numbers import SceneNumbers
 from nonsmooth.solver.case.parameters import ParameterError
 from nonsmooth.solver.case.registry import UnknownScene
 from nonsmooth.solver.case.units import _in_units
@@ -120,6 +122,14 @@ def test_cases_are_values() -> None:
         case.values["gap"] = 0.3  # type: ignore[index]
     assert "g = 0.2 m" in case.description
     assert "gap=0.2" in repr(case)
+
+
+@pytest.mark.parametrize("scene", [IMPACT, *registry.load("dry-friction").each_motion])
+def test_scenes_are_values(scene: SceneNumbers) -> None:
+    for again in (pickle.loads(pickle.dumps(scene)), copy.copy(scene), copy.deepcopy(scene)):
+        assert again == scene
+        assert again.motion == scene.motion
+        assert again() == scene()
 
 
 def test_dimensionless_equations_are_of_order_one() -> None:

@@ -9,7 +9,7 @@ import contextlib
 import io
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, NoReturn
 
 import click
@@ -42,6 +42,15 @@ class _ReaderLeft(Exception):  # noqa: N818
     """The reader of stdout has left: what it wanted it has."""
 
 
+@contextlib.contextmanager
+def _reader() -> Iterator[None]:
+    """Tell a reader that has left from other errors of files."""
+    try:
+        yield
+    except BrokenPipeError as error:
+        raise _ReaderLeft from error
+
+
 class _Commands(click.Group):
     """Commands, some of which take a scene or a structure as their first argument.
 
@@ -56,11 +65,13 @@ class _Commands(click.Group):
         name, command, rest = structures.resolved(name, command, rest, quiet=quiet)
         return scene_command.resolved(name, command, rest, quiet=quiet)
 
+    def make_context(self, *arguments: Any, **options: Any) -> click.Context:
+        with _reader():  # of the version, or of help
+            return super().make_context(*arguments, **options)
+
     def invoke(self, ctx: click.Context) -> Any:
-        try:
+        with _reader():
             return super().invoke(ctx)
-        except BrokenPipeError as error:
-            raise _ReaderLeft from error
 
 
 @click.group(

@@ -114,7 +114,7 @@ def equations(
         with busy("deriving the equations"):
             unicode = output is not None or _terminal_has_unicode()
             if of_any or OWN is None:
-                name = scene or DEFAULT
+                name = DEFAULT if scene is None else scene
                 parts, title = _sections(name, method, functions, motion)
                 text = _text_of(parts, title, chosen, fragment, unicode)
             else:

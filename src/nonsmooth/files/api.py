@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..room import room
-from .errors import FileError, damaged
+from .errors import FileError, damaged, other_kind
 from .json_text import check_digest, sealed
 from .kinds import Content
 from .scenes.content import content_of
@@ -178,7 +178,7 @@ def _from_document(path: Path, document: Mapping[str, Any], scene: object = None
 
             return restored_modes(path, document)
         if "scene" not in document:
-            raise FileError(path, "holds no orbit, sweep, family or modes")
+            raise other_kind(path)
         return restored(path, document, scene)
     except FileError:
         raise
@@ -217,7 +217,7 @@ def _from_open(path: Path, file: "Dataset", scene: object) -> tuple[Loaded, bool
         return found, True
     own = room(__package__, "netcdf")
     if own is None:
-        raise FileError(path, "holds no orbit, sweep, family or modes")
+        raise other_kind(path)
     return own.read(path, file), False
 
 

@@ -20,10 +20,14 @@ def whole(path: Path) -> Iterator[Path]:
     OSError
         If it cannot be written; then nothing is left of it.
     """
+    asked = path
     path = Path(os.path.realpath(path))
-    handle, name = tempfile.mkstemp(
-        dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
-    )
+    try:
+        handle, name = tempfile.mkstemp(
+            dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
+        )
+    except OSError as error:  # of a file that nobody asked for
+        raise OSError(error.errno, error.strerror, str(asked)) from None
     os.close(handle)
     temporary = Path(name)
     try:

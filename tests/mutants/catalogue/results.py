@@ -9,6 +9,7 @@ CHANGED = ("tests/files/test_changed_files.py",)
 SCENES = ("tests/files/test_files_of_scenes.py",)
 COMPILE = ("tests/solving/test_when_to_compile.py",)
 COMPILING, FAILING = "solver/compiling.py", ("tests/solving/test_cache_that_fails.py",)
+COPIED = ("tests/results/test_copied_errors.py",)
 
 MUTANTS: tuple[Mutant, ...] = (
     Mutant(
@@ -178,5 +179,33 @@ MUTANTS: tuple[Mutant, ...] = (
         "    warnings.showwarning = show\n",
         "",
         FAILING,
+    ),
+    Mutant(
+        "a pickled error of a file has its words twice",
+        "src/nonsmooth/files/errors.py",
+        "return type(self), (self.path, self.problem), vars(self)",
+        "return type(self), (self.path, str(self)), vars(self)",
+        COPIED,
+    ),
+    Mutant(
+        "a pickled error of parameters is split into letters",
+        "solver/case/parameters.py",
+        "return type(self), (list(self.errors),), vars(self)",
+        "return type(self), self.args, vars(self)",
+        COPIED,
+    ),
+    Mutant(
+        "orders that no method has are left out in silence",
+        "solver/sweep.py",
+        "numbers = [check_order(least, order) for order in numbers]",
+        "numbers = [int(order) for order in numbers]",
+        ("tests/cli/test_bad_arguments.py",),
+    ),
+    Mutant(
+        "an orbit without parameters has the defaults",
+        "src/nonsmooth/files/scenes/restored.py",
+        "if q.name not in given]",
+        "if q.name not in given and False]",
+        ("tests/files/test_files_of_scenes.py",),
     ),
 )

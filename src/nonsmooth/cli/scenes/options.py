@@ -117,13 +117,14 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
         for q in scene.parameters
         if file is not None and q.name not in table and q.name not in given
     ]
+    wrong: list[str] = []
     try:
         case = scene(**(table | given), cycles=1 if cycles is None else cycles)
     except ParameterError as error:
-        missing += [_as_flag(line) for line in error.errors]
+        wrong = [_as_flag(line) for line in error.errors]
     where = f"{file}: " if file else ""
-    if missing:
-        raise Problem(where + "; ".join(missing))
+    if wrong or missing:  # a name that is misspelled before that which it should have been
+        raise Problem(where + "; ".join(wrong + missing))
     with as_problems():
         return case if motion is None else case.of_motion(motion)
 

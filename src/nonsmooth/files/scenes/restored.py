@@ -23,7 +23,7 @@ from nonsmooth.solver.orbit.orbit import SceneOrbit
 from nonsmooth.solver.sweep import SceneRow, SceneSweep
 
 from .. import checks
-from ..errors import FileError
+from ..errors import FileError, other_kind
 
 #: What a row may say of itself.
 STATUS = ("ok", "no-orbit", "not-converged")
@@ -51,10 +51,12 @@ def restored(path: Path, document: Mapping[str, Any], scene: object = None) -> A
     if "vary" in document:
         return _family(document, _case(path, document, scene))
     if "rows" in document:
+        if not {"functions", "rates"} & document.keys():  # rows of ``digits``
+            raise other_kind(path)
         return _sweep(document, _case(path, document, scene))
     every = document.get("orbits", [document])
     if not all("converged" in each for each in every):
-        raise FileError(path, "holds no orbit, sweep or family")
+        raise other_kind(path)
     found = [_orbit(path, document | each, scene) for each in every if each["converged"]]
     if "orbits" not in document and not found:
         raise FileError(path, f"no orbit: {'; '.join(document['violations'])}")
@@ -72,7 +74,11 @@ def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
         raise FileError(path, f"of the scene {name!r}, got {found.name!r}")
     if document.get("motion") is not None:
         found = of_motion(found, document["motion"])
-    return Case(found, document["parameters"], document.get("cycles", 1))
+    given = document["parameters"]
+    missing = [q.name for q in found.parameters if q.name not in given]
+    if missing:
+        raise checks.NotRightError(f"parameters without {', '.join(missing)}")
+    return Case(found, given, document.get("cycles", 1))
 
 
 def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit:

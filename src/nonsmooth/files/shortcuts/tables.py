@@ -121,6 +121,8 @@ def _restored(path: Path, rows: list[dict[str, str]]) -> Any:
             raise FileError(path, f"{words}; save as .json to load it")
     if not rows or "schema" not in rows[0]:
         if rows and "displacement" in rows[0]:
+            if "phase" in rows[0]:
+                raise FileError(path, "the motion of a simulation, which cannot be loaded")
             raise FileError(path, "the motion of an orbit; save the orbit as .json to load it")
         raise FileError(path, "not a file of nonsmooth: it has no rows with a schema")
     check_schema(path, int(rows[0]["schema"]))

@@ -11,7 +11,7 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
 from nonsmooth.solver.shortcuts.search.family_points import COLUMNS
 from nonsmooth.solver.shortcuts.search.sweep import Sweep
 
-from ..errors import FileError
+from ..errors import other_kind
 from ..json_text import ROWS, SCHEMA, Digest, as_json, end, finite
 from .as_any_scene import scene
 from .documents import of_orbits, of_sweep, to_orbit, to_sweep, with_origin
@@ -104,7 +104,7 @@ def restored(path: Path, document: Mapping[str, Any]) -> Any:
         check_mathematics(path, document["mathematics"], [each["method"] for each in every])
         found = [to_orbit(each) for each in every if each["converged"]]
         return found if "orbits" in document else found[0]
-    raise FileError(path, "holds no orbit, sweep or family")
+    raise other_kind(path)
 
 
 def _families(path: Path, document: Mapping[str, Any]) -> Any:
