@@ -250,7 +250,7 @@ MUTANTS = (
         "solver/space/modes.py",
         "found = jump_mismatch(attached, shape, eigenvalue)",
         "found = jump_mismatch(attached, shape, 2 * eigenvalue)",
-        COMMANDS,
+        ("tests/space/test_space_claims.py",),
     ),
     Mutant(
         "expansions of a netCDF file are not told apart",
