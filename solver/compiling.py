@@ -88,12 +88,21 @@ class CacheWarning(UserWarning):
     """What is compiled is not kept for the next process."""
 
 
-def jit(function: types.FunctionType) -> Any:
-    """Return `function` compiled, and kept in numba's cache where that can be written."""
+def jit(function: types.FunctionType, *, inlined: bool = False) -> Any:
+    """Return `function` compiled, and kept in numba's cache where that can be written.
+
+    Parameters
+    ----------
+    function : function
+    inlined : bool
+        Whether LLVM copies it into what calls it, however large it is: handing over an array
+        takes as long as some ten operations.
+    """
     import numba  # noqa: PLC0415  (750 ms, for compiled kernels only)
 
     options: dict[str, Any] = {
         "error_model": "numpy",
+        "forceinline": inlined,
         "parallel": "prange" in function.__code__.co_names,
     }
     try:

@@ -22,7 +22,7 @@ from .loops import (
 from .printer import digest
 from .runtime import breaks as broken
 from .runtime import condensed as following
-from .runtime import harmonics, moments, phases, unknowns
+from .runtime import harmonics, moments, phases
 from .used import with_used
 
 HEADER = '''"""{scene}, {method}: {title}; dimensionless.
@@ -50,8 +50,6 @@ CYCLES = " (an integer: periods of the forcing in one of the motion)"
 RUNTIME = (
     moments.spherical_bessel,
     moments.legendre_moments,
-    unknowns.entry,
-    unknowns.put,
     following.follow,
     phases.integrated,
     phases.phase_motion,

@@ -17,6 +17,10 @@ def _index_text(index: sp.Expr) -> str:
     return str(sp.expand(index)).replace(" ", "")
 
 
+#: A time on which some coefficients depend: it, their derivatives by it, the terms.
+Rate = tuple[sp.Symbol, ClosedFunction, tuple[Term, ...]]
+
+
 @dataclass(frozen=True)
 class Part:
     """Terms of a condition whose coefficients one closed form has.
@@ -27,15 +31,15 @@ class Part:
         Single terms, or those of one sum.
     form : ClosedFunction
         Their coefficients.
-    rates : tuple
-        For each time on which some depend: the time, their derivatives by it, the terms.
+    rates : tuple of Rate
+        For each time on which some depend.
     over : tuple or None
         Index and limits of the sum.
     """
 
     found: tuple[Term, ...]
     form: ClosedFunction
-    rates: tuple[tuple[sp.Symbol, ClosedFunction, tuple[Term, ...]], ...]
+    rates: tuple[Rate, ...]
     over: tuple[sp.Symbol, sp.Expr, sp.Expr] | None = None
 
     @property
@@ -146,11 +150,9 @@ def jacobian_lines(rows: Sequence[Row]) -> Lines:
                 inner.append(
                     part.form.assigned([term.block is not None for term in part.found])
                 )
-                inner += [
-                    _put(term, f"q{i}", row.condition)
-                    for i, term in enumerate(part.found)
-                    if term.block
-                ]
+                for i, term in enumerate(part.found):
+                    if term.block:
+                        inner += _put(term, f"q{i}", row.condition)
             for time, rate, changing in part.rates:
                 inner.append(rate.assigned(len(changing)))
                 change = combined(changing, row.condition)
@@ -172,18 +174,27 @@ def combined(found: Sequence[Term], condition: Condition, without: Block | None 
     )
 
 
-def _inside(term: Term, condition: Condition) -> bool:
-    """Whether the index of an unknown is within its block by construction."""
+def _within(term: Term, condition: Condition) -> str:
+    """Return when the index of an unknown is within its block; empty where it always is.
+
+    Raises
+    ------
+    ValueError
+        If it may be below the block.
+    """
     assert term.block is not None
     if term.over is not None or term.block.count == 1:
-        return True
-    if term.index.is_Integer:
-        return int(term.index) < 2
+        return ""
+    index = term.index - term.block.first
+    below = f"number_{term.block.name} > {_index_text(index)}"
+    if index.is_Integer:
+        return "" if int(index) < 2 else below
     last = condition.first + condition.count - 1
-    ends = (term.index.subs(condition.index, end) for end in (condition.first, last))
-    low, high = (sp.expand(end - term.block.first) for end in ends)
+    low, high = (index.subs(condition.index, end) for end in (condition.first, last))
+    if not sp.expand(low).is_nonnegative:
+        raise ValueError(f"{condition.name}: {term.index} may be below those of {term.block}")
     room = sp.expand(term.block.count - 1 - high)
-    return all(q.is_Integer and int(q) >= 0 for q in (low, room))
+    return "" if room.is_nonnegative else below
 
 
 def _place(term: Term) -> str:
@@ -192,21 +203,14 @@ def _place(term: Term) -> str:
     return f"at_{name}" if index == 0 else f"at_{name} + {_index_text(index)}"
 
 
-def _family(term: Term) -> str:
-    assert term.block is not None
-    name, index = term.block.name, term.index - term.block.first
-    return f"at_{name}, number_{name}, {_index_text(index)}"
-
-
 def _read(term: Term, condition: Condition) -> str:
-    inside = _inside(term, condition)
-    return f"z[{_place(term)}]" if inside else f"entry(z, {_family(term)})"
+    value, within = f"z[{_place(term)}]", _within(term, condition)
+    return f"({value} if {within} else 0.0)" if within else value
 
 
-def _put(term: Term, value: str, condition: Condition) -> str:
-    if _inside(term, condition):
-        return f"J[row, {_place(term)}] += {value}"
-    return f"put(J, row, {_family(term)}, {value})"
+def _put(term: Term, value: str, condition: Condition) -> Lines:
+    line, within = f"J[row, {_place(term)}] += {value}", _within(term, condition)
+    return indented(f"if {within}:" if within else None, [line])
 
 
 def places(system: GalerkinConditions) -> Lines:

@@ -68,12 +68,34 @@ def joints(
 def events(scene: Scene, times: Times, end: End) -> Iterator[Condition]:
     """Yield the event that ends each phase."""
     for p, phase in enumerate(scene.cell):
-        at = {x: end(p, 0), v: end(p, 1), forcing: times.forcing(times.start(p + 1))}
-        yield Condition(
-            f"event_{phase.name}",
-            f"the event that ends {phase.name}",
-            one_sum(phase.ends.zero.subs(at, simultaneous=True)),
-        )
+        yield _event(scene, times, p, end, f"event_{phase.name}", "")
+
+
+def events_after(scene: Scene, times: Times, start: End, end: End) -> Iterator[Condition]:
+    """Yield them of the state in which the next phase begins, but for a velocity that jumps.
+
+    With the conditions of continuity these are the same equations, and each says directly in
+    which state a phase begins.
+    """
+    for p, phase in enumerate(scene.cell):
+
+        def after(q: int, order: int, jump: bool = v in phase.ends.jump) -> sp.Expr:
+            following = (q + 1) % len(scene.phases)
+            sign = scene.sign if following == 0 else 1
+            return end(q, order) if jump and order == 1 else sign * start(following, order)
+
+        name, words = f"event_{phase.name}_after", ", in the state after it"
+        yield _event(scene, times, p, after, name, words)
+
+
+def _event(scene: Scene, times: Times, p: int, state: End, name: str, words: str) -> Condition:
+    phase = scene.cell[p]
+    at = {x: state(p, 0), v: state(p, 1), forcing: times.forcing(times.start(p + 1))}
+    return Condition(
+        name,
+        f"the event that ends {phase.name}{words}",
+        one_sum(phase.ends.zero.subs(at, simultaneous=True)),
+    )
 
 
 def period(times: Times) -> Iterator[Condition]:

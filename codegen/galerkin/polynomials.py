@@ -154,15 +154,17 @@ def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditi
         if phase.held is None
         for condition in orthogonality(phase, q, switch, looked_up, test)
     ]
-    joined = closure.joints(
-        scene,
-        found,
-        lambda p, r: trial[p].at_start(r),
-        lambda p, r: trial[p].at_end(r),
-        class_one(scene, found, trial, test),
-    )
-    events = closure.events(scene, times, lambda p, r: trial[p].at_end(r))
-    memory = closure.memory(scene, times, lambda p, r: trial[p].at_start(r))
+
+    def start(p: int, order: int) -> sp.Expr:
+        return trial[p].at_start(order)
+
+    def end(p: int, order: int) -> sp.Expr:
+        return trial[p].at_end(order)
+
+    once = class_one(scene, found, trial, test)
+    joined = closure.joints(scene, found, start, end, once)
+    events = closure.events_after(scene, times, start, end)
+    memory = closure.memory(scene, times, start)
     system = GalerkinConditions(
         scene,
         method,

@@ -26,9 +26,10 @@ _RESERVED = re.compile(
     r"|np|pi|cycles|cos|sin|sqrt|exp|abs|max|range|len|legendre"
     r"|(at|by|number|over|ends|series|event|displacement|velocity|derivative|impact|jump|memory)_\w+"
     r"|[CS]_[mckfgw](_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
-    r"|entry|put|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"
+    r"|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"
     r"|rates|integrated|multiples|weighted_integrals"
-    r"|bands|joints|(band|joint)_rates|(band|kept)_places|diagonals|right|slopes|follow|column"
+    r"|bands|joints|(band|joint)_rates|(band|kept)_places|diagonals|right|found|slopes"
+    r"|before|after|follow|column"
     r"|break_(series|ends|integrals)|breaks_on_phases?)"
 )
 

@@ -5,7 +5,7 @@ import sympy as sp
 from ..galerkin.harmonics import equations
 from .functions import state
 from .notation import Notation
-from .switching import event, law, set_to
+from .switching import event, event_after, law, set_to
 
 #: The name of a condition, and the statement: zero.
 Statements = dict[str, sp.Expr]
@@ -28,6 +28,7 @@ def statements(notation: Notation) -> Statements:
             found[f"jump_{order}_{name}"] = _differentiated(notation, p, order)
     for p, phase in enumerate(notation.scene.phases):
         found[f"event_{phase.name}"] = event(notation, p)
+        found[f"event_{phase.name}_after"] = event_after(notation, p)
     for memory in notation.scene.memory:
         found[f"memory_{memory.symbol}"] = memory.symbol - set_to(notation, memory)
     return found

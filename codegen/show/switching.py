@@ -22,6 +22,20 @@ def event(notation: Notation, p: int) -> sp.Expr:
     return at_the_end(notation, p, notation.scene.cell[p].ends.zero)
 
 
+def event_after(notation: Notation, p: int) -> sp.Expr:
+    """Return it of the state in which the next phase begins, but for a velocity that jumps."""
+    following = (p + 1) % len(notation.found)
+    sign = notation.scene.sign if following == 0 else 1
+    time = notation.side(following, "+") if following else notation.at(0)
+    ends = notation.scene.cell[p].ends
+
+    def after(order: int) -> sp.Expr:
+        jumps = order == 1 and v in ends.jump
+        return notation.end(p, order) if jumps else sign * state(order, time)
+
+    return at_state(ends.zero, after, notation.times.forcing(notation.at(p + 1)))
+
+
 def at_the_end(notation: Notation, p: int, expression: sp.Expr) -> sp.Expr:
     """Return a linear form in the state where phase `p` ends."""
     force = notation.times.forcing(notation.at(p + 1))

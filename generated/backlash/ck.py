@@ -32,8 +32,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 4  # order
-MATHEMATICS = "bb28150666ad2bb15ef52ffa0fc0b41e0c16b18957cfc4392ececeb5bb1b3a35"  # of the conditions, by srepr
-BODY = "e558e43173ad2adcf65951c47dafa62147491a933673bc9aef540d6bdd947ef5"  # of the text below
+MATHEMATICS = "5093aa7b06dd22857731b8407374a849db2df622f6895fc7f903493e00145145"  # of the conditions, by srepr
+BODY = "f8dedb15799f2d79e155dd2b13823eaa01f7610db871e9598115e7617a31f1f4"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -88,17 +88,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def integrated(d):
@@ -709,43 +698,19 @@ def derivative_2_loose_sum(n):
     )
 
 
-def event_engaged(g, s_engaged):
-    """Coefficients: the event that ends engaged."""
+def event_engaged_after(g):
+    """Coefficients: the event that ends engaged, in the state after it."""
     return (
         1,
-        s_engaged,
-        (s_engaged*s_engaged)/2,
-        -(s_engaged*s_engaged)/6,
         -g,
     )
 
 
-def event_engaged_by_s_engaged(s_engaged):
-    """Their derivatives by s_engaged, of those that depend on it."""
+def event_loose_after(g):
+    """Coefficients: the event that ends loose, in the state after it."""
     return (
-        1,
-        s_engaged,
-        -s_engaged/3,
-    )
-
-
-def event_loose(g, s_loose):
-    """Coefficients: the event that ends loose."""
-    return (
-        1,
-        s_loose,
-        (s_loose*s_loose)/2,
-        -(s_loose*s_loose)/6,
+        -1,
         g,
-    )
-
-
-def event_loose_by_s_loose(s_loose):
-    """Their derivatives by s_loose, of those that depend on it."""
-    return (
-        1,
-        s_loose,
-        -s_loose/3,
     )
 
 
@@ -793,42 +758,42 @@ def residual(case, z, R):
     mu_loose = over_loose[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*entry(z, at_d_engaged, number_d_engaged, 2) + q5*entry(z, at_d_engaged, number_d_engaged, 3) + q6*entry(z, at_d_engaged, number_d_engaged, 4) + q7*entry(z, at_d_engaged, number_d_engaged, 5) + q8
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = engaged_by_1(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*entry(z, at_d_engaged, number_d_engaged, 2) + q5*entry(z, at_d_engaged, number_d_engaged, 3) + q6*entry(z, at_d_engaged, number_d_engaged, 4) + q7*entry(z, at_d_engaged, number_d_engaged, 5) + q8*entry(z, at_d_engaged, number_d_engaged, 6) + q9
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = engaged_by_2(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*entry(z, at_d_engaged, number_d_engaged, 2) + q5*entry(z, at_d_engaged, number_d_engaged, 3) + q6*entry(z, at_d_engaged, number_d_engaged, 4) + q7*entry(z, at_d_engaged, number_d_engaged, 5) + q8*entry(z, at_d_engaged, number_d_engaged, 6) + q9*entry(z, at_d_engaged, number_d_engaged, 7) + q10
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q9*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q10
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_3(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*entry(z, at_d_engaged, number_d_engaged, 2) + q5*entry(z, at_d_engaged, number_d_engaged, 3) + q6*entry(z, at_d_engaged, number_d_engaged, 4) + q7*entry(z, at_d_engaged, number_d_engaged, 5) + q8*entry(z, at_d_engaged, number_d_engaged, 6) + q9*entry(z, at_d_engaged, number_d_engaged, 7) + q10*entry(z, at_d_engaged, number_d_engaged, 8) + q11
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q9*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q10*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q11
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_4(m, c, k, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*entry(z, at_d_engaged, number_d_engaged, 2) + q4*entry(z, at_d_engaged, number_d_engaged, 3) + q5*entry(z, at_d_engaged, number_d_engaged, 4) + q6*entry(z, at_d_engaged, number_d_engaged, 5) + q7*entry(z, at_d_engaged, number_d_engaged, 6) + q8*entry(z, at_d_engaged, number_d_engaged, 7) + q9*entry(z, at_d_engaged, number_d_engaged, 8) + q10*entry(z, at_d_engaged, number_d_engaged, 9) + q11
+    R[row] = q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q10*(z[at_d_engaged + 9] if number_d_engaged > 9 else 0.0) + q11
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_l(l, m, c, k, F, s_engaged, mu_engaged)
-        R[row] = q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-5] + q2*z[at_d_engaged + l-4] + q3*z[at_d_engaged + l-3] + q4*z[at_d_engaged + l-2] + q5*z[at_d_engaged + l-1] + q6*z[at_d_engaged + l+1] + q7*entry(z, at_d_engaged, number_d_engaged, l+2) + q8*entry(z, at_d_engaged, number_d_engaged, l+3) + q9*entry(z, at_d_engaged, number_d_engaged, l+4) + q10*entry(z, at_d_engaged, number_d_engaged, l+5) + q11
+        R[row] = q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-5] + q2*z[at_d_engaged + l-4] + q3*z[at_d_engaged + l-3] + q4*z[at_d_engaged + l-2] + q5*z[at_d_engaged + l-1] + q6*z[at_d_engaged + l+1] + q7*(z[at_d_engaged + l+2] if number_d_engaged > l+2 else 0.0) + q8*(z[at_d_engaged + l+3] if number_d_engaged > l+3 else 0.0) + q9*(z[at_d_engaged + l+4] if number_d_engaged > l+4 else 0.0) + q10*(z[at_d_engaged + l+5] if number_d_engaged > l+5 else 0.0) + q11
         row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*entry(z, at_d_loose, number_d_loose, 2) + q5*entry(z, at_d_loose, number_d_loose, 3) + q6*entry(z, at_d_loose, number_d_loose, 4) + q7*entry(z, at_d_loose, number_d_loose, 5) + q8
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = loose_by_1(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*entry(z, at_d_loose, number_d_loose, 2) + q5*entry(z, at_d_loose, number_d_loose, 3) + q6*entry(z, at_d_loose, number_d_loose, 4) + q7*entry(z, at_d_loose, number_d_loose, 5) + q8*entry(z, at_d_loose, number_d_loose, 6) + q9
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = loose_by_2(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*entry(z, at_d_loose, number_d_loose, 2) + q5*entry(z, at_d_loose, number_d_loose, 3) + q6*entry(z, at_d_loose, number_d_loose, 4) + q7*entry(z, at_d_loose, number_d_loose, 5) + q8*entry(z, at_d_loose, number_d_loose, 6) + q9*entry(z, at_d_loose, number_d_loose, 7) + q10
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q9*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q10
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_3(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*entry(z, at_d_loose, number_d_loose, 2) + q5*entry(z, at_d_loose, number_d_loose, 3) + q6*entry(z, at_d_loose, number_d_loose, 4) + q7*entry(z, at_d_loose, number_d_loose, 5) + q8*entry(z, at_d_loose, number_d_loose, 6) + q9*entry(z, at_d_loose, number_d_loose, 7) + q10*entry(z, at_d_loose, number_d_loose, 8) + q11
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q9*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q10*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q11
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_4(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*entry(z, at_d_loose, number_d_loose, 2) + q4*entry(z, at_d_loose, number_d_loose, 3) + q5*entry(z, at_d_loose, number_d_loose, 4) + q6*entry(z, at_d_loose, number_d_loose, 5) + q7*entry(z, at_d_loose, number_d_loose, 6) + q8*entry(z, at_d_loose, number_d_loose, 7) + q9*entry(z, at_d_loose, number_d_loose, 8) + q10*entry(z, at_d_loose, number_d_loose, 9) + q11
+    R[row] = q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q10*(z[at_d_loose + 9] if number_d_loose > 9 else 0.0) + q11
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_l(l, m, c, k_0, F, s_loose, mu_loose)
-        R[row] = q0*z[at_d_loose + l] + q1*z[at_d_loose + l-5] + q2*z[at_d_loose + l-4] + q3*z[at_d_loose + l-3] + q4*z[at_d_loose + l-2] + q5*z[at_d_loose + l-1] + q6*z[at_d_loose + l+1] + q7*entry(z, at_d_loose, number_d_loose, l+2) + q8*entry(z, at_d_loose, number_d_loose, l+3) + q9*entry(z, at_d_loose, number_d_loose, l+4) + q10*entry(z, at_d_loose, number_d_loose, l+5) + q11
+        R[row] = q0*z[at_d_loose + l] + q1*z[at_d_loose + l-5] + q2*z[at_d_loose + l-4] + q3*z[at_d_loose + l-3] + q4*z[at_d_loose + l-2] + q5*z[at_d_loose + l-1] + q6*z[at_d_loose + l+1] + q7*(z[at_d_loose + l+2] if number_d_loose > l+2 else 0.0) + q8*(z[at_d_loose + l+3] if number_d_loose > l+3 else 0.0) + q9*(z[at_d_loose + l+4] if number_d_loose > l+4 else 0.0) + q10*(z[at_d_loose + l+5] if number_d_loose > l+5 else 0.0) + q11
         row += 1
     q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
     R[row] = q0*z[at_x_engaged] + q1*z[at_x_loose] + q2*z[at_v_loose] + q3*z[at_d_loose] + q4*z[at_d_loose + 1]
@@ -852,11 +817,11 @@ def residual(case, z, R):
         q0, q1 = derivative_2_loose_sum(n)
         R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
     row += 1
-    q0, q1, q2, q3, q4 = event_engaged(g, s_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4
+    q0, q1 = event_engaged_after(g)
+    R[row] = q0*z[at_x_loose] + q1
     row += 1
-    q0, q1, q2, q3, q4 = event_loose(g, s_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
+    q0, q1 = event_loose_after(g)
+    R[row] = q0*z[at_x_engaged] + q1
     row += 1
     q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
@@ -894,12 +859,16 @@ def jacobian(case, z, J):
     J[row, at_v_engaged] += q1
     J[row, at_d_engaged] += q2
     J[row, at_d_engaged + 1] += q3
-    put(J, row, at_d_engaged, number_d_engaged, 2, q4)
-    put(J, row, at_d_engaged, number_d_engaged, 3, q5)
-    put(J, row, at_d_engaged, number_d_engaged, 4, q6)
-    put(J, row, at_d_engaged, number_d_engaged, 5, q7)
+    if number_d_engaged > 2:
+        J[row, at_d_engaged + 2] += q4
+    if number_d_engaged > 3:
+        J[row, at_d_engaged + 3] += q5
+    if number_d_engaged > 4:
+        J[row, at_d_engaged + 4] += q6
+    if number_d_engaged > 5:
+        J[row, at_d_engaged + 5] += q7
     q0, q1, q2, q3, q4, q5, q6, q7 = engaged_by_0_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*entry(z, at_d_engaged, number_d_engaged, 2) + q4*entry(z, at_d_engaged, number_d_engaged, 3) + q5*entry(z, at_d_engaged, number_d_engaged, 4) + q6*entry(z, at_d_engaged, number_d_engaged, 5) + q7
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7
     q0 = engaged_by_0_by_phi(F, nu_engaged)
     J[row, at_phi] += q0
     row += 1
@@ -908,13 +877,18 @@ def jacobian(case, z, J):
     J[row, at_v_engaged] += q1
     J[row, at_d_engaged] += q2
     J[row, at_d_engaged + 1] += q3
-    put(J, row, at_d_engaged, number_d_engaged, 2, q4)
-    put(J, row, at_d_engaged, number_d_engaged, 3, q5)
-    put(J, row, at_d_engaged, number_d_engaged, 4, q6)
-    put(J, row, at_d_engaged, number_d_engaged, 5, q7)
-    put(J, row, at_d_engaged, number_d_engaged, 6, q8)
+    if number_d_engaged > 2:
+        J[row, at_d_engaged + 2] += q4
+    if number_d_engaged > 3:
+        J[row, at_d_engaged + 3] += q5
+    if number_d_engaged > 4:
+        J[row, at_d_engaged + 4] += q6
+    if number_d_engaged > 5:
+        J[row, at_d_engaged + 5] += q7
+    if number_d_engaged > 6:
+        J[row, at_d_engaged + 6] += q8
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_1_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*entry(z, at_d_engaged, number_d_engaged, 2) + q4*entry(z, at_d_engaged, number_d_engaged, 3) + q5*entry(z, at_d_engaged, number_d_engaged, 4) + q6*entry(z, at_d_engaged, number_d_engaged, 5) + q7*entry(z, at_d_engaged, number_d_engaged, 6) + q8
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8
     q0 = engaged_by_1_by_phi(F, nu_engaged)
     J[row, at_phi] += q0
     row += 1
@@ -923,14 +897,20 @@ def jacobian(case, z, J):
     J[row, at_v_engaged] += q1
     J[row, at_d_engaged] += q2
     J[row, at_d_engaged + 1] += q3
-    put(J, row, at_d_engaged, number_d_engaged, 2, q4)
-    put(J, row, at_d_engaged, number_d_engaged, 3, q5)
-    put(J, row, at_d_engaged, number_d_engaged, 4, q6)
-    put(J, row, at_d_engaged, number_d_engaged, 5, q7)
-    put(J, row, at_d_engaged, number_d_engaged, 6, q8)
-    put(J, row, at_d_engaged, number_d_engaged, 7, q9)
+    if number_d_engaged > 2:
+        J[row, at_d_engaged + 2] += q4
+    if number_d_engaged > 3:
+        J[row, at_d_engaged + 3] += q5
+    if number_d_engaged > 4:
+        J[row, at_d_engaged + 4] += q6
+    if number_d_engaged > 5:
+        J[row, at_d_engaged + 5] += q7
+    if number_d_engaged > 6:
+        J[row, at_d_engaged + 6] += q8
+    if number_d_engaged > 7:
+        J[row, at_d_engaged + 7] += q9
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = engaged_by_2_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*entry(z, at_d_engaged, number_d_engaged, 2) + q4*entry(z, at_d_engaged, number_d_engaged, 3) + q5*entry(z, at_d_engaged, number_d_engaged, 4) + q6*entry(z, at_d_engaged, number_d_engaged, 5) + q7*entry(z, at_d_engaged, number_d_engaged, 6) + q8*entry(z, at_d_engaged, number_d_engaged, 7) + q9
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9
     q0 = engaged_by_2_by_phi(F, nu_engaged)
     J[row, at_phi] += q0
     row += 1
@@ -939,15 +919,22 @@ def jacobian(case, z, J):
     J[row, at_v_engaged] += q1
     J[row, at_d_engaged] += q2
     J[row, at_d_engaged + 1] += q3
-    put(J, row, at_d_engaged, number_d_engaged, 2, q4)
-    put(J, row, at_d_engaged, number_d_engaged, 3, q5)
-    put(J, row, at_d_engaged, number_d_engaged, 4, q6)
-    put(J, row, at_d_engaged, number_d_engaged, 5, q7)
-    put(J, row, at_d_engaged, number_d_engaged, 6, q8)
-    put(J, row, at_d_engaged, number_d_engaged, 7, q9)
-    put(J, row, at_d_engaged, number_d_engaged, 8, q10)
+    if number_d_engaged > 2:
+        J[row, at_d_engaged + 2] += q4
+    if number_d_engaged > 3:
+        J[row, at_d_engaged + 3] += q5
+    if number_d_engaged > 4:
+        J[row, at_d_engaged + 4] += q6
+    if number_d_engaged > 5:
+        J[row, at_d_engaged + 5] += q7
+    if number_d_engaged > 6:
+        J[row, at_d_engaged + 6] += q8
+    if number_d_engaged > 7:
+        J[row, at_d_engaged + 7] += q9
+    if number_d_engaged > 8:
+        J[row, at_d_engaged + 8] += q10
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = engaged_by_3_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*entry(z, at_d_engaged, number_d_engaged, 2) + q4*entry(z, at_d_engaged, number_d_engaged, 3) + q5*entry(z, at_d_engaged, number_d_engaged, 4) + q6*entry(z, at_d_engaged, number_d_engaged, 5) + q7*entry(z, at_d_engaged, number_d_engaged, 6) + q8*entry(z, at_d_engaged, number_d_engaged, 7) + q9*entry(z, at_d_engaged, number_d_engaged, 8) + q10
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q10
     q0 = engaged_by_3_by_phi(F, nu_engaged)
     J[row, at_phi] += q0
     row += 1
@@ -955,16 +942,24 @@ def jacobian(case, z, J):
     J[row, at_v_engaged] += q0
     J[row, at_d_engaged] += q1
     J[row, at_d_engaged + 1] += q2
-    put(J, row, at_d_engaged, number_d_engaged, 2, q3)
-    put(J, row, at_d_engaged, number_d_engaged, 3, q4)
-    put(J, row, at_d_engaged, number_d_engaged, 4, q5)
-    put(J, row, at_d_engaged, number_d_engaged, 5, q6)
-    put(J, row, at_d_engaged, number_d_engaged, 6, q7)
-    put(J, row, at_d_engaged, number_d_engaged, 7, q8)
-    put(J, row, at_d_engaged, number_d_engaged, 8, q9)
-    put(J, row, at_d_engaged, number_d_engaged, 9, q10)
+    if number_d_engaged > 2:
+        J[row, at_d_engaged + 2] += q3
+    if number_d_engaged > 3:
+        J[row, at_d_engaged + 3] += q4
+    if number_d_engaged > 4:
+        J[row, at_d_engaged + 4] += q5
+    if number_d_engaged > 5:
+        J[row, at_d_engaged + 5] += q6
+    if number_d_engaged > 6:
+        J[row, at_d_engaged + 6] += q7
+    if number_d_engaged > 7:
+        J[row, at_d_engaged + 7] += q8
+    if number_d_engaged > 8:
+        J[row, at_d_engaged + 8] += q9
+    if number_d_engaged > 9:
+        J[row, at_d_engaged + 9] += q10
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_4_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*entry(z, at_d_engaged, number_d_engaged, 2) + q4*entry(z, at_d_engaged, number_d_engaged, 3) + q5*entry(z, at_d_engaged, number_d_engaged, 4) + q6*entry(z, at_d_engaged, number_d_engaged, 5) + q7*entry(z, at_d_engaged, number_d_engaged, 6) + q8*entry(z, at_d_engaged, number_d_engaged, 7) + q9*entry(z, at_d_engaged, number_d_engaged, 8) + q10*entry(z, at_d_engaged, number_d_engaged, 9) + q11
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q10*(z[at_d_engaged + 9] if number_d_engaged > 9 else 0.0) + q11
     q0 = engaged_by_4_by_phi(F, nu_engaged)
     J[row, at_phi] += q0
     row += 1
@@ -977,12 +972,16 @@ def jacobian(case, z, J):
         J[row, at_d_engaged + l-2] += q4
         J[row, at_d_engaged + l-1] += q5
         J[row, at_d_engaged + l+1] += q6
-        put(J, row, at_d_engaged, number_d_engaged, l+2, q7)
-        put(J, row, at_d_engaged, number_d_engaged, l+3, q8)
-        put(J, row, at_d_engaged, number_d_engaged, l+4, q9)
-        put(J, row, at_d_engaged, number_d_engaged, l+5, q10)
+        if number_d_engaged > l+2:
+            J[row, at_d_engaged + l+2] += q7
+        if number_d_engaged > l+3:
+            J[row, at_d_engaged + l+3] += q8
+        if number_d_engaged > l+4:
+            J[row, at_d_engaged + l+4] += q9
+        if number_d_engaged > l+5:
+            J[row, at_d_engaged + l+5] += q10
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged)
-        J[row, at_s_engaged] += q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-5] + q2*z[at_d_engaged + l-4] + q3*z[at_d_engaged + l-3] + q4*z[at_d_engaged + l-2] + q5*z[at_d_engaged + l-1] + q6*z[at_d_engaged + l+1] + q7*entry(z, at_d_engaged, number_d_engaged, l+2) + q8*entry(z, at_d_engaged, number_d_engaged, l+3) + q9*entry(z, at_d_engaged, number_d_engaged, l+4) + q10*entry(z, at_d_engaged, number_d_engaged, l+5) + q11
+        J[row, at_s_engaged] += q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-5] + q2*z[at_d_engaged + l-4] + q3*z[at_d_engaged + l-3] + q4*z[at_d_engaged + l-2] + q5*z[at_d_engaged + l-1] + q6*z[at_d_engaged + l+1] + q7*(z[at_d_engaged + l+2] if number_d_engaged > l+2 else 0.0) + q8*(z[at_d_engaged + l+3] if number_d_engaged > l+3 else 0.0) + q9*(z[at_d_engaged + l+4] if number_d_engaged > l+4 else 0.0) + q10*(z[at_d_engaged + l+5] if number_d_engaged > l+5 else 0.0) + q11
         q0 = engaged_by_l_by_phi(l, F, nu_engaged)
         J[row, at_phi] += q0
         row += 1
@@ -991,14 +990,18 @@ def jacobian(case, z, J):
     J[row, at_v_loose] += q1
     J[row, at_d_loose] += q2
     J[row, at_d_loose + 1] += q3
-    put(J, row, at_d_loose, number_d_loose, 2, q4)
-    put(J, row, at_d_loose, number_d_loose, 3, q5)
-    put(J, row, at_d_loose, number_d_loose, 4, q6)
-    put(J, row, at_d_loose, number_d_loose, 5, q7)
+    if number_d_loose > 2:
+        J[row, at_d_loose + 2] += q4
+    if number_d_loose > 3:
+        J[row, at_d_loose + 3] += q5
+    if number_d_loose > 4:
+        J[row, at_d_loose + 4] += q6
+    if number_d_loose > 5:
+        J[row, at_d_loose + 5] += q7
     q0 = loose_by_0_by_s_engaged(F, Omega, nu_loose)
     J[row, at_s_engaged] += q0
     q0, q1, q2, q3, q4, q5, q6, q7 = loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*entry(z, at_d_loose, number_d_loose, 2) + q4*entry(z, at_d_loose, number_d_loose, 3) + q5*entry(z, at_d_loose, number_d_loose, 4) + q6*entry(z, at_d_loose, number_d_loose, 5) + q7
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7
     q0 = loose_by_0_by_phi(F, nu_loose)
     J[row, at_phi] += q0
     row += 1
@@ -1007,15 +1010,20 @@ def jacobian(case, z, J):
     J[row, at_v_loose] += q1
     J[row, at_d_loose] += q2
     J[row, at_d_loose + 1] += q3
-    put(J, row, at_d_loose, number_d_loose, 2, q4)
-    put(J, row, at_d_loose, number_d_loose, 3, q5)
-    put(J, row, at_d_loose, number_d_loose, 4, q6)
-    put(J, row, at_d_loose, number_d_loose, 5, q7)
-    put(J, row, at_d_loose, number_d_loose, 6, q8)
+    if number_d_loose > 2:
+        J[row, at_d_loose + 2] += q4
+    if number_d_loose > 3:
+        J[row, at_d_loose + 3] += q5
+    if number_d_loose > 4:
+        J[row, at_d_loose + 4] += q6
+    if number_d_loose > 5:
+        J[row, at_d_loose + 5] += q7
+    if number_d_loose > 6:
+        J[row, at_d_loose + 6] += q8
     q0 = loose_by_1_by_s_engaged(F, Omega, nu_loose)
     J[row, at_s_engaged] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*entry(z, at_d_loose, number_d_loose, 2) + q4*entry(z, at_d_loose, number_d_loose, 3) + q5*entry(z, at_d_loose, number_d_loose, 4) + q6*entry(z, at_d_loose, number_d_loose, 5) + q7*entry(z, at_d_loose, number_d_loose, 6) + q8
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8
     q0 = loose_by_1_by_phi(F, nu_loose)
     J[row, at_phi] += q0
     row += 1
@@ -1024,16 +1032,22 @@ def jacobian(case, z, J):
     J[row, at_v_loose] += q1
     J[row, at_d_loose] += q2
     J[row, at_d_loose + 1] += q3
-    put(J, row, at_d_loose, number_d_loose, 2, q4)
-    put(J, row, at_d_loose, number_d_loose, 3, q5)
-    put(J, row, at_d_loose, number_d_loose, 4, q6)
-    put(J, row, at_d_loose, number_d_loose, 5, q7)
-    put(J, row, at_d_loose, number_d_loose, 6, q8)
-    put(J, row, at_d_loose, number_d_loose, 7, q9)
+    if number_d_loose > 2:
+        J[row, at_d_loose + 2] += q4
+    if number_d_loose > 3:
+        J[row, at_d_loose + 3] += q5
+    if number_d_loose > 4:
+        J[row, at_d_loose + 4] += q6
+    if number_d_loose > 5:
+        J[row, at_d_loose + 5] += q7
+    if number_d_loose > 6:
+        J[row, at_d_loose + 6] += q8
+    if number_d_loose > 7:
+        J[row, at_d_loose + 7] += q9
     q0 = loose_by_2_by_s_engaged(F, Omega, nu_loose)
     J[row, at_s_engaged] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = loose_by_2_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*entry(z, at_d_loose, number_d_loose, 2) + q4*entry(z, at_d_loose, number_d_loose, 3) + q5*entry(z, at_d_loose, number_d_loose, 4) + q6*entry(z, at_d_loose, number_d_loose, 5) + q7*entry(z, at_d_loose, number_d_loose, 6) + q8*entry(z, at_d_loose, number_d_loose, 7) + q9
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9
     q0 = loose_by_2_by_phi(F, nu_loose)
     J[row, at_phi] += q0
     row += 1
@@ -1042,17 +1056,24 @@ def jacobian(case, z, J):
     J[row, at_v_loose] += q1
     J[row, at_d_loose] += q2
     J[row, at_d_loose + 1] += q3
-    put(J, row, at_d_loose, number_d_loose, 2, q4)
-    put(J, row, at_d_loose, number_d_loose, 3, q5)
-    put(J, row, at_d_loose, number_d_loose, 4, q6)
-    put(J, row, at_d_loose, number_d_loose, 5, q7)
-    put(J, row, at_d_loose, number_d_loose, 6, q8)
-    put(J, row, at_d_loose, number_d_loose, 7, q9)
-    put(J, row, at_d_loose, number_d_loose, 8, q10)
+    if number_d_loose > 2:
+        J[row, at_d_loose + 2] += q4
+    if number_d_loose > 3:
+        J[row, at_d_loose + 3] += q5
+    if number_d_loose > 4:
+        J[row, at_d_loose + 4] += q6
+    if number_d_loose > 5:
+        J[row, at_d_loose + 5] += q7
+    if number_d_loose > 6:
+        J[row, at_d_loose + 6] += q8
+    if number_d_loose > 7:
+        J[row, at_d_loose + 7] += q9
+    if number_d_loose > 8:
+        J[row, at_d_loose + 8] += q10
     q0 = loose_by_3_by_s_engaged(F, Omega, nu_loose)
     J[row, at_s_engaged] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = loose_by_3_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*entry(z, at_d_loose, number_d_loose, 2) + q4*entry(z, at_d_loose, number_d_loose, 3) + q5*entry(z, at_d_loose, number_d_loose, 4) + q6*entry(z, at_d_loose, number_d_loose, 5) + q7*entry(z, at_d_loose, number_d_loose, 6) + q8*entry(z, at_d_loose, number_d_loose, 7) + q9*entry(z, at_d_loose, number_d_loose, 8) + q10
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q10
     q0 = loose_by_3_by_phi(F, nu_loose)
     J[row, at_phi] += q0
     row += 1
@@ -1060,18 +1081,26 @@ def jacobian(case, z, J):
     J[row, at_v_loose] += q0
     J[row, at_d_loose] += q1
     J[row, at_d_loose + 1] += q2
-    put(J, row, at_d_loose, number_d_loose, 2, q3)
-    put(J, row, at_d_loose, number_d_loose, 3, q4)
-    put(J, row, at_d_loose, number_d_loose, 4, q5)
-    put(J, row, at_d_loose, number_d_loose, 5, q6)
-    put(J, row, at_d_loose, number_d_loose, 6, q7)
-    put(J, row, at_d_loose, number_d_loose, 7, q8)
-    put(J, row, at_d_loose, number_d_loose, 8, q9)
-    put(J, row, at_d_loose, number_d_loose, 9, q10)
+    if number_d_loose > 2:
+        J[row, at_d_loose + 2] += q3
+    if number_d_loose > 3:
+        J[row, at_d_loose + 3] += q4
+    if number_d_loose > 4:
+        J[row, at_d_loose + 4] += q5
+    if number_d_loose > 5:
+        J[row, at_d_loose + 5] += q6
+    if number_d_loose > 6:
+        J[row, at_d_loose + 6] += q7
+    if number_d_loose > 7:
+        J[row, at_d_loose + 7] += q8
+    if number_d_loose > 8:
+        J[row, at_d_loose + 8] += q9
+    if number_d_loose > 9:
+        J[row, at_d_loose + 9] += q10
     q0 = loose_by_4_by_s_engaged(F, Omega, nu_loose)
     J[row, at_s_engaged] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_4_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*entry(z, at_d_loose, number_d_loose, 2) + q4*entry(z, at_d_loose, number_d_loose, 3) + q5*entry(z, at_d_loose, number_d_loose, 4) + q6*entry(z, at_d_loose, number_d_loose, 5) + q7*entry(z, at_d_loose, number_d_loose, 6) + q8*entry(z, at_d_loose, number_d_loose, 7) + q9*entry(z, at_d_loose, number_d_loose, 8) + q10*entry(z, at_d_loose, number_d_loose, 9) + q11
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q10*(z[at_d_loose + 9] if number_d_loose > 9 else 0.0) + q11
     q0 = loose_by_4_by_phi(F, nu_loose)
     J[row, at_phi] += q0
     row += 1
@@ -1084,14 +1113,18 @@ def jacobian(case, z, J):
         J[row, at_d_loose + l-2] += q4
         J[row, at_d_loose + l-1] += q5
         J[row, at_d_loose + l+1] += q6
-        put(J, row, at_d_loose, number_d_loose, l+2, q7)
-        put(J, row, at_d_loose, number_d_loose, l+3, q8)
-        put(J, row, at_d_loose, number_d_loose, l+4, q9)
-        put(J, row, at_d_loose, number_d_loose, l+5, q10)
+        if number_d_loose > l+2:
+            J[row, at_d_loose + l+2] += q7
+        if number_d_loose > l+3:
+            J[row, at_d_loose + l+3] += q8
+        if number_d_loose > l+4:
+            J[row, at_d_loose + l+4] += q9
+        if number_d_loose > l+5:
+            J[row, at_d_loose + l+5] += q10
         q0 = loose_by_l_by_s_engaged(l, F, Omega, nu_loose)
         J[row, at_s_engaged] += q0
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
-        J[row, at_s_loose] += q0*z[at_d_loose + l] + q1*z[at_d_loose + l-5] + q2*z[at_d_loose + l-4] + q3*z[at_d_loose + l-3] + q4*z[at_d_loose + l-2] + q5*z[at_d_loose + l-1] + q6*z[at_d_loose + l+1] + q7*entry(z, at_d_loose, number_d_loose, l+2) + q8*entry(z, at_d_loose, number_d_loose, l+3) + q9*entry(z, at_d_loose, number_d_loose, l+4) + q10*entry(z, at_d_loose, number_d_loose, l+5) + q11
+        J[row, at_s_loose] += q0*z[at_d_loose + l] + q1*z[at_d_loose + l-5] + q2*z[at_d_loose + l-4] + q3*z[at_d_loose + l-3] + q4*z[at_d_loose + l-2] + q5*z[at_d_loose + l-1] + q6*z[at_d_loose + l+1] + q7*(z[at_d_loose + l+2] if number_d_loose > l+2 else 0.0) + q8*(z[at_d_loose + l+3] if number_d_loose > l+3 else 0.0) + q9*(z[at_d_loose + l+4] if number_d_loose > l+4 else 0.0) + q10*(z[at_d_loose + l+5] if number_d_loose > l+5 else 0.0) + q11
         q0 = loose_by_l_by_phi(l, F, nu_loose)
         J[row, at_phi] += q0
         row += 1
@@ -1137,21 +1170,11 @@ def jacobian(case, z, J):
         J[row, at_d_engaged + n] += q0
         J[row, at_d_loose + n] += q1
     row += 1
-    q0, q1, q2, q3, _ = event_engaged(g, s_engaged)
-    J[row, at_x_engaged] += q0
-    J[row, at_v_engaged] += q1
-    J[row, at_d_engaged] += q2
-    J[row, at_d_engaged + 1] += q3
-    q0, q1, q2 = event_engaged_by_s_engaged(s_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
-    row += 1
-    q0, q1, q2, q3, _ = event_loose(g, s_loose)
+    q0, _ = event_engaged_after(g)
     J[row, at_x_loose] += q0
-    J[row, at_v_loose] += q1
-    J[row, at_d_loose] += q2
-    J[row, at_d_loose + 1] += q3
-    q0, q1, q2 = event_loose_by_s_loose(s_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
+    row += 1
+    q0, _ = event_loose_after(g)
+    J[row, at_x_engaged] += q0
     row += 1
     q0 = cell_by_s_engaged()
     J[row, at_s_engaged] += q0

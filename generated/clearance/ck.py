@@ -32,8 +32,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 4  # order
-MATHEMATICS = "e58017b889f6fe75bf3e993eb675a3ac0b59fdb3b142e75e37cc56413eb4513b"  # of the conditions, by srepr
-BODY = "b6c4e6b5304edb35dfa5bb97ddf028a546c7ed0cb532ef8a250f0a70e625a7ad"  # of the text below
+MATHEMATICS = "0a485f33245ca0231c8c50f1b720e6c0ef71a4d70747de975681c711a0f17062"  # of the conditions, by srepr
+BODY = "cbd3af72f440efe2bda029acd473b9667d871291d1815318edc45af6bc03df10"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -88,17 +88,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def integrated(d):
@@ -709,43 +698,19 @@ def derivative_2_separated_sum(n):
     )
 
 
-def event_contact(g, s_contact):
-    """Coefficients: the event that ends contact."""
+def event_contact_after(g):
+    """Coefficients: the event that ends contact, in the state after it."""
     return (
         1,
-        s_contact,
-        (s_contact*s_contact)/2,
-        -(s_contact*s_contact)/6,
         -g,
     )
 
 
-def event_contact_by_s_contact(s_contact):
-    """Their derivatives by s_contact, of those that depend on it."""
+def event_separated_after(g):
+    """Coefficients: the event that ends separated, in the state after it."""
     return (
         1,
-        s_contact,
-        -s_contact/3,
-    )
-
-
-def event_separated(g, s_separated):
-    """Coefficients: the event that ends separated."""
-    return (
-        1,
-        s_separated,
-        (s_separated*s_separated)/2,
-        -(s_separated*s_separated)/6,
         -g,
-    )
-
-
-def event_separated_by_s_separated(s_separated):
-    """Their derivatives by s_separated, of those that depend on it."""
-    return (
-        1,
-        s_separated,
-        -s_separated/3,
     )
 
 
@@ -793,42 +758,42 @@ def residual(case, z, R):
     mu_separated = over_separated[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*entry(z, at_d_contact, number_d_contact, 2) + q5*entry(z, at_d_contact, number_d_contact, 3) + q6*entry(z, at_d_contact, number_d_contact, 4) + q7*entry(z, at_d_contact, number_d_contact, 5) + q8
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = contact_by_1(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*entry(z, at_d_contact, number_d_contact, 2) + q5*entry(z, at_d_contact, number_d_contact, 3) + q6*entry(z, at_d_contact, number_d_contact, 4) + q7*entry(z, at_d_contact, number_d_contact, 5) + q8*entry(z, at_d_contact, number_d_contact, 6) + q9
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = contact_by_2(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*entry(z, at_d_contact, number_d_contact, 2) + q5*entry(z, at_d_contact, number_d_contact, 3) + q6*entry(z, at_d_contact, number_d_contact, 4) + q7*entry(z, at_d_contact, number_d_contact, 5) + q8*entry(z, at_d_contact, number_d_contact, 6) + q9*entry(z, at_d_contact, number_d_contact, 7) + q10
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q9*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q10
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_3(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*entry(z, at_d_contact, number_d_contact, 2) + q5*entry(z, at_d_contact, number_d_contact, 3) + q6*entry(z, at_d_contact, number_d_contact, 4) + q7*entry(z, at_d_contact, number_d_contact, 5) + q8*entry(z, at_d_contact, number_d_contact, 6) + q9*entry(z, at_d_contact, number_d_contact, 7) + q10*entry(z, at_d_contact, number_d_contact, 8) + q11
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q9*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q10*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q11
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_4(m, c, k, k_c, F, s_contact, mu_contact)
-    R[row] = q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*entry(z, at_d_contact, number_d_contact, 2) + q4*entry(z, at_d_contact, number_d_contact, 3) + q5*entry(z, at_d_contact, number_d_contact, 4) + q6*entry(z, at_d_contact, number_d_contact, 5) + q7*entry(z, at_d_contact, number_d_contact, 6) + q8*entry(z, at_d_contact, number_d_contact, 7) + q9*entry(z, at_d_contact, number_d_contact, 8) + q10*entry(z, at_d_contact, number_d_contact, 9) + q11
+    R[row] = q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q10*(z[at_d_contact + 9] if number_d_contact > 9 else 0.0) + q11
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_l(l, m, c, k, k_c, F, s_contact, mu_contact)
-        R[row] = q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*entry(z, at_d_contact, number_d_contact, l+2) + q8*entry(z, at_d_contact, number_d_contact, l+3) + q9*entry(z, at_d_contact, number_d_contact, l+4) + q10*entry(z, at_d_contact, number_d_contact, l+5) + q11
+        R[row] = q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*(z[at_d_contact + l+2] if number_d_contact > l+2 else 0.0) + q8*(z[at_d_contact + l+3] if number_d_contact > l+3 else 0.0) + q9*(z[at_d_contact + l+4] if number_d_contact > l+4 else 0.0) + q10*(z[at_d_contact + l+5] if number_d_contact > l+5 else 0.0) + q11
         row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_0(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*entry(z, at_d_separated, number_d_separated, 2) + q5*entry(z, at_d_separated, number_d_separated, 3) + q6*entry(z, at_d_separated, number_d_separated, 4) + q7*entry(z, at_d_separated, number_d_separated, 5) + q8
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = separated_by_1(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*entry(z, at_d_separated, number_d_separated, 2) + q5*entry(z, at_d_separated, number_d_separated, 3) + q6*entry(z, at_d_separated, number_d_separated, 4) + q7*entry(z, at_d_separated, number_d_separated, 5) + q8*entry(z, at_d_separated, number_d_separated, 6) + q9
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = separated_by_2(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*entry(z, at_d_separated, number_d_separated, 2) + q5*entry(z, at_d_separated, number_d_separated, 3) + q6*entry(z, at_d_separated, number_d_separated, 4) + q7*entry(z, at_d_separated, number_d_separated, 5) + q8*entry(z, at_d_separated, number_d_separated, 6) + q9*entry(z, at_d_separated, number_d_separated, 7) + q10
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q9*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q10
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_3(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*entry(z, at_d_separated, number_d_separated, 2) + q5*entry(z, at_d_separated, number_d_separated, 3) + q6*entry(z, at_d_separated, number_d_separated, 4) + q7*entry(z, at_d_separated, number_d_separated, 5) + q8*entry(z, at_d_separated, number_d_separated, 6) + q9*entry(z, at_d_separated, number_d_separated, 7) + q10*entry(z, at_d_separated, number_d_separated, 8) + q11
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q9*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q10*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q11
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_4(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*entry(z, at_d_separated, number_d_separated, 2) + q4*entry(z, at_d_separated, number_d_separated, 3) + q5*entry(z, at_d_separated, number_d_separated, 4) + q6*entry(z, at_d_separated, number_d_separated, 5) + q7*entry(z, at_d_separated, number_d_separated, 6) + q8*entry(z, at_d_separated, number_d_separated, 7) + q9*entry(z, at_d_separated, number_d_separated, 8) + q10*entry(z, at_d_separated, number_d_separated, 9) + q11
+    R[row] = q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q10*(z[at_d_separated + 9] if number_d_separated > 9 else 0.0) + q11
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_l(l, m, c, k, F, s_separated, mu_separated)
-        R[row] = q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*entry(z, at_d_separated, number_d_separated, l+2) + q8*entry(z, at_d_separated, number_d_separated, l+3) + q9*entry(z, at_d_separated, number_d_separated, l+4) + q10*entry(z, at_d_separated, number_d_separated, l+5) + q11
+        R[row] = q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*(z[at_d_separated + l+2] if number_d_separated > l+2 else 0.0) + q8*(z[at_d_separated + l+3] if number_d_separated > l+3 else 0.0) + q9*(z[at_d_separated + l+4] if number_d_separated > l+4 else 0.0) + q10*(z[at_d_separated + l+5] if number_d_separated > l+5 else 0.0) + q11
         row += 1
     q0, q1, q2, q3, q4 = displacement_contact(s_separated)
     R[row] = q0*z[at_x_contact] + q1*z[at_x_separated] + q2*z[at_v_separated] + q3*z[at_d_separated] + q4*z[at_d_separated + 1]
@@ -852,11 +817,11 @@ def residual(case, z, R):
         q0, q1 = derivative_2_separated_sum(n)
         R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
     row += 1
-    q0, q1, q2, q3, q4 = event_contact(g, s_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4
+    q0, q1 = event_contact_after(g)
+    R[row] = q0*z[at_x_separated] + q1
     row += 1
-    q0, q1, q2, q3, q4 = event_separated(g, s_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
+    q0, q1 = event_separated_after(g)
+    R[row] = q0*z[at_x_contact] + q1
     row += 1
     q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
@@ -894,12 +859,16 @@ def jacobian(case, z, J):
     J[row, at_v_contact] += q1
     J[row, at_d_contact] += q2
     J[row, at_d_contact + 1] += q3
-    put(J, row, at_d_contact, number_d_contact, 2, q4)
-    put(J, row, at_d_contact, number_d_contact, 3, q5)
-    put(J, row, at_d_contact, number_d_contact, 4, q6)
-    put(J, row, at_d_contact, number_d_contact, 5, q7)
+    if number_d_contact > 2:
+        J[row, at_d_contact + 2] += q4
+    if number_d_contact > 3:
+        J[row, at_d_contact + 3] += q5
+    if number_d_contact > 4:
+        J[row, at_d_contact + 4] += q6
+    if number_d_contact > 5:
+        J[row, at_d_contact + 5] += q7
     q0, q1, q2, q3, q4, q5, q6, q7 = contact_by_0_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*entry(z, at_d_contact, number_d_contact, 2) + q4*entry(z, at_d_contact, number_d_contact, 3) + q5*entry(z, at_d_contact, number_d_contact, 4) + q6*entry(z, at_d_contact, number_d_contact, 5) + q7
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7
     q0 = contact_by_0_by_phi(F, nu_contact)
     J[row, at_phi] += q0
     row += 1
@@ -908,13 +877,18 @@ def jacobian(case, z, J):
     J[row, at_v_contact] += q1
     J[row, at_d_contact] += q2
     J[row, at_d_contact + 1] += q3
-    put(J, row, at_d_contact, number_d_contact, 2, q4)
-    put(J, row, at_d_contact, number_d_contact, 3, q5)
-    put(J, row, at_d_contact, number_d_contact, 4, q6)
-    put(J, row, at_d_contact, number_d_contact, 5, q7)
-    put(J, row, at_d_contact, number_d_contact, 6, q8)
+    if number_d_contact > 2:
+        J[row, at_d_contact + 2] += q4
+    if number_d_contact > 3:
+        J[row, at_d_contact + 3] += q5
+    if number_d_contact > 4:
+        J[row, at_d_contact + 4] += q6
+    if number_d_contact > 5:
+        J[row, at_d_contact + 5] += q7
+    if number_d_contact > 6:
+        J[row, at_d_contact + 6] += q8
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_1_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*entry(z, at_d_contact, number_d_contact, 2) + q4*entry(z, at_d_contact, number_d_contact, 3) + q5*entry(z, at_d_contact, number_d_contact, 4) + q6*entry(z, at_d_contact, number_d_contact, 5) + q7*entry(z, at_d_contact, number_d_contact, 6) + q8
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8
     q0 = contact_by_1_by_phi(F, nu_contact)
     J[row, at_phi] += q0
     row += 1
@@ -923,14 +897,20 @@ def jacobian(case, z, J):
     J[row, at_v_contact] += q1
     J[row, at_d_contact] += q2
     J[row, at_d_contact + 1] += q3
-    put(J, row, at_d_contact, number_d_contact, 2, q4)
-    put(J, row, at_d_contact, number_d_contact, 3, q5)
-    put(J, row, at_d_contact, number_d_contact, 4, q6)
-    put(J, row, at_d_contact, number_d_contact, 5, q7)
-    put(J, row, at_d_contact, number_d_contact, 6, q8)
-    put(J, row, at_d_contact, number_d_contact, 7, q9)
+    if number_d_contact > 2:
+        J[row, at_d_contact + 2] += q4
+    if number_d_contact > 3:
+        J[row, at_d_contact + 3] += q5
+    if number_d_contact > 4:
+        J[row, at_d_contact + 4] += q6
+    if number_d_contact > 5:
+        J[row, at_d_contact + 5] += q7
+    if number_d_contact > 6:
+        J[row, at_d_contact + 6] += q8
+    if number_d_contact > 7:
+        J[row, at_d_contact + 7] += q9
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = contact_by_2_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*entry(z, at_d_contact, number_d_contact, 2) + q4*entry(z, at_d_contact, number_d_contact, 3) + q5*entry(z, at_d_contact, number_d_contact, 4) + q6*entry(z, at_d_contact, number_d_contact, 5) + q7*entry(z, at_d_contact, number_d_contact, 6) + q8*entry(z, at_d_contact, number_d_contact, 7) + q9
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9
     q0 = contact_by_2_by_phi(F, nu_contact)
     J[row, at_phi] += q0
     row += 1
@@ -939,15 +919,22 @@ def jacobian(case, z, J):
     J[row, at_v_contact] += q1
     J[row, at_d_contact] += q2
     J[row, at_d_contact + 1] += q3
-    put(J, row, at_d_contact, number_d_contact, 2, q4)
-    put(J, row, at_d_contact, number_d_contact, 3, q5)
-    put(J, row, at_d_contact, number_d_contact, 4, q6)
-    put(J, row, at_d_contact, number_d_contact, 5, q7)
-    put(J, row, at_d_contact, number_d_contact, 6, q8)
-    put(J, row, at_d_contact, number_d_contact, 7, q9)
-    put(J, row, at_d_contact, number_d_contact, 8, q10)
+    if number_d_contact > 2:
+        J[row, at_d_contact + 2] += q4
+    if number_d_contact > 3:
+        J[row, at_d_contact + 3] += q5
+    if number_d_contact > 4:
+        J[row, at_d_contact + 4] += q6
+    if number_d_contact > 5:
+        J[row, at_d_contact + 5] += q7
+    if number_d_contact > 6:
+        J[row, at_d_contact + 6] += q8
+    if number_d_contact > 7:
+        J[row, at_d_contact + 7] += q9
+    if number_d_contact > 8:
+        J[row, at_d_contact + 8] += q10
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = contact_by_3_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*entry(z, at_d_contact, number_d_contact, 2) + q4*entry(z, at_d_contact, number_d_contact, 3) + q5*entry(z, at_d_contact, number_d_contact, 4) + q6*entry(z, at_d_contact, number_d_contact, 5) + q7*entry(z, at_d_contact, number_d_contact, 6) + q8*entry(z, at_d_contact, number_d_contact, 7) + q9*entry(z, at_d_contact, number_d_contact, 8) + q10
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q10
     q0 = contact_by_3_by_phi(F, nu_contact)
     J[row, at_phi] += q0
     row += 1
@@ -955,16 +942,24 @@ def jacobian(case, z, J):
     J[row, at_v_contact] += q0
     J[row, at_d_contact] += q1
     J[row, at_d_contact + 1] += q2
-    put(J, row, at_d_contact, number_d_contact, 2, q3)
-    put(J, row, at_d_contact, number_d_contact, 3, q4)
-    put(J, row, at_d_contact, number_d_contact, 4, q5)
-    put(J, row, at_d_contact, number_d_contact, 5, q6)
-    put(J, row, at_d_contact, number_d_contact, 6, q7)
-    put(J, row, at_d_contact, number_d_contact, 7, q8)
-    put(J, row, at_d_contact, number_d_contact, 8, q9)
-    put(J, row, at_d_contact, number_d_contact, 9, q10)
+    if number_d_contact > 2:
+        J[row, at_d_contact + 2] += q3
+    if number_d_contact > 3:
+        J[row, at_d_contact + 3] += q4
+    if number_d_contact > 4:
+        J[row, at_d_contact + 4] += q5
+    if number_d_contact > 5:
+        J[row, at_d_contact + 5] += q6
+    if number_d_contact > 6:
+        J[row, at_d_contact + 6] += q7
+    if number_d_contact > 7:
+        J[row, at_d_contact + 7] += q8
+    if number_d_contact > 8:
+        J[row, at_d_contact + 8] += q9
+    if number_d_contact > 9:
+        J[row, at_d_contact + 9] += q10
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_4_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*entry(z, at_d_contact, number_d_contact, 2) + q4*entry(z, at_d_contact, number_d_contact, 3) + q5*entry(z, at_d_contact, number_d_contact, 4) + q6*entry(z, at_d_contact, number_d_contact, 5) + q7*entry(z, at_d_contact, number_d_contact, 6) + q8*entry(z, at_d_contact, number_d_contact, 7) + q9*entry(z, at_d_contact, number_d_contact, 8) + q10*entry(z, at_d_contact, number_d_contact, 9) + q11
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q10*(z[at_d_contact + 9] if number_d_contact > 9 else 0.0) + q11
     q0 = contact_by_4_by_phi(F, nu_contact)
     J[row, at_phi] += q0
     row += 1
@@ -977,12 +972,16 @@ def jacobian(case, z, J):
         J[row, at_d_contact + l-2] += q4
         J[row, at_d_contact + l-1] += q5
         J[row, at_d_contact + l+1] += q6
-        put(J, row, at_d_contact, number_d_contact, l+2, q7)
-        put(J, row, at_d_contact, number_d_contact, l+3, q8)
-        put(J, row, at_d_contact, number_d_contact, l+4, q9)
-        put(J, row, at_d_contact, number_d_contact, l+5, q10)
+        if number_d_contact > l+2:
+            J[row, at_d_contact + l+2] += q7
+        if number_d_contact > l+3:
+            J[row, at_d_contact + l+3] += q8
+        if number_d_contact > l+4:
+            J[row, at_d_contact + l+4] += q9
+        if number_d_contact > l+5:
+            J[row, at_d_contact + l+5] += q10
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact)
-        J[row, at_s_contact] += q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*entry(z, at_d_contact, number_d_contact, l+2) + q8*entry(z, at_d_contact, number_d_contact, l+3) + q9*entry(z, at_d_contact, number_d_contact, l+4) + q10*entry(z, at_d_contact, number_d_contact, l+5) + q11
+        J[row, at_s_contact] += q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*(z[at_d_contact + l+2] if number_d_contact > l+2 else 0.0) + q8*(z[at_d_contact + l+3] if number_d_contact > l+3 else 0.0) + q9*(z[at_d_contact + l+4] if number_d_contact > l+4 else 0.0) + q10*(z[at_d_contact + l+5] if number_d_contact > l+5 else 0.0) + q11
         q0 = contact_by_l_by_phi(l, F, nu_contact)
         J[row, at_phi] += q0
         row += 1
@@ -991,14 +990,18 @@ def jacobian(case, z, J):
     J[row, at_v_separated] += q1
     J[row, at_d_separated] += q2
     J[row, at_d_separated + 1] += q3
-    put(J, row, at_d_separated, number_d_separated, 2, q4)
-    put(J, row, at_d_separated, number_d_separated, 3, q5)
-    put(J, row, at_d_separated, number_d_separated, 4, q6)
-    put(J, row, at_d_separated, number_d_separated, 5, q7)
+    if number_d_separated > 2:
+        J[row, at_d_separated + 2] += q4
+    if number_d_separated > 3:
+        J[row, at_d_separated + 3] += q5
+    if number_d_separated > 4:
+        J[row, at_d_separated + 4] += q6
+    if number_d_separated > 5:
+        J[row, at_d_separated + 5] += q7
     q0 = separated_by_0_by_s_contact(F, Omega, nu_separated)
     J[row, at_s_contact] += q0
     q0, q1, q2, q3, q4, q5, q6, q7 = separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*entry(z, at_d_separated, number_d_separated, 2) + q4*entry(z, at_d_separated, number_d_separated, 3) + q5*entry(z, at_d_separated, number_d_separated, 4) + q6*entry(z, at_d_separated, number_d_separated, 5) + q7
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7
     q0 = separated_by_0_by_phi(F, nu_separated)
     J[row, at_phi] += q0
     row += 1
@@ -1007,15 +1010,20 @@ def jacobian(case, z, J):
     J[row, at_v_separated] += q1
     J[row, at_d_separated] += q2
     J[row, at_d_separated + 1] += q3
-    put(J, row, at_d_separated, number_d_separated, 2, q4)
-    put(J, row, at_d_separated, number_d_separated, 3, q5)
-    put(J, row, at_d_separated, number_d_separated, 4, q6)
-    put(J, row, at_d_separated, number_d_separated, 5, q7)
-    put(J, row, at_d_separated, number_d_separated, 6, q8)
+    if number_d_separated > 2:
+        J[row, at_d_separated + 2] += q4
+    if number_d_separated > 3:
+        J[row, at_d_separated + 3] += q5
+    if number_d_separated > 4:
+        J[row, at_d_separated + 4] += q6
+    if number_d_separated > 5:
+        J[row, at_d_separated + 5] += q7
+    if number_d_separated > 6:
+        J[row, at_d_separated + 6] += q8
     q0 = separated_by_1_by_s_contact(F, Omega, nu_separated)
     J[row, at_s_contact] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*entry(z, at_d_separated, number_d_separated, 2) + q4*entry(z, at_d_separated, number_d_separated, 3) + q5*entry(z, at_d_separated, number_d_separated, 4) + q6*entry(z, at_d_separated, number_d_separated, 5) + q7*entry(z, at_d_separated, number_d_separated, 6) + q8
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8
     q0 = separated_by_1_by_phi(F, nu_separated)
     J[row, at_phi] += q0
     row += 1
@@ -1024,16 +1032,22 @@ def jacobian(case, z, J):
     J[row, at_v_separated] += q1
     J[row, at_d_separated] += q2
     J[row, at_d_separated + 1] += q3
-    put(J, row, at_d_separated, number_d_separated, 2, q4)
-    put(J, row, at_d_separated, number_d_separated, 3, q5)
-    put(J, row, at_d_separated, number_d_separated, 4, q6)
-    put(J, row, at_d_separated, number_d_separated, 5, q7)
-    put(J, row, at_d_separated, number_d_separated, 6, q8)
-    put(J, row, at_d_separated, number_d_separated, 7, q9)
+    if number_d_separated > 2:
+        J[row, at_d_separated + 2] += q4
+    if number_d_separated > 3:
+        J[row, at_d_separated + 3] += q5
+    if number_d_separated > 4:
+        J[row, at_d_separated + 4] += q6
+    if number_d_separated > 5:
+        J[row, at_d_separated + 5] += q7
+    if number_d_separated > 6:
+        J[row, at_d_separated + 6] += q8
+    if number_d_separated > 7:
+        J[row, at_d_separated + 7] += q9
     q0 = separated_by_2_by_s_contact(F, Omega, nu_separated)
     J[row, at_s_contact] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = separated_by_2_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*entry(z, at_d_separated, number_d_separated, 2) + q4*entry(z, at_d_separated, number_d_separated, 3) + q5*entry(z, at_d_separated, number_d_separated, 4) + q6*entry(z, at_d_separated, number_d_separated, 5) + q7*entry(z, at_d_separated, number_d_separated, 6) + q8*entry(z, at_d_separated, number_d_separated, 7) + q9
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9
     q0 = separated_by_2_by_phi(F, nu_separated)
     J[row, at_phi] += q0
     row += 1
@@ -1042,17 +1056,24 @@ def jacobian(case, z, J):
     J[row, at_v_separated] += q1
     J[row, at_d_separated] += q2
     J[row, at_d_separated + 1] += q3
-    put(J, row, at_d_separated, number_d_separated, 2, q4)
-    put(J, row, at_d_separated, number_d_separated, 3, q5)
-    put(J, row, at_d_separated, number_d_separated, 4, q6)
-    put(J, row, at_d_separated, number_d_separated, 5, q7)
-    put(J, row, at_d_separated, number_d_separated, 6, q8)
-    put(J, row, at_d_separated, number_d_separated, 7, q9)
-    put(J, row, at_d_separated, number_d_separated, 8, q10)
+    if number_d_separated > 2:
+        J[row, at_d_separated + 2] += q4
+    if number_d_separated > 3:
+        J[row, at_d_separated + 3] += q5
+    if number_d_separated > 4:
+        J[row, at_d_separated + 4] += q6
+    if number_d_separated > 5:
+        J[row, at_d_separated + 5] += q7
+    if number_d_separated > 6:
+        J[row, at_d_separated + 6] += q8
+    if number_d_separated > 7:
+        J[row, at_d_separated + 7] += q9
+    if number_d_separated > 8:
+        J[row, at_d_separated + 8] += q10
     q0 = separated_by_3_by_s_contact(F, Omega, nu_separated)
     J[row, at_s_contact] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = separated_by_3_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*entry(z, at_d_separated, number_d_separated, 2) + q4*entry(z, at_d_separated, number_d_separated, 3) + q5*entry(z, at_d_separated, number_d_separated, 4) + q6*entry(z, at_d_separated, number_d_separated, 5) + q7*entry(z, at_d_separated, number_d_separated, 6) + q8*entry(z, at_d_separated, number_d_separated, 7) + q9*entry(z, at_d_separated, number_d_separated, 8) + q10
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q10
     q0 = separated_by_3_by_phi(F, nu_separated)
     J[row, at_phi] += q0
     row += 1
@@ -1060,18 +1081,26 @@ def jacobian(case, z, J):
     J[row, at_v_separated] += q0
     J[row, at_d_separated] += q1
     J[row, at_d_separated + 1] += q2
-    put(J, row, at_d_separated, number_d_separated, 2, q3)
-    put(J, row, at_d_separated, number_d_separated, 3, q4)
-    put(J, row, at_d_separated, number_d_separated, 4, q5)
-    put(J, row, at_d_separated, number_d_separated, 5, q6)
-    put(J, row, at_d_separated, number_d_separated, 6, q7)
-    put(J, row, at_d_separated, number_d_separated, 7, q8)
-    put(J, row, at_d_separated, number_d_separated, 8, q9)
-    put(J, row, at_d_separated, number_d_separated, 9, q10)
+    if number_d_separated > 2:
+        J[row, at_d_separated + 2] += q3
+    if number_d_separated > 3:
+        J[row, at_d_separated + 3] += q4
+    if number_d_separated > 4:
+        J[row, at_d_separated + 4] += q5
+    if number_d_separated > 5:
+        J[row, at_d_separated + 5] += q6
+    if number_d_separated > 6:
+        J[row, at_d_separated + 6] += q7
+    if number_d_separated > 7:
+        J[row, at_d_separated + 7] += q8
+    if number_d_separated > 8:
+        J[row, at_d_separated + 8] += q9
+    if number_d_separated > 9:
+        J[row, at_d_separated + 9] += q10
     q0 = separated_by_4_by_s_contact(F, Omega, nu_separated)
     J[row, at_s_contact] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_4_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*entry(z, at_d_separated, number_d_separated, 2) + q4*entry(z, at_d_separated, number_d_separated, 3) + q5*entry(z, at_d_separated, number_d_separated, 4) + q6*entry(z, at_d_separated, number_d_separated, 5) + q7*entry(z, at_d_separated, number_d_separated, 6) + q8*entry(z, at_d_separated, number_d_separated, 7) + q9*entry(z, at_d_separated, number_d_separated, 8) + q10*entry(z, at_d_separated, number_d_separated, 9) + q11
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q10*(z[at_d_separated + 9] if number_d_separated > 9 else 0.0) + q11
     q0 = separated_by_4_by_phi(F, nu_separated)
     J[row, at_phi] += q0
     row += 1
@@ -1084,14 +1113,18 @@ def jacobian(case, z, J):
         J[row, at_d_separated + l-2] += q4
         J[row, at_d_separated + l-1] += q5
         J[row, at_d_separated + l+1] += q6
-        put(J, row, at_d_separated, number_d_separated, l+2, q7)
-        put(J, row, at_d_separated, number_d_separated, l+3, q8)
-        put(J, row, at_d_separated, number_d_separated, l+4, q9)
-        put(J, row, at_d_separated, number_d_separated, l+5, q10)
+        if number_d_separated > l+2:
+            J[row, at_d_separated + l+2] += q7
+        if number_d_separated > l+3:
+            J[row, at_d_separated + l+3] += q8
+        if number_d_separated > l+4:
+            J[row, at_d_separated + l+4] += q9
+        if number_d_separated > l+5:
+            J[row, at_d_separated + l+5] += q10
         q0 = separated_by_l_by_s_contact(l, F, Omega, nu_separated)
         J[row, at_s_contact] += q0
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
-        J[row, at_s_separated] += q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*entry(z, at_d_separated, number_d_separated, l+2) + q8*entry(z, at_d_separated, number_d_separated, l+3) + q9*entry(z, at_d_separated, number_d_separated, l+4) + q10*entry(z, at_d_separated, number_d_separated, l+5) + q11
+        J[row, at_s_separated] += q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*(z[at_d_separated + l+2] if number_d_separated > l+2 else 0.0) + q8*(z[at_d_separated + l+3] if number_d_separated > l+3 else 0.0) + q9*(z[at_d_separated + l+4] if number_d_separated > l+4 else 0.0) + q10*(z[at_d_separated + l+5] if number_d_separated > l+5 else 0.0) + q11
         q0 = separated_by_l_by_phi(l, F, nu_separated)
         J[row, at_phi] += q0
         row += 1
@@ -1137,21 +1170,11 @@ def jacobian(case, z, J):
         J[row, at_d_contact + n] += q0
         J[row, at_d_separated + n] += q1
     row += 1
-    q0, q1, q2, q3, _ = event_contact(g, s_contact)
-    J[row, at_x_contact] += q0
-    J[row, at_v_contact] += q1
-    J[row, at_d_contact] += q2
-    J[row, at_d_contact + 1] += q3
-    q0, q1, q2 = event_contact_by_s_contact(s_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
-    row += 1
-    q0, q1, q2, q3, _ = event_separated(g, s_separated)
+    q0, _ = event_contact_after(g)
     J[row, at_x_separated] += q0
-    J[row, at_v_separated] += q1
-    J[row, at_d_separated] += q2
-    J[row, at_d_separated + 1] += q3
-    q0, q1, q2 = event_separated_by_s_separated(s_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
+    row += 1
+    q0, _ = event_separated_after(g)
+    J[row, at_x_contact] += q0
     row += 1
     q0 = cell_by_s_contact()
     J[row, at_s_contact] += q0

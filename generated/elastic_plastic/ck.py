@@ -33,8 +33,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 5  # order
-MATHEMATICS = "05e7b7502ab3b8ec46b028155226ee35051f8595409b823bad079db29b4f1cf3"  # of the conditions, by srepr
-BODY = "527737b7dd143c8cdfec1c123bbe865be247af49d6b6db04008cfff75fb15445"  # of the text below
+MATHEMATICS = "baefb93f63d0dc12a544787c06b71c2f1dbcccab43eecede70561f9d901e2bad"  # of the conditions, by srepr
+BODY = "53e0a873e17705424d05e76519384867b1d322534a06f4214b28d84373f55e95"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -89,17 +89,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def integrated(d):
@@ -799,38 +788,18 @@ def derivative_2_plastic_sum1():
     return -1
 
 
-def event_elastic(k, F_y, s_elastic):
-    """Coefficients: the event that ends elastic."""
+def event_elastic_after(k, F_y):
+    """Coefficients: the event that ends elastic, in the state after it."""
     return (
         k,
-        k*s_elastic,
-        (k*(s_elastic*s_elastic))/2,
-        -(k*(s_elastic*s_elastic))/6,
         -k,
         2*F_y,
     )
 
 
-def event_elastic_by_s_elastic(k, s_elastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return (
-        k,
-        k*s_elastic,
-        -(k*s_elastic)/3,
-    )
-
-
-def event_plastic(s_plastic):
-    """Coefficients: the event that ends plastic."""
-    return (
-        1,
-        s_plastic,
-    )
-
-
-def event_plastic_by_s_plastic():
-    """Their derivatives by s_plastic, of those that depend on it."""
-    return 1
+def event_plastic_after():
+    """Coefficients: the event that ends plastic, in the state after it."""
+    return -1
 
 
 def memory_w():
@@ -886,45 +855,45 @@ def residual(case, z, R):
     mu_plastic = over_plastic[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*entry(z, at_d_elastic, number_d_elastic, 2) + q5*entry(z, at_d_elastic, number_d_elastic, 3) + q6*entry(z, at_d_elastic, number_d_elastic, 4) + q7*entry(z, at_d_elastic, number_d_elastic, 5) + q8*entry(z, at_d_elastic, number_d_elastic, 6) + q9*z[at_w] + q10
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*z[at_w] + q10
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = elastic_by_1(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*entry(z, at_d_elastic, number_d_elastic, 2) + q5*entry(z, at_d_elastic, number_d_elastic, 3) + q6*entry(z, at_d_elastic, number_d_elastic, 4) + q7*entry(z, at_d_elastic, number_d_elastic, 5) + q8*entry(z, at_d_elastic, number_d_elastic, 6) + q9*entry(z, at_d_elastic, number_d_elastic, 7) + q10*z[at_w] + q11
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*z[at_w] + q11
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12 = elastic_by_2(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*entry(z, at_d_elastic, number_d_elastic, 2) + q5*entry(z, at_d_elastic, number_d_elastic, 3) + q6*entry(z, at_d_elastic, number_d_elastic, 4) + q7*entry(z, at_d_elastic, number_d_elastic, 5) + q8*entry(z, at_d_elastic, number_d_elastic, 6) + q9*entry(z, at_d_elastic, number_d_elastic, 7) + q10*entry(z, at_d_elastic, number_d_elastic, 8) + q11*z[at_w] + q12
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q11*z[at_w] + q12
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_3(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*entry(z, at_d_elastic, number_d_elastic, 2) + q5*entry(z, at_d_elastic, number_d_elastic, 3) + q6*entry(z, at_d_elastic, number_d_elastic, 4) + q7*entry(z, at_d_elastic, number_d_elastic, 5) + q8*entry(z, at_d_elastic, number_d_elastic, 6) + q9*entry(z, at_d_elastic, number_d_elastic, 7) + q10*entry(z, at_d_elastic, number_d_elastic, 8) + q11*entry(z, at_d_elastic, number_d_elastic, 9) + q12*z[at_w] + q13
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q11*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q12*z[at_w] + q13
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14 = elastic_by_4(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*entry(z, at_d_elastic, number_d_elastic, 2) + q5*entry(z, at_d_elastic, number_d_elastic, 3) + q6*entry(z, at_d_elastic, number_d_elastic, 4) + q7*entry(z, at_d_elastic, number_d_elastic, 5) + q8*entry(z, at_d_elastic, number_d_elastic, 6) + q9*entry(z, at_d_elastic, number_d_elastic, 7) + q10*entry(z, at_d_elastic, number_d_elastic, 8) + q11*entry(z, at_d_elastic, number_d_elastic, 9) + q12*entry(z, at_d_elastic, number_d_elastic, 10) + q13*z[at_w] + q14
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q11*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q12*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q13*z[at_w] + q14
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_5(m, c, k, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*entry(z, at_d_elastic, number_d_elastic, 2) + q4*entry(z, at_d_elastic, number_d_elastic, 3) + q5*entry(z, at_d_elastic, number_d_elastic, 4) + q6*entry(z, at_d_elastic, number_d_elastic, 5) + q7*entry(z, at_d_elastic, number_d_elastic, 6) + q8*entry(z, at_d_elastic, number_d_elastic, 7) + q9*entry(z, at_d_elastic, number_d_elastic, 8) + q10*entry(z, at_d_elastic, number_d_elastic, 9) + q11*entry(z, at_d_elastic, number_d_elastic, 10) + q12*entry(z, at_d_elastic, number_d_elastic, 11) + q13
+    R[row] = q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q12*(z[at_d_elastic + 11] if number_d_elastic > 11 else 0.0) + q13
     row += 1
     for l in range(6, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_l(l, m, c, k, h, F, s_elastic, mu_elastic)
-        R[row] = q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*entry(z, at_d_elastic, number_d_elastic, l+3) + q10*entry(z, at_d_elastic, number_d_elastic, l+4) + q11*entry(z, at_d_elastic, number_d_elastic, l+5) + q12*entry(z, at_d_elastic, number_d_elastic, l+6) + q13
+        R[row] = q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*(z[at_d_elastic + l+3] if number_d_elastic > l+3 else 0.0) + q10*(z[at_d_elastic + l+4] if number_d_elastic > l+4 else 0.0) + q11*(z[at_d_elastic + l+5] if number_d_elastic > l+5 else 0.0) + q12*(z[at_d_elastic + l+6] if number_d_elastic > l+6 else 0.0) + q13
         row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*entry(z, at_d_plastic, number_d_plastic, 2) + q5*entry(z, at_d_plastic, number_d_plastic, 3) + q6*entry(z, at_d_plastic, number_d_plastic, 4) + q7*entry(z, at_d_plastic, number_d_plastic, 5) + q8
+    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = plastic_by_1(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*entry(z, at_d_plastic, number_d_plastic, 2) + q5*entry(z, at_d_plastic, number_d_plastic, 3) + q6*entry(z, at_d_plastic, number_d_plastic, 4) + q7*entry(z, at_d_plastic, number_d_plastic, 5) + q8*entry(z, at_d_plastic, number_d_plastic, 6) + q9
+    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = plastic_by_2(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*entry(z, at_d_plastic, number_d_plastic, 2) + q5*entry(z, at_d_plastic, number_d_plastic, 3) + q6*entry(z, at_d_plastic, number_d_plastic, 4) + q7*entry(z, at_d_plastic, number_d_plastic, 5) + q8*entry(z, at_d_plastic, number_d_plastic, 6) + q9*entry(z, at_d_plastic, number_d_plastic, 7) + q10
+    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q9*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q10
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_3(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*entry(z, at_d_plastic, number_d_plastic, 2) + q5*entry(z, at_d_plastic, number_d_plastic, 3) + q6*entry(z, at_d_plastic, number_d_plastic, 4) + q7*entry(z, at_d_plastic, number_d_plastic, 5) + q8*entry(z, at_d_plastic, number_d_plastic, 6) + q9*entry(z, at_d_plastic, number_d_plastic, 7) + q10*entry(z, at_d_plastic, number_d_plastic, 8) + q11
+    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q9*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q10*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q11
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_4(m, c, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*entry(z, at_d_plastic, number_d_plastic, 2) + q4*entry(z, at_d_plastic, number_d_plastic, 3) + q5*entry(z, at_d_plastic, number_d_plastic, 4) + q6*entry(z, at_d_plastic, number_d_plastic, 5) + q7*entry(z, at_d_plastic, number_d_plastic, 6) + q8*entry(z, at_d_plastic, number_d_plastic, 7) + q9*entry(z, at_d_plastic, number_d_plastic, 8) + q10*entry(z, at_d_plastic, number_d_plastic, 9) + q11
+    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q10*(z[at_d_plastic + 9] if number_d_plastic > 9 else 0.0) + q11
     row += 1
     for l in range(5, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_l(l, m, c, h, F, s_plastic, mu_plastic)
-        R[row] = q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*entry(z, at_d_plastic, number_d_plastic, l+2) + q8*entry(z, at_d_plastic, number_d_plastic, l+3) + q9*entry(z, at_d_plastic, number_d_plastic, l+4) + q10*entry(z, at_d_plastic, number_d_plastic, l+5) + q11
+        R[row] = q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*(z[at_d_plastic + l+2] if number_d_plastic > l+2 else 0.0) + q8*(z[at_d_plastic + l+3] if number_d_plastic > l+3 else 0.0) + q9*(z[at_d_plastic + l+4] if number_d_plastic > l+4 else 0.0) + q10*(z[at_d_plastic + l+5] if number_d_plastic > l+5 else 0.0) + q11
         row += 1
     q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
     R[row] = q0*z[at_x_elastic] + q1*z[at_x_plastic] + q2*z[at_v_plastic] + q3*z[at_d_plastic] + q4*z[at_d_plastic + 1]
@@ -962,11 +931,11 @@ def residual(case, z, R):
         q0 = derivative_2_plastic_sum1()
         R[row] += q0*z[at_d_elastic + n]
     row += 1
-    q0, q1, q2, q3, q4, q5 = event_elastic(k, F_y, s_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_w] + q5
+    q0, q1, q2 = event_elastic_after(k, F_y)
+    R[row] = q0*z[at_x_plastic] + q1*z[at_w] + q2
     row += 1
-    q0, q1 = event_plastic(s_plastic)
-    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic]
+    q0 = event_plastic_after()
+    R[row] = q0*z[at_v_elastic]
     row += 1
     q0, q1 = memory_w()
     R[row] = q0*z[at_x_elastic] + q1*z[at_w]
@@ -1008,14 +977,19 @@ def jacobian(case, z, J):
     J[row, at_v_elastic] += q1
     J[row, at_d_elastic] += q2
     J[row, at_d_elastic + 1] += q3
-    put(J, row, at_d_elastic, number_d_elastic, 2, q4)
-    put(J, row, at_d_elastic, number_d_elastic, 3, q5)
-    put(J, row, at_d_elastic, number_d_elastic, 4, q6)
-    put(J, row, at_d_elastic, number_d_elastic, 5, q7)
-    put(J, row, at_d_elastic, number_d_elastic, 6, q8)
+    if number_d_elastic > 2:
+        J[row, at_d_elastic + 2] += q4
+    if number_d_elastic > 3:
+        J[row, at_d_elastic + 3] += q5
+    if number_d_elastic > 4:
+        J[row, at_d_elastic + 4] += q6
+    if number_d_elastic > 5:
+        J[row, at_d_elastic + 5] += q7
+    if number_d_elastic > 6:
+        J[row, at_d_elastic + 6] += q8
     J[row, at_w] += q9
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = elastic_by_0_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*entry(z, at_d_elastic, number_d_elastic, 2) + q4*entry(z, at_d_elastic, number_d_elastic, 3) + q5*entry(z, at_d_elastic, number_d_elastic, 4) + q6*entry(z, at_d_elastic, number_d_elastic, 5) + q7*entry(z, at_d_elastic, number_d_elastic, 6) + q8
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8
     q0 = elastic_by_0_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
@@ -1024,15 +998,21 @@ def jacobian(case, z, J):
     J[row, at_v_elastic] += q1
     J[row, at_d_elastic] += q2
     J[row, at_d_elastic + 1] += q3
-    put(J, row, at_d_elastic, number_d_elastic, 2, q4)
-    put(J, row, at_d_elastic, number_d_elastic, 3, q5)
-    put(J, row, at_d_elastic, number_d_elastic, 4, q6)
-    put(J, row, at_d_elastic, number_d_elastic, 5, q7)
-    put(J, row, at_d_elastic, number_d_elastic, 6, q8)
-    put(J, row, at_d_elastic, number_d_elastic, 7, q9)
+    if number_d_elastic > 2:
+        J[row, at_d_elastic + 2] += q4
+    if number_d_elastic > 3:
+        J[row, at_d_elastic + 3] += q5
+    if number_d_elastic > 4:
+        J[row, at_d_elastic + 4] += q6
+    if number_d_elastic > 5:
+        J[row, at_d_elastic + 5] += q7
+    if number_d_elastic > 6:
+        J[row, at_d_elastic + 6] += q8
+    if number_d_elastic > 7:
+        J[row, at_d_elastic + 7] += q9
     J[row, at_w] += q10
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = elastic_by_1_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*entry(z, at_d_elastic, number_d_elastic, 2) + q4*entry(z, at_d_elastic, number_d_elastic, 3) + q5*entry(z, at_d_elastic, number_d_elastic, 4) + q6*entry(z, at_d_elastic, number_d_elastic, 5) + q7*entry(z, at_d_elastic, number_d_elastic, 6) + q8*entry(z, at_d_elastic, number_d_elastic, 7) + q9
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9
     q0 = elastic_by_1_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
@@ -1041,16 +1021,23 @@ def jacobian(case, z, J):
     J[row, at_v_elastic] += q1
     J[row, at_d_elastic] += q2
     J[row, at_d_elastic + 1] += q3
-    put(J, row, at_d_elastic, number_d_elastic, 2, q4)
-    put(J, row, at_d_elastic, number_d_elastic, 3, q5)
-    put(J, row, at_d_elastic, number_d_elastic, 4, q6)
-    put(J, row, at_d_elastic, number_d_elastic, 5, q7)
-    put(J, row, at_d_elastic, number_d_elastic, 6, q8)
-    put(J, row, at_d_elastic, number_d_elastic, 7, q9)
-    put(J, row, at_d_elastic, number_d_elastic, 8, q10)
+    if number_d_elastic > 2:
+        J[row, at_d_elastic + 2] += q4
+    if number_d_elastic > 3:
+        J[row, at_d_elastic + 3] += q5
+    if number_d_elastic > 4:
+        J[row, at_d_elastic + 4] += q6
+    if number_d_elastic > 5:
+        J[row, at_d_elastic + 5] += q7
+    if number_d_elastic > 6:
+        J[row, at_d_elastic + 6] += q8
+    if number_d_elastic > 7:
+        J[row, at_d_elastic + 7] += q9
+    if number_d_elastic > 8:
+        J[row, at_d_elastic + 8] += q10
     J[row, at_w] += q11
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = elastic_by_2_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*entry(z, at_d_elastic, number_d_elastic, 2) + q4*entry(z, at_d_elastic, number_d_elastic, 3) + q5*entry(z, at_d_elastic, number_d_elastic, 4) + q6*entry(z, at_d_elastic, number_d_elastic, 5) + q7*entry(z, at_d_elastic, number_d_elastic, 6) + q8*entry(z, at_d_elastic, number_d_elastic, 7) + q9*entry(z, at_d_elastic, number_d_elastic, 8) + q10
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10
     q0 = elastic_by_2_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
@@ -1059,17 +1046,25 @@ def jacobian(case, z, J):
     J[row, at_v_elastic] += q1
     J[row, at_d_elastic] += q2
     J[row, at_d_elastic + 1] += q3
-    put(J, row, at_d_elastic, number_d_elastic, 2, q4)
-    put(J, row, at_d_elastic, number_d_elastic, 3, q5)
-    put(J, row, at_d_elastic, number_d_elastic, 4, q6)
-    put(J, row, at_d_elastic, number_d_elastic, 5, q7)
-    put(J, row, at_d_elastic, number_d_elastic, 6, q8)
-    put(J, row, at_d_elastic, number_d_elastic, 7, q9)
-    put(J, row, at_d_elastic, number_d_elastic, 8, q10)
-    put(J, row, at_d_elastic, number_d_elastic, 9, q11)
+    if number_d_elastic > 2:
+        J[row, at_d_elastic + 2] += q4
+    if number_d_elastic > 3:
+        J[row, at_d_elastic + 3] += q5
+    if number_d_elastic > 4:
+        J[row, at_d_elastic + 4] += q6
+    if number_d_elastic > 5:
+        J[row, at_d_elastic + 5] += q7
+    if number_d_elastic > 6:
+        J[row, at_d_elastic + 6] += q8
+    if number_d_elastic > 7:
+        J[row, at_d_elastic + 7] += q9
+    if number_d_elastic > 8:
+        J[row, at_d_elastic + 8] += q10
+    if number_d_elastic > 9:
+        J[row, at_d_elastic + 9] += q11
     J[row, at_w] += q12
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = elastic_by_3_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*entry(z, at_d_elastic, number_d_elastic, 2) + q4*entry(z, at_d_elastic, number_d_elastic, 3) + q5*entry(z, at_d_elastic, number_d_elastic, 4) + q6*entry(z, at_d_elastic, number_d_elastic, 5) + q7*entry(z, at_d_elastic, number_d_elastic, 6) + q8*entry(z, at_d_elastic, number_d_elastic, 7) + q9*entry(z, at_d_elastic, number_d_elastic, 8) + q10*entry(z, at_d_elastic, number_d_elastic, 9) + q11
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11
     q0 = elastic_by_3_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
@@ -1078,18 +1073,27 @@ def jacobian(case, z, J):
     J[row, at_v_elastic] += q1
     J[row, at_d_elastic] += q2
     J[row, at_d_elastic + 1] += q3
-    put(J, row, at_d_elastic, number_d_elastic, 2, q4)
-    put(J, row, at_d_elastic, number_d_elastic, 3, q5)
-    put(J, row, at_d_elastic, number_d_elastic, 4, q6)
-    put(J, row, at_d_elastic, number_d_elastic, 5, q7)
-    put(J, row, at_d_elastic, number_d_elastic, 6, q8)
-    put(J, row, at_d_elastic, number_d_elastic, 7, q9)
-    put(J, row, at_d_elastic, number_d_elastic, 8, q10)
-    put(J, row, at_d_elastic, number_d_elastic, 9, q11)
-    put(J, row, at_d_elastic, number_d_elastic, 10, q12)
+    if number_d_elastic > 2:
+        J[row, at_d_elastic + 2] += q4
+    if number_d_elastic > 3:
+        J[row, at_d_elastic + 3] += q5
+    if number_d_elastic > 4:
+        J[row, at_d_elastic + 4] += q6
+    if number_d_elastic > 5:
+        J[row, at_d_elastic + 5] += q7
+    if number_d_elastic > 6:
+        J[row, at_d_elastic + 6] += q8
+    if number_d_elastic > 7:
+        J[row, at_d_elastic + 7] += q9
+    if number_d_elastic > 8:
+        J[row, at_d_elastic + 8] += q10
+    if number_d_elastic > 9:
+        J[row, at_d_elastic + 9] += q11
+    if number_d_elastic > 10:
+        J[row, at_d_elastic + 10] += q12
     J[row, at_w] += q13
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12 = elastic_by_4_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*entry(z, at_d_elastic, number_d_elastic, 2) + q4*entry(z, at_d_elastic, number_d_elastic, 3) + q5*entry(z, at_d_elastic, number_d_elastic, 4) + q6*entry(z, at_d_elastic, number_d_elastic, 5) + q7*entry(z, at_d_elastic, number_d_elastic, 6) + q8*entry(z, at_d_elastic, number_d_elastic, 7) + q9*entry(z, at_d_elastic, number_d_elastic, 8) + q10*entry(z, at_d_elastic, number_d_elastic, 9) + q11*entry(z, at_d_elastic, number_d_elastic, 10) + q12
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q12
     q0 = elastic_by_4_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
@@ -1097,18 +1101,28 @@ def jacobian(case, z, J):
     J[row, at_v_elastic] += q0
     J[row, at_d_elastic] += q1
     J[row, at_d_elastic + 1] += q2
-    put(J, row, at_d_elastic, number_d_elastic, 2, q3)
-    put(J, row, at_d_elastic, number_d_elastic, 3, q4)
-    put(J, row, at_d_elastic, number_d_elastic, 4, q5)
-    put(J, row, at_d_elastic, number_d_elastic, 5, q6)
-    put(J, row, at_d_elastic, number_d_elastic, 6, q7)
-    put(J, row, at_d_elastic, number_d_elastic, 7, q8)
-    put(J, row, at_d_elastic, number_d_elastic, 8, q9)
-    put(J, row, at_d_elastic, number_d_elastic, 9, q10)
-    put(J, row, at_d_elastic, number_d_elastic, 10, q11)
-    put(J, row, at_d_elastic, number_d_elastic, 11, q12)
+    if number_d_elastic > 2:
+        J[row, at_d_elastic + 2] += q3
+    if number_d_elastic > 3:
+        J[row, at_d_elastic + 3] += q4
+    if number_d_elastic > 4:
+        J[row, at_d_elastic + 4] += q5
+    if number_d_elastic > 5:
+        J[row, at_d_elastic + 5] += q6
+    if number_d_elastic > 6:
+        J[row, at_d_elastic + 6] += q7
+    if number_d_elastic > 7:
+        J[row, at_d_elastic + 7] += q8
+    if number_d_elastic > 8:
+        J[row, at_d_elastic + 8] += q9
+    if number_d_elastic > 9:
+        J[row, at_d_elastic + 9] += q10
+    if number_d_elastic > 10:
+        J[row, at_d_elastic + 10] += q11
+    if number_d_elastic > 11:
+        J[row, at_d_elastic + 11] += q12
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_5_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*entry(z, at_d_elastic, number_d_elastic, 2) + q4*entry(z, at_d_elastic, number_d_elastic, 3) + q5*entry(z, at_d_elastic, number_d_elastic, 4) + q6*entry(z, at_d_elastic, number_d_elastic, 5) + q7*entry(z, at_d_elastic, number_d_elastic, 6) + q8*entry(z, at_d_elastic, number_d_elastic, 7) + q9*entry(z, at_d_elastic, number_d_elastic, 8) + q10*entry(z, at_d_elastic, number_d_elastic, 9) + q11*entry(z, at_d_elastic, number_d_elastic, 10) + q12*entry(z, at_d_elastic, number_d_elastic, 11) + q13
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q12*(z[at_d_elastic + 11] if number_d_elastic > 11 else 0.0) + q13
     q0 = elastic_by_5_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
@@ -1123,12 +1137,16 @@ def jacobian(case, z, J):
         J[row, at_d_elastic + l-1] += q6
         J[row, at_d_elastic + l+1] += q7
         J[row, at_d_elastic + l+2] += q8
-        put(J, row, at_d_elastic, number_d_elastic, l+3, q9)
-        put(J, row, at_d_elastic, number_d_elastic, l+4, q10)
-        put(J, row, at_d_elastic, number_d_elastic, l+5, q11)
-        put(J, row, at_d_elastic, number_d_elastic, l+6, q12)
+        if number_d_elastic > l+3:
+            J[row, at_d_elastic + l+3] += q9
+        if number_d_elastic > l+4:
+            J[row, at_d_elastic + l+4] += q10
+        if number_d_elastic > l+5:
+            J[row, at_d_elastic + l+5] += q11
+        if number_d_elastic > l+6:
+            J[row, at_d_elastic + l+6] += q12
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic)
-        J[row, at_s_elastic] += q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*entry(z, at_d_elastic, number_d_elastic, l+3) + q10*entry(z, at_d_elastic, number_d_elastic, l+4) + q11*entry(z, at_d_elastic, number_d_elastic, l+5) + q12*entry(z, at_d_elastic, number_d_elastic, l+6) + q13
+        J[row, at_s_elastic] += q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*(z[at_d_elastic + l+3] if number_d_elastic > l+3 else 0.0) + q10*(z[at_d_elastic + l+4] if number_d_elastic > l+4 else 0.0) + q11*(z[at_d_elastic + l+5] if number_d_elastic > l+5 else 0.0) + q12*(z[at_d_elastic + l+6] if number_d_elastic > l+6 else 0.0) + q13
         q0 = elastic_by_l_by_phi(l, F, nu_elastic)
         J[row, at_phi] += q0
         row += 1
@@ -1137,14 +1155,18 @@ def jacobian(case, z, J):
     J[row, at_v_plastic] += q1
     J[row, at_d_plastic] += q2
     J[row, at_d_plastic + 1] += q3
-    put(J, row, at_d_plastic, number_d_plastic, 2, q4)
-    put(J, row, at_d_plastic, number_d_plastic, 3, q5)
-    put(J, row, at_d_plastic, number_d_plastic, 4, q6)
-    put(J, row, at_d_plastic, number_d_plastic, 5, q7)
+    if number_d_plastic > 2:
+        J[row, at_d_plastic + 2] += q4
+    if number_d_plastic > 3:
+        J[row, at_d_plastic + 3] += q5
+    if number_d_plastic > 4:
+        J[row, at_d_plastic + 4] += q6
+    if number_d_plastic > 5:
+        J[row, at_d_plastic + 5] += q7
     q0 = plastic_by_0_by_s_elastic(F, Omega, nu_plastic)
     J[row, at_s_elastic] += q0
     q0, q1, q2, q3, q4, q5, q6, q7 = plastic_by_0_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*entry(z, at_d_plastic, number_d_plastic, 2) + q4*entry(z, at_d_plastic, number_d_plastic, 3) + q5*entry(z, at_d_plastic, number_d_plastic, 4) + q6*entry(z, at_d_plastic, number_d_plastic, 5) + q7
+    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7
     q0 = plastic_by_0_by_phi(F, nu_plastic)
     J[row, at_phi] += q0
     row += 1
@@ -1153,15 +1175,20 @@ def jacobian(case, z, J):
     J[row, at_v_plastic] += q1
     J[row, at_d_plastic] += q2
     J[row, at_d_plastic + 1] += q3
-    put(J, row, at_d_plastic, number_d_plastic, 2, q4)
-    put(J, row, at_d_plastic, number_d_plastic, 3, q5)
-    put(J, row, at_d_plastic, number_d_plastic, 4, q6)
-    put(J, row, at_d_plastic, number_d_plastic, 5, q7)
-    put(J, row, at_d_plastic, number_d_plastic, 6, q8)
+    if number_d_plastic > 2:
+        J[row, at_d_plastic + 2] += q4
+    if number_d_plastic > 3:
+        J[row, at_d_plastic + 3] += q5
+    if number_d_plastic > 4:
+        J[row, at_d_plastic + 4] += q6
+    if number_d_plastic > 5:
+        J[row, at_d_plastic + 5] += q7
+    if number_d_plastic > 6:
+        J[row, at_d_plastic + 6] += q8
     q0 = plastic_by_1_by_s_elastic(F, Omega, nu_plastic)
     J[row, at_s_elastic] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_1_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*entry(z, at_d_plastic, number_d_plastic, 2) + q4*entry(z, at_d_plastic, number_d_plastic, 3) + q5*entry(z, at_d_plastic, number_d_plastic, 4) + q6*entry(z, at_d_plastic, number_d_plastic, 5) + q7*entry(z, at_d_plastic, number_d_plastic, 6) + q8
+    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8
     q0 = plastic_by_1_by_phi(F, nu_plastic)
     J[row, at_phi] += q0
     row += 1
@@ -1170,16 +1197,22 @@ def jacobian(case, z, J):
     J[row, at_v_plastic] += q1
     J[row, at_d_plastic] += q2
     J[row, at_d_plastic + 1] += q3
-    put(J, row, at_d_plastic, number_d_plastic, 2, q4)
-    put(J, row, at_d_plastic, number_d_plastic, 3, q5)
-    put(J, row, at_d_plastic, number_d_plastic, 4, q6)
-    put(J, row, at_d_plastic, number_d_plastic, 5, q7)
-    put(J, row, at_d_plastic, number_d_plastic, 6, q8)
-    put(J, row, at_d_plastic, number_d_plastic, 7, q9)
+    if number_d_plastic > 2:
+        J[row, at_d_plastic + 2] += q4
+    if number_d_plastic > 3:
+        J[row, at_d_plastic + 3] += q5
+    if number_d_plastic > 4:
+        J[row, at_d_plastic + 4] += q6
+    if number_d_plastic > 5:
+        J[row, at_d_plastic + 5] += q7
+    if number_d_plastic > 6:
+        J[row, at_d_plastic + 6] += q8
+    if number_d_plastic > 7:
+        J[row, at_d_plastic + 7] += q9
     q0 = plastic_by_2_by_s_elastic(F, Omega, nu_plastic)
     J[row, at_s_elastic] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = plastic_by_2_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*entry(z, at_d_plastic, number_d_plastic, 2) + q4*entry(z, at_d_plastic, number_d_plastic, 3) + q5*entry(z, at_d_plastic, number_d_plastic, 4) + q6*entry(z, at_d_plastic, number_d_plastic, 5) + q7*entry(z, at_d_plastic, number_d_plastic, 6) + q8*entry(z, at_d_plastic, number_d_plastic, 7) + q9
+    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9
     q0 = plastic_by_2_by_phi(F, nu_plastic)
     J[row, at_phi] += q0
     row += 1
@@ -1188,17 +1221,24 @@ def jacobian(case, z, J):
     J[row, at_v_plastic] += q1
     J[row, at_d_plastic] += q2
     J[row, at_d_plastic + 1] += q3
-    put(J, row, at_d_plastic, number_d_plastic, 2, q4)
-    put(J, row, at_d_plastic, number_d_plastic, 3, q5)
-    put(J, row, at_d_plastic, number_d_plastic, 4, q6)
-    put(J, row, at_d_plastic, number_d_plastic, 5, q7)
-    put(J, row, at_d_plastic, number_d_plastic, 6, q8)
-    put(J, row, at_d_plastic, number_d_plastic, 7, q9)
-    put(J, row, at_d_plastic, number_d_plastic, 8, q10)
+    if number_d_plastic > 2:
+        J[row, at_d_plastic + 2] += q4
+    if number_d_plastic > 3:
+        J[row, at_d_plastic + 3] += q5
+    if number_d_plastic > 4:
+        J[row, at_d_plastic + 4] += q6
+    if number_d_plastic > 5:
+        J[row, at_d_plastic + 5] += q7
+    if number_d_plastic > 6:
+        J[row, at_d_plastic + 6] += q8
+    if number_d_plastic > 7:
+        J[row, at_d_plastic + 7] += q9
+    if number_d_plastic > 8:
+        J[row, at_d_plastic + 8] += q10
     q0 = plastic_by_3_by_s_elastic(F, Omega, nu_plastic)
     J[row, at_s_elastic] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = plastic_by_3_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*entry(z, at_d_plastic, number_d_plastic, 2) + q4*entry(z, at_d_plastic, number_d_plastic, 3) + q5*entry(z, at_d_plastic, number_d_plastic, 4) + q6*entry(z, at_d_plastic, number_d_plastic, 5) + q7*entry(z, at_d_plastic, number_d_plastic, 6) + q8*entry(z, at_d_plastic, number_d_plastic, 7) + q9*entry(z, at_d_plastic, number_d_plastic, 8) + q10
+    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q10
     q0 = plastic_by_3_by_phi(F, nu_plastic)
     J[row, at_phi] += q0
     row += 1
@@ -1206,18 +1246,26 @@ def jacobian(case, z, J):
     J[row, at_v_plastic] += q0
     J[row, at_d_plastic] += q1
     J[row, at_d_plastic + 1] += q2
-    put(J, row, at_d_plastic, number_d_plastic, 2, q3)
-    put(J, row, at_d_plastic, number_d_plastic, 3, q4)
-    put(J, row, at_d_plastic, number_d_plastic, 4, q5)
-    put(J, row, at_d_plastic, number_d_plastic, 5, q6)
-    put(J, row, at_d_plastic, number_d_plastic, 6, q7)
-    put(J, row, at_d_plastic, number_d_plastic, 7, q8)
-    put(J, row, at_d_plastic, number_d_plastic, 8, q9)
-    put(J, row, at_d_plastic, number_d_plastic, 9, q10)
+    if number_d_plastic > 2:
+        J[row, at_d_plastic + 2] += q3
+    if number_d_plastic > 3:
+        J[row, at_d_plastic + 3] += q4
+    if number_d_plastic > 4:
+        J[row, at_d_plastic + 4] += q5
+    if number_d_plastic > 5:
+        J[row, at_d_plastic + 5] += q6
+    if number_d_plastic > 6:
+        J[row, at_d_plastic + 6] += q7
+    if number_d_plastic > 7:
+        J[row, at_d_plastic + 7] += q8
+    if number_d_plastic > 8:
+        J[row, at_d_plastic + 8] += q9
+    if number_d_plastic > 9:
+        J[row, at_d_plastic + 9] += q10
     q0 = plastic_by_4_by_s_elastic(F, Omega, nu_plastic)
     J[row, at_s_elastic] += q0
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_4_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*entry(z, at_d_plastic, number_d_plastic, 2) + q4*entry(z, at_d_plastic, number_d_plastic, 3) + q5*entry(z, at_d_plastic, number_d_plastic, 4) + q6*entry(z, at_d_plastic, number_d_plastic, 5) + q7*entry(z, at_d_plastic, number_d_plastic, 6) + q8*entry(z, at_d_plastic, number_d_plastic, 7) + q9*entry(z, at_d_plastic, number_d_plastic, 8) + q10*entry(z, at_d_plastic, number_d_plastic, 9) + q11
+    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q10*(z[at_d_plastic + 9] if number_d_plastic > 9 else 0.0) + q11
     q0 = plastic_by_4_by_phi(F, nu_plastic)
     J[row, at_phi] += q0
     row += 1
@@ -1230,14 +1278,18 @@ def jacobian(case, z, J):
         J[row, at_d_plastic + l-2] += q4
         J[row, at_d_plastic + l-1] += q5
         J[row, at_d_plastic + l+1] += q6
-        put(J, row, at_d_plastic, number_d_plastic, l+2, q7)
-        put(J, row, at_d_plastic, number_d_plastic, l+3, q8)
-        put(J, row, at_d_plastic, number_d_plastic, l+4, q9)
-        put(J, row, at_d_plastic, number_d_plastic, l+5, q10)
+        if number_d_plastic > l+2:
+            J[row, at_d_plastic + l+2] += q7
+        if number_d_plastic > l+3:
+            J[row, at_d_plastic + l+3] += q8
+        if number_d_plastic > l+4:
+            J[row, at_d_plastic + l+4] += q9
+        if number_d_plastic > l+5:
+            J[row, at_d_plastic + l+5] += q10
         q0 = plastic_by_l_by_s_elastic(l, F, Omega, nu_plastic)
         J[row, at_s_elastic] += q0
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic)
-        J[row, at_s_plastic] += q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*entry(z, at_d_plastic, number_d_plastic, l+2) + q8*entry(z, at_d_plastic, number_d_plastic, l+3) + q9*entry(z, at_d_plastic, number_d_plastic, l+4) + q10*entry(z, at_d_plastic, number_d_plastic, l+5) + q11
+        J[row, at_s_plastic] += q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*(z[at_d_plastic + l+2] if number_d_plastic > l+2 else 0.0) + q8*(z[at_d_plastic + l+3] if number_d_plastic > l+3 else 0.0) + q9*(z[at_d_plastic + l+4] if number_d_plastic > l+4 else 0.0) + q10*(z[at_d_plastic + l+5] if number_d_plastic > l+5 else 0.0) + q11
         q0 = plastic_by_l_by_phi(l, F, nu_plastic)
         J[row, at_phi] += q0
         row += 1
@@ -1298,20 +1350,12 @@ def jacobian(case, z, J):
         q0 = derivative_2_plastic_sum1()
         J[row, at_d_elastic + n] += q0
     row += 1
-    q0, q1, q2, q3, q4, _ = event_elastic(k, F_y, s_elastic)
-    J[row, at_x_elastic] += q0
-    J[row, at_v_elastic] += q1
-    J[row, at_d_elastic] += q2
-    J[row, at_d_elastic + 1] += q3
-    J[row, at_w] += q4
-    q0, q1, q2 = event_elastic_by_s_elastic(k, s_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
+    q0, q1, _ = event_elastic_after(k, F_y)
+    J[row, at_x_plastic] += q0
+    J[row, at_w] += q1
     row += 1
-    q0, q1 = event_plastic(s_plastic)
-    J[row, at_v_plastic] += q0
-    J[row, at_d_plastic] += q1
-    q0 = event_plastic_by_s_plastic()
-    J[row, at_s_plastic] += q0*z[at_d_plastic]
+    q0 = event_plastic_after()
+    J[row, at_v_elastic] += q0
     row += 1
     q0, q1 = memory_w()
     J[row, at_x_elastic] += q0

@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "60a1273cf14125cd1eb2543c9252fa2021bf76471d24f83f47d6894167212d1b"  # of the conditions, by srepr
-BODY = "9ed836ea8fbcee4d4ee923f2e772b41134ec8409e5bd19fdc1cc9eb14c52a28a"  # of the text below
+MATHEMATICS = "5398ad4d4f3b66fdd070ccb54aaf3f8317bf0251cdb0e4a622ae1c5be89b60c1"  # of the conditions, by srepr
+BODY = "8b72ce5037c9b2b3b30f113b2c6ac496deeb126bf81ba2a9fbea2ccfec72bdf3"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -84,17 +84,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def integrated(d):
@@ -290,23 +279,11 @@ def velocity_flight_by_s_flight(r):
     return r
 
 
-def event_flight(g, s_flight):
-    """Coefficients: the event that ends flight."""
+def event_flight_after(g):
+    """Coefficients: the event that ends flight, in the state after it."""
     return (
         1,
-        s_flight,
-        (s_flight*s_flight)/2,
-        -(s_flight*s_flight)/6,
         -g,
-    )
-
-
-def event_flight_by_s_flight(s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        1,
-        s_flight,
-        -s_flight/3,
     )
 
 
@@ -341,17 +318,17 @@ def residual(case, z, R):
     mu_flight = over_flight[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6 = flight_by_0(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*entry(z, at_d_flight, number_d_flight, 2) + q5*entry(z, at_d_flight, number_d_flight, 3) + q6
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*entry(z, at_d_flight, number_d_flight, 2) + q5*entry(z, at_d_flight, number_d_flight, 3) + q6*entry(z, at_d_flight, number_d_flight, 4) + q7
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_2(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*entry(z, at_d_flight, number_d_flight, 2) + q4*entry(z, at_d_flight, number_d_flight, 3) + q5*entry(z, at_d_flight, number_d_flight, 4) + q6*entry(z, at_d_flight, number_d_flight, 5) + q7
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7
     row += 1
     for l in range(3, N):
         q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*entry(z, at_d_flight, number_d_flight, l+1) + q5*entry(z, at_d_flight, number_d_flight, l+2) + q6*entry(z, at_d_flight, number_d_flight, l+3) + q7
+        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q5*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q6*(z[at_d_flight + l+3] if number_d_flight > l+3 else 0.0) + q7
         row += 1
     q0, q1, q2 = displacement_flight(s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
@@ -359,8 +336,8 @@ def residual(case, z, R):
     q0, q1 = velocity_flight(r, s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
     row += 1
-    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
+    q0, q1 = event_flight_after(g)
+    R[row] = q0*z[at_x_flight] + q1
     row += 1
     q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
@@ -389,10 +366,12 @@ def jacobian(case, z, J):
     J[row, at_v_flight] += q1
     J[row, at_d_flight] += q2
     J[row, at_d_flight + 1] += q3
-    put(J, row, at_d_flight, number_d_flight, 2, q4)
-    put(J, row, at_d_flight, number_d_flight, 3, q5)
+    if number_d_flight > 2:
+        J[row, at_d_flight + 2] += q4
+    if number_d_flight > 3:
+        J[row, at_d_flight + 3] += q5
     q0, q1, q2, q3, q4, q5 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*entry(z, at_d_flight, number_d_flight, 2) + q4*entry(z, at_d_flight, number_d_flight, 3) + q5
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5
     q0 = flight_by_0_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
@@ -401,11 +380,14 @@ def jacobian(case, z, J):
     J[row, at_v_flight] += q1
     J[row, at_d_flight] += q2
     J[row, at_d_flight + 1] += q3
-    put(J, row, at_d_flight, number_d_flight, 2, q4)
-    put(J, row, at_d_flight, number_d_flight, 3, q5)
-    put(J, row, at_d_flight, number_d_flight, 4, q6)
+    if number_d_flight > 2:
+        J[row, at_d_flight + 2] += q4
+    if number_d_flight > 3:
+        J[row, at_d_flight + 3] += q5
+    if number_d_flight > 4:
+        J[row, at_d_flight + 4] += q6
     q0, q1, q2, q3, q4, q5, q6 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*entry(z, at_d_flight, number_d_flight, 2) + q4*entry(z, at_d_flight, number_d_flight, 3) + q5*entry(z, at_d_flight, number_d_flight, 4) + q6
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6
     q0 = flight_by_1_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
@@ -413,12 +395,16 @@ def jacobian(case, z, J):
     J[row, at_v_flight] += q0
     J[row, at_d_flight] += q1
     J[row, at_d_flight + 1] += q2
-    put(J, row, at_d_flight, number_d_flight, 2, q3)
-    put(J, row, at_d_flight, number_d_flight, 3, q4)
-    put(J, row, at_d_flight, number_d_flight, 4, q5)
-    put(J, row, at_d_flight, number_d_flight, 5, q6)
+    if number_d_flight > 2:
+        J[row, at_d_flight + 2] += q3
+    if number_d_flight > 3:
+        J[row, at_d_flight + 3] += q4
+    if number_d_flight > 4:
+        J[row, at_d_flight + 4] += q5
+    if number_d_flight > 5:
+        J[row, at_d_flight + 5] += q6
     q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_2_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*entry(z, at_d_flight, number_d_flight, 2) + q4*entry(z, at_d_flight, number_d_flight, 3) + q5*entry(z, at_d_flight, number_d_flight, 4) + q6*entry(z, at_d_flight, number_d_flight, 5) + q7
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7
     q0 = flight_by_2_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
@@ -428,11 +414,14 @@ def jacobian(case, z, J):
         J[row, at_d_flight + l-3] += q1
         J[row, at_d_flight + l-2] += q2
         J[row, at_d_flight + l-1] += q3
-        put(J, row, at_d_flight, number_d_flight, l+1, q4)
-        put(J, row, at_d_flight, number_d_flight, l+2, q5)
-        put(J, row, at_d_flight, number_d_flight, l+3, q6)
+        if number_d_flight > l+1:
+            J[row, at_d_flight + l+1] += q4
+        if number_d_flight > l+2:
+            J[row, at_d_flight + l+2] += q5
+        if number_d_flight > l+3:
+            J[row, at_d_flight + l+3] += q6
         q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*entry(z, at_d_flight, number_d_flight, l+1) + q5*entry(z, at_d_flight, number_d_flight, l+2) + q6*entry(z, at_d_flight, number_d_flight, l+3) + q7
+        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q5*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q6*(z[at_d_flight + l+3] if number_d_flight > l+3 else 0.0) + q7
         q0 = flight_by_l_by_phi(l, F, nu_flight)
         J[row, at_phi] += q0
         row += 1
@@ -449,13 +438,8 @@ def jacobian(case, z, J):
     q0 = velocity_flight_by_s_flight(r)
     J[row, at_s_flight] += q0*z[at_d_flight]
     row += 1
-    q0, q1, q2, q3, _ = event_flight(g, s_flight)
+    q0, _ = event_flight_after(g)
     J[row, at_x_flight] += q0
-    J[row, at_v_flight] += q1
-    J[row, at_d_flight] += q2
-    J[row, at_d_flight + 1] += q3
-    q0, q1, q2 = event_flight_by_s_flight(s_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
     row += 1
     q0 = cell_by_s_flight()
     J[row, at_s_flight] += q0

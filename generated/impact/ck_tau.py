@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
-MATHEMATICS = "fc8877d7aca8301680e0628a9e8962698c58c0f5c0f8b381d4dd1a7e0af6c1d5"  # of the conditions, by srepr
-BODY = "de05a1ab3fa7a16546de3cf5931e349a48b5552457cc11b86bcd833a9e1da6a6"  # of the text below
+MATHEMATICS = "493ad57e84084c34b20976ba9cd9dae2dd838dfbf4360a41f8843eb3c05c778c"  # of the conditions, by srepr
+BODY = "7644586fb2f3b487cd4a2f298f2b94c87d7d613ae1deebb8a922198cc986ecb1"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -84,17 +84,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def follow(J, row, slopes, p, i, value):
@@ -254,23 +243,11 @@ def velocity_flight_by_s_flight(r):
     return r
 
 
-def event_flight(g, s_flight):
-    """Coefficients: the event that ends flight."""
+def event_flight_after(g):
+    """Coefficients: the event that ends flight, in the state after it."""
     return (
         1,
-        s_flight,
-        (s_flight*s_flight)/2,
-        -(s_flight*s_flight)/6,
         -g,
-    )
-
-
-def event_flight_by_s_flight(s_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        1,
-        s_flight,
-        -s_flight/3,
     )
 
 
@@ -305,14 +282,14 @@ def residual(case, z, R):
     mu_flight = over_flight[0]
     row = 0
     q0, q1, q2, q3, q4, q5 = flight_by_0(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*entry(z, at_d_flight, number_d_flight, 2) + q5
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5
     row += 1
     q0, q1, q2, q3, q4, q5 = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*entry(z, at_d_flight, number_d_flight, 2) + q4*entry(z, at_d_flight, number_d_flight, 3) + q5
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5
     row += 1
     for l in range(2, N):
         q0, q1, q2, q3, q4, q5 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
+        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q4*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q5
         row += 1
     q0, q1, q2 = displacement_flight(s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
@@ -320,8 +297,8 @@ def residual(case, z, R):
     q0, q1 = velocity_flight(r, s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
     row += 1
-    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
+    q0, q1 = event_flight_after(g)
+    R[row] = q0*z[at_x_flight] + q1
     row += 1
     q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
@@ -350,9 +327,10 @@ def jacobian(case, z, J):
     J[row, at_v_flight] += q1
     J[row, at_d_flight] += q2
     J[row, at_d_flight + 1] += q3
-    put(J, row, at_d_flight, number_d_flight, 2, q4)
+    if number_d_flight > 2:
+        J[row, at_d_flight + 2] += q4
     q0, q1, q2, q3, q4 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*entry(z, at_d_flight, number_d_flight, 2) + q4
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4
     q0 = flight_by_0_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
@@ -360,10 +338,12 @@ def jacobian(case, z, J):
     J[row, at_v_flight] += q0
     J[row, at_d_flight] += q1
     J[row, at_d_flight + 1] += q2
-    put(J, row, at_d_flight, number_d_flight, 2, q3)
-    put(J, row, at_d_flight, number_d_flight, 3, q4)
+    if number_d_flight > 2:
+        J[row, at_d_flight + 2] += q3
+    if number_d_flight > 3:
+        J[row, at_d_flight + 3] += q4
     q0, q1, q2, q3, q4, q5 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*entry(z, at_d_flight, number_d_flight, 2) + q4*entry(z, at_d_flight, number_d_flight, 3) + q5
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5
     q0 = flight_by_1_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
@@ -372,10 +352,12 @@ def jacobian(case, z, J):
         J[row, at_d_flight + l] += q0
         J[row, at_d_flight + l-2] += q1
         J[row, at_d_flight + l-1] += q2
-        put(J, row, at_d_flight, number_d_flight, l+1, q3)
-        put(J, row, at_d_flight, number_d_flight, l+2, q4)
+        if number_d_flight > l+1:
+            J[row, at_d_flight + l+1] += q3
+        if number_d_flight > l+2:
+            J[row, at_d_flight + l+2] += q4
         q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*entry(z, at_d_flight, number_d_flight, l+1) + q4*entry(z, at_d_flight, number_d_flight, l+2) + q5
+        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q4*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q5
         q0 = flight_by_l_by_phi(l, F, nu_flight)
         J[row, at_phi] += q0
         row += 1
@@ -392,13 +374,8 @@ def jacobian(case, z, J):
     q0 = velocity_flight_by_s_flight(r)
     J[row, at_s_flight] += q0*z[at_d_flight]
     row += 1
-    q0, q1, q2, q3, _ = event_flight(g, s_flight)
+    q0, _ = event_flight_after(g)
     J[row, at_x_flight] += q0
-    J[row, at_v_flight] += q1
-    J[row, at_d_flight] += q2
-    J[row, at_d_flight + 1] += q3
-    q0, q1, q2 = event_flight_by_s_flight(s_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
     row += 1
     q0 = cell_by_s_flight()
     J[row, at_s_flight] += q0
@@ -433,26 +410,38 @@ def coefficients(z):
     }
 
 
-KEPT = 4  # unknowns that remain where each band is solved
+KEPT = 2  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
-def kept_places(z):
-    """Return the places in z of the unknowns that remain where each band is solved."""
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_flight = 0
-    at_v_flight = 1
     at_s_flight = N + 2
+    x_flight = g
+    s_flight = (2*pi*cycles)/Omega
+    z[at_x_flight] = x_flight
+    z[at_s_flight] = s_flight
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 4
+    at_v_flight = 1
     at_phi = N + 3
-    return at_x_flight, at_v_flight, at_s_flight, at_phi
+    return at_v_flight, at_phi
 
 
 def band_places(z):
     """Return for each band: where it stands in z, how many unknowns it determines,
-    where its others stand among those that remain, how many, and how many the joints see."""
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
     N = len(z) - 4
     at_d_flight = 2
-    return ((at_d_flight, N, 2, 0, 2),)
+    return ((at_d_flight, N, 0, 0, 2),)
 
 
 def bands(case, z, diagonals, right):
@@ -495,11 +484,11 @@ def bands(case, z, diagonals, right):
         row += 1
 
 
-def band_rates(case, z, right, slopes):
-    """Fill in how right sides less the bands change with the unknowns that remain."""
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
-    at_v_flight = 1
     at_s_flight = N + 2
     at_phi = N + 3
     s_flight = z[at_s_flight]
@@ -509,34 +498,26 @@ def band_rates(case, z, right, slopes):
     nu_flight = over_flight[1]
     slopes[:] = 0.0
     row = 4
-    q0, q1, _, _, _, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
-    slopes[0, row, 0] = -q0
-    slopes[0, row, 1] = -q1
-    q0, q1, q2, q3, q4 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    slopes[0, row, 2] = -(q0*z[at_v_flight] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    _, q1, _, _, _, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 0] = -q1
     q0 = flight_by_0_by_phi(F, nu_flight)
-    slopes[0, row, 3] = -(q0)
+    slopes[0, row, 1] = -(q0)
     row += 1
     q0, _, _, _, _, _ = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    slopes[0, row, 1] = -q0
-    q0, q1, q2, q3, q4, q5 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    slopes[0, row, 2] = -(q0*z[at_v_flight] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    slopes[0, row, 0] = -q0
     q0 = flight_by_1_by_phi(F, nu_flight)
-    slopes[0, row, 3] = -(q0)
+    slopes[0, row, 1] = -(q0)
     row += 1
     for l in range(2, N):
-        q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        slopes[0, row, 2] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
         q0 = flight_by_l_by_phi(l, F, nu_flight)
-        slopes[0, row, 3] = -(q0)
+        slopes[0, row, 1] = -(q0)
         row += 1
 
 
 def joints(case, z, R):
-    """Fill R with the left sides of the conditions that are not in a band."""
+    """Fill R with the left sides of the conditions that are solved together."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
-    at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     at_s_flight = N + 2
@@ -548,45 +529,27 @@ def joints(case, z, R):
     q0, q1 = velocity_flight(r, s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
     row += 1
-    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
-    row += 1
-    q0 = cell(Omega, cycles, s_flight)
-    R[row] = q0
-    row += 1
 
 
 def joint_rates(case, z, slopes, J):
     """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
-    at_v_flight = 1
-    at_d_flight = 2
     at_s_flight = N + 2
     s_flight = z[at_s_flight]
     row = 0
     J[:] = 0.0
     q0, q1, q2 = displacement_flight(s_flight)
-    J[row, 1] += q0
+    J[row, 0] += q0
     follow(J, row, slopes, 0, 4, q1)
     follow(J, row, slopes, 0, 5, q2)
-    q0, q1, q2 = displacement_flight_by_s_flight(s_flight)
-    J[row, 2] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
     row += 1
     q0, q1 = velocity_flight(r, s_flight)
-    J[row, 1] += q0
-    follow(J, row, slopes, 0, 4, q1)
-    q0 = velocity_flight_by_s_flight(r)
-    J[row, 2] += q0*z[at_d_flight]
-    row += 1
-    q0, q1, q2, q3, _ = event_flight(g, s_flight)
     J[row, 0] += q0
-    J[row, 1] += q1
-    follow(J, row, slopes, 0, 4, q2)
-    follow(J, row, slopes, 0, 5, q3)
-    q0, q1, q2 = event_flight_by_s_flight(s_flight)
-    J[row, 2] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
+    follow(J, row, slopes, 0, 4, q1)
     row += 1
-    q0 = cell_by_s_flight()
-    J[row, 2] += q0
-    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "7161c964817a05ff69a265262e1746fa231a4eb7d206ad0db1caaa77d4568387"  # of the conditions, by srepr
-BODY = "f13c78156e6f9a025657b524b4e7aa1d6f5b2e572c5d3e7ddf6acb8b29bdf80f"  # of the text below
+MATHEMATICS = "561da404c0e7fd818d52c2d0f989b056f324368306f72568e35c942085ad6632"  # of the conditions, by srepr
+BODY = "04109234186b5cab1add9d409d4f204c405f09e3fa39352ad5a75d23ef25c709"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -84,17 +84,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def integrated(d):
@@ -291,23 +280,11 @@ def velocity_crossing_by_s_crossing(r):
     return -r
 
 
-def event_crossing(g, s_crossing):
-    """Coefficients: the event that ends crossing."""
+def event_crossing_after(g):
+    """Coefficients: the event that ends crossing, in the state after it."""
     return (
-        1,
-        s_crossing,
-        (s_crossing*s_crossing)/2,
-        -(s_crossing*s_crossing)/6,
+        -1,
         g,
-    )
-
-
-def event_crossing_by_s_crossing(s_crossing):
-    """Their derivatives by s_crossing, of those that depend on it."""
-    return (
-        1,
-        s_crossing,
-        -s_crossing/3,
     )
 
 
@@ -342,17 +319,17 @@ def residual(case, z, R):
     mu_crossing = over_crossing[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6 = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*entry(z, at_d_crossing, number_d_crossing, 2) + q5*entry(z, at_d_crossing, number_d_crossing, 3) + q6
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q5*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q6
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*entry(z, at_d_crossing, number_d_crossing, 2) + q5*entry(z, at_d_crossing, number_d_crossing, 3) + q6*entry(z, at_d_crossing, number_d_crossing, 4) + q7
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q5*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q6*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_2(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*entry(z, at_d_crossing, number_d_crossing, 2) + q4*entry(z, at_d_crossing, number_d_crossing, 3) + q5*entry(z, at_d_crossing, number_d_crossing, 4) + q6*entry(z, at_d_crossing, number_d_crossing, 5) + q7
+    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q6*(z[at_d_crossing + 5] if number_d_crossing > 5 else 0.0) + q7
     row += 1
     for l in range(3, N):
         q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing)
-        R[row] = q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*entry(z, at_d_crossing, number_d_crossing, l+1) + q5*entry(z, at_d_crossing, number_d_crossing, l+2) + q6*entry(z, at_d_crossing, number_d_crossing, l+3) + q7
+        R[row] = q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q5*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q6*(z[at_d_crossing + l+3] if number_d_crossing > l+3 else 0.0) + q7
         row += 1
     q0, q1, q2, q3 = displacement_crossing(s_crossing)
     R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1]
@@ -360,8 +337,8 @@ def residual(case, z, R):
     q0, q1 = velocity_crossing(r, s_crossing)
     R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
     row += 1
-    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
+    q0, q1 = event_crossing_after(g)
+    R[row] = q0*z[at_x_crossing] + q1
     row += 1
     q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
@@ -390,10 +367,12 @@ def jacobian(case, z, J):
     J[row, at_v_crossing] += q1
     J[row, at_d_crossing] += q2
     J[row, at_d_crossing + 1] += q3
-    put(J, row, at_d_crossing, number_d_crossing, 2, q4)
-    put(J, row, at_d_crossing, number_d_crossing, 3, q5)
+    if number_d_crossing > 2:
+        J[row, at_d_crossing + 2] += q4
+    if number_d_crossing > 3:
+        J[row, at_d_crossing + 3] += q5
     q0, q1, q2, q3, q4, q5 = crossing_by_0_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*entry(z, at_d_crossing, number_d_crossing, 2) + q4*entry(z, at_d_crossing, number_d_crossing, 3) + q5
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5
     q0 = crossing_by_0_by_phi(F, nu_crossing)
     J[row, at_phi] += q0
     row += 1
@@ -402,11 +381,14 @@ def jacobian(case, z, J):
     J[row, at_v_crossing] += q1
     J[row, at_d_crossing] += q2
     J[row, at_d_crossing + 1] += q3
-    put(J, row, at_d_crossing, number_d_crossing, 2, q4)
-    put(J, row, at_d_crossing, number_d_crossing, 3, q5)
-    put(J, row, at_d_crossing, number_d_crossing, 4, q6)
+    if number_d_crossing > 2:
+        J[row, at_d_crossing + 2] += q4
+    if number_d_crossing > 3:
+        J[row, at_d_crossing + 3] += q5
+    if number_d_crossing > 4:
+        J[row, at_d_crossing + 4] += q6
     q0, q1, q2, q3, q4, q5, q6 = crossing_by_1_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*entry(z, at_d_crossing, number_d_crossing, 2) + q4*entry(z, at_d_crossing, number_d_crossing, 3) + q5*entry(z, at_d_crossing, number_d_crossing, 4) + q6
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q6
     q0 = crossing_by_1_by_phi(F, nu_crossing)
     J[row, at_phi] += q0
     row += 1
@@ -414,12 +396,16 @@ def jacobian(case, z, J):
     J[row, at_v_crossing] += q0
     J[row, at_d_crossing] += q1
     J[row, at_d_crossing + 1] += q2
-    put(J, row, at_d_crossing, number_d_crossing, 2, q3)
-    put(J, row, at_d_crossing, number_d_crossing, 3, q4)
-    put(J, row, at_d_crossing, number_d_crossing, 4, q5)
-    put(J, row, at_d_crossing, number_d_crossing, 5, q6)
+    if number_d_crossing > 2:
+        J[row, at_d_crossing + 2] += q3
+    if number_d_crossing > 3:
+        J[row, at_d_crossing + 3] += q4
+    if number_d_crossing > 4:
+        J[row, at_d_crossing + 4] += q5
+    if number_d_crossing > 5:
+        J[row, at_d_crossing + 5] += q6
     q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_2_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*entry(z, at_d_crossing, number_d_crossing, 2) + q4*entry(z, at_d_crossing, number_d_crossing, 3) + q5*entry(z, at_d_crossing, number_d_crossing, 4) + q6*entry(z, at_d_crossing, number_d_crossing, 5) + q7
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q6*(z[at_d_crossing + 5] if number_d_crossing > 5 else 0.0) + q7
     q0 = crossing_by_2_by_phi(F, nu_crossing)
     J[row, at_phi] += q0
     row += 1
@@ -429,11 +415,14 @@ def jacobian(case, z, J):
         J[row, at_d_crossing + l-3] += q1
         J[row, at_d_crossing + l-2] += q2
         J[row, at_d_crossing + l-1] += q3
-        put(J, row, at_d_crossing, number_d_crossing, l+1, q4)
-        put(J, row, at_d_crossing, number_d_crossing, l+2, q5)
-        put(J, row, at_d_crossing, number_d_crossing, l+3, q6)
+        if number_d_crossing > l+1:
+            J[row, at_d_crossing + l+1] += q4
+        if number_d_crossing > l+2:
+            J[row, at_d_crossing + l+2] += q5
+        if number_d_crossing > l+3:
+            J[row, at_d_crossing + l+3] += q6
         q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing)
-        J[row, at_s_crossing] += q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*entry(z, at_d_crossing, number_d_crossing, l+1) + q5*entry(z, at_d_crossing, number_d_crossing, l+2) + q6*entry(z, at_d_crossing, number_d_crossing, l+3) + q7
+        J[row, at_s_crossing] += q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q5*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q6*(z[at_d_crossing + l+3] if number_d_crossing > l+3 else 0.0) + q7
         q0 = crossing_by_l_by_phi(l, F, nu_crossing)
         J[row, at_phi] += q0
         row += 1
@@ -451,13 +440,8 @@ def jacobian(case, z, J):
     q0 = velocity_crossing_by_s_crossing(r)
     J[row, at_s_crossing] += q0*z[at_d_crossing]
     row += 1
-    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
+    q0, _ = event_crossing_after(g)
     J[row, at_x_crossing] += q0
-    J[row, at_v_crossing] += q1
-    J[row, at_d_crossing] += q2
-    J[row, at_d_crossing + 1] += q3
-    q0, q1, q2 = event_crossing_by_s_crossing(s_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
     row += 1
     q0 = cell_by_s_crossing()
     J[row, at_s_crossing] += q0

@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
-MATHEMATICS = "06e53eb2e663e42e9ee22c11e71358347e1cf4cc0c8a6ef1494c0d57f26121a7"  # of the conditions, by srepr
-BODY = "192bafbde5f4f22cce6f9b96babe7cb2cbd947827bd5359ef8c882dbe0694661"  # of the text below
+MATHEMATICS = "8739cc8022ab9088e52189b6fc46c318c7b8b23aafc0f3aea9de2b7efc017667"  # of the conditions, by srepr
+BODY = "8a30fc8f17f101db2ca3b728e0073119d99af077db43d091f05b2112203f81a7"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -84,17 +84,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def follow(J, row, slopes, p, i, value):
@@ -255,23 +244,11 @@ def velocity_crossing_by_s_crossing(r):
     return -r
 
 
-def event_crossing(g, s_crossing):
-    """Coefficients: the event that ends crossing."""
+def event_crossing_after(g):
+    """Coefficients: the event that ends crossing, in the state after it."""
     return (
-        1,
-        s_crossing,
-        (s_crossing*s_crossing)/2,
-        -(s_crossing*s_crossing)/6,
+        -1,
         g,
-    )
-
-
-def event_crossing_by_s_crossing(s_crossing):
-    """Their derivatives by s_crossing, of those that depend on it."""
-    return (
-        1,
-        s_crossing,
-        -s_crossing/3,
     )
 
 
@@ -306,14 +283,14 @@ def residual(case, z, R):
     mu_crossing = over_crossing[0]
     row = 0
     q0, q1, q2, q3, q4, q5 = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*entry(z, at_d_crossing, number_d_crossing, 2) + q5
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q5
     row += 1
     q0, q1, q2, q3, q4, q5 = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*entry(z, at_d_crossing, number_d_crossing, 2) + q4*entry(z, at_d_crossing, number_d_crossing, 3) + q5
+    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5
     row += 1
     for l in range(2, N):
         q0, q1, q2, q3, q4, q5 = crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing)
-        R[row] = q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-2] + q2*z[at_d_crossing + l-1] + q3*entry(z, at_d_crossing, number_d_crossing, l+1) + q4*entry(z, at_d_crossing, number_d_crossing, l+2) + q5
+        R[row] = q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-2] + q2*z[at_d_crossing + l-1] + q3*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q4*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q5
         row += 1
     q0, q1, q2, q3 = displacement_crossing(s_crossing)
     R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1]
@@ -321,8 +298,8 @@ def residual(case, z, R):
     q0, q1 = velocity_crossing(r, s_crossing)
     R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
     row += 1
-    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
+    q0, q1 = event_crossing_after(g)
+    R[row] = q0*z[at_x_crossing] + q1
     row += 1
     q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
@@ -351,9 +328,10 @@ def jacobian(case, z, J):
     J[row, at_v_crossing] += q1
     J[row, at_d_crossing] += q2
     J[row, at_d_crossing + 1] += q3
-    put(J, row, at_d_crossing, number_d_crossing, 2, q4)
+    if number_d_crossing > 2:
+        J[row, at_d_crossing + 2] += q4
     q0, q1, q2, q3, q4 = crossing_by_0_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*entry(z, at_d_crossing, number_d_crossing, 2) + q4
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4
     q0 = crossing_by_0_by_phi(F, nu_crossing)
     J[row, at_phi] += q0
     row += 1
@@ -361,10 +339,12 @@ def jacobian(case, z, J):
     J[row, at_v_crossing] += q0
     J[row, at_d_crossing] += q1
     J[row, at_d_crossing + 1] += q2
-    put(J, row, at_d_crossing, number_d_crossing, 2, q3)
-    put(J, row, at_d_crossing, number_d_crossing, 3, q4)
+    if number_d_crossing > 2:
+        J[row, at_d_crossing + 2] += q3
+    if number_d_crossing > 3:
+        J[row, at_d_crossing + 3] += q4
     q0, q1, q2, q3, q4, q5 = crossing_by_1_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*entry(z, at_d_crossing, number_d_crossing, 2) + q4*entry(z, at_d_crossing, number_d_crossing, 3) + q5
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5
     q0 = crossing_by_1_by_phi(F, nu_crossing)
     J[row, at_phi] += q0
     row += 1
@@ -373,10 +353,12 @@ def jacobian(case, z, J):
         J[row, at_d_crossing + l] += q0
         J[row, at_d_crossing + l-2] += q1
         J[row, at_d_crossing + l-1] += q2
-        put(J, row, at_d_crossing, number_d_crossing, l+1, q3)
-        put(J, row, at_d_crossing, number_d_crossing, l+2, q4)
+        if number_d_crossing > l+1:
+            J[row, at_d_crossing + l+1] += q3
+        if number_d_crossing > l+2:
+            J[row, at_d_crossing + l+2] += q4
         q0, q1, q2, q3, q4, q5 = crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing)
-        J[row, at_s_crossing] += q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-2] + q2*z[at_d_crossing + l-1] + q3*entry(z, at_d_crossing, number_d_crossing, l+1) + q4*entry(z, at_d_crossing, number_d_crossing, l+2) + q5
+        J[row, at_s_crossing] += q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-2] + q2*z[at_d_crossing + l-1] + q3*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q4*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q5
         q0 = crossing_by_l_by_phi(l, F, nu_crossing)
         J[row, at_phi] += q0
         row += 1
@@ -394,13 +376,8 @@ def jacobian(case, z, J):
     q0 = velocity_crossing_by_s_crossing(r)
     J[row, at_s_crossing] += q0*z[at_d_crossing]
     row += 1
-    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
+    q0, _ = event_crossing_after(g)
     J[row, at_x_crossing] += q0
-    J[row, at_v_crossing] += q1
-    J[row, at_d_crossing] += q2
-    J[row, at_d_crossing + 1] += q3
-    q0, q1, q2 = event_crossing_by_s_crossing(s_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
     row += 1
     q0 = cell_by_s_crossing()
     J[row, at_s_crossing] += q0
@@ -435,26 +412,38 @@ def coefficients(z):
     }
 
 
-KEPT = 4  # unknowns that remain where each band is solved
+KEPT = 2  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
-def kept_places(z):
-    """Return the places in z of the unknowns that remain where each band is solved."""
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_crossing = 0
-    at_v_crossing = 1
     at_s_crossing = N + 2
+    x_crossing = g
+    s_crossing = (pi*cycles)/Omega
+    z[at_x_crossing] = x_crossing
+    z[at_s_crossing] = s_crossing
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 4
+    at_v_crossing = 1
     at_phi = N + 3
-    return at_x_crossing, at_v_crossing, at_s_crossing, at_phi
+    return at_v_crossing, at_phi
 
 
 def band_places(z):
     """Return for each band: where it stands in z, how many unknowns it determines,
-    where its others stand among those that remain, how many, and how many the joints see."""
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
     N = len(z) - 4
     at_d_crossing = 2
-    return ((at_d_crossing, N, 2, 0, 2),)
+    return ((at_d_crossing, N, 0, 0, 2),)
 
 
 def bands(case, z, diagonals, right):
@@ -497,11 +486,11 @@ def bands(case, z, diagonals, right):
         row += 1
 
 
-def band_rates(case, z, right, slopes):
-    """Fill in how right sides less the bands change with the unknowns that remain."""
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
-    at_v_crossing = 1
     at_s_crossing = N + 2
     at_phi = N + 3
     s_crossing = z[at_s_crossing]
@@ -511,31 +500,24 @@ def band_rates(case, z, right, slopes):
     nu_crossing = over_crossing[1]
     slopes[:] = 0.0
     row = 4
-    q0, q1, _, _, _, _ = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
-    slopes[0, row, 0] = -q0
-    slopes[0, row, 1] = -q1
-    q0, q1, q2, q3, q4 = crossing_by_0_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    slopes[0, row, 2] = -(q0*z[at_v_crossing] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
+    _, q1, _, _, _, _ = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
+    slopes[0, row, 0] = -q1
     q0 = crossing_by_0_by_phi(F, nu_crossing)
-    slopes[0, row, 3] = -(q0)
+    slopes[0, row, 1] = -(q0)
     row += 1
     q0, _, _, _, _, _ = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
-    slopes[0, row, 1] = -q0
-    q0, q1, q2, q3, q4, q5 = crossing_by_1_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    slopes[0, row, 2] = -(q0*z[at_v_crossing] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
+    slopes[0, row, 0] = -q0
     q0 = crossing_by_1_by_phi(F, nu_crossing)
-    slopes[0, row, 3] = -(q0)
+    slopes[0, row, 1] = -(q0)
     row += 1
     for l in range(2, N):
-        q0, q1, q2, q3, q4, q5 = crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing)
-        slopes[0, row, 2] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
         q0 = crossing_by_l_by_phi(l, F, nu_crossing)
-        slopes[0, row, 3] = -(q0)
+        slopes[0, row, 1] = -(q0)
         row += 1
 
 
 def joints(case, z, R):
-    """Fill R with the left sides of the conditions that are not in a band."""
+    """Fill R with the left sides of the conditions that are solved together."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
     at_x_crossing = 0
@@ -550,46 +532,27 @@ def joints(case, z, R):
     q0, q1 = velocity_crossing(r, s_crossing)
     R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
     row += 1
-    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
-    row += 1
-    q0 = cell(Omega, cycles, s_crossing)
-    R[row] = q0
-    row += 1
 
 
 def joint_rates(case, z, slopes, J):
     """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
-    at_v_crossing = 1
-    at_d_crossing = 2
     at_s_crossing = N + 2
     s_crossing = z[at_s_crossing]
     row = 0
     J[:] = 0.0
-    q0, q1, q2, q3 = displacement_crossing(s_crossing)
-    J[row, 0] += q0
-    J[row, 1] += q1
+    _, q1, q2, q3 = displacement_crossing(s_crossing)
+    J[row, 0] += q1
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
-    q0, q1, q2 = displacement_crossing_by_s_crossing(s_crossing)
-    J[row, 2] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
     row += 1
     q0, q1 = velocity_crossing(r, s_crossing)
-    J[row, 1] += q0
-    follow(J, row, slopes, 0, 4, q1)
-    q0 = velocity_crossing_by_s_crossing(r)
-    J[row, 2] += q0*z[at_d_crossing]
-    row += 1
-    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
     J[row, 0] += q0
-    J[row, 1] += q1
-    follow(J, row, slopes, 0, 4, q2)
-    follow(J, row, slopes, 0, 5, q3)
-    q0, q1, q2 = event_crossing_by_s_crossing(s_crossing)
-    J[row, 2] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
+    follow(J, row, slopes, 0, 4, q1)
     row += 1
-    q0 = cell_by_s_crossing()
-    J[row, 2] += q0
-    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

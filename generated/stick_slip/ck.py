@@ -28,19 +28,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = False
 LOWEST = 3  # order
-MATHEMATICS = "3c199f69734cb67fc20d43e931a4073c197e4b04a2e7929ae5d968a3dc65e840"  # of the conditions, by srepr
-BODY = "2252e50e8d0c63b72b9cb61868c410f6f5f17a3934f4dc1105ca19354e2f365b"  # of the text below
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
+MATHEMATICS = "fbac4e9a84f77250e0ff39c1785949c8ef5b3582933216ab60924ddab8554ae0"  # of the conditions, by srepr
+BODY = "329198079416a184e3e3ae485b03d9d38f96adca4e3ebdd68901b3d1bd0c0e3c"  # of the text below
 
 
 def integrated(d):
@@ -257,32 +246,20 @@ def velocity_slip():
     )
 
 
-def event_stick(K, mu_s, F_N, s_stick):
-    """Coefficients: the event that ends stick."""
+def event_stick_after(K, mu_s, F_N):
+    """Coefficients: the event that ends stick, in the state after it."""
     return (
         -K,
-        -K*s_stick,
         F_N*mu_s,
     )
 
 
-def event_stick_by_s_stick(K):
-    """Their derivatives by s_stick, of those that depend on it."""
-    return -K
-
-
-def event_slip(V, s_slip):
-    """Coefficients: the event that ends slip."""
+def event_slip_after(V):
+    """Coefficients: the event that ends slip, in the state after it."""
     return (
         1,
-        s_slip,
         -V,
     )
-
-
-def event_slip_by_s_slip():
-    """Their derivatives by s_slip, of those that depend on it."""
-    return 1
 
 
 def size(N):
@@ -306,20 +283,20 @@ def residual(case, z, R):
     s_slip = z[at_s_slip]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(M, K, mu_k, F_N, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*entry(z, at_d_slip, number_d_slip, 2) + q5*entry(z, at_d_slip, number_d_slip, 3) + q6*entry(z, at_d_slip, number_d_slip, 4) + q7
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_1(M, K, mu_k, F_N, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*entry(z, at_d_slip, number_d_slip, 2) + q5*entry(z, at_d_slip, number_d_slip, 3) + q6*entry(z, at_d_slip, number_d_slip, 5) + q7
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_2(M, K, mu_k, F_N, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*entry(z, at_d_slip, number_d_slip, 2) + q5*entry(z, at_d_slip, number_d_slip, 4) + q6*entry(z, at_d_slip, number_d_slip, 6) + q7
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5 = slip_by_3(M, K, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 3) + q4*entry(z, at_d_slip, number_d_slip, 5) + q5*entry(z, at_d_slip, number_d_slip, 7)
+    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q4*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q5*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, s_slip)
-        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*entry(z, at_d_slip, number_d_slip, l+2) + q4*entry(z, at_d_slip, number_d_slip, l+4)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q4*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -333,11 +310,11 @@ def residual(case, z, R):
     q0, q1 = velocity_slip()
     R[row] = q0*z[at_v_stick] + q1*z[at_v_slip]
     row += 1
-    q0, q1, q2 = event_stick(K, mu_s, F_N, s_stick)
-    R[row] = q0*z[at_x_stick] + q1*z[at_v_stick] + q2
+    q0, q1 = event_stick_after(K, mu_s, F_N)
+    R[row] = q0*z[at_x_slip] + q1
     row += 1
-    q0, q1, q2 = event_slip(V, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2
+    q0, q1 = event_slip_after(V)
+    R[row] = q0*z[at_v_stick] + q1
     row += 1
 
 
@@ -362,53 +339,67 @@ def jacobian(case, z, J):
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
-    put(J, row, at_d_slip, number_d_slip, 2, q4)
-    put(J, row, at_d_slip, number_d_slip, 3, q5)
-    put(J, row, at_d_slip, number_d_slip, 4, q6)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q4
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q5
+    if number_d_slip > 4:
+        J[row, at_d_slip + 4] += q6
     q0, q1, q2, q3, q4, q5 = slip_by_0_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3) + q5*entry(z, at_d_slip, number_d_slip, 4)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0)
     row += 1
     q0, q1, q2, q3, q4, q5, q6, _ = slip_by_1(M, K, mu_k, F_N, s_slip)
     J[row, at_x_slip] += q0
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
-    put(J, row, at_d_slip, number_d_slip, 2, q4)
-    put(J, row, at_d_slip, number_d_slip, 3, q5)
-    put(J, row, at_d_slip, number_d_slip, 5, q6)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q4
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q5
+    if number_d_slip > 5:
+        J[row, at_d_slip + 5] += q6
     q0, q1, q2, q3, q4, q5 = slip_by_1_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3) + q5*entry(z, at_d_slip, number_d_slip, 5)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0)
     row += 1
     q0, q1, q2, q3, q4, q5, q6, _ = slip_by_2(M, K, mu_k, F_N, s_slip)
     J[row, at_x_slip] += q0
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
-    put(J, row, at_d_slip, number_d_slip, 2, q4)
-    put(J, row, at_d_slip, number_d_slip, 4, q5)
-    put(J, row, at_d_slip, number_d_slip, 6, q6)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q4
+    if number_d_slip > 4:
+        J[row, at_d_slip + 4] += q5
+    if number_d_slip > 6:
+        J[row, at_d_slip + 6] += q6
     q0, q1, q2, q3, q4, q5 = slip_by_2_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 4) + q5*entry(z, at_d_slip, number_d_slip, 6)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q5*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0)
     row += 1
     q0, q1, q2, q3, q4, q5 = slip_by_3(M, K, s_slip)
     J[row, at_v_slip] += q0
     J[row, at_d_slip] += q1
     J[row, at_d_slip + 1] += q2
-    put(J, row, at_d_slip, number_d_slip, 3, q3)
-    put(J, row, at_d_slip, number_d_slip, 5, q4)
-    put(J, row, at_d_slip, number_d_slip, 7, q5)
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q3
+    if number_d_slip > 5:
+        J[row, at_d_slip + 5] += q4
+    if number_d_slip > 7:
+        J[row, at_d_slip + 7] += q5
     q0, q1, q2, q3, q4, q5 = slip_by_3_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 3) + q4*entry(z, at_d_slip, number_d_slip, 5) + q5*entry(z, at_d_slip, number_d_slip, 7)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q4*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q5*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, s_slip)
         J[row, at_d_slip + l] += q0
         J[row, at_d_slip + l-4] += q1
         J[row, at_d_slip + l-2] += q2
-        put(J, row, at_d_slip, number_d_slip, l+2, q3)
-        put(J, row, at_d_slip, number_d_slip, l+4, q4)
+        if number_d_slip > l+2:
+            J[row, at_d_slip + l+2] += q3
+        if number_d_slip > l+4:
+            J[row, at_d_slip + l+4] += q4
         q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, s_slip)
-        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*entry(z, at_d_slip, number_d_slip, l+2) + q4*entry(z, at_d_slip, number_d_slip, l+4)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q4*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0
@@ -437,17 +428,11 @@ def jacobian(case, z, J):
     J[row, at_v_stick] += q0
     J[row, at_v_slip] += q1
     row += 1
-    q0, q1, _ = event_stick(K, mu_s, F_N, s_stick)
-    J[row, at_x_stick] += q0
-    J[row, at_v_stick] += q1
-    q0 = event_stick_by_s_stick(K)
-    J[row, at_s_stick] += q0*z[at_v_stick]
+    q0, _ = event_stick_after(K, mu_s, F_N)
+    J[row, at_x_slip] += q0
     row += 1
-    q0, q1, _ = event_slip(V, s_slip)
-    J[row, at_v_slip] += q0
-    J[row, at_d_slip] += q1
-    q0 = event_slip_by_s_slip()
-    J[row, at_s_slip] += q0*z[at_d_slip]
+    q0, _ = event_slip_after(V)
+    J[row, at_v_stick] += q0
     row += 1
 
 

@@ -28,19 +28,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = False
 LOWEST = 3  # order
-MATHEMATICS = "e35cd5e685ff739c728dcc13e2bea25559187bc6a5918de6a81c95a037e9267f"  # of the conditions, by srepr
-BODY = "f0de7bab9a884da2f96a28b660f8f99fcebefc74dd5c4c8f32d9a62f4eca3332"  # of the text below
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
+MATHEMATICS = "785784012b30dbac98eeebdf5ffcd8357d3da7a4cb9d1979fb07c09d47980a9c"  # of the conditions, by srepr
+BODY = "3889c67c03bfe2dd8342c8a07f9e7470a587375511758a90e8d908febccb302d"  # of the text below
 
 
 def integrated(d):
@@ -277,32 +266,20 @@ def velocity_slip():
     )
 
 
-def event_stick(K, V, mu_s, F_N, c, s_stick):
-    """Coefficients: the event that ends stick."""
+def event_stick_after(K, V, mu_s, F_N, c):
+    """Coefficients: the event that ends stick, in the state after it."""
     return (
         -K,
-        -K*s_stick,
         F_N*mu_s - V*c,
     )
 
 
-def event_stick_by_s_stick(K):
-    """Their derivatives by s_stick, of those that depend on it."""
-    return -K
-
-
-def event_slip(V, s_slip):
-    """Coefficients: the event that ends slip."""
+def event_slip_after(V):
+    """Coefficients: the event that ends slip, in the state after it."""
     return (
         1,
-        s_slip,
         -V,
     )
-
-
-def event_slip_by_s_slip():
-    """Their derivatives by s_slip, of those that depend on it."""
-    return 1
 
 
 def size(N):
@@ -326,20 +303,20 @@ def residual(case, z, R):
     s_slip = z[at_s_slip]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*entry(z, at_d_slip, number_d_slip, 2) + q5*entry(z, at_d_slip, number_d_slip, 3) + q6*entry(z, at_d_slip, number_d_slip, 4) + q7
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_1(M, K, V, mu_k, F_N, c, w, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*entry(z, at_d_slip, number_d_slip, 2) + q5*entry(z, at_d_slip, number_d_slip, 3) + q6*entry(z, at_d_slip, number_d_slip, 4) + q7*entry(z, at_d_slip, number_d_slip, 5) + q8
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slip_by_2(M, K, V, mu_k, F_N, c, w, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*entry(z, at_d_slip, number_d_slip, 2) + q5*entry(z, at_d_slip, number_d_slip, 3) + q6*entry(z, at_d_slip, number_d_slip, 4) + q7*entry(z, at_d_slip, number_d_slip, 5) + q8*entry(z, at_d_slip, number_d_slip, 6) + q9
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q8*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_3(M, K, F_N, c, w, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3) + q5*entry(z, at_d_slip, number_d_slip, 4) + q6*entry(z, at_d_slip, number_d_slip, 5) + q7*entry(z, at_d_slip, number_d_slip, 6) + q8*entry(z, at_d_slip, number_d_slip, 7)
+    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q8*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*entry(z, at_d_slip, number_d_slip, l+1) + q6*entry(z, at_d_slip, number_d_slip, l+2) + q7*entry(z, at_d_slip, number_d_slip, l+3) + q8*entry(z, at_d_slip, number_d_slip, l+4)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q6*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q7*(z[at_d_slip + l+3] if number_d_slip > l+3 else 0.0) + q8*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -353,11 +330,11 @@ def residual(case, z, R):
     q0, q1 = velocity_slip()
     R[row] = q0*z[at_v_stick] + q1*z[at_v_slip]
     row += 1
-    q0, q1, q2 = event_stick(K, V, mu_s, F_N, c, s_stick)
-    R[row] = q0*z[at_x_stick] + q1*z[at_v_stick] + q2
+    q0, q1 = event_stick_after(K, V, mu_s, F_N, c)
+    R[row] = q0*z[at_x_slip] + q1
     row += 1
-    q0, q1, q2 = event_slip(V, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2
+    q0, q1 = event_slip_after(V)
+    R[row] = q0*z[at_v_stick] + q1
     row += 1
 
 
@@ -382,49 +359,67 @@ def jacobian(case, z, J):
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
-    put(J, row, at_d_slip, number_d_slip, 2, q4)
-    put(J, row, at_d_slip, number_d_slip, 3, q5)
-    put(J, row, at_d_slip, number_d_slip, 4, q6)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q4
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q5
+    if number_d_slip > 4:
+        J[row, at_d_slip + 4] += q6
     q0, q1, q2, q3, q4, q5 = slip_by_0_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3) + q5*entry(z, at_d_slip, number_d_slip, 4)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0)
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, _ = slip_by_1(M, K, V, mu_k, F_N, c, w, s_slip)
     J[row, at_x_slip] += q0
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
-    put(J, row, at_d_slip, number_d_slip, 2, q4)
-    put(J, row, at_d_slip, number_d_slip, 3, q5)
-    put(J, row, at_d_slip, number_d_slip, 4, q6)
-    put(J, row, at_d_slip, number_d_slip, 5, q7)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q4
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q5
+    if number_d_slip > 4:
+        J[row, at_d_slip + 4] += q6
+    if number_d_slip > 5:
+        J[row, at_d_slip + 5] += q7
     q0, q1, q2, q3, q4, q5, q6 = slip_by_1_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3) + q5*entry(z, at_d_slip, number_d_slip, 4) + q6*entry(z, at_d_slip, number_d_slip, 5)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0)
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = slip_by_2(M, K, V, mu_k, F_N, c, w, s_slip)
     J[row, at_x_slip] += q0
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
-    put(J, row, at_d_slip, number_d_slip, 2, q4)
-    put(J, row, at_d_slip, number_d_slip, 3, q5)
-    put(J, row, at_d_slip, number_d_slip, 4, q6)
-    put(J, row, at_d_slip, number_d_slip, 5, q7)
-    put(J, row, at_d_slip, number_d_slip, 6, q8)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q4
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q5
+    if number_d_slip > 4:
+        J[row, at_d_slip + 4] += q6
+    if number_d_slip > 5:
+        J[row, at_d_slip + 5] += q7
+    if number_d_slip > 6:
+        J[row, at_d_slip + 6] += q8
     q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_2_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3) + q5*entry(z, at_d_slip, number_d_slip, 4) + q6*entry(z, at_d_slip, number_d_slip, 5) + q7*entry(z, at_d_slip, number_d_slip, 6)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0)
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_3(M, K, F_N, c, w, s_slip)
     J[row, at_v_slip] += q0
     J[row, at_d_slip] += q1
     J[row, at_d_slip + 1] += q2
-    put(J, row, at_d_slip, number_d_slip, 2, q3)
-    put(J, row, at_d_slip, number_d_slip, 3, q4)
-    put(J, row, at_d_slip, number_d_slip, 4, q5)
-    put(J, row, at_d_slip, number_d_slip, 5, q6)
-    put(J, row, at_d_slip, number_d_slip, 6, q7)
-    put(J, row, at_d_slip, number_d_slip, 7, q8)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q3
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q4
+    if number_d_slip > 4:
+        J[row, at_d_slip + 4] += q5
+    if number_d_slip > 5:
+        J[row, at_d_slip + 5] += q6
+    if number_d_slip > 6:
+        J[row, at_d_slip + 6] += q7
+    if number_d_slip > 7:
+        J[row, at_d_slip + 7] += q8
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_3_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3) + q5*entry(z, at_d_slip, number_d_slip, 4) + q6*entry(z, at_d_slip, number_d_slip, 5) + q7*entry(z, at_d_slip, number_d_slip, 6) + q8*entry(z, at_d_slip, number_d_slip, 7)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q8*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l(l, M, K, F_N, c, w, s_slip)
@@ -433,12 +428,16 @@ def jacobian(case, z, J):
         J[row, at_d_slip + l-3] += q2
         J[row, at_d_slip + l-2] += q3
         J[row, at_d_slip + l-1] += q4
-        put(J, row, at_d_slip, number_d_slip, l+1, q5)
-        put(J, row, at_d_slip, number_d_slip, l+2, q6)
-        put(J, row, at_d_slip, number_d_slip, l+3, q7)
-        put(J, row, at_d_slip, number_d_slip, l+4, q8)
+        if number_d_slip > l+1:
+            J[row, at_d_slip + l+1] += q5
+        if number_d_slip > l+2:
+            J[row, at_d_slip + l+2] += q6
+        if number_d_slip > l+3:
+            J[row, at_d_slip + l+3] += q7
+        if number_d_slip > l+4:
+            J[row, at_d_slip + l+4] += q8
         q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
-        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*entry(z, at_d_slip, number_d_slip, l+1) + q6*entry(z, at_d_slip, number_d_slip, l+2) + q7*entry(z, at_d_slip, number_d_slip, l+3) + q8*entry(z, at_d_slip, number_d_slip, l+4)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q6*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q7*(z[at_d_slip + l+3] if number_d_slip > l+3 else 0.0) + q8*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0
@@ -467,17 +466,11 @@ def jacobian(case, z, J):
     J[row, at_v_stick] += q0
     J[row, at_v_slip] += q1
     row += 1
-    q0, q1, _ = event_stick(K, V, mu_s, F_N, c, s_stick)
-    J[row, at_x_stick] += q0
-    J[row, at_v_stick] += q1
-    q0 = event_stick_by_s_stick(K)
-    J[row, at_s_stick] += q0*z[at_v_stick]
+    q0, _ = event_stick_after(K, V, mu_s, F_N, c)
+    J[row, at_x_slip] += q0
     row += 1
-    q0, q1, _ = event_slip(V, s_slip)
-    J[row, at_v_slip] += q0
-    J[row, at_d_slip] += q1
-    q0 = event_slip_by_s_slip()
-    J[row, at_s_slip] += q0*z[at_d_slip]
+    q0, _ = event_slip_after(V)
+    J[row, at_v_stick] += q0
     row += 1
 
 

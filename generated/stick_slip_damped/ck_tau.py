@@ -28,19 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
-MATHEMATICS = "a496b5b6bff00d3289e4cd3e076b9772a4451588b8fbc98344a91c6ba3bc9445"  # of the conditions, by srepr
-BODY = "84a09db753628e039d3d4427292f5e91e3118f9a2c71181e7031d48c0381619b"  # of the text below
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
+MATHEMATICS = "2e713484aeb37905d62b02de6d8e1115b866aea23db8001569f782422ca260c6"  # of the conditions, by srepr
+BODY = "f8a248d2afe503150783cbac21be1174959938da8178b60158e0e2099a7db889"  # of the text below
 
 
 def follow(J, row, slopes, p, i, value):
@@ -205,32 +194,20 @@ def velocity_slip():
     )
 
 
-def event_stick(K, V, mu_s, F_N, c, s_stick):
-    """Coefficients: the event that ends stick."""
+def event_stick_after(K, V, mu_s, F_N, c):
+    """Coefficients: the event that ends stick, in the state after it."""
     return (
         -K,
-        -K*s_stick,
         F_N*mu_s - V*c,
     )
 
 
-def event_stick_by_s_stick(K):
-    """Their derivatives by s_stick, of those that depend on it."""
-    return -K
-
-
-def event_slip(V, s_slip):
-    """Coefficients: the event that ends slip."""
+def event_slip_after(V):
+    """Coefficients: the event that ends slip, in the state after it."""
     return (
         1,
-        s_slip,
         -V,
     )
-
-
-def event_slip_by_s_slip():
-    """Their derivatives by s_slip, of those that depend on it."""
-    return 1
 
 
 def size(N):
@@ -254,14 +231,14 @@ def residual(case, z, R):
     s_slip = z[at_s_slip]
     row = 0
     q0, q1, q2, q3, q4, q5 = slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*entry(z, at_d_slip, number_d_slip, 2) + q5
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5
     row += 1
     q0, q1, q2, q3, q4 = slip_by_1(M, K, F_N, c, w, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3)
+    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0)
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q4*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
@@ -275,11 +252,11 @@ def residual(case, z, R):
     q0, q1 = velocity_slip()
     R[row] = q0*z[at_v_stick] + q1*z[at_v_slip]
     row += 1
-    q0, q1, q2 = event_stick(K, V, mu_s, F_N, c, s_stick)
-    R[row] = q0*z[at_x_stick] + q1*z[at_v_stick] + q2
+    q0, q1 = event_stick_after(K, V, mu_s, F_N, c)
+    R[row] = q0*z[at_x_slip] + q1
     row += 1
-    q0, q1, q2 = event_slip(V, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2
+    q0, q1 = event_slip_after(V)
+    R[row] = q0*z[at_v_stick] + q1
     row += 1
 
 
@@ -304,28 +281,33 @@ def jacobian(case, z, J):
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
-    put(J, row, at_d_slip, number_d_slip, 2, q4)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q4
     q0, q1, q2, q3 = slip_by_0_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0)
     row += 1
     q0, q1, q2, q3, q4 = slip_by_1(M, K, F_N, c, w, s_slip)
     J[row, at_v_slip] += q0
     J[row, at_d_slip] += q1
     J[row, at_d_slip + 1] += q2
-    put(J, row, at_d_slip, number_d_slip, 2, q3)
-    put(J, row, at_d_slip, number_d_slip, 3, q4)
+    if number_d_slip > 2:
+        J[row, at_d_slip + 2] += q3
+    if number_d_slip > 3:
+        J[row, at_d_slip + 3] += q4
     q0, q1, q2, q3, q4 = slip_by_1_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*entry(z, at_d_slip, number_d_slip, 2) + q4*entry(z, at_d_slip, number_d_slip, 3)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0)
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l(l, M, K, F_N, c, w, s_slip)
         J[row, at_d_slip + l] += q0
         J[row, at_d_slip + l-2] += q1
         J[row, at_d_slip + l-1] += q2
-        put(J, row, at_d_slip, number_d_slip, l+1, q3)
-        put(J, row, at_d_slip, number_d_slip, l+2, q4)
+        if number_d_slip > l+1:
+            J[row, at_d_slip + l+1] += q3
+        if number_d_slip > l+2:
+            J[row, at_d_slip + l+2] += q4
         q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
-        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*entry(z, at_d_slip, number_d_slip, l+1) + q4*entry(z, at_d_slip, number_d_slip, l+2)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q4*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0)
         row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0
@@ -354,17 +336,11 @@ def jacobian(case, z, J):
     J[row, at_v_stick] += q0
     J[row, at_v_slip] += q1
     row += 1
-    q0, q1, _ = event_stick(K, V, mu_s, F_N, c, s_stick)
-    J[row, at_x_stick] += q0
-    J[row, at_v_stick] += q1
-    q0 = event_stick_by_s_stick(K)
-    J[row, at_s_stick] += q0*z[at_v_stick]
+    q0, _ = event_stick_after(K, V, mu_s, F_N, c)
+    J[row, at_x_slip] += q0
     row += 1
-    q0, q1, _ = event_slip(V, s_slip)
-    J[row, at_v_slip] += q0
-    J[row, at_d_slip] += q1
-    q0 = event_slip_by_s_slip()
-    J[row, at_s_slip] += q0*z[at_d_slip]
+    q0, _ = event_slip_after(V)
+    J[row, at_v_stick] += q0
     row += 1
 
 
@@ -406,28 +382,39 @@ def coefficients(z):
     }
 
 
-KEPT = 6  # unknowns that remain where each band is solved
+KEPT = 1  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 1, False  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
-def kept_places(z):
-    """Return the places in z of the unknowns that remain where each band is solved."""
-    N = len(z) - 7
-    at_x_stick = 0
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
-    at_s_stick = N + 5
+    x_slip = (F_N*mu_s - V*c)/K
+    v_stick = V
+    v_slip = v_stick
+    z[at_x_slip] = x_slip
+    z[at_v_stick] = v_stick
+    z[at_v_slip] = v_slip
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 7
     at_s_slip = N + 6
-    return at_x_stick, at_v_stick, at_x_slip, at_v_slip, at_s_stick, at_s_slip
+    return (at_s_slip,)
 
 
 def band_places(z):
     """Return for each band: where it stands in z, how many unknowns it determines,
-    where its others stand among those that remain, how many, and how many the joints see."""
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
     N = len(z) - 7
     at_d_slip = 4
-    return ((at_d_slip, N + 1, 4, 0, 2),)
+    return ((at_d_slip, N + 1, 0, 0, 1),)
 
 
 def bands(case, z, diagonals, right):
@@ -465,8 +452,9 @@ def bands(case, z, diagonals, right):
         row += 1
 
 
-def band_rates(case, z, right, slopes):
-    """Fill in how right sides less the bands change with the unknowns that remain."""
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
     M, K, V, mu_s, mu_k, F_N, c, w = case
     N = len(z) - 7
     at_v_slip = 3
@@ -474,26 +462,49 @@ def band_rates(case, z, right, slopes):
     s_slip = z[at_s_slip]
     slopes[:] = 0.0
     row = 4
-    q0, q1, _, _, _, _ = slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip)
-    slopes[0, row, 2] = -q0
-    slopes[0, row, 3] = -q1
     q0, q1, q2, q3 = slip_by_0_by_s_slip(K, F_N, c, w, s_slip)
-    slopes[0, row, 5] = -(q0*z[at_v_slip] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2])
+    slopes[0, row, 0] = -(q0*z[at_v_slip] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2])
     row += 1
-    q0, _, _, _, _ = slip_by_1(M, K, F_N, c, w, s_slip)
-    slopes[0, row, 3] = -q0
     q0, q1, q2, q3, q4 = slip_by_1_by_s_slip(K, F_N, c, w, s_slip)
-    slopes[0, row, 5] = -(q0*z[at_v_slip] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2])
+    slopes[0, row, 0] = -(q0*z[at_v_slip] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2])
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
-        slopes[0, row, 5] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2])
+        slopes[0, row, 0] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2])
         row += 1
 
 
 def joints(case, z, R):
-    """Fill R with the left sides of the conditions that are not in a band."""
-    M, K, V, mu_s, mu_k, F_N, c, w = case
+    """Fill R with the left sides of the conditions that are solved together."""
+    N = len(z) - 7
+    at_v_stick = 1
+    at_v_slip = 3
+    at_d_slip = 4
+    at_s_slip = N + 6
+    s_slip = z[at_s_slip]
+    row = 0
+    q0, q1, q2 = velocity_stick(s_slip)
+    R[row] = q0*z[at_v_stick] + q1*z[at_v_slip] + q2*z[at_d_slip]
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    N = len(z) - 7
+    at_d_slip = 4
+    at_s_slip = N + 6
+    s_slip = z[at_s_slip]
+    row = 0
+    J[:] = 0.0
+    _, _, q2 = velocity_stick(s_slip)
+    follow(J, row, slopes, 0, 4, q2)
+    q0 = velocity_stick_by_s_slip()
+    J[row, 0] += q0*z[at_d_slip]
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
     N = len(z) - 7
     at_x_stick = 0
     at_v_stick = 1
@@ -502,78 +513,11 @@ def joints(case, z, R):
     at_d_slip = 4
     at_s_stick = N + 5
     at_s_slip = N + 6
-    s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
-    row = 0
-    q0, q1, q2, q3, q4 = displacement_stick(s_slip)
-    R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
-    row += 1
-    q0, q1, q2 = velocity_stick(s_slip)
-    R[row] = q0*z[at_v_stick] + q1*z[at_v_slip] + q2*z[at_d_slip]
-    row += 1
-    q0, q1, q2 = displacement_slip(s_stick)
-    R[row] = q0*z[at_x_stick] + q1*z[at_v_stick] + q2*z[at_x_slip]
-    row += 1
-    q0, q1 = velocity_slip()
-    R[row] = q0*z[at_v_stick] + q1*z[at_v_slip]
-    row += 1
-    q0, q1, q2 = event_stick(K, V, mu_s, F_N, c, s_stick)
-    R[row] = q0*z[at_x_stick] + q1*z[at_v_stick] + q2
-    row += 1
-    q0, q1, q2 = event_slip(V, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2
-    row += 1
-
-
-def joint_rates(case, z, slopes, J):
-    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
-    M, K, V, mu_s, mu_k, F_N, c, w = case
-    N = len(z) - 7
-    at_v_stick = 1
-    at_v_slip = 3
-    at_d_slip = 4
-    at_s_stick = N + 5
-    at_s_slip = N + 6
-    s_stick = z[at_s_stick]
-    s_slip = z[at_s_slip]
-    row = 0
-    J[:] = 0.0
-    q0, q1, q2, q3, q4 = displacement_stick(s_slip)
-    J[row, 0] += q0
-    J[row, 2] += q1
-    J[row, 3] += q2
-    follow(J, row, slopes, 0, 4, q3)
-    follow(J, row, slopes, 0, 5, q4)
-    q0, q1, q2 = displacement_stick_by_s_slip(s_slip)
-    J[row, 5] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1]
-    row += 1
-    q0, q1, q2 = velocity_stick(s_slip)
-    J[row, 1] += q0
-    J[row, 3] += q1
-    follow(J, row, slopes, 0, 4, q2)
-    q0 = velocity_stick_by_s_slip()
-    J[row, 5] += q0*z[at_d_slip]
-    row += 1
-    q0, q1, q2 = displacement_slip(s_stick)
-    J[row, 0] += q0
-    J[row, 1] += q1
-    J[row, 2] += q2
-    q0 = displacement_slip_by_s_stick()
-    J[row, 4] += q0*z[at_v_stick]
-    row += 1
-    q0, q1 = velocity_slip()
-    J[row, 1] += q0
-    J[row, 3] += q1
-    row += 1
-    q0, q1, _ = event_stick(K, V, mu_s, F_N, c, s_stick)
-    J[row, 0] += q0
-    J[row, 1] += q1
-    q0 = event_stick_by_s_stick(K)
-    J[row, 4] += q0*z[at_v_stick]
-    row += 1
-    q0, q1, _ = event_slip(V, s_slip)
-    J[row, 3] += q0
-    follow(J, row, slopes, 0, 4, q1)
-    q0 = event_slip_by_s_slip()
-    J[row, 5] += q0*z[at_d_slip]
-    row += 1
+    v_stick = z[at_v_stick]
+    x_slip = z[at_x_slip]
+    v_slip = z[at_v_slip]
+    x_stick = -((s_slip*s_slip)*z[at_d_slip + 1])/6 + ((s_slip*s_slip)*z[at_d_slip])/2 + s_slip*v_slip + x_slip
+    s_stick = (x_slip - x_stick)/v_stick
+    z[at_x_stick] = x_stick
+    z[at_s_stick] = s_stick

@@ -10,42 +10,14 @@ import types
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from ..arrays import Matrix, Vector
 from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
-from ..iteration import bands, condensed, iteration, linear
+from ..iteration import condensed, iteration
 from ..iteration.iteration import Iteration
+from .linking import CALLS, driver_text, iteration_of, linked
 from .names import with_class_one
-
-#: Functions that are compiled with a kernel, callers after what they call.
-DRIVER: tuple[Any, ...] = (
-    iteration.greatest,
-    iteration.step_size,
-    iteration.longest_damping,
-    iteration.scale_rows,
-    linear.factorise,
-    linear.solve_factorised,
-    iteration.correct,
-    iteration.add,
-    iteration.iterate_scene,
-)
-
-#: Functions that are compiled with a kernel whose bands are solved for by themselves.
-CONDENSED: tuple[Any, ...] = (
-    bands.factorise_band,
-    bands.substitute,
-    bands.solve_columns,
-    linear.least_squares,
-    condensed.condensed_residual,
-    condensed.condensed_jacobian,
-    condensed.workplace,
-    condensed.fitted,
-)
-
-#: Where they stand.
-DRIVER_FILES = (iteration, linear, bands, condensed)
 
 #: What a kernel does that only NumPy can: plain Python, even where the rest is compiled.
 PLAIN = (
@@ -102,49 +74,10 @@ class SceneKernel:
         return times[: self.durations], float(times[-1]) if self.forced else 0.0
 
 
-def linked(
-    residual: Callable[[Any, Vector, Vector], None],
-    jacobian: Callable[[Any, Vector, Matrix], None],
-    durations: int,
-    forced: bool,
-) -> Iteration:
-    """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python."""
-    namespace = {
-        "residual": residual,
-        "jacobian": jacobian,
-        "DURATIONS": durations,
-        "FORCED": forced,
-    }
-    return _iteration(namespace, rebuilt)
-
-
-def _iteration(kernel: dict[str, Any], make: Callable[[Any, dict[str, Any]], Any]) -> Iteration:
-    """Return the iteration for the functions of a kernel, itself and all it calls by `make`."""
-    if "bands" not in kernel:
-        namespace = {**vars(iteration), **kernel}
-        for function in DRIVER:
-            namespace[function.__name__] = make(function, namespace)
-        iterate: Iteration = namespace["iterate_scene"]
-        return iterate
-    namespace = {**vars(linear), **vars(condensed), **kernel}
-    for function in CONDENSED:
-        namespace[function.__name__] = make(function, namespace)
-    remaining = {
-        "residual": namespace["condensed_residual"],
-        "jacobian": namespace["condensed_jacobian"],
-        "DURATIONS": kernel["DURATIONS"],
-        "FORCED": kernel["FORCED"],
-        "FAST": condensed.FAST,
-    }
-    namespace["iterate_scene"] = _iteration(remaining, make)
-    whole: Iteration = make(condensed.iterate_condensed, namespace)
-    return whole
-
-
 @cache
 def plain(module: types.ModuleType) -> SceneKernel:
     """Return the kernel of a generated module as plain Python."""
-    return _kernel(module, vars(module), _iteration(vars(module), rebuilt), account(module))
+    return _kernel(module, vars(module), iteration_of(vars(module), rebuilt), account(module))
 
 
 @cache
@@ -206,18 +139,12 @@ def compiled(module: types.ModuleType) -> SceneKernel:
     def compiled_one(function: Any, names: dict[str, Any]) -> Any:
         clone = rebuilt(function, names)
         clone.__qualname__ = f"{function.__name__}_{key}"
-        return jit(clone)
+        return jit(clone, inlined=function.__name__ not in CALLS)
 
     for function in own:
         namespace[function.__name__] = compiled_one(function, namespace)
     account(module).is_compiled = True
-    return _kernel(module, namespace, _iteration(namespace, compiled_one))
-
-
-@cache
-def _driver_text() -> bytes:
-    """Return the text of what is compiled with every kernel."""
-    return b"".join(Path(str(part.__file__)).read_bytes() for part in DRIVER_FILES)
+    return _kernel(module, namespace, iteration_of(namespace, compiled_one))
 
 
 def fingerprint(module: types.ModuleType) -> str:
@@ -226,7 +153,7 @@ def fingerprint(module: types.ModuleType) -> str:
     The name of the module is part of it: numba imports it again with what it has cached.
     """
     own = f"{module.__name__} {module.BODY} {module.DURATIONS} {module.FORCED}".encode()
-    return hashlib.sha256(own + _driver_text()).hexdigest()[:16]
+    return hashlib.sha256(own + driver_text()).hexdigest()[:16]
 
 
 def _kernel(

@@ -14,7 +14,8 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..case.cell import Cell
-from ..case.kernel import SceneKernel, linked
+from ..case.kernel import SceneKernel
+from ..case.linking import linked
 from . import flow
 
 

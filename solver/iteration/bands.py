@@ -15,51 +15,58 @@ from ..arrays import Matrix
 BELOW, ABOVE, KEPT = 2, 2, 1
 
 
-def factorise_band(diagonals: Any, exchanged: Any, p: int, size: int, b: Matrix) -> None:
-    """Factorise a band in place, and eliminate in the right side `b`.
-
-    diagonals : ndarray, shape (PAD + size, PAD + ABOVE + 1)
-        The pivots become their reciprocals.
-    exchanged : ndarray of int
-        Filled with the row that was exchanged with each.
-    """
+def eliminate_row(D: Any, p: int, i: int, b: Matrix, first: int) -> None:
+    """Subtract row i from those above that see its pivot; it begins at diagonal `first`."""
     pad = BELOW + ABOVE
+    inverse = 1.0 / D[p, i, pad]
+    D[p, i, pad] = inverse
+    for up in range(1, ABOVE + 1):
+        factor = D[p, i - up, pad + up] * inverse
+        D[p, i - up, pad + up] = factor
+        for q in range(first, pad):
+            D[p, i - up, q + up] -= factor * D[p, i, q]
+        b[p, i - up] -= factor * b[p, i]
+
+
+def factorise_band(D: Any, exchanged: Any, p: int, size: int, b: Matrix) -> None:
+    """Factorise band `p` in place, and eliminate in its right side.
+
+    D : ndarray, shape (bands, PAD + size, PAD + ABOVE + 1)
+        The pivots become their reciprocals.
+    exchanged : ndarray of int, shape (bands, PAD + size)
+        Filled with the row that was exchanged with each.
+    b : ndarray, shape (bands, PAD + size)
+        Right sides.
+    """
+    pad, wide = BELOW + ABOVE, False
     for i in range(pad + size - 1, pad - 1, -1):
-        pivot, largest = i, abs(diagonals[p, i, pad])
+        pivot, largest = i, abs(D[p, i, pad])
         for up in range(1, ABOVE + 1):
-            entry = abs(diagonals[p, i - up, pad + up])
+            entry = abs(D[p, i - up, pad + up])
             if entry > largest:
                 pivot, largest = i - up, entry
         exchanged[p, i] = pivot
         if pivot != i:
+            wide = True  # from now on rows may reach further down
             for q in range(pad + 1):
-                value = diagonals[p, i, q]
-                diagonals[p, i, q] = diagonals[p, pivot, q + i - pivot]
-                diagonals[p, pivot, q + i - pivot] = value
+                value = D[p, i, q]
+                D[p, i, q] = D[p, pivot, q + i - pivot]
+                D[p, pivot, q + i - pivot] = value
             b[p, i], b[p, pivot] = b[p, pivot], b[p, i]
-        inverse = 1.0 / diagonals[p, i, pad]
-        diagonals[p, i, pad] = inverse
-        for up in range(1, ABOVE + 1):
-            factor = diagonals[p, i - up, pad + up] * inverse
-            diagonals[p, i - up, pad + up] = factor
-            for q in range(pad):
-                diagonals[p, i - up, q + up] -= factor * diagonals[p, i, q]
-            b[p, i - up] -= factor * b[p, i]
+        eliminate_row(D, p, i, b, 0 if wide else ABOVE)
 
 
-def substitute(diagonals: Any, p: int, size: int, b: Matrix) -> None:
-    """Overwrite `b`, in which was eliminated, with the solution."""
+def substitute(D: Any, p: int, first: int, last: int, b: Matrix, found: Matrix) -> None:
+    """Fill in the solution from one row up to another; those before are there."""
     pad = BELOW + ABOVE
-    for i in range(pad, pad + size):
+    for i in range(pad + first, pad + last):
         value = b[p, i]
         for q in range(pad):
-            value -= diagonals[p, i, q] * b[p, i - pad + q]
-        b[p, i] = value * diagonals[p, i, pad]
+            value -= D[p, i, q] * found[p, i - pad + q]
+        found[p, i] = value * D[p, i, pad]
 
 
-def solve_columns(
-    diagonals: Any, exchanged: Any, p: int, size: int, B: Any, reach: int
-) -> None:
+def solve_columns(D: Any, exchanged: Any, p: int, size: int, B: Any, reach: int) -> None:
     """Overwrite the first `reach` rows of `B` with those of the solution of all its columns."""
     pad = BELOW + ABOVE
     for i in range(pad + size - 1, pad - 1, -1):
@@ -68,14 +75,14 @@ def solve_columns(
             for c in range(KEPT):
                 B[p, i, c], B[p, pivot, c] = B[p, pivot, c], B[p, i, c]
         for up in range(1, ABOVE + 1):
-            factor = diagonals[p, i - up, pad + up]
+            factor = D[p, i - up, pad + up]
             for c in range(KEPT):
                 B[p, i - up, c] -= factor * B[p, i, c]
     for i in range(pad, pad + reach):
         for q in range(pad):
-            factor = diagonals[p, i, q]
+            factor = D[p, i, q]
             for c in range(KEPT):
                 B[p, i, c] -= factor * B[p, i - pad + q, c]
-        inverse = diagonals[p, i, pad]
+        inverse = D[p, i, pad]
         for c in range(KEPT):
             B[p, i, c] *= inverse

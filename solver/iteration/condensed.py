@@ -4,7 +4,8 @@ The rows of a phase are banded in the coefficients of its acceleration; for give
 which the phases begin, memory and times they determine these, all but the last where the class
 is high.  So the coefficients are functions of the other unknowns, and what joins the phases is
 a system of as many equations, whatever the order: multiple shooting, with the expansion in the
-place of an integrator.  `iteration.iterate_scene` solves it.
+place of an integrator.  Some of these equations give an unknown by themselves, before or after
+all others; `iteration.iterate_scene` solves what is left.
 
 ``KEPT`` and the functions that stand here with no body are those of the kernel that `kernel`
 links this module to.
@@ -22,12 +23,22 @@ from .linear import least_squares
 FAST = 0.001
 
 #: Stand for those of the kernel.
-KEPT, BELOW, ABOVE, DURATIONS = 1, 2, 2, 1
-FORCED = False
+KEPT, KEPT_DURATIONS, BELOW, ABOVE = 1, 1, 2, 2
+KEPT_FORCED = False
+
+
+def before(case: Any, z: Vector) -> None:
+    """Stand for what single conditions give before."""
+    raise NotImplementedError
+
+
+def after(case: Any, z: Vector) -> None:
+    """Stand for what follows from the rest."""
+    raise NotImplementedError
 
 
 def kept_places(z: Vector) -> Any:
-    """Stand for the places of the unknowns that remain."""
+    """Stand for the places of the unknowns that are solved for together."""
     raise NotImplementedError
 
 
@@ -67,30 +78,44 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
 
 
 def condensed_residual(work: Any, y: Vector, R: Vector) -> None:
-    """Fill R with what remains at `y`; the whole of the unknowns is left in `work`."""
-    case, z, diagonals, right, _, exchanged = work
+    """Fill R with what remains at `y`.
+
+    Of the unknowns of the bands those are left in `z` which the joints see; see `complete`.
+    """
+    case, z, diagonals, right, found, _, exchanged = work
     pad = BELOW + ABOVE
     places = kept_places(z)
     for i in range(KEPT):
         z[places[i]] = y[i]
     bands(case, z, diagonals, right)
-    for p, (at, size, _, left, _) in enumerate(band_places(z)):
+    for p, (at, size, _, left, reach) in enumerate(band_places(z)):
         for j in range(size, size + left):
-            right[p, pad + j] = z[at + j]
             for i in range(j - ABOVE, size):
                 right[p, pad + i] -= diagonals[p, pad + i, pad + j - i] * z[at + j]
+            found[p, pad + j] = z[at + j]
         factorise_band(diagonals, exchanged, p, size, right)
-        substitute(diagonals, p, size, right)
-        for i in range(size):
-            z[at + i] = right[p, pad + i]
+        substitute(diagonals, p, 0, reach, right, found)
+        for i in range(reach):
+            z[at + i] = found[p, pad + i]
     joints(case, z, R)
+
+
+def complete(work: Any) -> None:
+    """Fill in all unknowns of the bands, where the residual was evaluated last."""
+    _, z, diagonals, right, found, _, _ = work
+    pad = BELOW + ABOVE
+    for p, (at, size, _, _, reach) in enumerate(band_places(z)):
+        substitute(diagonals, p, reach, size, right, found)
+        for i in range(reach, size):
+            z[at + i] = found[p, pad + i]
 
 
 def condensed_jacobian(work: Any, y: Vector, J: Matrix) -> None:
     """Fill J with the derivatives, where the residual was evaluated last."""
-    case, z, diagonals, right, slopes, exchanged = work
+    case, z, diagonals, _, found, slopes, exchanged = work
     pad = BELOW + ABOVE
-    band_rates(case, z, right, slopes)
+    complete(work)
+    band_rates(case, z, found, slopes)
     for p, (_, size, place, left, reach) in enumerate(band_places(z)):
         for j in range(size, size + left):
             for i in range(j - ABOVE, size):
@@ -100,16 +125,17 @@ def condensed_jacobian(work: Any, y: Vector, J: Matrix) -> None:
 
 
 def workplace(case: Any, z: Vector) -> Any:
-    """Return what the condensed functions work in: `case`, `z`, and room for the bands."""
-    pad = BELOW + ABOVE
-    places = band_places(z)
-    longest = 0
-    for _, size, _, _, _ in places:
-        longest = max(longest, size)
-    rows, count = pad + longest + ABOVE, len(places)
-    diagonals = np.empty((count, rows, pad + ABOVE + 1))
-    right, slopes = np.empty((count, rows)), np.empty((count, rows, KEPT))
-    return case, z, diagonals, right, slopes, np.empty((count, rows), dtype=np.int64)
+    """Return what the condensed functions work in: `case`, `z`, and room for the bands.
+
+    There are zeros in front of the solutions, and behind them.
+    """
+    pad, longest, count = BELOW + ABOVE, 0, 0
+    for _, size, _, left, _ in band_places(z):
+        longest, count = max(longest, size + left), count + 1
+    rows = pad + longest + ABOVE
+    diagonals, slopes = np.empty((count, rows, pad + ABOVE + 1)), np.empty((count, rows, KEPT))
+    right, found = np.empty((count, rows)), np.zeros((count, rows))
+    return case, z, diagonals, right, found, slopes, np.empty((count, rows), dtype=np.int64)
 
 
 def fitted(work: Any, y: Vector) -> None:
@@ -118,7 +144,9 @@ def fitted(work: Any, y: Vector) -> None:
     What remains is linear in them, and there are more equations; each is scaled to a largest
     coefficient of 1.
     """
-    unknown = KEPT - DURATIONS - (1 if FORCED else 0)
+    unknown = KEPT - KEPT_DURATIONS - (1 if KEPT_FORCED else 0)
+    if unknown == 0:
+        return
     R, J = np.empty(KEPT), np.empty((KEPT, KEPT))
     y[:unknown] = 0.0
     condensed_residual(work, y, R)
@@ -139,14 +167,17 @@ def iterate_condensed(case: Any, z: Vector, limit: int) -> tuple[int, int, float
 
     See `iteration.iterate_scene`; the norm returned is that of the whole residual.
     """
+    before(case, z)
     work, y = workplace(case, z), np.empty(KEPT)
     places = kept_places(z)
     for i in range(KEPT):
         y[i] = z[places[i]]
     fitted(work, y)
     status, iterations, correction, _ = iterate_scene(work, y, limit)
+    complete(work)
     for i in range(KEPT):
         z[places[i]] = y[i]
+    after(case, z)
     R = np.empty(len(z))
     residual(case, z, R)
     norm = 0.0

@@ -67,13 +67,14 @@ def greatest(values: Vector, first: int, last: int) -> float:
 def step_size(step: Vector, z: Vector) -> tuple[float, float]:
     """Return the size of a step, and that of its times alone.
 
-    Times are measured as a part of the cell and of a turn, coefficients against the largest.
+    Times are measured as a part of the cell, or of those of its durations that are unknown,
+    and of a turn; coefficients against the largest.
     """
     last = len(z) - (1 if FORCED else 0)
     first, cell = last - DURATIONS, 0.0
     for i in range(first, last):
         cell += abs(z[i])
-    times = greatest(step, first, last) / cell
+    times = greatest(step, first, last) / cell if DURATIONS else 0.0
     if FORCED:
         times = max(times, abs(step[last]) / (2 * np.pi))
     scale = max(greatest(z, 0, first), 1e-300)

@@ -181,9 +181,15 @@ class Cell:
                 left, sign = self.left(p)
                 yield self.start(p, 1) - sign * self.o.rho * self.end(left, 1)
 
-    def events(self):
+    def events(self, after=False):
+        """Yield the events, or what they say where the next phase begins."""
         for p, (x, v, cos, constant) in enumerate(self.o.events):
-            terms = x * self.end(p, 0) + v * self.end(p, 1) + constant + self.kept(p, 1)
+            q = (p + 1) % len(self.o.phases)
+            sign = self.o.sign if q == 0 else 1
+            place = sign * self.start(q, 0) if after else self.end(p, 0)
+            smooth = after and self.o.classes[q] > 0
+            velocity = sign * self.start(q, 1) if smooth else self.end(p, 1)
+            terms = x * place + v * velocity + constant + self.kept(p, 1)
             yield terms + cos * self.forcing(self.t[p + 1])
         if self.o.memory:
             yield self.w - self.start(0, 0)
@@ -232,7 +238,7 @@ def polynomial_rows(o, z, N, weighted):
                 rows.append(
                     cell.on_phase(p, lambda u, l=l: (2 * l + 1) * eval_sh_legendre(l, u))
                 )
-    return np.array([*rows, *cell.joints(), *cell.events()])
+    return np.array([*rows, *cell.joints(), *cell.events(after=True)])
 
 
 def shifted(n):

@@ -64,6 +64,8 @@ def test_a_kernel_has_nothing_that_it_does_not_use(name, kernel):
     offered = {"size", "residual", "jacobian", "motion", "coefficients"}
     if kernel == "ck_tau":
         offered |= {
+            "before",
+            "after",
             "kept_places",
             "band_places",
             "bands",

@@ -17,7 +17,6 @@ from nonsmooth.codegen.emission.runtime.harmonics import (
 )
 from nonsmooth.codegen.emission.runtime.moments import legendre_moments, spherical_bessel
 from nonsmooth.codegen.emission.runtime.phases import phase_motion
-from nonsmooth.codegen.emission.runtime.unknowns import entry, put
 
 ARGUMENTS = (0.0, 1e-9, 1e-3, 0.1, 0.5, 0.999999, 1.0, 1.5, 2.3, np.pi, 4.4934, 7.7)
 LARGE = (10.0, 29.97, 59.3, 60.0, 61.2, 119.9, 200.0, 299.999)
@@ -267,14 +266,6 @@ def test_a_series_has_the_velocity_of_its_side_at_the_ends_alone():
     np.testing.assert_array_equal(turned[0], smooth[0])
     np.testing.assert_array_equal(turned[2], smooth[2])
     np.testing.assert_allclose(turned[1] - smooth[1], [0.3, 0.0, 0.4], atol=1e-15)
-
-
-def test_a_family_of_unknowns_is_zero_beyond_its_ends():
-    z, J = np.arange(10.0), np.zeros((1, 10))
-    assert [entry(z, 4, 3, index) for index in (-2, -1, 0, 2, 3)] == [0, 0, 4, 6, 0]
-    for index in (-1, 0, 2, 3):
-        put(J, 0, 4, 3, index, 2.0)
-    np.testing.assert_array_equal(J[0], [0, 0, 0, 0, 2, 0, 2, 0, 0, 0])
 
 
 @pytest.mark.parametrize("name", [q for q in OSCILLATORS if q not in ("S1n2", "S4a")])

@@ -10,7 +10,8 @@ import pytest
 from made_scenes import made
 
 from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.kernel import fingerprint, linked
+from nonsmooth.solver.case.kernel import fingerprint
+from nonsmooth.solver.case.linking import linked
 from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton

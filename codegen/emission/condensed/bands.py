@@ -45,6 +45,12 @@ class Band:
         """How many of the last are not."""
         return int(sp.expand(self.block.count - self.size))
 
+    @property
+    def others(self) -> list[sp.Expr]:
+        """The last of the family."""
+        first = self.block.first + self.size
+        return [self.block.symbol[sp.expand(first + i)] for i in range(self.left)]
+
     def offset(self, term: Term, row: Row) -> int:
         """Return the diagonal on which a term of the family stands."""
         index = row.condition.index
@@ -60,8 +66,8 @@ class Band:
 
 
 @dataclass(frozen=True)
-class Condensed:
-    """The bands of a record, in the sequence of its unknowns, and what remains."""
+class Bands:
+    """The bands of a record, in the sequence of its unknowns, and the rows that remain."""
 
     bands: tuple[Band, ...]
     joints: tuple[Row, ...]
@@ -77,7 +83,7 @@ class Condensed:
         return max(q for band in self.bands for q in band.offsets())
 
 
-def condensed(system: GalerkinConditions, rows: Sequence[Row]) -> Condensed | None:
+def bands_of(system: GalerkinConditions, rows: Sequence[Row]) -> Bands | None:
     """Return bands and joints of a record; None if a family has no band."""
     families = [block for block in system.blocks if block.count != 1]
     found = [_band(block, rows) for block in families]
@@ -85,7 +91,7 @@ def condensed(system: GalerkinConditions, rows: Sequence[Row]) -> Condensed | No
     if not families or len(bands) < len(families):
         return None
     banded = [row for band in bands for row in band.rows]
-    return Condensed(bands, tuple(row for row in rows if row not in banded))
+    return Bands(bands, tuple(row for row in rows if row not in banded))
 
 
 def _band(block: Block, rows: Sequence[Row]) -> Band | None:

@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "c4e02a5e23d7cf5f64e023dcf04f50d7a4030d25c81632a3e46944ba0ed31abb"  # of the conditions, by srepr
-BODY = "52c75debe2cc6e2aced1ae7763afe68e043a7c5db18d334424582b1a2f13b2dc"  # of the text below
+MATHEMATICS = "e54392f3c67568a307d9c28ef80fc27a8ed64c0b541696fe721e1f387429893b"  # of the conditions, by srepr
+BODY = "5409092a6e4cb4bcebdf7ff4665a2ec5330a4e7538d9df6a919775bb65113c44"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -84,17 +84,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def integrated(d):
@@ -339,17 +328,9 @@ def velocity_slide_by_s_slide():
     return 1
 
 
-def event_slide(s_slide):
-    """Coefficients: the event that ends slide."""
-    return (
-        1,
-        s_slide,
-    )
-
-
-def event_slide_by_s_slide():
-    """Their derivatives by s_slide, of those that depend on it."""
-    return 1
+def event_slide_after():
+    """Coefficients: the event that ends slide, in the state after it."""
+    return -1
 
 
 def cell(Omega, cycles, s_slide):
@@ -383,20 +364,20 @@ def residual(case, z, R):
     mu_slide = over_slide[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5*entry(z, at_d_slide, number_d_slide, 3) + q6*entry(z, at_d_slide, number_d_slide, 4) + q7
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slide_by_1(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5*entry(z, at_d_slide, number_d_slide, 3) + q6*entry(z, at_d_slide, number_d_slide, 4) + q7*entry(z, at_d_slide, number_d_slide, 5) + q8
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_2(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5*entry(z, at_d_slide, number_d_slide, 3) + q6*entry(z, at_d_slide, number_d_slide, 4) + q7*entry(z, at_d_slide, number_d_slide, 5) + q8*entry(z, at_d_slide, number_d_slide, 6) + q9
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q8*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_3(m, c, k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7*entry(z, at_d_slide, number_d_slide, 6) + q8*entry(z, at_d_slide, number_d_slide, 7) + q9
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8*(z[at_d_slide + 7] if number_d_slide > 7 else 0.0) + q9
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
-        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*entry(z, at_d_slide, number_d_slide, l+1) + q6*entry(z, at_d_slide, number_d_slide, l+2) + q7*entry(z, at_d_slide, number_d_slide, l+3) + q8*entry(z, at_d_slide, number_d_slide, l+4) + q9
+        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q6*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q7*(z[at_d_slide + l+3] if number_d_slide > l+3 else 0.0) + q8*(z[at_d_slide + l+4] if number_d_slide > l+4 else 0.0) + q9
         row += 1
     q0, q1, q2, q3 = displacement_slide(s_slide)
     R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1]
@@ -404,8 +385,8 @@ def residual(case, z, R):
     q0, q1 = velocity_slide(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
-    q0, q1 = event_slide(s_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    q0 = event_slide_after()
+    R[row] = q0*z[at_v_slide]
     row += 1
     q0 = cell(Omega, cycles, s_slide)
     R[row] = q0
@@ -434,11 +415,14 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
-    put(J, row, at_d_slide, number_d_slide, 2, q4)
-    put(J, row, at_d_slide, number_d_slide, 3, q5)
-    put(J, row, at_d_slide, number_d_slide, 4, q6)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q4
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q5
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q6
     q0, q1, q2, q3, q4, q5, q6 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6
     q0 = slide_by_0_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -447,12 +431,16 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
-    put(J, row, at_d_slide, number_d_slide, 2, q4)
-    put(J, row, at_d_slide, number_d_slide, 3, q5)
-    put(J, row, at_d_slide, number_d_slide, 4, q6)
-    put(J, row, at_d_slide, number_d_slide, 5, q7)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q4
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q5
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q6
+    if number_d_slide > 5:
+        J[row, at_d_slide + 5] += q7
     q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7
     q0 = slide_by_1_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -461,13 +449,18 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
-    put(J, row, at_d_slide, number_d_slide, 2, q4)
-    put(J, row, at_d_slide, number_d_slide, 3, q5)
-    put(J, row, at_d_slide, number_d_slide, 4, q6)
-    put(J, row, at_d_slide, number_d_slide, 5, q7)
-    put(J, row, at_d_slide, number_d_slide, 6, q8)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q4
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q5
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q6
+    if number_d_slide > 5:
+        J[row, at_d_slide + 5] += q7
+    if number_d_slide > 6:
+        J[row, at_d_slide + 6] += q8
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slide_by_2_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7*entry(z, at_d_slide, number_d_slide, 6) + q8
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8
     q0 = slide_by_2_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -475,14 +468,20 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q0
     J[row, at_d_slide] += q1
     J[row, at_d_slide + 1] += q2
-    put(J, row, at_d_slide, number_d_slide, 2, q3)
-    put(J, row, at_d_slide, number_d_slide, 3, q4)
-    put(J, row, at_d_slide, number_d_slide, 4, q5)
-    put(J, row, at_d_slide, number_d_slide, 5, q6)
-    put(J, row, at_d_slide, number_d_slide, 6, q7)
-    put(J, row, at_d_slide, number_d_slide, 7, q8)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q3
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q4
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q5
+    if number_d_slide > 5:
+        J[row, at_d_slide + 5] += q6
+    if number_d_slide > 6:
+        J[row, at_d_slide + 6] += q7
+    if number_d_slide > 7:
+        J[row, at_d_slide + 7] += q8
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_3_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7*entry(z, at_d_slide, number_d_slide, 6) + q8*entry(z, at_d_slide, number_d_slide, 7) + q9
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8*(z[at_d_slide + 7] if number_d_slide > 7 else 0.0) + q9
     q0 = slide_by_3_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -493,12 +492,16 @@ def jacobian(case, z, J):
         J[row, at_d_slide + l-3] += q2
         J[row, at_d_slide + l-2] += q3
         J[row, at_d_slide + l-1] += q4
-        put(J, row, at_d_slide, number_d_slide, l+1, q5)
-        put(J, row, at_d_slide, number_d_slide, l+2, q6)
-        put(J, row, at_d_slide, number_d_slide, l+3, q7)
-        put(J, row, at_d_slide, number_d_slide, l+4, q8)
+        if number_d_slide > l+1:
+            J[row, at_d_slide + l+1] += q5
+        if number_d_slide > l+2:
+            J[row, at_d_slide + l+2] += q6
+        if number_d_slide > l+3:
+            J[row, at_d_slide + l+3] += q7
+        if number_d_slide > l+4:
+            J[row, at_d_slide + l+4] += q8
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
-        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*entry(z, at_d_slide, number_d_slide, l+1) + q6*entry(z, at_d_slide, number_d_slide, l+2) + q7*entry(z, at_d_slide, number_d_slide, l+3) + q8*entry(z, at_d_slide, number_d_slide, l+4) + q9
+        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q6*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q7*(z[at_d_slide + l+3] if number_d_slide > l+3 else 0.0) + q8*(z[at_d_slide + l+4] if number_d_slide > l+4 else 0.0) + q9
         q0 = slide_by_l_by_phi(l, F, nu_slide)
         J[row, at_phi] += q0
         row += 1
@@ -516,11 +519,8 @@ def jacobian(case, z, J):
     q0 = velocity_slide_by_s_slide()
     J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0, q1 = event_slide(s_slide)
+    q0 = event_slide_after()
     J[row, at_v_slide] += q0
-    J[row, at_d_slide] += q1
-    q0 = event_slide_by_s_slide()
-    J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
     q0 = cell_by_s_slide()
     J[row, at_s_slide] += q0

@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "f32e23c3366fcd0abeadc0e8bb30d3308716493191d1398f5b51ed51a608509b"  # of the conditions, by srepr
-BODY = "d7e34cca4e137b0d1a317f04547a4dda3202e7eb06f3b222459dccf9a953d1a9"  # of the text below
+MATHEMATICS = "e05f67f0cf975afc85ee6da2da030a2bde6bd7396894ac20f48caf2b1a13feda"  # of the conditions, by srepr
+BODY = "afd8f891188713b62d96d7e2210da20abec7eaf1464367055857307d5b9cef41"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -84,17 +84,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def follow(J, row, slopes, p, i, value):
@@ -255,17 +244,9 @@ def velocity_slide_by_s_slide():
     return 1
 
 
-def event_slide(s_slide):
-    """Coefficients: the event that ends slide."""
-    return (
-        1,
-        s_slide,
-    )
-
-
-def event_slide_by_s_slide():
-    """Their derivatives by s_slide, of those that depend on it."""
-    return 1
+def event_slide_after():
+    """Coefficients: the event that ends slide, in the state after it."""
+    return -1
 
 
 def cell(Omega, cycles, s_slide):
@@ -299,14 +280,14 @@ def residual(case, z, R):
     mu_slide = over_slide[0]
     row = 0
     q0, q1, q2, q3, q4, q5 = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5
     row += 1
     q0, q1, q2, q3, q4, q5 = slide_by_1(m, c, k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
-        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*entry(z, at_d_slide, number_d_slide, l+1) + q4*entry(z, at_d_slide, number_d_slide, l+2) + q5
+        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q4*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q5
         row += 1
     q0, q1, q2, q3 = displacement_slide(s_slide)
     R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1]
@@ -314,8 +295,8 @@ def residual(case, z, R):
     q0, q1 = velocity_slide(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
-    q0, q1 = event_slide(s_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    q0 = event_slide_after()
+    R[row] = q0*z[at_v_slide]
     row += 1
     q0 = cell(Omega, cycles, s_slide)
     R[row] = q0
@@ -344,9 +325,10 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
-    put(J, row, at_d_slide, number_d_slide, 2, q4)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q4
     q0, q1, q2, q3, q4 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4
     q0 = slide_by_0_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -354,10 +336,12 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q0
     J[row, at_d_slide] += q1
     J[row, at_d_slide + 1] += q2
-    put(J, row, at_d_slide, number_d_slide, 2, q3)
-    put(J, row, at_d_slide, number_d_slide, 3, q4)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q3
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q4
     q0, q1, q2, q3, q4, q5 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5
     q0 = slide_by_1_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -366,10 +350,12 @@ def jacobian(case, z, J):
         J[row, at_d_slide + l] += q0
         J[row, at_d_slide + l-2] += q1
         J[row, at_d_slide + l-1] += q2
-        put(J, row, at_d_slide, number_d_slide, l+1, q3)
-        put(J, row, at_d_slide, number_d_slide, l+2, q4)
+        if number_d_slide > l+1:
+            J[row, at_d_slide + l+1] += q3
+        if number_d_slide > l+2:
+            J[row, at_d_slide + l+2] += q4
         q0, q1, q2, q3, q4, q5 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
-        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*entry(z, at_d_slide, number_d_slide, l+1) + q4*entry(z, at_d_slide, number_d_slide, l+2) + q5
+        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q4*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q5
         q0 = slide_by_l_by_phi(l, F, nu_slide)
         J[row, at_phi] += q0
         row += 1
@@ -387,11 +373,8 @@ def jacobian(case, z, J):
     q0 = velocity_slide_by_s_slide()
     J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0, q1 = event_slide(s_slide)
+    q0 = event_slide_after()
     J[row, at_v_slide] += q0
-    J[row, at_d_slide] += q1
-    q0 = event_slide_by_s_slide()
-    J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
     q0 = cell_by_s_slide()
     J[row, at_s_slide] += q0
@@ -426,26 +409,38 @@ def coefficients(z):
     }
 
 
-KEPT = 4  # unknowns that remain where each band is solved
+KEPT = 2  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
-def kept_places(z):
-    """Return the places in z of the unknowns that remain where each band is solved."""
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
     N = len(z) - 5
-    at_x_slide = 0
     at_v_slide = 1
     at_s_slide = N + 3
+    v_slide = 0
+    s_slide = (pi*cycles)/Omega
+    z[at_v_slide] = v_slide
+    z[at_s_slide] = s_slide
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 5
+    at_x_slide = 0
     at_phi = N + 4
-    return at_x_slide, at_v_slide, at_s_slide, at_phi
+    return at_x_slide, at_phi
 
 
 def band_places(z):
     """Return for each band: where it stands in z, how many unknowns it determines,
-    where its others stand among those that remain, how many, and how many the joints see."""
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
     N = len(z) - 5
     at_d_slide = 2
-    return ((at_d_slide, N + 1, 2, 0, 2),)
+    return ((at_d_slide, N + 1, 0, 0, 2),)
 
 
 def bands(case, z, diagonals, right):
@@ -488,11 +483,11 @@ def bands(case, z, diagonals, right):
         row += 1
 
 
-def band_rates(case, z, right, slopes):
-    """Fill in how right sides less the bands change with the unknowns that remain."""
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
     N = len(z) - 5
-    at_v_slide = 1
     at_s_slide = N + 3
     at_phi = N + 4
     s_slide = z[at_s_slide]
@@ -502,32 +497,22 @@ def band_rates(case, z, right, slopes):
     nu_slide = over_slide[1]
     slopes[:] = 0.0
     row = 4
-    q0, q1, _, _, _, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    q0, _, _, _, _, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
     slopes[0, row, 0] = -q0
-    slopes[0, row, 1] = -q1
-    q0, q1, q2, q3, q4 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    slopes[0, row, 2] = -(q0*z[at_v_slide] + q1*right[0, row] + q2*right[0, row + 1] + q3*right[0, row + 2] + q4)
     q0 = slide_by_0_by_phi(F, nu_slide)
-    slopes[0, row, 3] = -(q0)
+    slopes[0, row, 1] = -(q0)
     row += 1
-    q0, _, _, _, _, _ = slide_by_1(m, c, k, F, s_slide, mu_slide)
-    slopes[0, row, 1] = -q0
-    q0, q1, q2, q3, q4, q5 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    slopes[0, row, 2] = -(q0*z[at_v_slide] + q1*right[0, row - 1] + q2*right[0, row] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
     q0 = slide_by_1_by_phi(F, nu_slide)
-    slopes[0, row, 3] = -(q0)
+    slopes[0, row, 1] = -(q0)
     row += 1
     for l in range(2, N + 1):
-        q0, q1, q2, q3, q4, q5 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
-        slopes[0, row, 2] = -(q0*right[0, row] + q1*right[0, row - 2] + q2*right[0, row - 1] + q3*right[0, row + 1] + q4*right[0, row + 2] + q5)
         q0 = slide_by_l_by_phi(l, F, nu_slide)
-        slopes[0, row, 3] = -(q0)
+        slopes[0, row, 1] = -(q0)
         row += 1
 
 
 def joints(case, z, R):
-    """Fill R with the left sides of the conditions that are not in a band."""
-    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    """Fill R with the left sides of the conditions that are solved together."""
     N = len(z) - 5
     at_x_slide = 0
     at_v_slide = 1
@@ -541,43 +526,25 @@ def joints(case, z, R):
     q0, q1 = velocity_slide(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
-    q0, q1 = event_slide(s_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
-    row += 1
-    q0 = cell(Omega, cycles, s_slide)
-    R[row] = q0
-    row += 1
 
 
 def joint_rates(case, z, slopes, J):
     """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
     N = len(z) - 5
-    at_v_slide = 1
-    at_d_slide = 2
     at_s_slide = N + 3
     s_slide = z[at_s_slide]
     row = 0
     J[:] = 0.0
-    q0, q1, q2, q3 = displacement_slide(s_slide)
+    q0, _, q2, q3 = displacement_slide(s_slide)
     J[row, 0] += q0
-    J[row, 1] += q1
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
-    q0, q1, q2 = displacement_slide_by_s_slide(s_slide)
-    J[row, 2] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1]
     row += 1
-    q0, q1 = velocity_slide(s_slide)
-    J[row, 1] += q0
+    _, q1 = velocity_slide(s_slide)
     follow(J, row, slopes, 0, 4, q1)
-    q0 = velocity_slide_by_s_slide()
-    J[row, 2] += q0*z[at_d_slide]
     row += 1
-    q0, q1 = event_slide(s_slide)
-    J[row, 1] += q0
-    follow(J, row, slopes, 0, 4, q1)
-    q0 = event_slide_by_s_slide()
-    J[row, 2] += q0*z[at_d_slide]
-    row += 1
-    q0 = cell_by_s_slide()
-    J[row, 2] += q0
-    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

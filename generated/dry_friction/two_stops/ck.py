@@ -31,8 +31,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "e496f186580d4dff5c2d6bbda112f437b54f6616b6d686796da6b5af46100840"  # of the conditions, by srepr
-BODY = "646529c2add730836a1f08094abf47aaf2f3a672a02336dd074514713de0fdb7"  # of the text below
+MATHEMATICS = "3ac214e731b327cbb037b79aa9303bdbfe90a73c29e9c140f52c3df6bb030ec2"  # of the conditions, by srepr
+BODY = "fcde08c22d12e87733d9bda8bb11bc11067b8a0619a1e8a56684f7eadc91c97c"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -87,17 +87,6 @@ def legendre_moments(count, kappa, theta):
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
         moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
     return moments
-
-
-def entry(z, start, count, index):
-    """Return the unknown of an index, from those that stand at ``z[start:start + count]``."""
-    return z[start + index] if 0 <= index < count else 0.0
-
-
-def put(J, row, start, count, index, value):
-    """Add a derivative by the unknown of an index, if there is one."""
-    if 0 <= index < count:
-        J[row, start + index] += value
 
 
 def integrated(d):
@@ -366,42 +355,30 @@ def velocity_stop_by_s_slide():
     return -1
 
 
-def event_slide(s_slide):
-    """Coefficients: the event that ends slide."""
-    return (
-        1,
-        s_slide,
-    )
-
-
-def event_slide_by_s_slide():
-    """Their derivatives by s_slide, of those that depend on it."""
+def event_slide_after():
+    """Coefficients: the event that ends slide, in the state after it."""
     return 1
 
 
-def event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi):
-    """Coefficients: the event that ends stop."""
+def event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi):
+    """Coefficients: the event that ends stop, in the state after it."""
     return (
-        k,
-        k*s_stop,
+        -k,
         -F*cos(Omega*s_slide + Omega*s_stop + phi) + F_N*mu_s,
     )
 
 
-def event_stop_by_s_slide(F, Omega, s_slide, s_stop, phi):
+def event_stop_after_by_s_slide(F, Omega, s_slide, s_stop, phi):
     """Their derivatives by s_slide, of those that depend on it."""
     return F*Omega*sin(Omega*s_slide + Omega*s_stop + phi)
 
 
-def event_stop_by_s_stop(k, F, Omega, s_slide, s_stop, phi):
+def event_stop_after_by_s_stop(F, Omega, s_slide, s_stop, phi):
     """Their derivatives by s_stop, of those that depend on it."""
-    return (
-        k,
-        F*Omega*sin(Omega*s_slide + Omega*s_stop + phi),
-    )
+    return F*Omega*sin(Omega*s_slide + Omega*s_stop + phi)
 
 
-def event_stop_by_phi(F, Omega, s_slide, s_stop, phi):
+def event_stop_after_by_phi(F, Omega, s_slide, s_stop, phi):
     """Their derivatives by phi, of those that depend on it."""
     return F*sin(Omega*s_slide + Omega*s_stop + phi)
 
@@ -446,20 +423,20 @@ def residual(case, z, R):
     mu_slide = over_slide[0]
     row = 0
     q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5*entry(z, at_d_slide, number_d_slide, 3) + q6*entry(z, at_d_slide, number_d_slide, 4) + q7
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slide_by_1(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5*entry(z, at_d_slide, number_d_slide, 3) + q6*entry(z, at_d_slide, number_d_slide, 4) + q7*entry(z, at_d_slide, number_d_slide, 5) + q8
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q8
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_2(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*entry(z, at_d_slide, number_d_slide, 2) + q5*entry(z, at_d_slide, number_d_slide, 3) + q6*entry(z, at_d_slide, number_d_slide, 4) + q7*entry(z, at_d_slide, number_d_slide, 5) + q8*entry(z, at_d_slide, number_d_slide, 6) + q9
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q8*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q9
     row += 1
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_3(m, c, k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7*entry(z, at_d_slide, number_d_slide, 6) + q8*entry(z, at_d_slide, number_d_slide, 7) + q9
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8*(z[at_d_slide + 7] if number_d_slide > 7 else 0.0) + q9
     row += 1
     for l in range(4, N + 1):
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
-        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*entry(z, at_d_slide, number_d_slide, l+1) + q6*entry(z, at_d_slide, number_d_slide, l+2) + q7*entry(z, at_d_slide, number_d_slide, l+3) + q8*entry(z, at_d_slide, number_d_slide, l+4) + q9
+        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q6*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q7*(z[at_d_slide + l+3] if number_d_slide > l+3 else 0.0) + q8*(z[at_d_slide + l+4] if number_d_slide > l+4 else 0.0) + q9
         row += 1
     q0, q1, q2 = displacement_slide(s_stop)
     R[row] = q0*z[at_x_slide] + q1*z[at_x_stop] + q2*z[at_v_stop]
@@ -473,11 +450,11 @@ def residual(case, z, R):
     q0, q1, q2 = velocity_stop(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_v_stop]
     row += 1
-    q0, q1 = event_slide(s_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    q0 = event_slide_after()
+    R[row] = q0*z[at_v_stop]
     row += 1
-    q0, q1, q2 = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    R[row] = q0*z[at_x_stop] + q1*z[at_v_stop] + q2
+    q0, q1 = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
+    R[row] = q0*z[at_x_slide] + q1
     row += 1
     q0 = cell(Omega, cycles, s_slide, s_stop)
     R[row] = q0
@@ -510,11 +487,14 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
-    put(J, row, at_d_slide, number_d_slide, 2, q4)
-    put(J, row, at_d_slide, number_d_slide, 3, q5)
-    put(J, row, at_d_slide, number_d_slide, 4, q6)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q4
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q5
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q6
     q0, q1, q2, q3, q4, q5, q6 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6
     q0 = slide_by_0_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -523,12 +503,16 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
-    put(J, row, at_d_slide, number_d_slide, 2, q4)
-    put(J, row, at_d_slide, number_d_slide, 3, q5)
-    put(J, row, at_d_slide, number_d_slide, 4, q6)
-    put(J, row, at_d_slide, number_d_slide, 5, q7)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q4
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q5
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q6
+    if number_d_slide > 5:
+        J[row, at_d_slide + 5] += q7
     q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7
     q0 = slide_by_1_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -537,13 +521,18 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
-    put(J, row, at_d_slide, number_d_slide, 2, q4)
-    put(J, row, at_d_slide, number_d_slide, 3, q5)
-    put(J, row, at_d_slide, number_d_slide, 4, q6)
-    put(J, row, at_d_slide, number_d_slide, 5, q7)
-    put(J, row, at_d_slide, number_d_slide, 6, q8)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q4
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q5
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q6
+    if number_d_slide > 5:
+        J[row, at_d_slide + 5] += q7
+    if number_d_slide > 6:
+        J[row, at_d_slide + 6] += q8
     q0, q1, q2, q3, q4, q5, q6, q7, q8 = slide_by_2_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7*entry(z, at_d_slide, number_d_slide, 6) + q8
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8
     q0 = slide_by_2_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -551,14 +540,20 @@ def jacobian(case, z, J):
     J[row, at_v_slide] += q0
     J[row, at_d_slide] += q1
     J[row, at_d_slide + 1] += q2
-    put(J, row, at_d_slide, number_d_slide, 2, q3)
-    put(J, row, at_d_slide, number_d_slide, 3, q4)
-    put(J, row, at_d_slide, number_d_slide, 4, q5)
-    put(J, row, at_d_slide, number_d_slide, 5, q6)
-    put(J, row, at_d_slide, number_d_slide, 6, q7)
-    put(J, row, at_d_slide, number_d_slide, 7, q8)
+    if number_d_slide > 2:
+        J[row, at_d_slide + 2] += q3
+    if number_d_slide > 3:
+        J[row, at_d_slide + 3] += q4
+    if number_d_slide > 4:
+        J[row, at_d_slide + 4] += q5
+    if number_d_slide > 5:
+        J[row, at_d_slide + 5] += q6
+    if number_d_slide > 6:
+        J[row, at_d_slide + 6] += q7
+    if number_d_slide > 7:
+        J[row, at_d_slide + 7] += q8
     q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_3_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*entry(z, at_d_slide, number_d_slide, 2) + q4*entry(z, at_d_slide, number_d_slide, 3) + q5*entry(z, at_d_slide, number_d_slide, 4) + q6*entry(z, at_d_slide, number_d_slide, 5) + q7*entry(z, at_d_slide, number_d_slide, 6) + q8*entry(z, at_d_slide, number_d_slide, 7) + q9
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8*(z[at_d_slide + 7] if number_d_slide > 7 else 0.0) + q9
     q0 = slide_by_3_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
@@ -569,12 +564,16 @@ def jacobian(case, z, J):
         J[row, at_d_slide + l-3] += q2
         J[row, at_d_slide + l-2] += q3
         J[row, at_d_slide + l-1] += q4
-        put(J, row, at_d_slide, number_d_slide, l+1, q5)
-        put(J, row, at_d_slide, number_d_slide, l+2, q6)
-        put(J, row, at_d_slide, number_d_slide, l+3, q7)
-        put(J, row, at_d_slide, number_d_slide, l+4, q8)
+        if number_d_slide > l+1:
+            J[row, at_d_slide + l+1] += q5
+        if number_d_slide > l+2:
+            J[row, at_d_slide + l+2] += q6
+        if number_d_slide > l+3:
+            J[row, at_d_slide + l+3] += q7
+        if number_d_slide > l+4:
+            J[row, at_d_slide + l+4] += q8
         q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
-        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*entry(z, at_d_slide, number_d_slide, l+1) + q6*entry(z, at_d_slide, number_d_slide, l+2) + q7*entry(z, at_d_slide, number_d_slide, l+3) + q8*entry(z, at_d_slide, number_d_slide, l+4) + q9
+        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q6*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q7*(z[at_d_slide + l+3] if number_d_slide > l+3 else 0.0) + q8*(z[at_d_slide + l+4] if number_d_slide > l+4 else 0.0) + q9
         q0 = slide_by_l_by_phi(l, F, nu_slide)
         J[row, at_phi] += q0
         row += 1
@@ -605,20 +604,16 @@ def jacobian(case, z, J):
     q0 = velocity_stop_by_s_slide()
     J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0, q1 = event_slide(s_slide)
-    J[row, at_v_slide] += q0
-    J[row, at_d_slide] += q1
-    q0 = event_slide_by_s_slide()
-    J[row, at_s_slide] += q0*z[at_d_slide]
+    q0 = event_slide_after()
+    J[row, at_v_stop] += q0
     row += 1
-    q0, q1, _ = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    J[row, at_x_stop] += q0
-    J[row, at_v_stop] += q1
-    q0 = event_stop_by_s_slide(F, Omega, s_slide, s_stop, phi)
+    q0, _ = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
+    J[row, at_x_slide] += q0
+    q0 = event_stop_after_by_s_slide(F, Omega, s_slide, s_stop, phi)
     J[row, at_s_slide] += q0
-    q0, q1 = event_stop_by_s_stop(k, F, Omega, s_slide, s_stop, phi)
-    J[row, at_s_stop] += q0*z[at_v_stop] + q1
-    q0 = event_stop_by_phi(F, Omega, s_slide, s_stop, phi)
+    q0 = event_stop_after_by_s_stop(F, Omega, s_slide, s_stop, phi)
+    J[row, at_s_stop] += q0
+    q0 = event_stop_after_by_phi(F, Omega, s_slide, s_stop, phi)
     J[row, at_phi] += q0
     row += 1
     q0 = cell_by_s_slide()

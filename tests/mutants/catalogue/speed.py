@@ -130,8 +130,8 @@ MUTANTS = (
     _emission(
         "an unknown beyond the last is read",
         "loops",
-        "for q in (low, room))",
-        "for q in (low,))",
+        'return "" if room.is_nonnegative else below',
+        'return ""',
         _row("S1-ck_tau"),
     ),
     _emission(

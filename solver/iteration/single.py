@@ -1,0 +1,122 @@
+"""Newton's method where a single unknown is left, as Python that numba compiles.
+
+The first step is Newton's.  Each residual after it is a further point of the inverse function,
+``y`` by the residual; the polynomial through all of them, with the slope at the first, is at 0
+the next iterate.  Its error is of the size of the product of all errors before, that of the
+first squared, and no derivative is formed again.  Where corrections do not shrink fast, it
+begins anew with Newton's step, damped and limited as in `iteration`.
+
+``residual``, ``jacobian`` and the constants are those of the kernel that is linked.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from .iteration import (
+    ANGLE_STEP,
+    CONVERGED,
+    DURATION_STEP,
+    NO_DESCENT,
+    OVERFLOW,
+    ROUNDOFF,
+    SETTLED,
+    SINGULAR,
+    SMALLEST_STEP,
+    TOO_MANY,
+)
+
+#: A correction that is at most this part of the one before is taken without a derivative.
+FAST = 0.25
+
+#: Most points of the inverse function; they are used up by rounding long before.
+POINTS = 8
+
+#: Stand for those of the kernel.
+DURATIONS = 1
+FORCED = False
+
+
+def residual(work: Any, y: Vector, R: Vector) -> None:
+    """Stand for the residual of the kernel."""
+    raise NotImplementedError
+
+
+def jacobian(work: Any, y: Vector, J: Matrix) -> None:
+    """Stand for its derivative."""
+    raise NotImplementedError
+
+
+def size_of(y: float) -> float:
+    """Return what a correction of the unknown is measured by: itself, or a turn."""
+    return 2 * np.pi if FORCED else max(abs(y), 1e-300)
+
+
+def limited(step: float, y: float) -> float:
+    """Return the damping that keeps a step within the limits of the times."""
+    if FORCED:
+        return min(1.0, ANGLE_STEP / abs(step))
+    if DURATIONS:
+        return min(1.0, DURATION_STEP * abs(y) / abs(step))
+    return 1.0
+
+
+def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, float]:
+    """Solve ``residual(work, y) = 0`` from `y`, which is overwritten.
+
+    It ends where the correction that would follow is at rounding level, or corrections no
+    longer fall; the last evaluation is at the solution.  See `iteration.iterate_scene`.
+    """
+    R, J, known = np.empty(1), np.empty((1, 1)), np.empty((POINTS, 2))
+    residual(work, y, R)
+    damping, previous, correction = 1.0, np.inf, np.inf
+    for iteration in range(1, limit + 1):
+        jacobian(work, y, J)
+        if J[0, 0] == 0:
+            return SINGULAR, iteration, correction, abs(R[0])
+        begin, value, size = y[0], R[0], size_of(y[0])
+        step = -value / J[0, 0]
+        length = abs(step) / size
+        if not np.isfinite(length):
+            return OVERFLOW, iteration, correction, abs(value)
+        correction = length
+        if length <= SETTLED and (length <= ROUNDOFF or length > 0.5 * previous):
+            y[0] = begin + limited(step, begin) * step if step != 0 else begin
+            residual(work, y, R)
+            return CONVERGED, iteration, correction, abs(R[0])
+        damping = min(1.0, 2.0 * damping, limited(step, begin))
+        while True:
+            y[0] = begin + damping * step
+            residual(work, y, R)
+            if abs(R[0]) <= (1 - damping / 4) * abs(value) or length <= SETTLED:
+                break
+            damping /= 2
+            if damping < SMALLEST_STEP:
+                y[0] = begin
+                residual(work, y, R)
+                return NO_DESCENT, iteration, correction, abs(R[0])
+        previous = length
+        if damping < 1:
+            continue
+        # the points of the inverse function, and the product of its factors at 0
+        known[0, 0], known[0, 1] = value, begin
+        known[1, 0], known[1, 1] = value, 1.0 / J[0, 0]
+        product = value * value
+        for count in range(2, POINTS):
+            difference = y[0]
+            for i in range(count):
+                difference = (difference - known[i, 1]) / (R[0] - known[i, 0])
+            following = difference * product
+            ahead = abs(following) / size
+            if not ahead <= FAST * length or limited(following, y[0]) < 1:
+                break
+            known[count, 0], known[count, 1] = R[0], difference
+            product *= -R[0]
+            y[0] += following
+            residual(work, y, R)
+            correction = ahead * (ahead / length) ** 2
+            previous, length = length, ahead
+            if correction <= ROUNDOFF:
+                return CONVERGED, iteration, correction, abs(R[0])
+    return TOO_MANY, limit, correction, abs(R[0])
