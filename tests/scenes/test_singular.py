@@ -109,7 +109,7 @@ def test_without_them_it_is_said_that_there_is_an_exact_orbit(monkeypatch):
 def test_what_fails_where_nothing_is_singular_is_not_replaced():
     case, kernel = CLEARANCE(), registry.kernel(CLEARANCE, "ck-tau")
     times = ns.exact(case).times
-    far = attempt(kernel, case, 10, times * 0.2)
+    far = attempt(kernel, case, 10, times * 10.0)
     assert not far.converged
     search = solve._Search(case, kernel)
     assert search.less_smooth(far, times) is far
