@@ -51,6 +51,10 @@ def without_work(monkeypatch) -> None:
     """Replace what is written by what is quick."""
     monkeypatch.setattr(tex, "engine", lambda: "pdflatex")
     monkeypatch.setattr(tex, "pdf", lambda text: b"%PDF")
+    monkeypatch.setattr(
+        "matplotlib.figure.Figure.savefig",
+        lambda figure, path, **options: Path(path).write_bytes(b"a picture"),
+    )
     for name in ("digits", "tradeoff"):
         monkeypatch.setattr(
             f"nonsmooth.shortcuts.{name}.measure", lambda *arguments, **named: []
