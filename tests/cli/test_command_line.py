@@ -160,7 +160,10 @@ def test_sweep_writes_csv_and_json(run, tmp_path: Path) -> None:
     ("command", "suffix"),
     [
         *(("solve", "pdf"), ("sweep", "svg")),
-        *(pytest.param(*q, marks=pytest.mark.long) for q in (("solve", "png"), ("sweep", "pdf"))),
+        *(
+            pytest.param(*q, marks=pytest.mark.long)
+            for q in (("solve", "png"), ("sweep", "pdf"))
+        ),
     ],
 )
 def test_pictures_are_written_and_reproducible(
