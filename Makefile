@@ -25,8 +25,9 @@ digits: $(VENV)/ready-all  ## digits kept at the extremes, against high precisio
 
 stability: digits  # its old name
 
+# They start Python a hundred times: what it compiles is kept, whatever the shell says.
 test: $(VENV)/ready-all  ## the tests, in two processes
-	@$(BIN)/python -m pytest -n 2 --dist loadgroup -m 'not long'
+	@env -u PYTHONDONTWRITEBYTECODE $(BIN)/python -m pytest -n 2 --dist loadgroup -m 'not long'
 
 test-long: $(VENV)/ready-all  ## all tests, 100,000 random oscillators among them: most of an hour
 	@EXAMPLES=100000 $(BIN)/python -m pytest -n 2 --dist loadgroup

@@ -233,6 +233,8 @@ def require_zero(claims: Iterable[tuple[str, sp.Expr]]) -> None:
     for claim, difference in claims:
         remainder = sp.expand(sp.expand_func(difference))
         if remainder != 0:
+            remainder = sp.cancel(remainder)  # quick; sines are symbols like others to it
+        if remainder != 0:
             remainder = sp.simplify(remainder)
         if remainder != 0:
             raise DerivationError(f"{claim}: {remainder} is not zero")

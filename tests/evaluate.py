@@ -44,7 +44,8 @@ def value(
 ) -> float:
     """Return the number that `expression` is, with the tables of `system`."""
     known = definitions(system)
-    expression = sp.sympify(expression).subs(numbers).doit()
+    exactly = {name: sp.sympify(number) for name, number in numbers.items()}
+    expression = sp.sympify(expression).xreplace(exactly).doit()
     replaced = {}
     for atom in expression.atoms(sp.Indexed, sp.Symbol):
         if atom in numbers:

@@ -5,6 +5,7 @@ Input: an expression.  Output: SymPy's form of a drawing, in Unicode or in plain
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import lru_cache
 
 import sympy as sp
 from sympy.printing.pretty.pretty import PrettyPrinter
@@ -217,6 +218,12 @@ def drawn(expression: sp.Expr, unicode: bool = True, sign: bool = False) -> pret
     -- + Sum (a[n]*sin(n*omega_0*t) + b[n]*cos(n*omega_0*t))
     2    n=1
     """
+    return _drawn(expression, unicode, sign)
+
+
+@lru_cache(maxsize=10_000)
+def _drawn(expression: sp.Expr, unicode: bool, sign: bool) -> prettyForm:
+    """Draw once what is measured for several widths of a line, and then printed."""
     with _characters(unicode):
         drawing = _Drawing({"use_unicode": unicode, "wrap_line": False, "order": "none"})
         return drawing.sum_sign(expression) if sign else drawing._print(expression)

@@ -133,17 +133,21 @@ def _order(
     before = generator(left, frequency, sign, memory).subs(values)
     after = generator(right, frequency, memory=memory).subs(values)
     known = sp.Matrix(known_rows(scene, left, right, sign)).subs(values)
+    return _first_jump(before, after, known)
+
+
+def _first_jump(before: sp.Matrix, after: sp.Matrix, known: sp.Matrix) -> int | None:
+    """Return the first j whose ``e_x (A+^j - A-^j)`` is no combination of known rows, less 1.
+
+    All entries are of one field, that of the rational functions of the parameters.
+    """
+    together = DomainMatrix.from_Matrix(sp.Matrix.vstack(before, after, known)).to_field()
+    size = before.rows
+    A, B, rows = together[:size, :], together[size : 2 * size, :], together[2 * size :, :]
+    rank = rows.rank()
+    left, right = A[:1, :], B[:1, :]
     for order in range(2, HIGHEST + 1):
-        row = (after**order - before**order).row(0)
-        if not _in_span(row, known):
+        left, right = left * A, right * B
+        if rows.vstack(right - left).rank() > rank:
             return order - 1
     return None
-
-
-def _in_span(row: sp.Matrix, known: sp.Matrix) -> bool:
-    return _rank(known.col_join(row)) == _rank(known)
-
-
-def _rank(matrix: sp.Matrix) -> int:
-    """Return the rank for general values of the parameters."""
-    return int(DomainMatrix.from_Matrix(matrix).to_field().rank())

@@ -21,12 +21,15 @@ def of_two(a: complex, b: complex, t: Vector) -> Waves:
     """Return ``(exp(a t) - exp(b t))/(a - b)`` for times `t`, also where ``a = b``."""
     half = (a - b) / 2 * t
     near = np.abs(half) <= 1
+    if a != b:
+        far = (np.exp(a * t) - np.exp(b * t)) / (a - b)
+        if not near.any():
+            return np.asarray(far)
     small = np.where(near, half, 1.0)
     ratio = np.ones(len(t), dtype=complex)
     np.divide(np.sinh(small), small, out=ratio, where=np.abs(small) > 1e-9)
     close = t * np.exp((a + b) / 2 * t) * ratio
-    far = close if a == b else (np.exp(a * t) - np.exp(b * t)) / (a - b)
-    return np.asarray(np.where(near, close, far))
+    return np.asarray(close if a == b else np.where(near, close, far))
 
 
 def of_three(a: complex, b: complex, c: complex, t: Vector) -> Waves:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..case.cell import Phase
-from .divided import of_three, of_two
+from .divided import Waves, of_three, of_two
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,8 @@ def motion(
         values = (start[0] + phase.speed * t, np.full(t.shape, phase.speed), np.zeros(t.shape))
         return np.asarray(values[derivative])
     with np.errstate(all="ignore"):  # a trial of Newton's method may grow beyond float64
-        x, v, *_ = _responses(phase, start, angle, omega, t.ravel())
+        parts = _differences(phase, omega, t.ravel())
+        x, v, *_ = _responses(phase, start, angle, omega, t.ravel(), parts)
         if derivative == 2:
             x = _acceleration(phase, x, v, np.cos(omega * t.ravel() + angle))
     return np.asarray((x, v, x)[derivative]).reshape(t.shape)
@@ -87,9 +88,10 @@ def end(phase: Phase, start: Vector, angle: float, omega: float, duration: float
         return End(np.array([x, speed]), change, np.array([speed, 0.0]), np.zeros(2), first)
     with np.errstate(all="ignore"):
         t = np.array([duration])
-        x, v, by_start, by_angle = _responses(phase, start, angle, omega, t)
+        parts = _differences(phase, omega, t)
+        x, v, by_start, by_angle = _responses(phase, start, angle, omega, t, parts)
         a = _acceleration(phase, x, v, np.cos(omega * t + angle))
-        change = _change(phase, start, angle, omega, t)
+        change = _change(phase, start, angle, omega, t, parts)
     state, field = np.array([x[0], v[0]]), np.array([v[0], a[0]])
     return End(state, change, field, by_angle[:, 0], by_start[:, :, 0])
 
@@ -98,31 +100,56 @@ def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:
     return (phase.f + phase.g * cosine - phase.c * v - phase.k * x) / phase.m
 
 
-def _change(phase: Phase, start: Vector, angle: float, omega: float, t: Vector) -> Vector:
+def _differences(phase: Phase, omega: float, t: Vector) -> tuple[Waves, Waves, Waves]:
+    """Return the responses to an impulse, to a constant force 1, to a harmonic one.
+
+    Of a force that is zero the response is not looked for.
+    """
+    small, large = roots(phase)
+    nothing = np.zeros(len(t), dtype=complex)
+    return (
+        of_two(small, large, t),
+        of_three(small, large, 0j, t) if phase.f else nothing,
+        of_three(small, large, 1j * omega, t) if phase.g else nothing,
+    )
+
+
+def _change(
+    phase: Phase,
+    start: Vector,
+    angle: float,
+    omega: float,
+    t: Vector,
+    parts: tuple[Waves, Waves, Waves],
+) -> Vector:
     """Return the differences of x and x' from the start, with no difference of large numbers.
 
     As `_responses`, with ``exp(z) - 1`` for each ``exp(z)`` that stands alone.
     """
     small, large = roots(phase)
-    impulse = of_two(small, large, t)
+    impulse, constant, wave = parts
     x = (np.expm1(small * t) - small * impulse).real * start[0] + impulse.real * start[1]
     v = (np.expm1(large * t) + small * impulse).real * start[1]
     v = v + (phase.f - phase.k * start[0]) / phase.m * impulse.real
     if phase.f:
-        x = x + phase.f / phase.m * of_three(small, large, 0j, t).real
+        x = x + phase.f / phase.m * constant.real
     if phase.g:
-        wave = of_three(small, large, 1j * omega, t)
         turn = phase.g / phase.m * cmath.exp(1j * angle)
         x, v = x + (turn * wave).real, v + (turn * (1j * omega * wave + impulse)).real
     return np.array([x[0], v[0]])
 
 
 def _responses(
-    phase: Phase, start: Vector, angle: float, omega: float, t: Vector
+    phase: Phase,
+    start: Vector,
+    angle: float,
+    omega: float,
+    t: Vector,
+    parts: tuple[Waves, Waves, Waves],
 ) -> tuple[Vector, Vector, Vector, Vector]:
     """Return x and x', and their derivatives by the start and by the angle of the forcing."""
     small, large = roots(phase)
-    impulse = of_two(small, large, t)
+    impulse, constant, wave = parts
     # each as the sum that does not cancel: the smaller root stands at the impulse
     of_x = np.exp(small * t) - small * impulse
     of_v = np.exp(large * t) + small * impulse
@@ -130,11 +157,10 @@ def _responses(
     x = by_start[0, 0] * start[0] + by_start[0, 1] * start[1]
     v = by_start[1, 0] * start[0] + by_start[1, 1] * start[1]
     if phase.f:
-        x = x + phase.f / phase.m * of_three(small, large, 0j, t).real
+        x = x + phase.f / phase.m * constant.real
         v = v + phase.f / phase.m * impulse.real
     by_angle = np.zeros((2, len(t)))
     if phase.g:
-        wave = of_three(small, large, 1j * omega, t)
         turn = phase.g / phase.m * cmath.exp(1j * angle)
         forced = turn * np.array([wave, 1j * omega * wave + impulse])
         x, v = x + forced[0].real, v + forced[1].real

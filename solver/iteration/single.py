@@ -115,7 +115,8 @@ def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, f
             product *= -R[0]
             y[0] += following
             residual(work, y, R)
-            correction = ahead * (ahead / length) ** 2
+            # ratios of corrections fall as their squares do, or little slower
+            correction = 2 * ahead * (ahead / length) ** 2
             previous, length = length, ahead
             if correction <= ROUNDOFF:
                 return CONVERGED, iteration, correction, abs(R[0])

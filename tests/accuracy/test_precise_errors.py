@@ -4,6 +4,7 @@ import json
 
 import mpmath as mp
 import pytest
+from every_run import tried
 
 import nonsmooth as ns
 from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
@@ -74,7 +75,10 @@ def belt_at(alpha: float) -> ns.StickSlip:
     )
 
 
-@pytest.mark.parametrize(("order", "alpha"), [(13, 1), (60, 1), (40, 64)])
+@pytest.mark.parametrize(
+    ("order", "alpha"),
+    tried([(13, 1), (60, 1), (40, 64)], every_run=[(13, 1), (40, 64)]),
+)
 def test_all_digits_of_the_errors_are_right(order: int, alpha: int) -> None:
     orbit, expected = ns.solve(belt_at(alpha), "c1", order), errors(order, alpha)
     for digits in (1, 6, 12, 20, 60, 120):

@@ -169,7 +169,10 @@ def test_in_the_background_it_stays_ignored() -> None:
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
 @pytest.mark.parametrize(
     "arguments",
-    [("equations", "-o", "equations.tex"), ("digits", "-o", "digits.json")],
+    [
+        ("equations", "-o", "equations.tex"),
+        pytest.param(("digits", "-o", "digits.json"), marks=pytest.mark.long),
+    ],
     ids=lambda arguments: arguments[0],
 )
 def test_an_interrupt_leaves_nothing_half_written(

@@ -5,6 +5,7 @@ quadrature, at what Newton's method has found: a wrong one would not hold there.
 """
 
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 import pytest
@@ -62,7 +63,8 @@ def evaluated(side: sp.Expr, **at: int) -> sp.Expr:
     """Return a side with its sums carried out and all that is known put in."""
     names = {"i": shown.i, "j": j, "k": k, "l": l, "m": shown.m}
     side = side.subs({names[name]: value for name, value in at.items()})
-    return side.subs({N: ORDER, shown.K: TERMS}).doit(integrals=False).subs(NUMBERS)
+    known = {name: sp.sympify(number) for name, number in NUMBERS.items()}
+    return side.subs({N: ORDER, shown.K: TERMS}).doit(integrals=False).xreplace(known)
 
 
 def learn(name: sp.IndexedBase, title: str, *indices: dict[str, int]) -> None:
@@ -101,10 +103,16 @@ Q_SLIP: dict[int, Callable[[float], float]] = {}
 HARMONICS = [{"i": i, "j": n} for i in range(1, TERMS + 1) for n in range(1, ORDER + 1)]
 
 
+@cache
+def in_stick(i: int) -> Callable[[float], float]:
+    """Return C1 function `i` in stick as shown."""
+    return sp.lambdify(tau, evaluated(sides("it in stick")[1], i=i))
+
+
 def function(i: int, time: float) -> float:
     """Return C1 function `i` by the equations shown, at 0 <= time <= T - t1/2."""
     if time < STICK / 2:
-        return float(evaluated(sides("it in stick")[1], i=i).subs(tau, time))
+        return float(in_stick(i)(time))
     return sum(PARTS[i - 1, m] * Q_SLIP[2 * m + 1](time) for m in range(i))
 
 

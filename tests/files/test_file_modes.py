@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -51,6 +52,11 @@ def without_work(monkeypatch) -> None:
     """Replace what is written by what is quick."""
     monkeypatch.setattr(tex, "engine", lambda: "pdflatex")
     monkeypatch.setattr(tex, "pdf", lambda text: b"%PDF")
+    if find_spec("matplotlib"):
+        monkeypatch.setattr(
+            "matplotlib.figure.Figure.savefig",
+            lambda figure, path, **options: Path(path).write_bytes(b"a picture"),
+        )
     for name in ("digits", "tradeoff"):
         monkeypatch.setattr(
             f"nonsmooth.shortcuts.{name}.measure", lambda *arguments, **named: []

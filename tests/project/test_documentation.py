@@ -4,6 +4,7 @@ import doctest
 import importlib
 import itertools
 import json
+import linecache
 import pkgutil
 import re
 import shlex
@@ -26,7 +27,9 @@ def modules() -> list[str]:
 
 
 @pytest.mark.parametrize("name", modules())
-def test_examples_in_docstrings_run(name: str) -> None:
+def test_examples_in_docstrings_run(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Before each example doctest asks of every file that was ever quoted whether it changed.
+    monkeypatch.setattr(linecache, "cache", {})
     result = doctest.testmod(importlib.import_module(name))
     assert result.failed == 0
 

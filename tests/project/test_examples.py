@@ -1,6 +1,7 @@
 """Every script of examples/ runs, and prints what its docstring says that it prints."""
 
 import ast
+import json
 import os
 import re
 import subprocess
@@ -33,22 +34,46 @@ def promised(script: Path) -> tuple[str, str]:
     return words, output
 
 
-@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
-def test_an_example_prints_and_writes_what_it_says(script: Path, tmp_path: Path) -> None:
-    words, output = promised(script)
+#: Runs scripts one after the other, each in a folder, and writes down what they print.
+RUN = """
+import contextlib, io, json, os, runpy, sys
+printed = []
+for script, folder in json.loads(sys.argv[1]):
+    os.chdir(folder)
+    with contextlib.redirect_stdout(io.StringIO()) as out:
+        runpy.run_path(script, run_name="__main__")
+    printed.append(out.getvalue())
+json.dump(printed, sys.stdout)
+"""
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory: pytest.TempPathFactory) -> dict[Path, tuple[str, Path]]:
+    """Return what each script prints, and the folder that it ran in; one process runs all."""
+    folders = [tmp_path_factory.mktemp(script.stem) for script in SCRIPTS]
+    pairs = json.dumps([(str(s), str(f)) for s, f in zip(SCRIPTS, folders, strict=True)])
     result = subprocess.run(
-        [sys.executable, *(f"-W{rule}" for rule in WARNINGS), str(script)],
+        [sys.executable, *(f"-W{rule}" for rule in WARNINGS), "-c", RUN, pairs],
         check=False,
         capture_output=True,
         text=True,
-        cwd=tmp_path,
         env=os.environ | {"MPLBACKEND": "Agg"},
     )
     assert result.stderr == ""
     assert result.returncode == 0
-    assert differences(output, result.stdout) == []
+    printed = json.loads(result.stdout)
+    return dict(zip(SCRIPTS, zip(printed, folders, strict=True), strict=True))
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
+def test_an_example_prints_and_writes_what_it_says(
+    script: Path, ran: dict[Path, tuple[str, Path]]
+) -> None:
+    words, output = promised(script)
+    printed, folder = ran[script]
+    assert differences(output, printed) == []
     for name in re.findall(r"``(\w+\.(?:csv|png|pdf|tex))``", words):
-        assert (tmp_path / name).stat().st_size > 100, name
+        assert (folder / name).stat().st_size > 100, name
 
 
 def test_there_are_examples() -> None:

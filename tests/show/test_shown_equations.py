@@ -8,7 +8,7 @@ import sympy as sp
 from every_run import tried
 from shown_evaluation import UnknownError
 from shown_numbers import Numbers
-from shown_scenes import CASES, CASES_OF_EVERY_RUN, EVERY_RUN, SCENES, numbers
+from shown_scenes import CASES, CASES_OF_EVERY_RUN, numbers
 
 from nonsmooth.codegen.system import Equation
 
@@ -84,18 +84,17 @@ def test_both_sides_of_each_equation_agree(scene: str, method: str) -> None:
     assert seen > len(found.record.equations) // 3
 
 
-@pytest.mark.parametrize("scene", tried(SCENES, every_run=EVERY_RUN))
-def test_every_unknown_is_explained(scene: str) -> None:
-    for case in (q for q in CASES if q[0] == scene):
-        found = numbers(*case)
-        listed = [part.partition(": ") for part in found.record.unknowns.split("; ")]
-        expected = len(found.conditions.blocks) + len(found.conditions.times.unknown)
-        assert len(listed) == expected
-        assert all(name and len(what) > 4 for name, _, what in listed)
-        names = {name.partition("[")[0] for name, _, _ in listed}
-        assert len(names) >= expected - 3  # the functions of one switch share a letter
-        text = found.record.text(unicode=False)
-        assert all(name in text for name in names)
+@pytest.mark.parametrize(("scene", "method"), tried(CASES, every_run=CASES_OF_EVERY_RUN))
+def test_every_unknown_is_explained(scene: str, method: str) -> None:
+    found = numbers(scene, method)
+    listed = [part.partition(": ") for part in found.record.unknowns.split("; ")]
+    expected = len(found.conditions.blocks) + len(found.conditions.times.unknown)
+    assert len(listed) == expected
+    assert all(name and len(what) > 4 for name, _, what in listed)
+    names = {name.partition("[")[0] for name, _, _ in listed}
+    assert len(names) >= expected - 3  # the functions of one switch share a letter
+    text = found.record.text(unicode=False)
+    assert all(name in text for name in names)
 
 
 @pytest.mark.parametrize(("scene", "method"), tried(CASES, every_run=CASES_OF_EVERY_RUN))

@@ -1,6 +1,7 @@
 """Multipliers against proved references, closed forms, and what they must be exactly."""
 
 import math
+import os
 
 import numpy as np
 import pytest
@@ -101,7 +102,7 @@ def test_proved_multipliers(name) -> None:
 
 
 @given(omega=st.floats(1.3, 3.8), gap=st.floats(-0.3, 0.5), restitution=st.floats(0.2, 1.0))
-@settings(max_examples=40)
+@settings(max_examples=100 if "EXAMPLES" in os.environ else 20)
 def test_the_closed_form_of_one_impact_a_period(omega, gap, restitution) -> None:
     case = IMPACT(damping=0, gap=gap, restitution=restitution, frequency=omega)
     try:

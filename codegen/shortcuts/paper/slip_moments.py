@@ -10,6 +10,7 @@ they lose none.  SymPy shows here that both are the same.
 """
 
 from collections.abc import Mapping
+from functools import cache
 from types import MappingProxyType
 
 import sympy as sp
@@ -33,6 +34,7 @@ TABLES: Mapping[int, tuple[sp.IndexedBase, sp.IndexedBase]] = MappingProxyType(
 )
 
 
+@cache
 def about_mid_slip(l: int) -> sp.Expr:
     """Return ``int_{-1/2}^{1/2} P_l(2 v) f(2 z v) dv``, ``f`` cos or sin by parity of `l`.
 

@@ -16,6 +16,7 @@ derivative K + 2.  In (9) and (10) it is one of displacement or of velocity by t
 period converges like ``N**-1`` (K = 0), ``N**-3`` (1, 2), ``N**-5`` (3, 4), ``N**-7`` (5, 6).
 """
 
+from collections.abc import Iterator
 from functools import cache
 
 import sympy as sp
@@ -102,34 +103,35 @@ def check_functions() -> None:
     DerivationError
         Naming the property that fails, and the index.
     """
-    claims = []
+    require_zero(_claims())
+
+
+def _claims() -> Iterator[tuple[str, sp.Expr]]:
+    """Yield each property, and what is zero if it holds."""
     for index in (1, 3, 5, 9):
         g, drift = in_slip(index), DRIFT if index == 1 else sp.Integer(0)
         slope = g.diff(v) * 2 / s
-        claims += [
-            (f"acceleration of g_{index}", slope.diff(v) * 2 / s - sp.legendre(index, v)),
-            (f"g_{index} at the end of stick", g.subs(v, -1) - drift * (T - s) / 2),
-            (f"slope of g_{index} there", slope.subs(v, -1) - drift),
-        ]
+        yield f"acceleration of g_{index}", slope.diff(v) * 2 / s - sp.legendre(index, v)
+        yield f"g_{index} at the end of stick", g.subs(v, -1) - drift * (T - s) / 2
+        yield f"slope of g_{index} there", slope.subs(v, -1) - drift
     G = (g1.SMOOTHSTEP - t / T).subs(g1.u, (v + 1) / 2).subs(t, T - s / 2 + s * v / 2)
     paper = -(s**2) / 6 * (G + (T - s) / (2 * T))
-    claims.append(("g_1 is (12) but for a factor and a constant", in_slip(1) - paper))
+    yield "g_1 is (12) but for a factor and a constant", in_slip(1) - paper
     for index in (1, 3, 8):
         parts = zip((index - 2, index, index + 2), SQUARED, strict=True)
         total = sum(q.subs(l, index) * sp.legendre(max(d, 0), v) for d, q in parts)
-        claims.append((f"v**2 P_{index}", total - v**2 * sp.legendre(index, v)))
-    for index in (3, 5):
-        wave = sp.sin(2 * z * v / 2)
-        direct = sp.integrate(in_slip(index).subs(s, 1) * wave, (v, -1, 1)) / 2
-        parts = -about_mid_slip(index) / (2 * z) ** 2
-        claims.append((f"g_{index} by parts", direct - parts))
+        yield f"v**2 P_{index}", total - v**2 * sp.legendre(index, v)
     for index in (1, 3):
         moment = about_mid_slip(index)
         slope = moment.diff(z) - BESSEL_SLOPE.subs(
             {below: sp.jn(index - 1, z), here: sp.jn(index, z), l: index}
         ) * (-1) ** (index // 2)
-        claims.append((f"derivative of j_{index}", slope))
-    require_zero(claims)
+        yield f"derivative of j_{index}", slope
+    for index in (3, 5):
+        wave = sp.sin(2 * z * v / 2)
+        direct = sp.integrate(in_slip(index).subs(s, 1) * wave, (v, -1, 1)) / 2
+        parts = -about_mid_slip(index) / (2 * z) ** 2
+        yield f"g_{index} by parts", direct - parts
 
 
 def _through_bessel(value: sp.Expr) -> tuple[sp.Expr, ...]:
