@@ -142,6 +142,20 @@ def motion(phase: Phase, duration: sp.Symbol) -> str:
     return f"return phase_motion({state}, {series}, {duration}, u, derivative)"
 
 
+def _events(
+    scene: Scene, times: Times, start: closure.End, end: closure.End
+) -> Iterator[Condition]:
+    """Yield the events: where nothing forces, of the state after them, which they then give.
+
+    A forced motion is searched for from many rough times, at which the states are fitted to
+    the conditions first.  There more of them lead to an orbit if the events are of the ends of
+    the phases, which depend on all states.
+    """
+    if times.frequency is None:
+        return closure.events_after(scene, times, start, end)
+    return closure.events(scene, times, end)
+
+
 def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
     times, found = Times.of(scene), switches(scene)
@@ -163,7 +177,7 @@ def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditi
 
     once = class_one(scene, found, trial, test)
     joined = closure.joints(scene, found, start, end, once)
-    events = closure.events_after(scene, times, start, end)
+    events = _events(scene, times, start, end)
     memory = closure.memory(scene, times, start)
     system = GalerkinConditions(
         scene,

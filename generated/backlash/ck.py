@@ -32,8 +32,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 4  # order
-MATHEMATICS = "5093aa7b06dd22857731b8407374a849db2df622f6895fc7f903493e00145145"  # of the conditions, by srepr
-BODY = "f8dedb15799f2d79e155dd2b13823eaa01f7610db871e9598115e7617a31f1f4"  # of the text below
+MATHEMATICS = "bb28150666ad2bb15ef52ffa0fc0b41e0c16b18957cfc4392ececeb5bb1b3a35"  # of the conditions, by srepr
+BODY = "3908d3864c2a6434adf23fd6d3c9af7890b39735b9028c2bcf95164aadfba151"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -698,19 +698,43 @@ def derivative_2_loose_sum(n):
     )
 
 
-def event_engaged_after(g):
-    """Coefficients: the event that ends engaged, in the state after it."""
+def event_engaged(g, s_engaged):
+    """Coefficients: the event that ends engaged."""
     return (
         1,
+        s_engaged,
+        (s_engaged*s_engaged)/2,
+        -(s_engaged*s_engaged)/6,
         -g,
     )
 
 
-def event_loose_after(g):
-    """Coefficients: the event that ends loose, in the state after it."""
+def event_engaged_by_s_engaged(s_engaged):
+    """Their derivatives by s_engaged, of those that depend on it."""
     return (
-        -1,
+        1,
+        s_engaged,
+        -s_engaged/3,
+    )
+
+
+def event_loose(g, s_loose):
+    """Coefficients: the event that ends loose."""
+    return (
+        1,
+        s_loose,
+        (s_loose*s_loose)/2,
+        -(s_loose*s_loose)/6,
         g,
+    )
+
+
+def event_loose_by_s_loose(s_loose):
+    """Their derivatives by s_loose, of those that depend on it."""
+    return (
+        1,
+        s_loose,
+        -s_loose/3,
     )
 
 
@@ -817,11 +841,11 @@ def residual(case, z, R):
         q0, q1 = derivative_2_loose_sum(n)
         R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
     row += 1
-    q0, q1 = event_engaged_after(g)
-    R[row] = q0*z[at_x_loose] + q1
+    q0, q1, q2, q3, q4 = event_engaged(g, s_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4
     row += 1
-    q0, q1 = event_loose_after(g)
-    R[row] = q0*z[at_x_engaged] + q1
+    q0, q1, q2, q3, q4 = event_loose(g, s_loose)
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
@@ -1170,11 +1194,21 @@ def jacobian(case, z, J):
         J[row, at_d_engaged + n] += q0
         J[row, at_d_loose + n] += q1
     row += 1
-    q0, _ = event_engaged_after(g)
-    J[row, at_x_loose] += q0
-    row += 1
-    q0, _ = event_loose_after(g)
+    q0, q1, q2, q3, _ = event_engaged(g, s_engaged)
     J[row, at_x_engaged] += q0
+    J[row, at_v_engaged] += q1
+    J[row, at_d_engaged] += q2
+    J[row, at_d_engaged + 1] += q3
+    q0, q1, q2 = event_engaged_by_s_engaged(s_engaged)
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_loose(g, s_loose)
+    J[row, at_x_loose] += q0
+    J[row, at_v_loose] += q1
+    J[row, at_d_loose] += q2
+    J[row, at_d_loose + 1] += q3
+    q0, q1, q2 = event_loose_by_s_loose(s_loose)
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
     row += 1
     q0 = cell_by_s_engaged()
     J[row, at_s_engaged] += q0

@@ -32,8 +32,8 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "00e2cdf8cbdfb3876feaa308ca755878f7b77b4177acd8c9dd13fc74965827cb"  # of the conditions, by srepr
-BODY = "e6b0d60e70c02ab39e681c94628b0366aa4b34c61cd0ad8a3fe4ed36dc15d373"  # of the text below
+MATHEMATICS = "c7cabc1652b6a88c836268b6c089375fc15abd5f6e3b74af49338f7561ce10a6"  # of the conditions, by srepr
+BODY = "f8dea8b8987593dbeb18099719c1cc37ebf64b9b2885316699a6042cfc2ce871"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -401,19 +401,43 @@ def derivative_2_loose_sum(n):
     )
 
 
-def event_engaged_after(g):
-    """Coefficients: the event that ends engaged, in the state after it."""
+def event_engaged(g, s_engaged):
+    """Coefficients: the event that ends engaged."""
     return (
         1,
+        s_engaged,
+        (s_engaged*s_engaged)/2,
+        -(s_engaged*s_engaged)/6,
         -g,
     )
 
 
-def event_loose_after(g):
-    """Coefficients: the event that ends loose, in the state after it."""
+def event_engaged_by_s_engaged(s_engaged):
+    """Their derivatives by s_engaged, of those that depend on it."""
     return (
-        -1,
+        1,
+        s_engaged,
+        -s_engaged/3,
+    )
+
+
+def event_loose(g, s_loose):
+    """Coefficients: the event that ends loose."""
+    return (
+        1,
+        s_loose,
+        (s_loose*s_loose)/2,
+        -(s_loose*s_loose)/6,
         g,
+    )
+
+
+def event_loose_by_s_loose(s_loose):
+    """Their derivatives by s_loose, of those that depend on it."""
+    return (
+        1,
+        s_loose,
+        -s_loose/3,
     )
 
 
@@ -502,11 +526,11 @@ def residual(case, z, R):
         q0, q1 = derivative_2_loose_sum(n)
         R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
     row += 1
-    q0, q1 = event_engaged_after(g)
-    R[row] = q0*z[at_x_loose] + q1
+    q0, q1, q2, q3, q4 = event_engaged(g, s_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4
     row += 1
-    q0, q1 = event_loose_after(g)
-    R[row] = q0*z[at_x_engaged] + q1
+    q0, q1, q2, q3, q4 = event_loose(g, s_loose)
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
@@ -663,11 +687,21 @@ def jacobian(case, z, J):
         J[row, at_d_engaged + n] += q0
         J[row, at_d_loose + n] += q1
     row += 1
-    q0, _ = event_engaged_after(g)
-    J[row, at_x_loose] += q0
-    row += 1
-    q0, _ = event_loose_after(g)
+    q0, q1, q2, q3, _ = event_engaged(g, s_engaged)
     J[row, at_x_engaged] += q0
+    J[row, at_v_engaged] += q1
+    J[row, at_d_engaged] += q2
+    J[row, at_d_engaged + 1] += q3
+    q0, q1, q2 = event_engaged_by_s_engaged(s_engaged)
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_loose(g, s_loose)
+    J[row, at_x_loose] += q0
+    J[row, at_v_loose] += q1
+    J[row, at_d_loose] += q2
+    J[row, at_d_loose + 1] += q3
+    q0, q1, q2 = event_loose_by_s_loose(s_loose)
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
     row += 1
     q0 = cell_by_s_engaged()
     J[row, at_s_engaged] += q0
@@ -743,34 +777,29 @@ def coefficients(z):
     }
 
 
-KEPT = 7  # unknowns that are solved for together
+KEPT = 9  # unknowns that are solved for together
 KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
 def before(case, z):
     """Fill in the unknowns that single conditions give, before the others are solved for."""
-    m, c, k, k_0, g, F, Omega, cycles = case
-    N = (len(z) - 11)//2
-    at_x_engaged = 0
-    at_x_loose = N + 4
-    x_loose = g
-    x_engaged = g
-    z[at_x_loose] = x_loose
-    z[at_x_engaged] = x_engaged
+    pass
 
 
 def kept_places(z):
     """Return the places in z of the unknowns that are solved for together."""
     N = (len(z) - 11)//2
+    at_x_engaged = 0
     at_v_engaged = 1
     at_d_engaged = 2
+    at_x_loose = N + 4
     at_v_loose = N + 5
     at_d_loose = N + 6
     at_s_engaged = 2*N + 8
     at_s_loose = 2*N + 9
     at_phi = 2*N + 10
-    return at_v_engaged, at_d_engaged + N + 1, at_v_loose, at_d_loose + N + 1, at_s_engaged, at_s_loose, at_phi
+    return at_x_engaged, at_v_engaged, at_d_engaged + N + 1, at_x_loose, at_v_loose, at_d_loose + N + 1, at_s_engaged, at_s_loose, at_phi
 
 
 def band_places(z):
@@ -780,7 +809,7 @@ def band_places(z):
     N = (len(z) - 11)//2
     at_d_engaged = 2
     at_d_loose = N + 6
-    return ((at_d_engaged, N + 1, 1, 1, N + 1), (at_d_loose, N + 1, 3, 1, N + 1),)
+    return ((at_d_engaged, N + 1, 2, 1, N + 1), (at_d_loose, N + 1, 5, 1, N + 1),)
 
 
 def bands(case, z, diagonals, right):
@@ -873,52 +902,54 @@ def band_rates(case, z, found, slopes):
     nu_loose = over_loose[1]
     slopes[:] = 0.0
     row = 4
-    _, q1, _, _, _, _ = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    slopes[0, row, 0] = -q1
+    q0, q1, _, _, _, _ = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
     q0, q1, q2, q3, q4 = engaged_by_0_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    slopes[0, row, 4] = -(q0*z[at_v_engaged] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    slopes[0, row, 6] = -(q0*z[at_v_engaged] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
     q0 = engaged_by_0_by_phi(F, nu_engaged)
-    slopes[0, row, 6] = -(q0)
+    slopes[0, row, 8] = -(q0)
     row += 1
     q0, _, _, _, _, _ = engaged_by_1(m, c, k, F, s_engaged, mu_engaged)
-    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q0
     q0, q1, q2, q3, q4, q5 = engaged_by_1_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    slopes[0, row, 4] = -(q0*z[at_v_engaged] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    slopes[0, row, 6] = -(q0*z[at_v_engaged] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
     q0 = engaged_by_1_by_phi(F, nu_engaged)
-    slopes[0, row, 6] = -(q0)
+    slopes[0, row, 8] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged)
-        slopes[0, row, 4] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        slopes[0, row, 6] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
         q0 = engaged_by_l_by_phi(l, F, nu_engaged)
-        slopes[0, row, 6] = -(q0)
+        slopes[0, row, 8] = -(q0)
         row += 1
     row = 4
-    _, q1, _, _, _, _ = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
-    slopes[1, row, 2] = -q1
+    q0, q1, _, _, _, _ = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
+    slopes[1, row, 3] = -q0
+    slopes[1, row, 4] = -q1
     q0 = loose_by_0_by_s_engaged(F, Omega, nu_loose)
-    slopes[1, row, 4] = -(q0)
-    q0, q1, q2, q3, q4 = loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    slopes[1, row, 5] = -(q0*z[at_v_loose] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
-    q0 = loose_by_0_by_phi(F, nu_loose)
     slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4 = loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    slopes[1, row, 7] = -(q0*z[at_v_loose] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
+    q0 = loose_by_0_by_phi(F, nu_loose)
+    slopes[1, row, 8] = -(q0)
     row += 1
     q0, _, _, _, _, _ = loose_by_1(m, c, k_0, F, s_loose, mu_loose)
-    slopes[1, row, 2] = -q0
+    slopes[1, row, 4] = -q0
     q0 = loose_by_1_by_s_engaged(F, Omega, nu_loose)
-    slopes[1, row, 4] = -(q0)
-    q0, q1, q2, q3, q4, q5 = loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    slopes[1, row, 5] = -(q0*z[at_v_loose] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
-    q0 = loose_by_1_by_phi(F, nu_loose)
     slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4, q5 = loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    slopes[1, row, 7] = -(q0*z[at_v_loose] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+    q0 = loose_by_1_by_phi(F, nu_loose)
+    slopes[1, row, 8] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0 = loose_by_l_by_s_engaged(l, F, Omega, nu_loose)
-        slopes[1, row, 4] = -(q0)
-        q0, q1, q2, q3, q4, q5 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
-        slopes[1, row, 5] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
-        q0 = loose_by_l_by_phi(l, F, nu_loose)
         slopes[1, row, 6] = -(q0)
+        q0, q1, q2, q3, q4, q5 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
+        slopes[1, row, 7] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+        q0 = loose_by_l_by_phi(l, F, nu_loose)
+        slopes[1, row, 8] = -(q0)
         row += 1
 
 
@@ -959,6 +990,12 @@ def joints(case, z, R):
         q0, q1 = derivative_2_loose_sum(n)
         R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
     row += 1
+    q0, q1, q2, q3, q4 = event_engaged(g, s_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4
+    row += 1
+    q0, q1, q2, q3, q4 = event_loose(g, s_loose)
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
+    row += 1
     q0 = cell(Omega, cycles, s_engaged, s_loose)
     R[row] = q0
     row += 1
@@ -966,6 +1003,7 @@ def joints(case, z, R):
 
 def joint_rates(case, z, slopes, J):
     """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, k_0, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_v_engaged = 1
     at_d_engaged = 2
@@ -977,60 +1015,80 @@ def joint_rates(case, z, slopes, J):
     s_loose = z[at_s_loose]
     row = 0
     J[:] = 0.0
-    _, _, q2, q3, q4 = displacement_engaged(s_loose)
-    J[row, 2] += q2
+    q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
+    J[row, 0] += q0
+    J[row, 3] += q1
+    J[row, 4] += q2
     follow(J, row, slopes, 1, 4, q3)
     follow(J, row, slopes, 1, 5, q4)
     q0, q1, q2 = displacement_engaged_by_s_loose(s_loose)
-    J[row, 5] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
+    J[row, 7] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
     row += 1
     q0, q1, q2 = velocity_engaged(s_loose)
-    J[row, 0] += q0
-    J[row, 2] += q1
+    J[row, 1] += q0
+    J[row, 4] += q1
     follow(J, row, slopes, 1, 4, q2)
     q0 = velocity_engaged_by_s_loose()
-    J[row, 5] += q0*z[at_d_loose]
+    J[row, 7] += q0*z[at_d_loose]
     row += 1
     for n in range(0, N + 2):
         q0, q1 = derivative_2_engaged_sum(n)
         if n < N + 1:
             follow(J, row, slopes, 0, n + 4, q0)
         else:
-            J[row, -N + n] += q0
+            J[row, -N + n + 1] += q0
         if n < N + 1:
             follow(J, row, slopes, 1, n + 4, q1)
         else:
-            J[row, -N + n + 2] += q1
+            J[row, -N + n + 4] += q1
     row += 1
-    _, q1, q2, q3, _ = displacement_loose(s_engaged)
-    J[row, 0] += q1
+    q0, q1, q2, q3, q4 = displacement_loose(s_engaged)
+    J[row, 0] += q0
+    J[row, 1] += q1
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
+    J[row, 3] += q4
     q0, q1, q2 = displacement_loose_by_s_engaged(s_engaged)
-    J[row, 4] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    J[row, 6] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
     row += 1
     q0, q1, q2 = velocity_loose(s_engaged)
-    J[row, 0] += q0
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
-    J[row, 2] += q2
+    J[row, 4] += q2
     q0 = velocity_loose_by_s_engaged()
-    J[row, 4] += q0*z[at_d_engaged]
+    J[row, 6] += q0*z[at_d_engaged]
     row += 1
     for n in range(0, N + 2):
         q0, q1 = derivative_2_loose_sum(n)
         if n < N + 1:
             follow(J, row, slopes, 0, n + 4, q0)
         else:
-            J[row, -N + n] += q0
+            J[row, -N + n + 1] += q0
         if n < N + 1:
             follow(J, row, slopes, 1, n + 4, q1)
         else:
-            J[row, -N + n + 2] += q1
+            J[row, -N + n + 4] += q1
+    row += 1
+    q0, q1, q2, q3, _ = event_engaged(g, s_engaged)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_engaged_by_s_engaged(s_engaged)
+    J[row, 6] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_loose(g, s_loose)
+    J[row, 3] += q0
+    J[row, 4] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    follow(J, row, slopes, 1, 5, q3)
+    q0, q1, q2 = event_loose_by_s_loose(s_loose)
+    J[row, 7] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
     row += 1
     q0 = cell_by_s_engaged()
-    J[row, 4] += q0
+    J[row, 6] += q0
     q0 = cell_by_s_loose()
-    J[row, 5] += q0
+    J[row, 7] += q0
     row += 1
 
 

@@ -32,8 +32,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 4  # order
-MATHEMATICS = "0a485f33245ca0231c8c50f1b720e6c0ef71a4d70747de975681c711a0f17062"  # of the conditions, by srepr
-BODY = "cbd3af72f440efe2bda029acd473b9667d871291d1815318edc45af6bc03df10"  # of the text below
+MATHEMATICS = "e58017b889f6fe75bf3e993eb675a3ac0b59fdb3b142e75e37cc56413eb4513b"  # of the conditions, by srepr
+BODY = "61f725809f25df7d0cf7785622385ec1f1e3e99b0b76284b75ba7a1eaa965a2e"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -698,19 +698,43 @@ def derivative_2_separated_sum(n):
     )
 
 
-def event_contact_after(g):
-    """Coefficients: the event that ends contact, in the state after it."""
+def event_contact(g, s_contact):
+    """Coefficients: the event that ends contact."""
     return (
         1,
+        s_contact,
+        (s_contact*s_contact)/2,
+        -(s_contact*s_contact)/6,
         -g,
     )
 
 
-def event_separated_after(g):
-    """Coefficients: the event that ends separated, in the state after it."""
+def event_contact_by_s_contact(s_contact):
+    """Their derivatives by s_contact, of those that depend on it."""
     return (
         1,
+        s_contact,
+        -s_contact/3,
+    )
+
+
+def event_separated(g, s_separated):
+    """Coefficients: the event that ends separated."""
+    return (
+        1,
+        s_separated,
+        (s_separated*s_separated)/2,
+        -(s_separated*s_separated)/6,
         -g,
+    )
+
+
+def event_separated_by_s_separated(s_separated):
+    """Their derivatives by s_separated, of those that depend on it."""
+    return (
+        1,
+        s_separated,
+        -s_separated/3,
     )
 
 
@@ -817,11 +841,11 @@ def residual(case, z, R):
         q0, q1 = derivative_2_separated_sum(n)
         R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
     row += 1
-    q0, q1 = event_contact_after(g)
-    R[row] = q0*z[at_x_separated] + q1
+    q0, q1, q2, q3, q4 = event_contact(g, s_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4
     row += 1
-    q0, q1 = event_separated_after(g)
-    R[row] = q0*z[at_x_contact] + q1
+    q0, q1, q2, q3, q4 = event_separated(g, s_separated)
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
@@ -1170,11 +1194,21 @@ def jacobian(case, z, J):
         J[row, at_d_contact + n] += q0
         J[row, at_d_separated + n] += q1
     row += 1
-    q0, _ = event_contact_after(g)
-    J[row, at_x_separated] += q0
-    row += 1
-    q0, _ = event_separated_after(g)
+    q0, q1, q2, q3, _ = event_contact(g, s_contact)
     J[row, at_x_contact] += q0
+    J[row, at_v_contact] += q1
+    J[row, at_d_contact] += q2
+    J[row, at_d_contact + 1] += q3
+    q0, q1, q2 = event_contact_by_s_contact(s_contact)
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_separated(g, s_separated)
+    J[row, at_x_separated] += q0
+    J[row, at_v_separated] += q1
+    J[row, at_d_separated] += q2
+    J[row, at_d_separated + 1] += q3
+    q0, q1, q2 = event_separated_by_s_separated(s_separated)
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
     row += 1
     q0 = cell_by_s_contact()
     J[row, at_s_contact] += q0

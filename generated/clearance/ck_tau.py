@@ -32,8 +32,8 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "eca6a83cbade914f83b4cb7274767794ea4eccb2501bb7920d00b3805fe80b4b"  # of the conditions, by srepr
-BODY = "dbdb7d22d2d9670645e1f7523b26a78ebe7e6c262484d8d64bbc006395667be9"  # of the text below
+MATHEMATICS = "b312fa0ba4cbc5d15190a5bdb6c7744c50211d78cce5ba2e593802cf5f0885e0"  # of the conditions, by srepr
+BODY = "6356ae5da85387d4eb26154e509243333b726b836d4b6da371d4d02f9ec94b3f"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -401,19 +401,43 @@ def derivative_2_separated_sum(n):
     )
 
 
-def event_contact_after(g):
-    """Coefficients: the event that ends contact, in the state after it."""
+def event_contact(g, s_contact):
+    """Coefficients: the event that ends contact."""
     return (
         1,
+        s_contact,
+        (s_contact*s_contact)/2,
+        -(s_contact*s_contact)/6,
         -g,
     )
 
 
-def event_separated_after(g):
-    """Coefficients: the event that ends separated, in the state after it."""
+def event_contact_by_s_contact(s_contact):
+    """Their derivatives by s_contact, of those that depend on it."""
     return (
         1,
+        s_contact,
+        -s_contact/3,
+    )
+
+
+def event_separated(g, s_separated):
+    """Coefficients: the event that ends separated."""
+    return (
+        1,
+        s_separated,
+        (s_separated*s_separated)/2,
+        -(s_separated*s_separated)/6,
         -g,
+    )
+
+
+def event_separated_by_s_separated(s_separated):
+    """Their derivatives by s_separated, of those that depend on it."""
+    return (
+        1,
+        s_separated,
+        -s_separated/3,
     )
 
 
@@ -502,11 +526,11 @@ def residual(case, z, R):
         q0, q1 = derivative_2_separated_sum(n)
         R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
     row += 1
-    q0, q1 = event_contact_after(g)
-    R[row] = q0*z[at_x_separated] + q1
+    q0, q1, q2, q3, q4 = event_contact(g, s_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4
     row += 1
-    q0, q1 = event_separated_after(g)
-    R[row] = q0*z[at_x_contact] + q1
+    q0, q1, q2, q3, q4 = event_separated(g, s_separated)
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
@@ -663,11 +687,21 @@ def jacobian(case, z, J):
         J[row, at_d_contact + n] += q0
         J[row, at_d_separated + n] += q1
     row += 1
-    q0, _ = event_contact_after(g)
-    J[row, at_x_separated] += q0
-    row += 1
-    q0, _ = event_separated_after(g)
+    q0, q1, q2, q3, _ = event_contact(g, s_contact)
     J[row, at_x_contact] += q0
+    J[row, at_v_contact] += q1
+    J[row, at_d_contact] += q2
+    J[row, at_d_contact + 1] += q3
+    q0, q1, q2 = event_contact_by_s_contact(s_contact)
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_separated(g, s_separated)
+    J[row, at_x_separated] += q0
+    J[row, at_v_separated] += q1
+    J[row, at_d_separated] += q2
+    J[row, at_d_separated + 1] += q3
+    q0, q1, q2 = event_separated_by_s_separated(s_separated)
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
     row += 1
     q0 = cell_by_s_contact()
     J[row, at_s_contact] += q0
@@ -743,34 +777,29 @@ def coefficients(z):
     }
 
 
-KEPT = 7  # unknowns that are solved for together
+KEPT = 9  # unknowns that are solved for together
 KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
 def before(case, z):
     """Fill in the unknowns that single conditions give, before the others are solved for."""
-    m, c, k, k_c, g, F, Omega, cycles = case
-    N = (len(z) - 11)//2
-    at_x_contact = 0
-    at_x_separated = N + 4
-    x_separated = g
-    x_contact = g
-    z[at_x_separated] = x_separated
-    z[at_x_contact] = x_contact
+    pass
 
 
 def kept_places(z):
     """Return the places in z of the unknowns that are solved for together."""
     N = (len(z) - 11)//2
+    at_x_contact = 0
     at_v_contact = 1
     at_d_contact = 2
+    at_x_separated = N + 4
     at_v_separated = N + 5
     at_d_separated = N + 6
     at_s_contact = 2*N + 8
     at_s_separated = 2*N + 9
     at_phi = 2*N + 10
-    return at_v_contact, at_d_contact + N + 1, at_v_separated, at_d_separated + N + 1, at_s_contact, at_s_separated, at_phi
+    return at_x_contact, at_v_contact, at_d_contact + N + 1, at_x_separated, at_v_separated, at_d_separated + N + 1, at_s_contact, at_s_separated, at_phi
 
 
 def band_places(z):
@@ -780,7 +809,7 @@ def band_places(z):
     N = (len(z) - 11)//2
     at_d_contact = 2
     at_d_separated = N + 6
-    return ((at_d_contact, N + 1, 1, 1, N + 1), (at_d_separated, N + 1, 3, 1, N + 1),)
+    return ((at_d_contact, N + 1, 2, 1, N + 1), (at_d_separated, N + 1, 5, 1, N + 1),)
 
 
 def bands(case, z, diagonals, right):
@@ -873,52 +902,54 @@ def band_rates(case, z, found, slopes):
     nu_separated = over_separated[1]
     slopes[:] = 0.0
     row = 4
-    _, q1, _, _, _, _ = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
-    slopes[0, row, 0] = -q1
+    q0, q1, _, _, _, _ = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
     q0, q1, q2, q3, q4 = contact_by_0_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    slopes[0, row, 4] = -(q0*z[at_v_contact] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    slopes[0, row, 6] = -(q0*z[at_v_contact] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
     q0 = contact_by_0_by_phi(F, nu_contact)
-    slopes[0, row, 6] = -(q0)
+    slopes[0, row, 8] = -(q0)
     row += 1
     q0, _, _, _, _, _ = contact_by_1(m, c, k, k_c, F, s_contact, mu_contact)
-    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q0
     q0, q1, q2, q3, q4, q5 = contact_by_1_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    slopes[0, row, 4] = -(q0*z[at_v_contact] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    slopes[0, row, 6] = -(q0*z[at_v_contact] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
     q0 = contact_by_1_by_phi(F, nu_contact)
-    slopes[0, row, 6] = -(q0)
+    slopes[0, row, 8] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact)
-        slopes[0, row, 4] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        slopes[0, row, 6] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
         q0 = contact_by_l_by_phi(l, F, nu_contact)
-        slopes[0, row, 6] = -(q0)
+        slopes[0, row, 8] = -(q0)
         row += 1
     row = 4
-    _, q1, _, _, _, _ = separated_by_0(m, c, k, F, s_separated, mu_separated)
-    slopes[1, row, 2] = -q1
+    q0, q1, _, _, _, _ = separated_by_0(m, c, k, F, s_separated, mu_separated)
+    slopes[1, row, 3] = -q0
+    slopes[1, row, 4] = -q1
     q0 = separated_by_0_by_s_contact(F, Omega, nu_separated)
-    slopes[1, row, 4] = -(q0)
-    q0, q1, q2, q3, q4 = separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    slopes[1, row, 5] = -(q0*z[at_v_separated] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
-    q0 = separated_by_0_by_phi(F, nu_separated)
     slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4 = separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    slopes[1, row, 7] = -(q0*z[at_v_separated] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
+    q0 = separated_by_0_by_phi(F, nu_separated)
+    slopes[1, row, 8] = -(q0)
     row += 1
     q0, _, _, _, _, _ = separated_by_1(m, c, k, F, s_separated, mu_separated)
-    slopes[1, row, 2] = -q0
+    slopes[1, row, 4] = -q0
     q0 = separated_by_1_by_s_contact(F, Omega, nu_separated)
-    slopes[1, row, 4] = -(q0)
-    q0, q1, q2, q3, q4, q5 = separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    slopes[1, row, 5] = -(q0*z[at_v_separated] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
-    q0 = separated_by_1_by_phi(F, nu_separated)
     slopes[1, row, 6] = -(q0)
+    q0, q1, q2, q3, q4, q5 = separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    slopes[1, row, 7] = -(q0*z[at_v_separated] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+    q0 = separated_by_1_by_phi(F, nu_separated)
+    slopes[1, row, 8] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0 = separated_by_l_by_s_contact(l, F, Omega, nu_separated)
-        slopes[1, row, 4] = -(q0)
-        q0, q1, q2, q3, q4, q5 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
-        slopes[1, row, 5] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
-        q0 = separated_by_l_by_phi(l, F, nu_separated)
         slopes[1, row, 6] = -(q0)
+        q0, q1, q2, q3, q4, q5 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
+        slopes[1, row, 7] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+        q0 = separated_by_l_by_phi(l, F, nu_separated)
+        slopes[1, row, 8] = -(q0)
         row += 1
 
 
@@ -959,6 +990,12 @@ def joints(case, z, R):
         q0, q1 = derivative_2_separated_sum(n)
         R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
     row += 1
+    q0, q1, q2, q3, q4 = event_contact(g, s_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4
+    row += 1
+    q0, q1, q2, q3, q4 = event_separated(g, s_separated)
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
+    row += 1
     q0 = cell(Omega, cycles, s_contact, s_separated)
     R[row] = q0
     row += 1
@@ -966,6 +1003,7 @@ def joints(case, z, R):
 
 def joint_rates(case, z, slopes, J):
     """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, k_c, g, F, Omega, cycles = case
     N = (len(z) - 11)//2
     at_v_contact = 1
     at_d_contact = 2
@@ -977,60 +1015,80 @@ def joint_rates(case, z, slopes, J):
     s_separated = z[at_s_separated]
     row = 0
     J[:] = 0.0
-    _, _, q2, q3, q4 = displacement_contact(s_separated)
-    J[row, 2] += q2
+    q0, q1, q2, q3, q4 = displacement_contact(s_separated)
+    J[row, 0] += q0
+    J[row, 3] += q1
+    J[row, 4] += q2
     follow(J, row, slopes, 1, 4, q3)
     follow(J, row, slopes, 1, 5, q4)
     q0, q1, q2 = displacement_contact_by_s_separated(s_separated)
-    J[row, 5] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
+    J[row, 7] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
     row += 1
     q0, q1, q2 = velocity_contact(s_separated)
-    J[row, 0] += q0
-    J[row, 2] += q1
+    J[row, 1] += q0
+    J[row, 4] += q1
     follow(J, row, slopes, 1, 4, q2)
     q0 = velocity_contact_by_s_separated()
-    J[row, 5] += q0*z[at_d_separated]
+    J[row, 7] += q0*z[at_d_separated]
     row += 1
     for n in range(0, N + 2):
         q0, q1 = derivative_2_contact_sum(n)
         if n < N + 1:
             follow(J, row, slopes, 0, n + 4, q0)
         else:
-            J[row, -N + n] += q0
+            J[row, -N + n + 1] += q0
         if n < N + 1:
             follow(J, row, slopes, 1, n + 4, q1)
         else:
-            J[row, -N + n + 2] += q1
+            J[row, -N + n + 4] += q1
     row += 1
-    _, q1, q2, q3, _ = displacement_separated(s_contact)
-    J[row, 0] += q1
+    q0, q1, q2, q3, q4 = displacement_separated(s_contact)
+    J[row, 0] += q0
+    J[row, 1] += q1
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
+    J[row, 3] += q4
     q0, q1, q2 = displacement_separated_by_s_contact(s_contact)
-    J[row, 4] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    J[row, 6] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
     row += 1
     q0, q1, q2 = velocity_separated(s_contact)
-    J[row, 0] += q0
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
-    J[row, 2] += q2
+    J[row, 4] += q2
     q0 = velocity_separated_by_s_contact()
-    J[row, 4] += q0*z[at_d_contact]
+    J[row, 6] += q0*z[at_d_contact]
     row += 1
     for n in range(0, N + 2):
         q0, q1 = derivative_2_separated_sum(n)
         if n < N + 1:
             follow(J, row, slopes, 0, n + 4, q0)
         else:
-            J[row, -N + n] += q0
+            J[row, -N + n + 1] += q0
         if n < N + 1:
             follow(J, row, slopes, 1, n + 4, q1)
         else:
-            J[row, -N + n + 2] += q1
+            J[row, -N + n + 4] += q1
+    row += 1
+    q0, q1, q2, q3, _ = event_contact(g, s_contact)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_contact_by_s_contact(s_contact)
+    J[row, 6] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_separated(g, s_separated)
+    J[row, 3] += q0
+    J[row, 4] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    follow(J, row, slopes, 1, 5, q3)
+    q0, q1, q2 = event_separated_by_s_separated(s_separated)
+    J[row, 7] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
     row += 1
     q0 = cell_by_s_contact()
-    J[row, 4] += q0
+    J[row, 6] += q0
     q0 = cell_by_s_separated()
-    J[row, 5] += q0
+    J[row, 7] += q0
     row += 1
 
 

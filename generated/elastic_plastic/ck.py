@@ -33,8 +33,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 5  # order
-MATHEMATICS = "baefb93f63d0dc12a544787c06b71c2f1dbcccab43eecede70561f9d901e2bad"  # of the conditions, by srepr
-BODY = "53e0a873e17705424d05e76519384867b1d322534a06f4214b28d84373f55e95"  # of the text below
+MATHEMATICS = "05e7b7502ab3b8ec46b028155226ee35051f8595409b823bad079db29b4f1cf3"  # of the conditions, by srepr
+BODY = "11ddef537fba779698694300bde9262caaa901226f8560bf549f5c5c55d81329"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -788,18 +788,38 @@ def derivative_2_plastic_sum1():
     return -1
 
 
-def event_elastic_after(k, F_y):
-    """Coefficients: the event that ends elastic, in the state after it."""
+def event_elastic(k, F_y, s_elastic):
+    """Coefficients: the event that ends elastic."""
     return (
         k,
+        k*s_elastic,
+        (k*(s_elastic*s_elastic))/2,
+        -(k*(s_elastic*s_elastic))/6,
         -k,
         2*F_y,
     )
 
 
-def event_plastic_after():
-    """Coefficients: the event that ends plastic, in the state after it."""
-    return -1
+def event_elastic_by_s_elastic(k, s_elastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return (
+        k,
+        k*s_elastic,
+        -(k*s_elastic)/3,
+    )
+
+
+def event_plastic(s_plastic):
+    """Coefficients: the event that ends plastic."""
+    return (
+        1,
+        s_plastic,
+    )
+
+
+def event_plastic_by_s_plastic():
+    """Their derivatives by s_plastic, of those that depend on it."""
+    return 1
 
 
 def memory_w():
@@ -931,11 +951,11 @@ def residual(case, z, R):
         q0 = derivative_2_plastic_sum1()
         R[row] += q0*z[at_d_elastic + n]
     row += 1
-    q0, q1, q2 = event_elastic_after(k, F_y)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_w] + q2
+    q0, q1, q2, q3, q4, q5 = event_elastic(k, F_y, s_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_w] + q5
     row += 1
-    q0 = event_plastic_after()
-    R[row] = q0*z[at_v_elastic]
+    q0, q1 = event_plastic(s_plastic)
+    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic]
     row += 1
     q0, q1 = memory_w()
     R[row] = q0*z[at_x_elastic] + q1*z[at_w]
@@ -1350,12 +1370,20 @@ def jacobian(case, z, J):
         q0 = derivative_2_plastic_sum1()
         J[row, at_d_elastic + n] += q0
     row += 1
-    q0, q1, _ = event_elastic_after(k, F_y)
-    J[row, at_x_plastic] += q0
-    J[row, at_w] += q1
+    q0, q1, q2, q3, q4, _ = event_elastic(k, F_y, s_elastic)
+    J[row, at_x_elastic] += q0
+    J[row, at_v_elastic] += q1
+    J[row, at_d_elastic] += q2
+    J[row, at_d_elastic + 1] += q3
+    J[row, at_w] += q4
+    q0, q1, q2 = event_elastic_by_s_elastic(k, s_elastic)
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
     row += 1
-    q0 = event_plastic_after()
-    J[row, at_v_elastic] += q0
+    q0, q1 = event_plastic(s_plastic)
+    J[row, at_v_plastic] += q0
+    J[row, at_d_plastic] += q1
+    q0 = event_plastic_by_s_plastic()
+    J[row, at_s_plastic] += q0*z[at_d_plastic]
     row += 1
     q0, q1 = memory_w()
     J[row, at_x_elastic] += q0

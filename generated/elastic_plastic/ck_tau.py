@@ -33,8 +33,8 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "1d4e17d839bc35ded8aa88a56811886b343ffb013e7cc5bceb65343c4a63da64"  # of the conditions, by srepr
-BODY = "7369c9ccf965ce51128e8880936a5a0ce588c74d9b589929275a28dfd606be56"  # of the text below
+MATHEMATICS = "43083ed6253efd038ed713f32206539b4ebc2abdc91866700583932ad2bcb105"  # of the conditions, by srepr
+BODY = "d0281d2b6025c06e3630035f113353b3d3ee6e62b485efe2f00a27db298312ef"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -427,18 +427,38 @@ def derivative_2_plastic_sum1():
     return -1
 
 
-def event_elastic_after(k, F_y):
-    """Coefficients: the event that ends elastic, in the state after it."""
+def event_elastic(k, F_y, s_elastic):
+    """Coefficients: the event that ends elastic."""
     return (
         k,
+        k*s_elastic,
+        (k*(s_elastic*s_elastic))/2,
+        -(k*(s_elastic*s_elastic))/6,
         -k,
         2*F_y,
     )
 
 
-def event_plastic_after():
-    """Coefficients: the event that ends plastic, in the state after it."""
-    return -1
+def event_elastic_by_s_elastic(k, s_elastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return (
+        k,
+        k*s_elastic,
+        -(k*s_elastic)/3,
+    )
+
+
+def event_plastic(s_plastic):
+    """Coefficients: the event that ends plastic."""
+    return (
+        1,
+        s_plastic,
+    )
+
+
+def event_plastic_by_s_plastic():
+    """Their derivatives by s_plastic, of those that depend on it."""
+    return 1
 
 
 def memory_w():
@@ -549,11 +569,11 @@ def residual(case, z, R):
         q0 = derivative_2_plastic_sum1()
         R[row] += q0*z[at_d_elastic + n]
     row += 1
-    q0, q1, q2 = event_elastic_after(k, F_y)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_w] + q2
+    q0, q1, q2, q3, q4, q5 = event_elastic(k, F_y, s_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_w] + q5
     row += 1
-    q0 = event_plastic_after()
-    R[row] = q0*z[at_v_elastic]
+    q0, q1 = event_plastic(s_plastic)
+    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic]
     row += 1
     q0, q1 = memory_w()
     R[row] = q0*z[at_x_elastic] + q1*z[at_w]
@@ -729,12 +749,20 @@ def jacobian(case, z, J):
         q0 = derivative_2_plastic_sum1()
         J[row, at_d_elastic + n] += q0
     row += 1
-    q0, q1, _ = event_elastic_after(k, F_y)
-    J[row, at_x_plastic] += q0
-    J[row, at_w] += q1
+    q0, q1, q2, q3, q4, _ = event_elastic(k, F_y, s_elastic)
+    J[row, at_x_elastic] += q0
+    J[row, at_v_elastic] += q1
+    J[row, at_d_elastic] += q2
+    J[row, at_d_elastic + 1] += q3
+    J[row, at_w] += q4
+    q0, q1, q2 = event_elastic_by_s_elastic(k, s_elastic)
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
     row += 1
-    q0 = event_plastic_after()
-    J[row, at_v_elastic] += q0
+    q0, q1 = event_plastic(s_plastic)
+    J[row, at_v_plastic] += q0
+    J[row, at_d_plastic] += q1
+    q0 = event_plastic_by_s_plastic()
+    J[row, at_s_plastic] += q0*z[at_d_plastic]
     row += 1
     q0, q1 = memory_w()
     J[row, at_x_elastic] += q0
@@ -817,22 +845,21 @@ def coefficients(z):
     }
 
 
-KEPT = 10  # unknowns that are solved for together
+KEPT = 11  # unknowns that are solved for together
 KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
 def before(case, z):
     """Fill in the unknowns that single conditions give, before the others are solved for."""
-    at_v_elastic = 1
-    v_elastic = 0
-    z[at_v_elastic] = v_elastic
+    pass
 
 
 def kept_places(z):
     """Return the places in z of the unknowns that are solved for together."""
     N = (len(z) - 13)//2
     at_x_elastic = 0
+    at_v_elastic = 1
     at_d_elastic = 2
     at_x_plastic = N + 5
     at_v_plastic = N + 6
@@ -841,7 +868,7 @@ def kept_places(z):
     at_s_elastic = 2*N + 10
     at_s_plastic = 2*N + 11
     at_phi = 2*N + 12
-    return at_x_elastic, at_d_elastic + N + 1, at_d_elastic + N + 2, at_x_plastic, at_v_plastic, at_d_plastic + N + 1, at_w, at_s_elastic, at_s_plastic, at_phi
+    return at_x_elastic, at_v_elastic, at_d_elastic + N + 1, at_d_elastic + N + 2, at_x_plastic, at_v_plastic, at_d_plastic + N + 1, at_w, at_s_elastic, at_s_plastic, at_phi
 
 
 def band_places(z):
@@ -851,7 +878,7 @@ def band_places(z):
     N = (len(z) - 13)//2
     at_d_elastic = 2
     at_d_plastic = N + 7
-    return ((at_d_elastic, N + 1, 1, 2, N + 1), (at_d_plastic, N + 1, 5, 1, N + 1),)
+    return ((at_d_elastic, N + 1, 2, 2, N + 1), (at_d_plastic, N + 1, 6, 1, N + 1),)
 
 
 def bands(case, z, diagonals, right):
@@ -945,52 +972,55 @@ def band_rates(case, z, found, slopes):
     nu_plastic = over_plastic[1]
     slopes[:] = 0.0
     row = 4
-    q0, _, _, _, _, q5, _ = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
+    q0, q1, _, _, _, q5, _ = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
     slopes[0, row, 0] = -q0
-    slopes[0, row, 6] = -q5
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 7] = -q5
     q0, q1, q2, q3, q4 = elastic_by_0_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    slopes[0, row, 7] = -(q0*z[at_v_elastic] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    slopes[0, row, 8] = -(q0*z[at_v_elastic] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
     q0 = elastic_by_0_by_phi(F, nu_elastic)
-    slopes[0, row, 9] = -(q0)
+    slopes[0, row, 10] = -(q0)
     row += 1
+    q0, _, _, _, _, _ = elastic_by_1(m, c, k, h, F, s_elastic, mu_elastic)
+    slopes[0, row, 1] = -q0
     q0, q1, q2, q3, q4, q5 = elastic_by_1_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    slopes[0, row, 7] = -(q0*z[at_v_elastic] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    slopes[0, row, 8] = -(q0*z[at_v_elastic] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
     q0 = elastic_by_1_by_phi(F, nu_elastic)
-    slopes[0, row, 9] = -(q0)
+    slopes[0, row, 10] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic)
-        slopes[0, row, 7] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        slopes[0, row, 8] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
         q0 = elastic_by_l_by_phi(l, F, nu_elastic)
-        slopes[0, row, 9] = -(q0)
+        slopes[0, row, 10] = -(q0)
         row += 1
     row = 4
     q0, q1, _, _, _, _ = plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic)
-    slopes[1, row, 3] = -q0
-    slopes[1, row, 4] = -q1
+    slopes[1, row, 4] = -q0
+    slopes[1, row, 5] = -q1
     q0 = plastic_by_0_by_s_elastic(F, Omega, nu_plastic)
-    slopes[1, row, 7] = -(q0)
+    slopes[1, row, 8] = -(q0)
     q0, q1, q2, q3, q4 = plastic_by_0_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    slopes[1, row, 8] = -(q0*z[at_v_plastic] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
+    slopes[1, row, 9] = -(q0*z[at_v_plastic] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
     q0 = plastic_by_0_by_phi(F, nu_plastic)
-    slopes[1, row, 9] = -(q0)
+    slopes[1, row, 10] = -(q0)
     row += 1
     q0, _, _, _, _, _ = plastic_by_1(m, c, h, F, s_plastic, mu_plastic)
-    slopes[1, row, 4] = -q0
+    slopes[1, row, 5] = -q0
     q0 = plastic_by_1_by_s_elastic(F, Omega, nu_plastic)
-    slopes[1, row, 7] = -(q0)
+    slopes[1, row, 8] = -(q0)
     q0, q1, q2, q3, q4, q5 = plastic_by_1_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    slopes[1, row, 8] = -(q0*z[at_v_plastic] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+    slopes[1, row, 9] = -(q0*z[at_v_plastic] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
     q0 = plastic_by_1_by_phi(F, nu_plastic)
-    slopes[1, row, 9] = -(q0)
+    slopes[1, row, 10] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0 = plastic_by_l_by_s_elastic(l, F, Omega, nu_plastic)
-        slopes[1, row, 7] = -(q0)
+        slopes[1, row, 8] = -(q0)
         q0, q1, q2, q3, q4, q5 = plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic)
-        slopes[1, row, 8] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+        slopes[1, row, 9] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
         q0 = plastic_by_l_by_phi(l, F, nu_plastic)
-        slopes[1, row, 9] = -(q0)
+        slopes[1, row, 10] = -(q0)
         row += 1
 
 
@@ -1046,8 +1076,11 @@ def joints(case, z, R):
         q0 = derivative_2_plastic_sum1()
         R[row] += q0*z[at_d_elastic + n]
     row += 1
-    q0, q1, q2 = event_elastic_after(k, F_y)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_w] + q2
+    q0, q1, q2, q3, q4, q5 = event_elastic(k, F_y, s_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_w] + q5
+    row += 1
+    q0, q1 = event_plastic(s_plastic)
+    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic]
     row += 1
     q0, q1 = memory_w()
     R[row] = q0*z[at_x_elastic] + q1*z[at_w]
@@ -1073,88 +1106,102 @@ def joint_rates(case, z, slopes, J):
     J[:] = 0.0
     q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
     J[row, 0] += q0
-    J[row, 3] += q1
-    J[row, 4] += q2
+    J[row, 4] += q1
+    J[row, 5] += q2
     follow(J, row, slopes, 1, 4, q3)
     follow(J, row, slopes, 1, 5, q4)
     q0, q1, q2 = displacement_elastic_by_s_plastic(s_plastic)
-    J[row, 8] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1]
+    J[row, 9] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1]
     row += 1
-    _, q1, q2 = velocity_elastic(s_plastic)
-    J[row, 4] += q1
+    q0, q1, q2 = velocity_elastic(s_plastic)
+    J[row, 1] += q0
+    J[row, 5] += q1
     follow(J, row, slopes, 1, 4, q2)
     q0 = velocity_elastic_by_s_plastic()
-    J[row, 8] += q0*z[at_d_plastic]
+    J[row, 9] += q0*z[at_d_plastic]
     row += 1
     for n in range(0, N + 2):
         q0 = derivative_2_elastic_sum0()
         if n < N + 1:
             follow(J, row, slopes, 1, n + 4, q0)
         else:
-            J[row, -N + n + 4] += q0
+            J[row, -N + n + 5] += q0
     for n in range(0, N + 3):
         q0 = derivative_2_elastic_sum1(n)
         if n < N + 1:
             follow(J, row, slopes, 0, n + 4, q0)
         else:
-            J[row, -N + n] += q0
+            J[row, -N + n + 1] += q0
     row += 1
     for n in range(0, N + 2):
         q0 = derivative_3_elastic_sum0(n, s_plastic)
         if n < N + 1:
             follow(J, row, slopes, 1, n + 4, q0)
         else:
-            J[row, -N + n + 4] += q0
+            J[row, -N + n + 5] += q0
         q0 = derivative_3_elastic_sum0_by_s_plastic(n, s_plastic)
-        J[row, 8] += q0*z[at_d_plastic + n]
+        J[row, 9] += q0*z[at_d_plastic + n]
     for n in range(0, N + 3):
         q0 = derivative_3_elastic_sum1(n, s_elastic)
         if n < N + 1:
             follow(J, row, slopes, 0, n + 4, q0)
         else:
-            J[row, -N + n] += q0
+            J[row, -N + n + 1] += q0
         q0 = derivative_3_elastic_sum1_by_s_elastic(n, s_elastic)
-        J[row, 7] += q0*z[at_d_elastic + n]
+        J[row, 8] += q0*z[at_d_elastic + n]
     row += 1
-    q0, _, q2, q3, q4 = displacement_plastic(s_elastic)
+    q0, q1, q2, q3, q4 = displacement_plastic(s_elastic)
     J[row, 0] += q0
+    J[row, 1] += q1
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
-    J[row, 3] += q4
+    J[row, 4] += q4
     q0, q1, q2 = displacement_plastic_by_s_elastic(s_elastic)
-    J[row, 7] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
+    J[row, 8] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
     row += 1
-    _, q1, q2 = velocity_plastic(s_elastic)
+    q0, q1, q2 = velocity_plastic(s_elastic)
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
-    J[row, 4] += q2
+    J[row, 5] += q2
     q0 = velocity_plastic_by_s_elastic()
-    J[row, 7] += q0*z[at_d_elastic]
+    J[row, 8] += q0*z[at_d_elastic]
     row += 1
     for n in range(0, N + 2):
         q0 = derivative_2_plastic_sum0(n)
         if n < N + 1:
             follow(J, row, slopes, 1, n + 4, q0)
         else:
-            J[row, -N + n + 4] += q0
+            J[row, -N + n + 5] += q0
     for n in range(0, N + 3):
         q0 = derivative_2_plastic_sum1()
         if n < N + 1:
             follow(J, row, slopes, 0, n + 4, q0)
         else:
-            J[row, -N + n] += q0
+            J[row, -N + n + 1] += q0
     row += 1
-    q0, q1, _ = event_elastic_after(k, F_y)
-    J[row, 3] += q0
-    J[row, 6] += q1
+    q0, q1, q2, q3, q4, _ = event_elastic(k, F_y, s_elastic)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 7] += q4
+    q0, q1, q2 = event_elastic_by_s_elastic(k, s_elastic)
+    J[row, 8] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
+    row += 1
+    q0, q1 = event_plastic(s_plastic)
+    J[row, 5] += q0
+    follow(J, row, slopes, 1, 4, q1)
+    q0 = event_plastic_by_s_plastic()
+    J[row, 9] += q0*z[at_d_plastic]
     row += 1
     q0, q1 = memory_w()
     J[row, 0] += q0
-    J[row, 6] += q1
+    J[row, 7] += q1
     row += 1
     q0 = cell_by_s_elastic()
-    J[row, 7] += q0
-    q0 = cell_by_s_plastic()
     J[row, 8] += q0
+    q0 = cell_by_s_plastic()
+    J[row, 9] += q0
     row += 1
 
 

@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "5398ad4d4f3b66fdd070ccb54aaf3f8317bf0251cdb0e4a622ae1c5be89b60c1"  # of the conditions, by srepr
-BODY = "8b72ce5037c9b2b3b30f113b2c6ac496deeb126bf81ba2a9fbea2ccfec72bdf3"  # of the text below
+MATHEMATICS = "60a1273cf14125cd1eb2543c9252fa2021bf76471d24f83f47d6894167212d1b"  # of the conditions, by srepr
+BODY = "570fcbdcdd1b333ede5feeca32706e0e66385319875d893040778be4d5ea7633"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -279,11 +279,23 @@ def velocity_flight_by_s_flight(r):
     return r
 
 
-def event_flight_after(g):
-    """Coefficients: the event that ends flight, in the state after it."""
+def event_flight(g, s_flight):
+    """Coefficients: the event that ends flight."""
     return (
         1,
+        s_flight,
+        (s_flight*s_flight)/2,
+        -(s_flight*s_flight)/6,
         -g,
+    )
+
+
+def event_flight_by_s_flight(s_flight):
+    """Their derivatives by s_flight, of those that depend on it."""
+    return (
+        1,
+        s_flight,
+        -s_flight/3,
     )
 
 
@@ -336,8 +348,8 @@ def residual(case, z, R):
     q0, q1 = velocity_flight(r, s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
     row += 1
-    q0, q1 = event_flight_after(g)
-    R[row] = q0*z[at_x_flight] + q1
+    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
@@ -438,8 +450,13 @@ def jacobian(case, z, J):
     q0 = velocity_flight_by_s_flight(r)
     J[row, at_s_flight] += q0*z[at_d_flight]
     row += 1
-    q0, _ = event_flight_after(g)
+    q0, q1, q2, q3, _ = event_flight(g, s_flight)
     J[row, at_x_flight] += q0
+    J[row, at_v_flight] += q1
+    J[row, at_d_flight] += q2
+    J[row, at_d_flight + 1] += q3
+    q0, q1, q2 = event_flight_by_s_flight(s_flight)
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
     row += 1
     q0 = cell_by_s_flight()
     J[row, at_s_flight] += q0

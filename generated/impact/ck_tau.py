@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
-MATHEMATICS = "493ad57e84084c34b20976ba9cd9dae2dd838dfbf4360a41f8843eb3c05c778c"  # of the conditions, by srepr
-BODY = "7644586fb2f3b487cd4a2f298f2b94c87d7d613ae1deebb8a922198cc986ecb1"  # of the text below
+MATHEMATICS = "fc8877d7aca8301680e0628a9e8962698c58c0f5c0f8b381d4dd1a7e0af6c1d5"  # of the conditions, by srepr
+BODY = "3a22ba7771caf8bdaf53db678dca63a082098a0481c393e2375c71e8d27d5033"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -243,11 +243,23 @@ def velocity_flight_by_s_flight(r):
     return r
 
 
-def event_flight_after(g):
-    """Coefficients: the event that ends flight, in the state after it."""
+def event_flight(g, s_flight):
+    """Coefficients: the event that ends flight."""
     return (
         1,
+        s_flight,
+        (s_flight*s_flight)/2,
+        -(s_flight*s_flight)/6,
         -g,
+    )
+
+
+def event_flight_by_s_flight(s_flight):
+    """Their derivatives by s_flight, of those that depend on it."""
+    return (
+        1,
+        s_flight,
+        -s_flight/3,
     )
 
 
@@ -297,8 +309,8 @@ def residual(case, z, R):
     q0, q1 = velocity_flight(r, s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
     row += 1
-    q0, q1 = event_flight_after(g)
-    R[row] = q0*z[at_x_flight] + q1
+    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_flight)
     R[row] = q0
@@ -374,8 +386,13 @@ def jacobian(case, z, J):
     q0 = velocity_flight_by_s_flight(r)
     J[row, at_s_flight] += q0*z[at_d_flight]
     row += 1
-    q0, _ = event_flight_after(g)
+    q0, q1, q2, q3, _ = event_flight(g, s_flight)
     J[row, at_x_flight] += q0
+    J[row, at_v_flight] += q1
+    J[row, at_d_flight] += q2
+    J[row, at_d_flight + 1] += q3
+    q0, q1, q2 = event_flight_by_s_flight(s_flight)
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
     row += 1
     q0 = cell_by_s_flight()
     J[row, at_s_flight] += q0
@@ -410,7 +427,7 @@ def coefficients(z):
     }
 
 
-KEPT = 2  # unknowns that are solved for together
+KEPT = 3  # unknowns that are solved for together
 KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
@@ -419,20 +436,18 @@ def before(case, z):
     """Fill in the unknowns that single conditions give, before the others are solved for."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
-    at_x_flight = 0
     at_s_flight = N + 2
-    x_flight = g
     s_flight = (2*pi*cycles)/Omega
-    z[at_x_flight] = x_flight
     z[at_s_flight] = s_flight
 
 
 def kept_places(z):
     """Return the places in z of the unknowns that are solved for together."""
     N = len(z) - 4
+    at_x_flight = 0
     at_v_flight = 1
     at_phi = N + 3
-    return at_v_flight, at_phi
+    return at_x_flight, at_v_flight, at_phi
 
 
 def band_places(z):
@@ -498,19 +513,20 @@ def band_rates(case, z, found, slopes):
     nu_flight = over_flight[1]
     slopes[:] = 0.0
     row = 4
-    _, q1, _, _, _, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
-    slopes[0, row, 0] = -q1
+    q0, q1, _, _, _, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
     q0 = flight_by_0_by_phi(F, nu_flight)
-    slopes[0, row, 1] = -(q0)
+    slopes[0, row, 2] = -(q0)
     row += 1
     q0, _, _, _, _, _ = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q0
     q0 = flight_by_1_by_phi(F, nu_flight)
-    slopes[0, row, 1] = -(q0)
+    slopes[0, row, 2] = -(q0)
     row += 1
     for l in range(2, N):
         q0 = flight_by_l_by_phi(l, F, nu_flight)
-        slopes[0, row, 1] = -(q0)
+        slopes[0, row, 2] = -(q0)
         row += 1
 
 
@@ -518,6 +534,7 @@ def joints(case, z, R):
     """Fill R with the left sides of the conditions that are solved together."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
+    at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     at_s_flight = N + 2
@@ -528,6 +545,9 @@ def joints(case, z, R):
     row += 1
     q0, q1 = velocity_flight(r, s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
+    row += 1
+    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
     row += 1
 
 
@@ -540,13 +560,19 @@ def joint_rates(case, z, slopes, J):
     row = 0
     J[:] = 0.0
     q0, q1, q2 = displacement_flight(s_flight)
-    J[row, 0] += q0
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
     follow(J, row, slopes, 0, 5, q2)
     row += 1
     q0, q1 = velocity_flight(r, s_flight)
-    J[row, 0] += q0
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
+    row += 1
+    q0, q1, q2, q3, _ = event_flight(g, s_flight)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
     row += 1
 
 

@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "561da404c0e7fd818d52c2d0f989b056f324368306f72568e35c942085ad6632"  # of the conditions, by srepr
-BODY = "04109234186b5cab1add9d409d4f204c405f09e3fa39352ad5a75d23ef25c709"  # of the text below
+MATHEMATICS = "7161c964817a05ff69a265262e1746fa231a4eb7d206ad0db1caaa77d4568387"  # of the conditions, by srepr
+BODY = "9f8a0114f0e7c2e4538f9a1de05778ee387dd6a652b583b9f5a0630e2d1a3f07"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -280,11 +280,23 @@ def velocity_crossing_by_s_crossing(r):
     return -r
 
 
-def event_crossing_after(g):
-    """Coefficients: the event that ends crossing, in the state after it."""
+def event_crossing(g, s_crossing):
+    """Coefficients: the event that ends crossing."""
     return (
-        -1,
+        1,
+        s_crossing,
+        (s_crossing*s_crossing)/2,
+        -(s_crossing*s_crossing)/6,
         g,
+    )
+
+
+def event_crossing_by_s_crossing(s_crossing):
+    """Their derivatives by s_crossing, of those that depend on it."""
+    return (
+        1,
+        s_crossing,
+        -s_crossing/3,
     )
 
 
@@ -337,8 +349,8 @@ def residual(case, z, R):
     q0, q1 = velocity_crossing(r, s_crossing)
     R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
     row += 1
-    q0, q1 = event_crossing_after(g)
-    R[row] = q0*z[at_x_crossing] + q1
+    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
@@ -440,8 +452,13 @@ def jacobian(case, z, J):
     q0 = velocity_crossing_by_s_crossing(r)
     J[row, at_s_crossing] += q0*z[at_d_crossing]
     row += 1
-    q0, _ = event_crossing_after(g)
+    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
     J[row, at_x_crossing] += q0
+    J[row, at_v_crossing] += q1
+    J[row, at_d_crossing] += q2
+    J[row, at_d_crossing + 1] += q3
+    q0, q1, q2 = event_crossing_by_s_crossing(s_crossing)
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
     row += 1
     q0 = cell_by_s_crossing()
     J[row, at_s_crossing] += q0

@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
-MATHEMATICS = "8739cc8022ab9088e52189b6fc46c318c7b8b23aafc0f3aea9de2b7efc017667"  # of the conditions, by srepr
-BODY = "8a30fc8f17f101db2ca3b728e0073119d99af077db43d091f05b2112203f81a7"  # of the text below
+MATHEMATICS = "06e53eb2e663e42e9ee22c11e71358347e1cf4cc0c8a6ef1494c0d57f26121a7"  # of the conditions, by srepr
+BODY = "2203074973d0beafbc837810414980ff1fd0d901b0d8a04c978d71464e121896"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -244,11 +244,23 @@ def velocity_crossing_by_s_crossing(r):
     return -r
 
 
-def event_crossing_after(g):
-    """Coefficients: the event that ends crossing, in the state after it."""
+def event_crossing(g, s_crossing):
+    """Coefficients: the event that ends crossing."""
     return (
-        -1,
+        1,
+        s_crossing,
+        (s_crossing*s_crossing)/2,
+        -(s_crossing*s_crossing)/6,
         g,
+    )
+
+
+def event_crossing_by_s_crossing(s_crossing):
+    """Their derivatives by s_crossing, of those that depend on it."""
+    return (
+        1,
+        s_crossing,
+        -s_crossing/3,
     )
 
 
@@ -298,8 +310,8 @@ def residual(case, z, R):
     q0, q1 = velocity_crossing(r, s_crossing)
     R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
     row += 1
-    q0, q1 = event_crossing_after(g)
-    R[row] = q0*z[at_x_crossing] + q1
+    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
     row += 1
     q0 = cell(Omega, cycles, s_crossing)
     R[row] = q0
@@ -376,8 +388,13 @@ def jacobian(case, z, J):
     q0 = velocity_crossing_by_s_crossing(r)
     J[row, at_s_crossing] += q0*z[at_d_crossing]
     row += 1
-    q0, _ = event_crossing_after(g)
+    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
     J[row, at_x_crossing] += q0
+    J[row, at_v_crossing] += q1
+    J[row, at_d_crossing] += q2
+    J[row, at_d_crossing + 1] += q3
+    q0, q1, q2 = event_crossing_by_s_crossing(s_crossing)
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1]
     row += 1
     q0 = cell_by_s_crossing()
     J[row, at_s_crossing] += q0
@@ -412,7 +429,7 @@ def coefficients(z):
     }
 
 
-KEPT = 2  # unknowns that are solved for together
+KEPT = 3  # unknowns that are solved for together
 KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
@@ -421,20 +438,18 @@ def before(case, z):
     """Fill in the unknowns that single conditions give, before the others are solved for."""
     m, c, k, F, Omega, g, r, cycles = case
     N = len(z) - 4
-    at_x_crossing = 0
     at_s_crossing = N + 2
-    x_crossing = g
     s_crossing = (pi*cycles)/Omega
-    z[at_x_crossing] = x_crossing
     z[at_s_crossing] = s_crossing
 
 
 def kept_places(z):
     """Return the places in z of the unknowns that are solved for together."""
     N = len(z) - 4
+    at_x_crossing = 0
     at_v_crossing = 1
     at_phi = N + 3
-    return at_v_crossing, at_phi
+    return at_x_crossing, at_v_crossing, at_phi
 
 
 def band_places(z):
@@ -500,19 +515,20 @@ def band_rates(case, z, found, slopes):
     nu_crossing = over_crossing[1]
     slopes[:] = 0.0
     row = 4
-    _, q1, _, _, _, _ = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
-    slopes[0, row, 0] = -q1
+    q0, q1, _, _, _, _ = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
     q0 = crossing_by_0_by_phi(F, nu_crossing)
-    slopes[0, row, 1] = -(q0)
+    slopes[0, row, 2] = -(q0)
     row += 1
     q0, _, _, _, _, _ = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
-    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q0
     q0 = crossing_by_1_by_phi(F, nu_crossing)
-    slopes[0, row, 1] = -(q0)
+    slopes[0, row, 2] = -(q0)
     row += 1
     for l in range(2, N):
         q0 = crossing_by_l_by_phi(l, F, nu_crossing)
-        slopes[0, row, 1] = -(q0)
+        slopes[0, row, 2] = -(q0)
         row += 1
 
 
@@ -532,6 +548,9 @@ def joints(case, z, R):
     q0, q1 = velocity_crossing(r, s_crossing)
     R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
     row += 1
+    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
+    row += 1
 
 
 def joint_rates(case, z, slopes, J):
@@ -542,14 +561,21 @@ def joint_rates(case, z, slopes, J):
     s_crossing = z[at_s_crossing]
     row = 0
     J[:] = 0.0
-    _, q1, q2, q3 = displacement_crossing(s_crossing)
-    J[row, 0] += q1
+    q0, q1, q2, q3 = displacement_crossing(s_crossing)
+    J[row, 0] += q0
+    J[row, 1] += q1
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
     row += 1
     q0, q1 = velocity_crossing(r, s_crossing)
-    J[row, 0] += q0
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
+    row += 1
+    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
     row += 1
 
 

@@ -238,7 +238,7 @@ def polynomial_rows(o, z, N, weighted):
                 rows.append(
                     cell.on_phase(p, lambda u, l=l: (2 * l + 1) * eval_sh_legendre(l, u))
                 )
-    return np.array([*rows, *cell.joints(), *cell.events(after=True)])
+    return np.array([*rows, *cell.joints(), *cell.events(after=o.Omega is None)])
 
 
 def shifted(n):

@@ -28,8 +28,8 @@ METHOD = "ck"
 DURATIONS = 1
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "e54392f3c67568a307d9c28ef80fc27a8ed64c0b541696fe721e1f387429893b"  # of the conditions, by srepr
-BODY = "5409092a6e4cb4bcebdf7ff4665a2ec5330a4e7538d9df6a919775bb65113c44"  # of the text below
+MATHEMATICS = "c4e02a5e23d7cf5f64e023dcf04f50d7a4030d25c81632a3e46944ba0ed31abb"  # of the conditions, by srepr
+BODY = "7d7ac97e80ad36a5ac6d37f7e82cc4653235610bcb2fc2924e6547d1692c9f06"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -328,9 +328,17 @@ def velocity_slide_by_s_slide():
     return 1
 
 
-def event_slide_after():
-    """Coefficients: the event that ends slide, in the state after it."""
-    return -1
+def event_slide(s_slide):
+    """Coefficients: the event that ends slide."""
+    return (
+        1,
+        s_slide,
+    )
+
+
+def event_slide_by_s_slide():
+    """Their derivatives by s_slide, of those that depend on it."""
+    return 1
 
 
 def cell(Omega, cycles, s_slide):
@@ -385,8 +393,8 @@ def residual(case, z, R):
     q0, q1 = velocity_slide(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
-    q0 = event_slide_after()
-    R[row] = q0*z[at_v_slide]
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
     q0 = cell(Omega, cycles, s_slide)
     R[row] = q0
@@ -519,8 +527,11 @@ def jacobian(case, z, J):
     q0 = velocity_slide_by_s_slide()
     J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0 = event_slide_after()
+    q0, q1 = event_slide(s_slide)
     J[row, at_v_slide] += q0
+    J[row, at_d_slide] += q1
+    q0 = event_slide_by_s_slide()
+    J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
     q0 = cell_by_s_slide()
     J[row, at_s_slide] += q0

@@ -28,8 +28,8 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "e05f67f0cf975afc85ee6da2da030a2bde6bd7396894ac20f48caf2b1a13feda"  # of the conditions, by srepr
-BODY = "afd8f891188713b62d96d7e2210da20abec7eaf1464367055857307d5b9cef41"  # of the text below
+MATHEMATICS = "f32e23c3366fcd0abeadc0e8bb30d3308716493191d1398f5b51ed51a608509b"  # of the conditions, by srepr
+BODY = "0b20cb4fa96b5e5840f6f0c272543ecf7b67a46186b3b69531c6732bbd9517f2"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -244,9 +244,17 @@ def velocity_slide_by_s_slide():
     return 1
 
 
-def event_slide_after():
-    """Coefficients: the event that ends slide, in the state after it."""
-    return -1
+def event_slide(s_slide):
+    """Coefficients: the event that ends slide."""
+    return (
+        1,
+        s_slide,
+    )
+
+
+def event_slide_by_s_slide():
+    """Their derivatives by s_slide, of those that depend on it."""
+    return 1
 
 
 def cell(Omega, cycles, s_slide):
@@ -295,8 +303,8 @@ def residual(case, z, R):
     q0, q1 = velocity_slide(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
-    q0 = event_slide_after()
-    R[row] = q0*z[at_v_slide]
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
     q0 = cell(Omega, cycles, s_slide)
     R[row] = q0
@@ -373,8 +381,11 @@ def jacobian(case, z, J):
     q0 = velocity_slide_by_s_slide()
     J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0 = event_slide_after()
+    q0, q1 = event_slide(s_slide)
     J[row, at_v_slide] += q0
+    J[row, at_d_slide] += q1
+    q0 = event_slide_by_s_slide()
+    J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
     q0 = cell_by_s_slide()
     J[row, at_s_slide] += q0
@@ -409,7 +420,7 @@ def coefficients(z):
     }
 
 
-KEPT = 2  # unknowns that are solved for together
+KEPT = 3  # unknowns that are solved for together
 KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
@@ -418,11 +429,8 @@ def before(case, z):
     """Fill in the unknowns that single conditions give, before the others are solved for."""
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
     N = len(z) - 5
-    at_v_slide = 1
     at_s_slide = N + 3
-    v_slide = 0
     s_slide = (pi*cycles)/Omega
-    z[at_v_slide] = v_slide
     z[at_s_slide] = s_slide
 
 
@@ -430,8 +438,9 @@ def kept_places(z):
     """Return the places in z of the unknowns that are solved for together."""
     N = len(z) - 5
     at_x_slide = 0
+    at_v_slide = 1
     at_phi = N + 4
-    return at_x_slide, at_phi
+    return at_x_slide, at_v_slide, at_phi
 
 
 def band_places(z):
@@ -497,17 +506,20 @@ def band_rates(case, z, found, slopes):
     nu_slide = over_slide[1]
     slopes[:] = 0.0
     row = 4
-    q0, _, _, _, _, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    q0, q1, _, _, _, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
     slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
     q0 = slide_by_0_by_phi(F, nu_slide)
-    slopes[0, row, 1] = -(q0)
+    slopes[0, row, 2] = -(q0)
     row += 1
+    q0, _, _, _, _, _ = slide_by_1(m, c, k, F, s_slide, mu_slide)
+    slopes[0, row, 1] = -q0
     q0 = slide_by_1_by_phi(F, nu_slide)
-    slopes[0, row, 1] = -(q0)
+    slopes[0, row, 2] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0 = slide_by_l_by_phi(l, F, nu_slide)
-        slopes[0, row, 1] = -(q0)
+        slopes[0, row, 2] = -(q0)
         row += 1
 
 
@@ -526,6 +538,9 @@ def joints(case, z, R):
     q0, q1 = velocity_slide(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    row += 1
 
 
 def joint_rates(case, z, slopes, J):
@@ -535,12 +550,18 @@ def joint_rates(case, z, slopes, J):
     s_slide = z[at_s_slide]
     row = 0
     J[:] = 0.0
-    q0, _, q2, q3 = displacement_slide(s_slide)
+    q0, q1, q2, q3 = displacement_slide(s_slide)
     J[row, 0] += q0
+    J[row, 1] += q1
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
     row += 1
-    _, q1 = velocity_slide(s_slide)
+    q0, q1 = velocity_slide(s_slide)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    row += 1
+    q0, q1 = event_slide(s_slide)
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
     row += 1
 

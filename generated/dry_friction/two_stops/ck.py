@@ -31,8 +31,8 @@ METHOD = "ck"
 DURATIONS = 2
 FORCED = True
 LOWEST = 3  # order
-MATHEMATICS = "3ac214e731b327cbb037b79aa9303bdbfe90a73c29e9c140f52c3df6bb030ec2"  # of the conditions, by srepr
-BODY = "fcde08c22d12e87733d9bda8bb11bc11067b8a0619a1e8a56684f7eadc91c97c"  # of the text below
+MATHEMATICS = "e496f186580d4dff5c2d6bbda112f437b54f6616b6d686796da6b5af46100840"  # of the conditions, by srepr
+BODY = "9324da2ec215ed0451dd541f2a8fe1ac1884d2617e3939cdce05020eb40aa041"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -355,30 +355,42 @@ def velocity_stop_by_s_slide():
     return -1
 
 
-def event_slide_after():
-    """Coefficients: the event that ends slide, in the state after it."""
+def event_slide(s_slide):
+    """Coefficients: the event that ends slide."""
+    return (
+        1,
+        s_slide,
+    )
+
+
+def event_slide_by_s_slide():
+    """Their derivatives by s_slide, of those that depend on it."""
     return 1
 
 
-def event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi):
-    """Coefficients: the event that ends stop, in the state after it."""
+def event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi):
+    """Coefficients: the event that ends stop."""
     return (
-        -k,
+        k,
+        k*s_stop,
         -F*cos(Omega*s_slide + Omega*s_stop + phi) + F_N*mu_s,
     )
 
 
-def event_stop_after_by_s_slide(F, Omega, s_slide, s_stop, phi):
+def event_stop_by_s_slide(F, Omega, s_slide, s_stop, phi):
     """Their derivatives by s_slide, of those that depend on it."""
     return F*Omega*sin(Omega*s_slide + Omega*s_stop + phi)
 
 
-def event_stop_after_by_s_stop(F, Omega, s_slide, s_stop, phi):
+def event_stop_by_s_stop(k, F, Omega, s_slide, s_stop, phi):
     """Their derivatives by s_stop, of those that depend on it."""
-    return F*Omega*sin(Omega*s_slide + Omega*s_stop + phi)
+    return (
+        k,
+        F*Omega*sin(Omega*s_slide + Omega*s_stop + phi),
+    )
 
 
-def event_stop_after_by_phi(F, Omega, s_slide, s_stop, phi):
+def event_stop_by_phi(F, Omega, s_slide, s_stop, phi):
     """Their derivatives by phi, of those that depend on it."""
     return F*sin(Omega*s_slide + Omega*s_stop + phi)
 
@@ -450,11 +462,11 @@ def residual(case, z, R):
     q0, q1, q2 = velocity_stop(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_v_stop]
     row += 1
-    q0 = event_slide_after()
-    R[row] = q0*z[at_v_stop]
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
-    q0, q1 = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    R[row] = q0*z[at_x_slide] + q1
+    q0, q1, q2 = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
+    R[row] = q0*z[at_x_stop] + q1*z[at_v_stop] + q2
     row += 1
     q0 = cell(Omega, cycles, s_slide, s_stop)
     R[row] = q0
@@ -604,16 +616,20 @@ def jacobian(case, z, J):
     q0 = velocity_stop_by_s_slide()
     J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0 = event_slide_after()
-    J[row, at_v_stop] += q0
+    q0, q1 = event_slide(s_slide)
+    J[row, at_v_slide] += q0
+    J[row, at_d_slide] += q1
+    q0 = event_slide_by_s_slide()
+    J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0, _ = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    J[row, at_x_slide] += q0
-    q0 = event_stop_after_by_s_slide(F, Omega, s_slide, s_stop, phi)
+    q0, q1, _ = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
+    J[row, at_x_stop] += q0
+    J[row, at_v_stop] += q1
+    q0 = event_stop_by_s_slide(F, Omega, s_slide, s_stop, phi)
     J[row, at_s_slide] += q0
-    q0 = event_stop_after_by_s_stop(F, Omega, s_slide, s_stop, phi)
-    J[row, at_s_stop] += q0
-    q0 = event_stop_after_by_phi(F, Omega, s_slide, s_stop, phi)
+    q0, q1 = event_stop_by_s_stop(k, F, Omega, s_slide, s_stop, phi)
+    J[row, at_s_stop] += q0*z[at_v_stop] + q1
+    q0 = event_stop_by_phi(F, Omega, s_slide, s_stop, phi)
     J[row, at_phi] += q0
     row += 1
     q0 = cell_by_s_slide()

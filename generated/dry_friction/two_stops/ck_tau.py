@@ -31,8 +31,8 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
-MATHEMATICS = "2ea526def5003164e593b37b64a5d19b987498759cdf28a553597464f12413f3"  # of the conditions, by srepr
-BODY = "93036ea129a36ec1bdc15a56d0a5c0341a4bd016bfd396095317244b8cc4d9f2"  # of the text below
+MATHEMATICS = "8561ae69baadc6f5da00a88d9856fadd2cb808fa1495908ff72cb89525537bad"  # of the conditions, by srepr
+BODY = "7810735ab1b672032cf0235c5a5ac1e14163410b920df464cdb641f1e03d254c"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -271,30 +271,42 @@ def velocity_stop_by_s_slide():
     return -1
 
 
-def event_slide_after():
-    """Coefficients: the event that ends slide, in the state after it."""
+def event_slide(s_slide):
+    """Coefficients: the event that ends slide."""
+    return (
+        1,
+        s_slide,
+    )
+
+
+def event_slide_by_s_slide():
+    """Their derivatives by s_slide, of those that depend on it."""
     return 1
 
 
-def event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi):
-    """Coefficients: the event that ends stop, in the state after it."""
+def event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi):
+    """Coefficients: the event that ends stop."""
     return (
-        -k,
+        k,
+        k*s_stop,
         -F*cos(Omega*s_slide + Omega*s_stop + phi) + F_N*mu_s,
     )
 
 
-def event_stop_after_by_s_slide(F, Omega, s_slide, s_stop, phi):
+def event_stop_by_s_slide(F, Omega, s_slide, s_stop, phi):
     """Their derivatives by s_slide, of those that depend on it."""
     return F*Omega*sin(Omega*s_slide + Omega*s_stop + phi)
 
 
-def event_stop_after_by_s_stop(F, Omega, s_slide, s_stop, phi):
+def event_stop_by_s_stop(k, F, Omega, s_slide, s_stop, phi):
     """Their derivatives by s_stop, of those that depend on it."""
-    return F*Omega*sin(Omega*s_slide + Omega*s_stop + phi)
+    return (
+        k,
+        F*Omega*sin(Omega*s_slide + Omega*s_stop + phi),
+    )
 
 
-def event_stop_after_by_phi(F, Omega, s_slide, s_stop, phi):
+def event_stop_by_phi(F, Omega, s_slide, s_stop, phi):
     """Their derivatives by phi, of those that depend on it."""
     return F*sin(Omega*s_slide + Omega*s_stop + phi)
 
@@ -360,11 +372,11 @@ def residual(case, z, R):
     q0, q1, q2 = velocity_stop(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_v_stop]
     row += 1
-    q0 = event_slide_after()
-    R[row] = q0*z[at_v_stop]
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
     row += 1
-    q0, q1 = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    R[row] = q0*z[at_x_slide] + q1
+    q0, q1, q2 = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
+    R[row] = q0*z[at_x_stop] + q1*z[at_v_stop] + q2
     row += 1
     q0 = cell(Omega, cycles, s_slide, s_stop)
     R[row] = q0
@@ -458,16 +470,20 @@ def jacobian(case, z, J):
     q0 = velocity_stop_by_s_slide()
     J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0 = event_slide_after()
-    J[row, at_v_stop] += q0
+    q0, q1 = event_slide(s_slide)
+    J[row, at_v_slide] += q0
+    J[row, at_d_slide] += q1
+    q0 = event_slide_by_s_slide()
+    J[row, at_s_slide] += q0*z[at_d_slide]
     row += 1
-    q0, _ = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    J[row, at_x_slide] += q0
-    q0 = event_stop_after_by_s_slide(F, Omega, s_slide, s_stop, phi)
+    q0, q1, _ = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
+    J[row, at_x_stop] += q0
+    J[row, at_v_stop] += q1
+    q0 = event_stop_by_s_slide(F, Omega, s_slide, s_stop, phi)
     J[row, at_s_slide] += q0
-    q0 = event_stop_after_by_s_stop(F, Omega, s_slide, s_stop, phi)
-    J[row, at_s_stop] += q0
-    q0 = event_stop_after_by_phi(F, Omega, s_slide, s_stop, phi)
+    q0, q1 = event_stop_by_s_stop(k, F, Omega, s_slide, s_stop, phi)
+    J[row, at_s_stop] += q0*z[at_v_stop] + q1
+    q0 = event_stop_by_phi(F, Omega, s_slide, s_stop, phi)
     J[row, at_phi] += q0
     row += 1
     q0 = cell_by_s_slide()
@@ -515,31 +531,27 @@ def coefficients(z):
     }
 
 
-KEPT = 5  # unknowns that are solved for together
+KEPT = 7  # unknowns that are solved for together
 KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
 BELOW, ABOVE = 2, 2  # diagonals of the bands
 
 
 def before(case, z):
     """Fill in the unknowns that single conditions give, before the others are solved for."""
-    N = len(z) - 8
-    at_v_slide = 1
-    at_v_stop = N + 4
-    v_stop = 0
-    v_slide = -v_stop
-    z[at_v_stop] = v_stop
-    z[at_v_slide] = v_slide
+    pass
 
 
 def kept_places(z):
     """Return the places in z of the unknowns that are solved for together."""
     N = len(z) - 8
     at_x_slide = 0
+    at_v_slide = 1
     at_x_stop = N + 3
+    at_v_stop = N + 4
     at_s_slide = N + 5
     at_s_stop = N + 6
     at_phi = N + 7
-    return at_x_slide, at_x_stop, at_s_slide, at_s_stop, at_phi
+    return at_x_slide, at_v_slide, at_x_stop, at_v_stop, at_s_slide, at_s_stop, at_phi
 
 
 def band_places(z):
@@ -606,23 +618,26 @@ def band_rates(case, z, found, slopes):
     nu_slide = over_slide[1]
     slopes[:] = 0.0
     row = 4
-    q0, _, _, _, _, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    q0, q1, _, _, _, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
     slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
     q0, q1, q2, q3, q4 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    slopes[0, row, 2] = -(q0*z[at_v_slide] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    slopes[0, row, 4] = -(q0*z[at_v_slide] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
     q0 = slide_by_0_by_phi(F, nu_slide)
-    slopes[0, row, 4] = -(q0)
+    slopes[0, row, 6] = -(q0)
     row += 1
+    q0, _, _, _, _, _ = slide_by_1(m, c, k, F, s_slide, mu_slide)
+    slopes[0, row, 1] = -q0
     q0, q1, q2, q3, q4, q5 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    slopes[0, row, 2] = -(q0*z[at_v_slide] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    slopes[0, row, 4] = -(q0*z[at_v_slide] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
     q0 = slide_by_1_by_phi(F, nu_slide)
-    slopes[0, row, 4] = -(q0)
+    slopes[0, row, 6] = -(q0)
     row += 1
     for l in range(2, N + 1):
         q0, q1, q2, q3, q4, q5 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
-        slopes[0, row, 2] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        slopes[0, row, 4] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
         q0 = slide_by_l_by_phi(l, F, nu_slide)
-        slopes[0, row, 4] = -(q0)
+        slopes[0, row, 6] = -(q0)
         row += 1
 
 
@@ -645,14 +660,20 @@ def joints(case, z, R):
     q0, q1, q2 = displacement_slide(s_stop)
     R[row] = q0*z[at_x_slide] + q1*z[at_x_stop] + q2*z[at_v_stop]
     row += 1
+    q0, q1 = velocity_slide()
+    R[row] = q0*z[at_v_slide] + q1*z[at_v_stop]
+    row += 1
     q0, q1, q2, q3, q4 = displacement_stop(s_slide)
     R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*z[at_x_stop]
     row += 1
     q0, q1, q2 = velocity_stop(s_slide)
     R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_v_stop]
     row += 1
-    q0, q1 = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    R[row] = q0*z[at_x_slide] + q1
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    row += 1
+    q0, q1, q2 = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
+    R[row] = q0*z[at_x_stop] + q1*z[at_v_stop] + q2
     row += 1
     q0 = cell(Omega, cycles, s_slide, s_stop)
     R[row] = q0
@@ -674,38 +695,53 @@ def joint_rates(case, z, slopes, J):
     phi = z[at_phi]
     row = 0
     J[:] = 0.0
-    q0, q1, _ = displacement_slide(s_stop)
+    q0, q1, q2 = displacement_slide(s_stop)
+    J[row, 0] += q0
+    J[row, 2] += q1
+    J[row, 3] += q2
+    q0 = displacement_slide_by_s_stop()
+    J[row, 5] += q0*z[at_v_stop]
+    row += 1
+    q0, q1 = velocity_slide()
+    J[row, 1] += q0
+    J[row, 3] += q1
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_stop(s_slide)
     J[row, 0] += q0
     J[row, 1] += q1
-    q0 = displacement_slide_by_s_stop()
-    J[row, 3] += q0*z[at_v_stop]
-    row += 1
-    q0, _, q2, q3, q4 = displacement_stop(s_slide)
-    J[row, 0] += q0
     follow(J, row, slopes, 0, 4, q2)
     follow(J, row, slopes, 0, 5, q3)
-    J[row, 1] += q4
+    J[row, 2] += q4
     q0, q1, q2 = displacement_stop_by_s_slide(s_slide)
-    J[row, 2] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1]
+    J[row, 4] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1]
     row += 1
-    _, q1, _ = velocity_stop(s_slide)
+    q0, q1, q2 = velocity_stop(s_slide)
+    J[row, 1] += q0
     follow(J, row, slopes, 0, 4, q1)
+    J[row, 3] += q2
     q0 = velocity_stop_by_s_slide()
-    J[row, 2] += q0*z[at_d_slide]
+    J[row, 4] += q0*z[at_d_slide]
     row += 1
-    q0, _ = event_stop_after(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
-    J[row, 0] += q0
-    q0 = event_stop_after_by_s_slide(F, Omega, s_slide, s_stop, phi)
+    q0, q1 = event_slide(s_slide)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    q0 = event_slide_by_s_slide()
+    J[row, 4] += q0*z[at_d_slide]
+    row += 1
+    q0, q1, _ = event_stop(k, F_N, mu_s, F, Omega, s_slide, s_stop, phi)
     J[row, 2] += q0
-    q0 = event_stop_after_by_s_stop(F, Omega, s_slide, s_stop, phi)
-    J[row, 3] += q0
-    q0 = event_stop_after_by_phi(F, Omega, s_slide, s_stop, phi)
+    J[row, 3] += q1
+    q0 = event_stop_by_s_slide(F, Omega, s_slide, s_stop, phi)
     J[row, 4] += q0
+    q0, q1 = event_stop_by_s_stop(k, F, Omega, s_slide, s_stop, phi)
+    J[row, 5] += q0*z[at_v_stop] + q1
+    q0 = event_stop_by_phi(F, Omega, s_slide, s_stop, phi)
+    J[row, 6] += q0
     row += 1
     q0 = cell_by_s_slide()
-    J[row, 2] += q0
+    J[row, 4] += q0
     q0 = cell_by_s_stop()
-    J[row, 3] += q0
+    J[row, 5] += q0
     row += 1
 
 
