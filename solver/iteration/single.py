@@ -65,8 +65,8 @@ def limited(step: float, y: float) -> float:
 def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(work, y) = 0`` from `y`, which is overwritten.
 
-    It ends where the correction that would follow is at rounding level, or corrections no
-    longer fall; the last evaluation is at the solution.  See `iteration.iterate_scene`.
+    It ends with a correction at rounding level, after which nothing is evaluated again, or
+    where corrections no longer fall.  See `iteration.iterate_scene`.
     """
     R, J, known = np.empty(1), np.empty((1, 1)), np.empty((POINTS, 2))
     residual(work, y, R)
@@ -82,7 +82,7 @@ def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, f
             return OVERFLOW, iteration, correction, abs(value)
         correction = length
         if length <= SETTLED and (length <= ROUNDOFF or length > 0.5 * previous):
-            y[0] = begin + limited(step, begin) * step if step != 0 else begin
+            y[0] = begin + limited(step, begin) * step
             residual(work, y, R)
             return CONVERGED, iteration, correction, abs(R[0])
         damping = min(1.0, 2.0 * damping, limited(step, begin))
@@ -109,15 +109,14 @@ def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, f
                 difference = (difference - known[i, 1]) / (R[0] - known[i, 0])
             following = difference * product
             ahead = abs(following) / size
+            if ahead <= ROUNDOFF:
+                y[0] += following
+                return CONVERGED, iteration, ahead, abs(R[0])
             if not ahead <= FAST * length or limited(following, y[0]) < 1:
                 break
             known[count, 0], known[count, 1] = R[0], difference
             product *= -R[0]
             y[0] += following
             residual(work, y, R)
-            # ratios of corrections fall as their squares do, or little slower
-            correction = 2 * ahead * (ahead / length) ** 2
-            previous, length = length, ahead
-            if correction <= ROUNDOFF:
-                return CONVERGED, iteration, correction, abs(R[0])
+            previous = length = correction = ahead
     return TOO_MANY, limit, correction, abs(R[0])

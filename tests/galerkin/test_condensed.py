@@ -7,10 +7,10 @@ from galerkin.derived import conditions
 
 from nonsmooth.codegen.emission.condensed import Writer
 from nonsmooth.codegen.emission.condensed.bands import bands_of
+from nonsmooth.codegen.emission.condensed.order import _solved, remaining
 from nonsmooth.codegen.emission.condensed.order import order as order_of
-from nonsmooth.codegen.emission.condensed.order import remaining
-from nonsmooth.codegen.emission.loops import rows_of
-from nonsmooth.codegen.galerkin.condition import N
+from nonsmooth.codegen.emission.loops import Row, rows_of
+from nonsmooth.codegen.galerkin.condition import Condition, N
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.registry import kernel as kernel_of
 from nonsmooth.solver.iteration import bands
@@ -26,6 +26,8 @@ SCENES = {
     "S2b": "clearance",
     "S4a": "elastic-plastic",
 }
+
+TIME = sp.Symbol("s_flight", positive=True)
 
 PAD = bands.BELOW + bands.ABOVE
 
@@ -133,6 +135,17 @@ def test_every_unknown_that_no_band_has_is_given_once(name):
     rows = [each.row for each in (*solved.before, *solved.after)]
     assert len(solved.rows) == len(solved.unknowns) >= 1
     assert sorted(map(id, (*rows, *solved.rows))) == sorted(map(id, found.joints))
+
+
+@pytest.mark.parametrize(
+    ("power", "value"), [(1, (2 * TIME + 3) / 5), (2, None), (sp.Rational(1, 2), None)]
+)
+def test_only_what_is_linear_is_solved_for(power, value):
+    system = conditions("S1", "ck_tau")
+    unknown = system.times.unknown[-1]
+    row = Row(Condition("event", "an event", 5 * unknown**power - 2 * TIME - 3), ())
+    found = _solved(system, row, unknown)
+    assert found is None if value is None else sp.expand(found.value - value) == 0
 
 
 @pytest.mark.parametrize("turn", [0.3, 7.0, 50.0, 51.3])

@@ -10,7 +10,7 @@ Either way a coefficient that vanishes for some parameters is one for which the 
 singular: nothing is lost.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -62,36 +62,20 @@ def remaining(system: GalerkinConditions, bands: Sequence[Band]) -> tuple[sp.Exp
 
 
 def order(system: GalerkinConditions, bands: Sequence[Band], joints: Sequence[Row]) -> Order:
-    """Return the order in which joints and unknowns are solved; at least one is left.
-
-    At rough times, states and memory are first fitted to the conditions.  Where some are left
-    to be fitted, none is given before: that would take from the fit.
-    """
-    times = set(system.times.unknown)
-    found = _order(system, bands, joints, set(remaining(system, bands)))
-    return found if times.issuperset(found.unknowns) else _order(system, bands, joints, times)
-
-
-def _order(
-    system: GalerkinConditions,
-    bands: Sequence[Band],
-    joints: Sequence[Row],
-    before: Collection[sp.Expr],
-) -> Order:
-    """Return it, where only those of some unknowns may be given before."""
+    """Return the order in which joints and unknowns are solved; at least one is left."""
     sight = _Sight(system, bands)
     rows, unknowns = list(joints), list(remaining(system, bands))
-    first: list[Assignment] = []
-    last: list[Assignment] = []
-    while len(rows) > 1 and (found := _first(rows, unknowns, before, sight)) is not None:
-        first.append(found)
+    before: list[Assignment] = []
+    after: list[Assignment] = []
+    while len(rows) > 1 and (found := _first(rows, unknowns, sight)) is not None:
+        before.append(found)
         rows.remove(found.row)
         unknowns.remove(found.unknown)
     while len(rows) > 1 and (found := _last(rows, unknowns, sight)) is not None:
-        last.insert(0, found)
+        after.insert(0, found)
         rows.remove(found.row)
         unknowns.remove(found.unknown)
-    return Order(tuple(first), tuple(rows), tuple(unknowns), tuple(last))
+    return Order(tuple(before), tuple(rows), tuple(unknowns), tuple(after))
 
 
 class _Sight:
@@ -119,15 +103,12 @@ class _Sight:
 
 
 def _first(
-    rows: Sequence[Row],
-    unknowns: Sequence[sp.Expr],
-    before: Collection[sp.Expr],
-    sight: _Sight,
+    rows: Sequence[Row], unknowns: Sequence[sp.Expr], sight: _Sight
 ) -> Assignment | None:
-    """Return what a row gives that sees one of `unknowns` alone, and that one of `before`."""
+    """Return what a row gives that sees one of `unknowns` alone."""
     for row in rows:
         seen = sight.itself(row).intersection(unknowns)
-        if len(seen) == 1 and seen.issubset(before) and not sight.through(row):
+        if len(seen) == 1 and not sight.through(row):
             (unknown,) = seen
             found = _solved(sight.system, row, unknown)
             if found is not None:

@@ -9,6 +9,15 @@ def _solver(what: str, file: str, old: str, new: str) -> Mutant:
     return Mutant(what, f"solver/iteration/{file}.py", old, new, TESTS)
 
 
+def _order(what: str, old: str, new: str) -> Mutant:
+    return Mutant(what, "codegen/emission/condensed/order.py", old, new, TESTS)
+
+
+def _single(what: str, old: str, new: str) -> Mutant:
+    tests = ("tests/scenes/test_single_unknown.py",)
+    return Mutant(what, "solver/iteration/single.py", old, new, tests)
+
+
 MUTANTS = (
     _solver("rows of a band are never exchanged", "bands", "entry > largest:", "entry < 0:"),
     _solver(
@@ -61,4 +70,66 @@ MUTANTS = (
         "q.index - band.block.first for q in terms",
         ("tests/galerkin/test_condensed.py::test_only_bands_that_can_be_eliminated",),
     ),
+    _order(
+        "what a band depends on is overlooked",
+        "return found\n\n\ndef _first",
+        "return set()\n\n\ndef _first",
+    ),
+    _order(
+        "an unknown that others see is left for the end",
+        "if len(seeing) == 1 and unknown",
+        "if seeing and unknown",
+    ),
+    _order(
+        "nothing is given before",
+        "return found\n    return None\n\n\ndef _last",
+        "return None\n    return None\n\n\ndef _last",
+    ),
+    _order(
+        "what is not linear is solved as if it were",
+        "if by_time(slope, unknown, system.tables) != 0:",
+        "if False:",
+    ),
+    _order(
+        "the sign of what is given is lost", "factored(-rest / slope)", "factored(rest / slope)"
+    ),
+    _solver(
+        "the rest of a band is not filled in",
+        "condensed",
+        "        for i in range(reach, size):\n            z[at + i]",
+        "        for i in range(size, size):\n            z[at + i]",
+    ),
+    _solver(
+        "rows that were exchanged are not followed down",
+        "bands",
+        "0 if wide else ABOVE",
+        "ABOVE",
+    ),
+    _single("the slope at the first point is left out", "1.0 / J[0, 0]", "0.0"),
+    _single("the first point counts once", "product = value * value", "product = -value"),
+    _single("factors of the product keep their sign", "product *= -R[0]", "product *= R[0]"),
+    _single("corrections may grow", "FAST = 0.25", "FAST = 25.0"),
+    _single("a duration may take any step", "    if DURATIONS:\n", "    if False:\n"),
+    _single(
+        "a phase may take any step",
+        "    if FORCED:\n        return min",
+        "    if False:\n        return min",
+    ),
+    _single("it ends a correction too early", "if ahead <= ROUNDOFF:", "if ahead <= 1e-9:"),
+    _single(
+        "the last correction is not added",
+        "                y[0] += following\n                return",
+        "                return",
+    ),
+    _single(
+        "points are kept of a step that was cut",
+        "        if damping < 1:\n",
+        "        if False:\n",
+    ),
+    _single(
+        "a step that reduces nothing is taken",
+        "abs(R[0]) <= (1 - damping / 4) * abs(value) or",
+        "True or",
+    ),
+    _single("a slope of zero is divided by", "if J[0, 0] == 0:", "if False:"),
 )
