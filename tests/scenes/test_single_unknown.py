@@ -82,6 +82,15 @@ def test_the_last_evaluation_is_at_what_is_returned_but_for_rounding(case) -> No
     assert found.correction <= 4 * np.finfo(float).eps
 
 
+def test_the_last_correction_is_added() -> None:
+    """Of what is off by little more than rounding, it leaves little more than rounding."""
+    function, slope, root = CASES["exponential"]
+    found = [solve(function, slope, q * root) for q in np.linspace(0.8, 1.2, 81)]
+    evaluated = sum(abs(q.seen[-1] - root) for q in found)
+    assert any(q.y != q.seen[-1] for q in found)
+    assert sum(abs(q.y - root) for q in found) < evaluated
+
+
 @given(st.floats(0.1, 5.0), st.floats(0.05, 10.0), st.floats(-3.0, 3.0), st.floats(0.3, 3.0))
 def test_any_rising_cubic_is_solved_to_the_last_digits(root, a, b, off) -> None:
     """``d (a d^2 + b d + b^2/(2 a) + 0.1)`` with ``d = y - r``: its slope has no root."""
@@ -122,6 +131,9 @@ def test_it_begins_anew_where_corrections_do_not_shrink_fast() -> None:
     assert found.status == CONVERGED
     assert found.y == pytest.approx(0.7, rel=1e-15)
     assert len(found.slopes) > 1
+    steps = np.abs(np.diff([*found.seen, found.y]))
+    for before, step, y in zip(steps, steps[1:], found.seen[1:], strict=False):
+        assert y in found.slopes or step <= 0.25 * before
 
 
 def test_a_step_that_reduces_nothing_is_halved() -> None:
