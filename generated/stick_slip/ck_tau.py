@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "2a36f7eea109f9909f16e84c0439f3c8cf5b07bc5e37c387b0b0d1969b4e0895"  # of the conditions, by srepr
-BODY = "003567b2ea3b5f366e0c7be0f1d3d8fbf1ef880c7f9100c451a9e89c42194b32"  # of the text below
+BODY = "32c38ff6b668d042229559122a9f70bb3aea00ec047402161ada1790037d6e14"  # of the text below
 
 
 def follow(J, row, slopes, p, i, value):
@@ -504,6 +504,6 @@ def after(case, z):
     x_slip = z[at_x_slip]
     v_slip = z[at_v_slip]
     x_stick = -((s_slip*s_slip)*z[at_d_slip + 1])/6 + ((s_slip*s_slip)*z[at_d_slip])/2 + s_slip*v_slip + x_slip
-    s_stick = (x_slip - x_stick)/v_stick
+    s_stick = ((s_slip*s_slip)*z[at_d_slip + 1])/(6*v_stick) - ((s_slip*s_slip)*z[at_d_slip])/(2*v_stick) - (s_slip*v_slip)/v_stick
     z[at_x_stick] = x_stick
     z[at_s_stick] = s_stick

@@ -29,7 +29,7 @@ DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
 MATHEMATICS = "2e713484aeb37905d62b02de6d8e1115b866aea23db8001569f782422ca260c6"  # of the conditions, by srepr
-BODY = "f8a248d2afe503150783cbac21be1174959938da8178b60158e0e2099a7db889"  # of the text below
+BODY = "45bd93c18cffc23d740d54f097522e7a45144650bdb3de960cf848830c7ad2c1"  # of the text below
 
 
 def follow(J, row, slopes, p, i, value):
@@ -518,6 +518,6 @@ def after(case, z):
     x_slip = z[at_x_slip]
     v_slip = z[at_v_slip]
     x_stick = -((s_slip*s_slip)*z[at_d_slip + 1])/6 + ((s_slip*s_slip)*z[at_d_slip])/2 + s_slip*v_slip + x_slip
-    s_stick = (x_slip - x_stick)/v_stick
+    s_stick = ((s_slip*s_slip)*z[at_d_slip + 1])/(6*v_stick) - ((s_slip*s_slip)*z[at_d_slip])/(2*v_stick) - (s_slip*v_slip)/v_stick
     z[at_x_stick] = x_stick
     z[at_s_stick] = s_stick

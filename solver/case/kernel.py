@@ -16,7 +16,7 @@ from ..arrays import Matrix, Vector
 from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
 from ..iteration import condensed, iteration
 from ..iteration.iteration import Iteration
-from .linking import CALLS, driver_text, iteration_of, linked
+from .linking import CALLS, CALLS_OF_SEVERAL, driver_text, iteration_of, linked
 from .names import with_class_one
 
 #: What a kernel does that only NumPy can: plain Python, even where the rest is compiled.
@@ -135,11 +135,12 @@ def compiled(module: types.ModuleType) -> SceneKernel:
         if isinstance(value, types.FunctionType) and name not in PLAIN
     ]
     key = fingerprint(module)
+    calls = CALLS if namespace.get("KEPT") == 1 else CALLS_OF_SEVERAL
 
     def compiled_one(function: Any, names: dict[str, Any]) -> Any:
         clone = rebuilt(function, names)
         clone.__qualname__ = f"{function.__name__}_{key}"
-        return jit(clone, inlined=function.__name__ not in CALLS)
+        return jit(clone, inlined=function.__name__ not in calls)
 
     for function in own:
         namespace[function.__name__] = compiled_one(function, namespace)

@@ -44,12 +44,10 @@ SINGLE: tuple[Any, ...] = (single.size_of, single.limited, single.iterate_single
 DRIVER_FILES = (iteration, linear, bands, condensed, single)
 
 #: Functions that stay calls when compiled: large, and called from several places.
-CALLS = frozenset(
-    (
-        "residual", "jacobian", "condensed_residual", "condensed_jacobian",
-        "iterate_scene", "iterate_condensed",
-    )
-)  # fmt: skip
+CALLS = frozenset(("residual", "jacobian", "iterate_scene", "iterate_condensed"))
+
+#: So do these, where more than a single unknown is left.
+CALLS_OF_SEVERAL = CALLS | {"condensed_residual", "condensed_jacobian"}
 
 #: Makes a function over a namespace, plain or compiled.
 Make = Callable[[Any, dict[str, Any]], Any]

@@ -134,8 +134,16 @@ def workplace(case: Any, z: Vector) -> Any:
         longest, count = max(longest, size + left), count + 1
     rows = pad + longest + ABOVE
     diagonals, slopes = np.empty((count, rows, pad + ABOVE + 1)), np.empty((count, rows, KEPT))
-    right, found = np.empty((count, rows)), np.zeros((count, rows))
-    return case, z, diagonals, right, found, slopes, np.empty((count, rows), dtype=np.int64)
+    sides = np.zeros((2, count, rows))
+    return (
+        case,
+        z,
+        diagonals,
+        sides[0],
+        sides[1],
+        slopes,
+        np.empty((count, rows), dtype=np.int64),
+    )
 
 
 def fitted(work: Any, y: Vector) -> None:

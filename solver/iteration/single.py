@@ -65,10 +65,11 @@ def limited(step: float, y: float) -> float:
 def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(work, y) = 0`` from `y`, which is overwritten.
 
-    It ends with a correction at rounding level, after which nothing is evaluated again, or
-    where corrections no longer fall.  See `iteration.iterate_scene`.
+    It ends with a correction at rounding level, or where corrections no longer fall; the last
+    evaluation is at the solution.  See `iteration.iterate_scene`.
     """
-    R, J, known = np.empty(1), np.empty((1, 1)), np.empty((POINTS, 2))
+    room = np.empty((3, POINTS))
+    points, differences, R, J = room[0], room[1], room[2, :1], room[2:, 1:2]
     residual(work, y, R)
     damping, previous, correction = 1.0, np.inf, np.inf
     for iteration in range(1, limit + 1):
@@ -99,23 +100,28 @@ def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, f
         previous = length
         if damping < 1:
             continue
-        # the points of the inverse function, and the product of its factors at 0
-        known[0, 0], known[0, 1] = value, begin
-        known[1, 0], known[1, 1] = value, 1.0 / J[0, 0]
-        product = value * value
+        # divided differences of the inverse function, over the newest points first; the first
+        # point stands there twice, for its slope
+        points[0], points[1] = value, value
+        differences[0], differences[1] = begin, 1.0 / J[0, 0]
         for count in range(2, POINTS):
-            difference = y[0]
-            for i in range(count):
-                difference = (difference - known[i, 1]) / (R[0] - known[i, 0])
-            following = difference * product
+            points[count] = R[0]
+            newer, product, following = y[0], 1.0, 0.0
+            for j in range(count):
+                newer, differences[j] = (
+                    (newer - differences[j]) / (R[0] - points[count - 1 - j]),
+                    newer,
+                )
+                product *= -points[count - j]
+                following += newer * product
+            differences[count] = newer
             ahead = abs(following) / size
             if ahead <= ROUNDOFF:
                 y[0] += following
+                residual(work, y, R)
                 return CONVERGED, iteration, ahead, abs(R[0])
             if not ahead <= FAST * length or limited(following, y[0]) < 1:
                 break
-            known[count, 0], known[count, 1] = R[0], difference
-            product *= -R[0]
             y[0] += following
             residual(work, y, R)
             previous = length = correction = ahead

@@ -61,7 +61,7 @@ def test_one_derivative_and_few_residuals_from_ten_percent_off(case, off) -> Non
     assert found.status == CONVERGED
     assert found.y == pytest.approx(root, rel=4e-16)
     assert len(found.slopes) == found.iterations == 1
-    assert len(found.seen) <= 6
+    assert len(found.seen) <= 7
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -73,22 +73,24 @@ def test_errors_fall_as_the_product_of_those_before(case) -> None:
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_the_last_evaluation_is_at_what_is_returned_but_for_rounding(case) -> None:
+def test_the_last_evaluation_is_at_what_is_returned(case) -> None:
     """The unknowns of the bands are those of the last evaluation."""
     function, slope, root = CASES[case]
     found = solve(function, slope, 0.8 * root)
-    assert found.seen[-1] == pytest.approx(found.y, rel=4 * np.finfo(float).eps)
-    assert found.norm == abs(function(found.seen[-1]))
+    assert found.seen[-1] == found.y
+    assert found.norm == abs(function(found.y))
     assert found.correction <= 4 * np.finfo(float).eps
 
 
 def test_the_last_correction_is_added() -> None:
-    """Of what is off by little more than rounding, it leaves little more than rounding."""
-    function, slope, root = CASES["exponential"]
-    found = [solve(function, slope, q * root) for q in np.linspace(0.8, 1.2, 81)]
-    evaluated = sum(abs(q.seen[-1] - root) for q in found)
-    assert any(q.y != q.seen[-1] for q in found)
-    assert sum(abs(q.y - root) for q in found) < evaluated
+    """Of what is off by little more than rounding, it leaves less."""
+    starts = np.linspace(1.2, 1.8, 201)
+    found = [
+        solve(lambda y: (y - 1.5) * (y - 0.5), lambda y: 2 * y - 2.0, start) for start in starts
+    ]
+    before = [abs(q.seen[-2] - 1.5) for q in found]
+    assert sum(before) > 0
+    assert sum(abs(q.y - 1.5) for q in found) < 0.1 * sum(before)
 
 
 @given(st.floats(0.1, 5.0), st.floats(0.05, 10.0), st.floats(-3.0, 3.0), st.floats(0.3, 3.0))
@@ -131,7 +133,7 @@ def test_it_begins_anew_where_corrections_do_not_shrink_fast() -> None:
     assert found.status == CONVERGED
     assert found.y == pytest.approx(0.7, rel=1e-15)
     assert len(found.slopes) > 1
-    steps = np.abs(np.diff([*found.seen, found.y]))
+    steps = np.abs(np.diff(found.seen))
     for before, step, y in zip(steps, steps[1:], found.seen[1:], strict=False):
         assert y in found.slopes or step <= 0.25 * before
 

@@ -11,7 +11,7 @@ singular: nothing is lost.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -75,7 +75,16 @@ def order(system: GalerkinConditions, bands: Sequence[Band], joints: Sequence[Ro
         after.insert(0, found)
         rows.remove(found.row)
         unknowns.remove(found.unknown)
-    return Order(tuple(before), tuple(rows), tuple(unknowns), tuple(after))
+    return Order(tuple(before), tuple(rows), tuple(unknowns), _put_in(after))
+
+
+def _put_in(assigned: Sequence[Assignment]) -> tuple[Assignment, ...]:
+    """Return assignments with the values of those before put in: what cancels is not formed."""
+    found: dict[sp.Expr, sp.Expr] = {}
+    for each in assigned:
+        value = sp.expand_mul(each.value.subs(found, simultaneous=True))
+        found[each.unknown] = factored(value)
+    return tuple(replace(each, value=found[each.unknown]) for each in assigned)
 
 
 class _Sight:

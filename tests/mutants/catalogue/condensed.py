@@ -106,8 +106,14 @@ MUTANTS = (
         "ABOVE",
     ),
     _single("the slope at the first point is left out", "1.0 / J[0, 0]", "0.0"),
-    _single("the first point counts once", "product = value * value", "product = -value"),
-    _single("factors of the product keep their sign", "product *= -R[0]", "product *= R[0]"),
+    _single(
+        "the first point counts once",
+        "points[1] = value, value",
+        "points[1] = value, 2 * value",
+    ),
+    _single(
+        "factors of the product keep their sign", "product *= -points", "product *= points"
+    ),
     _single("corrections may grow", "FAST = 0.25", "FAST = 25.0"),
     _single("a duration may take any step", "    if DURATIONS:\n", "    if False:\n"),
     _single(
@@ -118,8 +124,18 @@ MUTANTS = (
     _single("it ends a correction too early", "if ahead <= ROUNDOFF:", "if ahead <= 1e-9:"),
     _single(
         "the last correction is not added",
-        "                y[0] += following\n                return",
-        "                return",
+        "                y[0] += following\n                residual",
+        "                residual",
+    ),
+    _single(
+        "nothing is evaluated after the last correction",
+        "y[0] += following\n                residual(work, y, R)\n",
+        "y[0] += following\n",
+    ),
+    _order(
+        "what cancels is formed",
+        "tuple(unknowns), _put_in(after))",
+        "tuple(unknowns), tuple(after))",
     ),
     _single(
         "points are kept of a step that was cut",
