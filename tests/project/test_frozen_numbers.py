@@ -10,8 +10,13 @@ import pytest
 from frozen import equations, grid, machine
 from frozen.compare import FOLDER, differences
 
+FROZEN = json.loads((FOLDER / "machine.json").read_text("utf-8"))
+
 #: Last bits depend on libraries and processor; elsewhere the times agree to rounding.
-SAME_MACHINE = machine.described() == json.loads((FOLDER / "machine.json").read_text("utf-8"))
+SAME_MACHINE = machine.described() == FROZEN
+
+#: How formulas are written in HTML is the library's.
+SAME_MATHML = machine.described()["latex2mathml"] == FROZEN["latex2mathml"]
 
 
 @pytest.mark.parametrize("name", grid.GRIDS)
@@ -26,6 +31,8 @@ def test_equations_in_every_format_are_the_frozen_ones() -> None:
     folder = FOLDER / "equations"
     assert sorted(path.name for path in folder.iterdir()) == sorted(shown)
     for name, text in shown.items():
+        if name.endswith(".html") and not SAME_MATHML:
+            continue
         assert text == (folder / name).read_text("utf-8"), name
 
 
