@@ -147,9 +147,9 @@ def _events(
 ) -> Iterator[Condition]:
     """Yield the events: where nothing forces, of the state after them, which they then give.
 
-    A forced motion is searched for from many rough times, at which the states are fitted to
-    the conditions first.  There more of them lead to an orbit if the events are of the ends of
-    the phases, which depend on all states.
+    A forced motion is searched for from rough times, one after the other, at which the states
+    are fitted to the conditions first.  With events at the ends of the phases that finds an
+    orbit in half the iterations.
     """
     if times.frequency is None:
         return closure.events_after(scene, times, start, end)
