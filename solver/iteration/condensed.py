@@ -7,7 +7,7 @@ a system of as many equations, whatever the order: multiple shooting, with the e
 place of an integrator.  Some of these equations give an unknown by themselves, before or after
 all others; `iteration.iterate_scene` solves what is left.
 
-``KEPT`` and the functions that stand here with no body are those of the kernel that `kernel`
+``KEPT`` and the functions that stand here with no body are those of the kernel that `linking`
 links this module to.
 """
 
@@ -52,7 +52,7 @@ def bands(case: Any, z: Vector, diagonals: Any, right: Matrix) -> None:
     raise NotImplementedError
 
 
-def band_rates(case: Any, z: Vector, right: Matrix, slopes: Any) -> None:
+def band_rates(case: Any, z: Vector, found: Matrix, slopes: Any) -> None:
     """Stand for their derivatives."""
     raise NotImplementedError
 

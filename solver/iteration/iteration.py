@@ -9,7 +9,7 @@ The test looks at the correction that follows with the same Jacobian.  While tha
 it is taken as well: a residual and a solution cost less than half of a Jacobian and its
 factors, and each such step adds one to the order of convergence.
 
-``DURATIONS`` and ``FORCED`` are those of the kernel that `kernel` links this module to.
+``DURATIONS`` and ``FORCED`` are those of the kernel that `linking` links this module to.
 """
 
 from collections.abc import Callable

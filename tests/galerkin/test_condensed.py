@@ -27,7 +27,7 @@ SCENES = {
     "S4a": "elastic-plastic",
 }
 
-TIME = sp.Symbol("s_flight", positive=True)
+TIME, PHASE = sp.Symbol("s_flight", positive=True), sp.Symbol("phi", real=True)
 
 PAD = bands.BELOW + bands.ABOVE
 
@@ -140,15 +140,27 @@ def test_every_unknown_that_no_band_has_is_given_once(name):
     assert sorted(map(id, (*rows, *solved.rows))) == sorted(map(id, found.joints))
 
 
+def said_of_the_phase(expression):
+    """Return what a condition that is zero says of the phase of the forcing."""
+    system = conditions("S1", "ck_tau")
+    row = Row(Condition("event", "an event", expression), ())
+    return _solved(system, row, system.times.unknown[-1])
+
+
 @pytest.mark.parametrize(
     ("power", "value"), [(1, (2 * TIME + 3) / 5), (2, None), (sp.Rational(1, 2), None)]
 )
 def test_only_what_is_linear_is_solved_for(power, value):
-    system = conditions("S1", "ck_tau")
-    unknown = system.times.unknown[-1]
-    row = Row(Condition("event", "an event", 5 * unknown**power - 2 * TIME - 3), ())
-    found = _solved(system, row, unknown)
+    found = said_of_the_phase(5 * PHASE**power - 2 * TIME - 3)
     assert found is None if value is None else sp.expand(found.value - value) == 0
+
+
+def test_nothing_is_divided_by_a_parameter_that_may_vanish():
+    """The damping of an impact oscillator may, its mass may not."""
+    m, c = (next(q for q in conditions("S1", "ck_tau").parameters if q.name == n) for n in "mc")
+    assert said_of_the_phase(c * PHASE - 1) is None
+    assert said_of_the_phase(m * PHASE - 1).value == 1 / m
+    assert said_of_the_phase((m + c) * PHASE - 1).value == 1 / (m + c)
 
 
 @pytest.mark.parametrize("turn", [0.3, 7.0, 50.0, 51.3])

@@ -6,8 +6,8 @@ alone sees, and linearly, follows once everything else is known.  What is left i
 be solved together, by Newton's method.  (The block triangular form of a sparse system, of which
 the blocks of size one at both ends are split off.)
 
-Either way a coefficient that vanishes for some parameters is one for which the whole system is
-singular: nothing is lost.
+Either way an unknown whose coefficient vanishes is one for which the whole system is singular:
+nothing is lost.
 """
 
 from collections.abc import Sequence
@@ -137,12 +137,18 @@ def _last(rows: Sequence[Row], unknowns: Sequence[sp.Expr], sight: _Sight) -> As
 
 
 def _solved(system: GalerkinConditions, row: Row, unknown: sp.Expr) -> Assignment | None:
-    """Return what a row says of an unknown; None if it is not linear in it, or has sums."""
+    """Return what a row says of an unknown; None if it has sums, or is not linear in it.
+
+    None as well if parameters for which it says nothing are allowed: there it cannot be
+    divided by what multiplies the unknown.
+    """
     expression = sp.expand_mul(row.condition.expression)
     if expression.has(sp.Sum):
         return None
     slope = by_time(expression, unknown, system.tables)
     if by_time(slope, unknown, system.tables) != 0:
+        return None
+    if slope.free_symbols.issubset(system.parameters) and not slope.is_nonzero:
         return None
     rest = sp.expand_mul(expression.subs(unknown, 0))
     return Assignment(unknown, factored(-rest / slope), row)

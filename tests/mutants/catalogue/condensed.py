@@ -133,6 +133,11 @@ MUTANTS = (
         "y[0] += following\n",
     ),
     _order(
+        "a parameter that may vanish is divided by",
+        "and not slope.is_nonzero:",
+        "and slope.is_zero:",
+    ),
+    _order(
         "what cancels is formed",
         "tuple(unknowns), _put_in(after))",
         "tuple(unknowns), tuple(after))",
