@@ -2,8 +2,10 @@
 
 import operator
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from itertools import product
+from functools import cached_property
+from itertools import islice, product
 
 import numpy as np
 
@@ -12,14 +14,9 @@ from .case import registry
 from .case.case import Case
 from .case.kernel import SceneKernel
 from .case.methods import FIRST
-from .flow.exact import exact_orbit
-from .flow.existence import (
-    infinitely_many,
-    is_in_vain,
-    scanned,
-    shown_to_be_none,
-    without_switches,
-)
+from .flow.exact import ExactSceneOrbit, exact_orbit
+from .flow.existence import not_decided, shown_to_be_none, without_switches
+from .flow.known import known, known_orbits
 from .iteration.attempt import attempt
 from .iteration.singular import is_reversible, is_singular
 from .iteration.start import PATIENCE, rough_times
@@ -87,52 +84,72 @@ def solve_case(
         case = case.of_motion(motion)
     if functions is None:
         functions = number_of_functions(case, method, None)
-    if case.scene.motions:
-        return of_any_motion(case, lambda each: _orbit(each, method, order, functions))
-    return _orbit(case, method, order, functions)
+
+    def search(each: Case) -> _Search:
+        kernel = registry.kernel(each.scene, method, functions)
+        return _Search(each, method, check_order(kernel, order), functions)
+
+    for exact in known_orbits(case):
+        found = search(exact.case).from_exact(exact)
+        if found is not None:
+            return found
+    return of_any_motion(case, lambda each: search(each).run())
 
 
-def with_motion(case: Case) -> Case:
+def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
     """Return the case of the motion that occurs, where a scene has several; else the case.
+
+    Parameters
+    ----------
+    case : Case
+    order : int
+        Of the search, where the exact orbits of some motion cannot be listed.
 
     Raises
     ------
     NoOrbit
         If none has an orbit; with the reasons of each.
     """
-    return solve_case(case).case if case.scene.motions else case
+    if not case.scene.motions:
+        return case
+    for exact in known_orbits(case):
+        return exact.case
+    return solve_case(case, order=max(order, COARSE[-1])).case
 
 
-def _orbit(case: Case, method: str, order: int, functions: int | None) -> SceneOrbit:
-    """Return the orbit of a case of one motion."""
-    kernel = registry.kernel(case.scene, method, functions)
-    order = check_order(kernel, order)
-    kernel = registry.quicker_kernel(case.scene, method, functions, order)
-    search = _Search(case, kernel)
-    for times in search.starts():
-        found = search.note(attempt(kernel, case, order, times, functions))
-        if not (found.converged and found.admissible):
-            found = search.less_smooth(found, times)
-        if found.converged and found.admissible:
-            return replace(found, iterations=search.iterations)
-    reason = f"{case.scene.label}, {kernel.method}, N = {order}: no admissible orbit was found"
-    reasons = [reason, *_what_else(case, search)]
-    tried = tuple(dict.fromkeys(search.tried))
-    error = shown_to_be_none(case, tried) or NoOrbit("; ".join(reasons), False, tried)
-    error.iterations = search.iterations
-    raise error
+def orbits_of(
+    case: Case, method: str = FIRST, order: int = 10, functions: int | None = None
+) -> list[SceneOrbit]:
+    """Return every admissible orbit of a case that is found, of every motion, stable first.
 
+    Where all solutions of the exact equations can be listed, those are all there are;
+    elsewhere it is the orbit that `solve_case` finds of each motion.
 
-def _what_else(case: Case, search: "_Search") -> Iterator[str]:
-    """Yield what explains that no orbit was found, as far as that is known."""
-    if search.exact:
-        yield "there is an exact orbit, and from its times there is no way to one"
-        return
-    many = infinitely_many(case)
-    if many:
-        yield many
-    yield from scanned(case)
-    yield from without_switches(case)
+    Parameters
+    ----------
+    case, method, order, functions
+        See `solve_case`.
+
+    Raises
+    ------
+    NoOrbit
+        If there is none.
+    """
+    method = registry.generic_method(case.scene, method)
+    if functions is None:
+        functions = number_of_functions(case, method, None)
+    found: list[SceneOrbit] = []
+    for each in case.each_motion:
+        kernel = registry.kernel(each.scene, method, functions)
+        search = _Search(each, method, check_order(kernel, order), functions)
+        own = [search.from_exact(exact) for exact in known(each).orbits]
+        found += [orbit for orbit in own if orbit is not None]
+        if not known(each).complete and not own:
+            with suppress(NoOrbit):
+                found.append(search.run())
+    if not found:
+        return [solve_case(case, method, order, functions)]
+    return sorted(found, key=lambda orbit: orbit.stable is not True)
 
 
 def number_of_functions(case: Case, method: str, wanted: int | None) -> int | None:
@@ -147,18 +164,65 @@ def number_of_functions(case: Case, method: str, wanted: int | None) -> int | No
 
 @dataclass
 class _Search:
-    """The ways to an orbit, and what each came to."""
+    """The ways to an orbit of a case of one motion, and what each came to."""
 
     case: Case
-    kernel: SceneKernel
+    method: str
+    order: int
+    functions: int | None
     words: str = ""
     iterations: int = 0
     exact: bool = False
     tried: list[str] = field(default_factory=list)
 
+    @cached_property
+    def kernel(self) -> SceneKernel:
+        """The method's kernel in the form that is quicker by now."""
+        return registry.quicker_kernel(self.case.scene, self.method, self.functions, self.order)
+
+    def run(self) -> SceneOrbit:
+        """Return an orbit.
+
+        Raises
+        ------
+        NoOrbit
+            If none is found.
+        """
+        for times in self.starts():
+            found = self.orbit(times)
+            if found is not None:
+                return found
+        name = f"{self.case.scene.label}, {self.kernel.method}, N = {self.order}"
+        words = "; ".join([f"{name}: no admissible orbit was found", *self._what_else()])
+        tried = tuple(dict.fromkeys(self.tried))
+        error = shown_to_be_none(self.case, tried) or NoOrbit(words, False, tried)
+        error.iterations = self.iterations
+        raise error
+
+    def _what_else(self) -> Iterator[str]:
+        """Yield what explains that no orbit was found, as far as that is known."""
+        if self.exact or known(self.case).orbits:
+            yield "there is an exact orbit, and from its times there is no way to one"
+            return
+        yield from not_decided(self.case)
+        yield from without_switches(self.case)
+
+    def from_exact(self, exact: ExactSceneOrbit) -> SceneOrbit | None:
+        """Return the orbit of the method next to an exact one, if it has one."""
+        self.words = "the times of the exact orbit"
+        return self.orbit(exact.times)
+
+    def orbit(self, times: Vector) -> SceneOrbit | None:
+        """Return the orbit to which times lead, if they lead to one."""
+        found = self.note(attempt(self.kernel, self.case, self.order, times, self.functions))
+        if not found.confirmed:
+            found = self.less_smooth(found, times)
+        return found if found.confirmed else None
+
     def note(self, found: SceneOrbit) -> SceneOrbit:
-        """Return a result, after its iterations and its failure, if it is one, were noted."""
+        """Return a result with all iterations, after its failure, if it is one, was noted."""
         self.iterations += found.outcome.iterations
+        found = replace(found, iterations=self.iterations)
         why = "" if found.converged else found.outcome.reason
         why = why or "; ".join(found.violations)
         if why:
@@ -185,20 +249,37 @@ class _Search:
         """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
 
         Then those on which a simulation settles, or why there are none; at last those of the
-        exact orbit, which may be found where a coarse one is not.
+        exact orbit, which may be found where a coarse one is not.  Where it is shown that there
+        is none, a simulation alone: it says what there is instead.
         """
+        if not known(self.case).none:
+            yield from self._coarse()
+        for settled in rough_times_by_simulation(self.case):
+            self.words = settled.words
+            if settled.times is None:
+                self.tried.append(settled.words)
+            else:
+                angle = (settled.times.angle,) if self.kernel.forced else ()
+                yield np.array([*settled.times.durations, *angle])
+        if known(self.case).complete:
+            return
+        try:
+            exact = exact_orbit(self.case)
+        except NoOrbit:
+            return
+        self.exact, self.words = True, "the times of the exact orbit"
+        yield exact.times
+
+    def _coarse(self) -> Iterator[Vector]:
+        """Yield the times of orbits by a coarse method, from rough times."""
         scene = self.case.scene
-        known = FIRST in registry.methods(scene)
+        available = FIRST in registry.methods(scene)
         once = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
-        coarse = registry.quicker_kernel(scene, once or FIRST) if known else None
+        coarse = registry.quicker_kernel(scene, once or FIRST) if available else None
         waves = WAVES * (self.case.cycles - 1)
         orders = [q + waves for q in COARSE] if coarse else COARSE[:1]
         ways = product(orders, rough_times(self.case.cell))
-        vain = False
-        for number, (order, rough) in enumerate(ways):
-            vain = number == PATIENCE and is_in_vain(self.case)
-            if vain:
-                break
+        for order, rough in islice(ways, PATIENCE if known(self.case).listed else None):
             self.words = rough.words
             angle = (rough.angle,) if self.kernel.forced else ()
             times = np.array([*rough.durations, *angle])
@@ -208,21 +289,6 @@ class _Search:
             found = self.note(attempt(coarse, self.case, order, times))
             if found.converged and found.admissible:
                 yield coarse.times(found.unknowns)
-        for settled in rough_times_by_simulation(self.case):
-            self.words = settled.words
-            if settled.times is None:
-                self.tried.append(settled.words)
-            else:
-                angle = (settled.times.angle,) if self.kernel.forced else ()
-                yield np.array([*settled.times.durations, *angle])
-        if vain:
-            return
-        try:
-            exact = exact_orbit(self.case)
-        except NoOrbit:
-            return
-        self.exact, self.words = True, "the times of the exact orbit"
-        yield exact.times
 
 
 def check_order(kernel: SceneKernel, value: object) -> int:

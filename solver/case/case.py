@@ -92,6 +92,15 @@ class Case:
         return replace(self, scene=of_motion(self.scene, name))
 
     @property
+    def whole(self) -> "Case":
+        """The case of all motions of the scene; itself if it has only one."""
+        from .registry import load_folder  # noqa: PLC0415  (it imports this module)
+
+        if self.scene.motion is None:
+            return self
+        return replace(self, scene=load_folder(self.scene.folder.parent))
+
+    @property
     def each_motion(self) -> "tuple[Case, ...]":
         """The case of each motion of the scene; itself if there is one."""
         return tuple(replace(self, scene=scene) for scene in self.scene.each_motion)

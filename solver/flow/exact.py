@@ -1,6 +1,7 @@
 """The exact orbit of a scene of linear phases: the reference of every error."""
 
 from collections.abc import Iterator, Sequence
+from itertools import islice
 
 import numpy as np
 
@@ -9,7 +10,8 @@ from ..iteration.start import PATIENCE, RoughTimes, rough_times
 from ..motions import of_any_motion
 from ..no_orbit import NoOrbit
 from .exact_motion import ExactSceneOrbit, from_times
-from .existence import is_in_vain, scanned, shown_to_be_none, without_switches
+from .existence import not_decided, shown_to_be_none, without_switches
+from .known import known, known_orbits
 
 __all__ = ["ExactSceneOrbit", "exact_orbit"]
 
@@ -36,6 +38,9 @@ def exact_orbit(
     NoOrbit
         If no start leads to an admissible orbit; with what each led to.
     """
+    if not len(durations):
+        for orbit in known_orbits(case):
+            return orbit
     if case.scene.motions:
         return of_any_motion(case, exact_orbit)
     given = _given(case, durations, forcing_phase)
@@ -52,20 +57,22 @@ def exact_orbit(
             return orbit
     shown = None if given else shown_to_be_none(case, tried)
     reason = f"{case.scene.label}: no admissible exact orbit was found"
-    words = "; ".join([reason, *scanned(case), *without_switches(case)])
+    words = "; ".join([reason, *not_decided(case), *without_switches(case)])
     error = shown or NoOrbit(words, False, tuple(tried))
     error.iterations = iterations
     raise error
 
 
 def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
-    """Yield rough times, then those on which a simulation settles; why not goes to `tried`."""
+    """Yield rough times, then those on which a simulation settles; why not goes to `tried`.
+
+    Where it is shown that there is no orbit, a simulation says what there is instead.
+    """
     from ..simulation.settle import rough_times_by_simulation  # noqa: PLC0415  (by this flow)
 
-    for number, rough in enumerate(rough_times(case.cell)):
-        if number == PATIENCE and is_in_vain(case):
-            break
-        yield rough
+    found = known(case)
+    if not found.none:
+        yield from islice(rough_times(case.cell), PATIENCE if found.listed else None)
     for settled in rough_times_by_simulation(case):
         if settled.times is None:
             tried.append(settled.words)

@@ -1,21 +1,17 @@
-"""What can be said where no orbit is found: that there is none, or what moves instead."""
+"""What is said where no orbit is found: that there is none, or what moves instead."""
 
 import math
 from collections.abc import Iterable, Iterator
-from functools import lru_cache
-
-import numpy as np
+from dataclasses import dataclass
+from typing import Any
 
 from ..case.case import Case
 from ..case.cell import Form, Phase
-from ..iteration.newton import Outcome
-from ..iteration.start import RoughTimes
 from ..no_orbit import NoOrbit
-from . import one_phase, two_phases
-from .exact_motion import ExactSceneOrbit, from_times
-from .exact_system import residual
+from . import flow, two_phases
+from .known import Known, known
 
-#: Solutions of a scan that are told of.
+#: Solutions that are told of.
 TOLD = 3
 
 #: How far the ratio of two frequencies may be from a whole number, as a part of it.
@@ -23,7 +19,7 @@ NEAR = 1e-9
 
 
 def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
-    """Return that there is no orbit, where that can be shown: see `one_phase`.
+    """Return that there is no orbit, where that is shown: see `known`.
 
     Parameters
     ----------
@@ -35,86 +31,116 @@ def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
     Returns
     -------
     NoOrbit or None
-        None where nothing is shown: of several phases the durations are unknown, and not all
-        solutions can be listed; or there is an orbit.
+        None where nothing is shown: not all solutions can be listed, or there is an orbit.
     """
-    if not one_phase.applies(case.cell):
+    found = known(case)
+    if not found.none:
         return None
-    (phase,), found = case.cell.phases, one_phase.solutions(case.cell)
-    instead = tuple(why for why in dict.fromkeys(tried) if why.startswith("a simulation"))
+    settled = (why for why in dict.fromkeys(tried) if why.startswith("a simulation"))
+    instead = (*map(str, motions_without_switches(case)), *settled)
     no_orbit = f"{case.scene.label}: no such orbit exists"
-    if found.none:
-        why = _resonance(case, phase) or "its equations have no real solution"
-        return NoOrbit(f"{no_orbit}: {why}", True, instead)
-    if not found.found:  # infinitely many solutions: some may be orbits
-        return None
-    orbits = [_orbit(case, each) for each in found.found]
-    if any(orbit.admissible for orbit in orbits):
-        return None
-    whys = dict.fromkeys("; ".join(orbit.violations) for orbit in orbits)
-    reasons = tuple(f"solution {i}: {why}" for i, why in enumerate(whys, 1))
+    if not found.refused:
+        why = _resonance(case, case.cell.phases[0]) if len(case.cell.phases) == 1 else ""
+        return NoOrbit(f"{no_orbit}: {why or _no_solution(case)}", True, instead)
+    count = len(found.refused)
+    which = "this one solution" if count == 1 else f"these {count} solutions"
     return NoOrbit(
-        f"{no_orbit}: its equations have no other solutions than these", True, reasons
+        f"{no_orbit}: its equations have {which} only", True, (*_refusals(found), *instead)
     )
 
 
-def is_in_vain(case: Case) -> bool:
-    """Return whether all solutions of the exact equations are known, and none is an orbit.
-
-    Of a cell of one phase that is proved (see `one_phase`), of one of two phases it is what a
-    scan of their durations finds (see `two_phases`).  Both need a forcing.
-    """
-    return bool(scanned_words(case)) or shown_to_be_none(case) is not None
-
-
-def scanned(case: Case) -> Iterator[str]:
-    """Yield what a scan of the durations of two phases finds, if that is no orbit."""
-    if scanned_words(case):
-        yield scanned_words(case)
+def _no_solution(case: Case) -> str:
+    """Return in words that the equations of a case have no solution."""
+    words = "its equations have no real solution"
+    if len(case.cell.phases) == 1:
+        return words
+    return f"{words} at any duration of {case.cell.phases[0].name}"
 
 
-@lru_cache(maxsize=16)
-def scanned_words(case: Case) -> str:
-    """Return in words that a scan finds no orbit; empty if it finds one or decides nothing."""
-    found = two_phases.solutions(case.cell) if two_phases.applies(case.cell) else None
-    if found is None:
-        return ""
-    name = case.cell.phases[0].name
-    if not found:
-        return (
-            f"the exact equations have no solution: a scan of the durations of {name}, from 0 "
-            f"to the whole cell, finds none that fits the forcing{_in_the_limit(case)}"
+def _refusals(found: Known) -> tuple[str, ...]:
+    """Return why each solution is not an orbit."""
+    several = len(found.refused[0].cell_durations) > 1
+    whys = []
+    for orbit in found.refused:
+        name = orbit.case.cell.phases[0].name
+        head = f"{name} {orbit.durations[0]:.4g} s, " if several else ""
+        whys.append(head + "; ".join(orbit.violations))
+    told = [f"solution {i}: {why}" for i, why in enumerate(dict.fromkeys(whys), 1)]
+    more = [f"and {len(told) - TOLD} more"] if len(told) > TOLD else []
+    return (*told[:TOLD], *more)
+
+
+def not_decided(case: Case) -> Iterator[str]:
+    """Yield why the solutions of the exact equations are not all known, where they may be."""
+    found = known(case)
+    if found.infinite:
+        why = _resonance(case, case.cell.phases[0])
+        words = "the equations have infinitely many solutions, none isolated"
+        yield f"{words}{why and f': {why}'}"
+    elif two_phases.applies(case.cell) and not (found.complete or found.orbits):
+        names = [phase.name for phase in two_phases.vanishing(case.cell)]
+        limit = (
+            f"; as {' or '.join(names)} lasts no time they hold to rounding" if names else ""
         )
-    orbits = [from_times(case, RoughTimes(*each, "the scan")) for each in found]
-    if not all(orbit.outcome.converged and orbit.violations for orbit in orbits):
-        return ""
-    said = [
-        f"{name} {orbit.durations[0]:.4g} s: {'; '.join(orbit.violations)}"
-        for orbit in orbits[:TOLD]
-    ]
-    more = f"; and {len(orbits) - TOLD} more" if len(orbits) > TOLD else ""
-    count = "one solution, which is" if len(orbits) == 1 else f"{len(orbits)} solutions,"
-    which = "not an orbit" if len(orbits) == 1 else "none of them an orbit"
-    return f"a scan of the durations of {name} finds {count} {which} ({'; '.join(said)}{more})"
+        yield (
+            "a scan of the exact equations found no orbit, and rounding leaves open whether "
+            f"there is one{limit}"
+        )
 
 
-def _in_the_limit(case: Case) -> str:
-    """Return in words in which limits the equations are satisfied; empty if in none."""
-    names = [phase.name for phase in two_phases.vanishing(case.cell)]
-    if not names:
-        return ""
-    return f"; only as {' or '.join(names)} lasts no time do they hold to rounding"
+@dataclass(frozen=True)
+class WithoutSwitches:
+    """A periodic motion that stays in one phase: its response to the forcing.
+
+    Parameters
+    ----------
+    case : Case
+    phase : str
+        Its name.
+    least, largest : float
+        Displacement in m.
+    stable : bool or None
+        Whether small perturbations die out; None where they last.
+    """
+
+    case: Case
+    phase: str
+    least: float
+    largest: float
+    stable: bool | None
+
+    def __str__(self) -> str:
+        size = max(-self.least, self.largest)
+        return (
+            f"the mass can move in {self.phase} for ever, without switches, "
+            f"|x| up to {size:.6g} m"
+        )
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it as JSON has it."""
+        return {
+            "motion": f"{self.phase}, without switches",
+            "period": 2 * math.pi / self.case.values[str(self.case.scene.frequency)],
+            "extremes": {"displacement": [self.least, self.largest]},
+            "stable": self.stable,
+        }
 
 
-def infinitely_many(case: Case) -> str:
-    """Return that the equations of a case have infinitely many solutions, if they do."""
-    if not one_phase.applies(case.cell):
-        return ""
-    found = one_phase.solutions(case.cell)
-    if found.none or found.found:
-        return ""
-    why = _resonance(case, case.cell.phases[0])
-    return f"the equations have infinitely many solutions, none isolated{why and f': {why}'}"
+def motions_without_switches(case: Case) -> list[WithoutSwitches]:
+    """Return the motions of a case that stay in one phase for ever, of any of its motions."""
+    found = {}
+    for each in case.each_motion:
+        cell = each.cell
+        for phase in cell.phases if cell.forced and not cell.memory else ():
+            if phase.held or not phase.g or phase.name in found:
+                continue
+            ends = _within(each, phase)
+            if ends is not None:
+                least, largest = (end * each.units.length for end in ends)
+                decay = flow.roots(phase)[0].real
+                stable = decay < 0 if decay else None
+                found[phase.name] = WithoutSwitches(each, phase.name, least, largest, stable)
+    return list(found.values())
 
 
 def without_switches(case: Case) -> Iterator[str]:
@@ -123,19 +149,10 @@ def without_switches(case: Case) -> Iterator[str]:
     In resonance its amplitude has no bound; or the response to the forcing stays within what
     the phase demands, and is itself a periodic motion, one without switches.
     """
-    if not case.cell.forced or case.cell.memory:
-        return
-    for phase in dict.fromkeys(case.cell.phases):
-        if phase.held or not phase.g:
-            continue
-        if _order_of_resonance(case, phase) == 1:
+    for phase in dict.fromkeys(case.cell.phases if case.cell.forced else ()):
+        if phase.g and not phase.held and _order_of_resonance(case, phase) == 1:
             yield _resonance(case, phase)
-            continue
-        amplitude = _amplitude_within(case, phase)
-        if amplitude is not None:
-            size = amplitude * case.units.length
-            far = f"|x| up to {size:.6g} m"
-            yield f"the mass can move in {phase.name} for ever, without switches, {far}"
+    yield from map(str, motions_without_switches(case))
 
 
 def _order_of_resonance(case: Case, phase: Phase) -> int:
@@ -160,8 +177,8 @@ def _resonance(case: Case, phase: Phase) -> str:
     )
 
 
-def _amplitude_within(case: Case, phase: Phase) -> float | None:
-    """Return how far the mass gets in a phase for ever, if what it demands allows that."""
+def _within(case: Case, phase: Phase) -> tuple[float, float] | None:
+    """Return between which places the mass moves in a phase for ever, if its demands allow."""
     omega = case.cell.omega
     stiffness = complex(phase.k - phase.m * omega**2, phase.c * omega)
     if abs(stiffness) == 0 or (phase.k == 0 and phase.f):
@@ -174,13 +191,4 @@ def _amplitude_within(case: Case, phase: Phase) -> float | None:
 
     if not phase.demands or min(least(form) for _, form in phase.demands) < 0:
         return None
-    return abs(wave) + abs(mean)
-
-
-def _orbit(case: Case, state: tuple[float, float, float]) -> ExactSceneOrbit:
-    """Return a solution in closed form as an orbit, admissible or not."""
-    x, v, angle = state
-    z, R = np.array([x, v, case.cell.duration, angle]), np.empty(4)
-    residual(case.cell, z, R)
-    norm = float(np.abs(R).max())
-    return ExactSceneOrbit(case, Outcome(z, True, 0, 0.0, norm, "converged"))
+    return mean - abs(wave), mean + abs(wave)

@@ -2,44 +2,61 @@
 
 The cell is as long as the forcing makes it, so one duration s says both.  At given durations
 all conditions are linear in the states, in the memory and in ``C = cos phi`` and
-``S = sin phi``, and there are as many of them: they say which C and S would be needed.  What is
-left is one equation in one unknown,
+``S = sin phi``, and there are as many of them.  By Cramer's rule ``C = P/D`` and ``S = Q/D``
+with three determinants, smooth functions of s, and what is left is one equation,
 
-    log(C(s)^2 + S(s)^2) = 0,     0 < s < duration of the cell,
+    D(s)^2 = P(s)^2 + Q(s)^2,     0 < s < duration of the cell.
 
-whose roots are looked for on a grid of durations, finer where it comes near zero.  No guess of
-a phase or duration is needed, and nothing depends on where an iteration leads.
+No guess of a duration or of the phase of the forcing is needed, and nothing depends on where an
+iteration leads.  Where nothing but the forcing is in the conditions, as at a gap of 0, P and Q
+vanish: then the roots are those of D, and C and S are what the conditions leave free there.
 
-Where an event is only touched, a phase lasts no time: the equation has a double root at an end,
-and is within rounding of zero near it.  Signs tell nothing there, so that part is left out.
+All roots are found if every phase lasts longer than `SHORTEST` of the cell, the determinants
+are resolved by their interpolants, and no two roots of the same sign of D are nearer to each
+other than rounding tells; see `enclosure`.  These hypotheses are checked.
 """
 
 import math
-from functools import lru_cache
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..case.cell import Cell, Phase
-from . import flow
+from . import enclosure, flow
 from .divided import of_three, of_two
 
-#: Durations on a grid: at least; for each half oscillation of a phase within the cell; at each
-#: end, down to this part of the cell; and the most for which the equation is looked at.
-EVEN, A_WAVE, AT_END, SHORTEST, MOST = 400, 24, 60, 1e-10, 20_000
+#: Shortest duration of a phase that is looked at, as a part of the cell; the length of a piece
+#: over that of its neighbour nearer to the end.
+SHORTEST, LONGER = 1e-10, 3.0
 
-#: Where a value on the grid is nearer to zero than its neighbours, by more than is left to
-#: zero, there may be two roots between: the grid is made so many times as fine, that often.
-FINER, TIMES = 32, 3
-
-#: Halvings of an interval with a root.
-HALVINGS = 30
+#: Most intervals that are doubtful and tried all the same; halvings of each.
+DOUBTFUL, HALVINGS = 8, 40
 
 #: What is rounding of the equation.
 ROUNDING = 1e-11
 
-#: Roots are at most this part of the durations on the first grid; more are rounding.
-ROOTS = 1 / 8
+
+@dataclass(frozen=True)
+class Solutions:
+    """The durations and the phase of the forcing at each solution.
+
+    Parameters
+    ----------
+    found : tuple of ((float, float), float)
+        Without units, right to a part in 1e-9 and better; Newton's method does the rest.
+    doubtful : tuple of ((float, float), float)
+        Where there may be a solution, or none.
+    complete : bool
+        Whether there are no solutions but those that were found.
+    resolved : bool
+        Whether all that is left open is what rounding hides.
+    """
+
+    found: tuple[tuple[tuple[float, float], float], ...]
+    doubtful: tuple[tuple[tuple[float, float], float], ...]
+    complete: bool
+    resolved: bool
 
 
 def applies(cell: Cell) -> bool:
@@ -47,33 +64,50 @@ def applies(cell: Cell) -> bool:
     return cell.forced and len(cell.phases) == 2
 
 
-@lru_cache(maxsize=16)
-def solutions(cell: Cell) -> tuple[tuple[tuple[float, float], float], ...] | None:
-    """Return the durations and the phase of the forcing at each solution that is found.
-
-    They are right to a part in 1e-9 and better, without units; Newton's method does the rest.
-
-    Returns
-    -------
-    tuple or None
-        None where the equations are singular for any duration, a phase oscillates too fast for
-        the grid, or rounding hides the roots.
+def solutions(cell: Cell) -> Solutions:
+    """Return all solutions of the equations of a cell; see `applies`.
 
     Examples
     --------
     >>> from nonsmooth.solver.case import registry
     >>> cell = registry.load("elastic-plastic")().cell
-    >>> [[f"{s:.6f}" for s in durations] for durations, _ in solutions(cell)]
-    [['0.898473', '2.243120']]
+    >>> all_of = solutions(cell)
+    >>> [[f"{s:.6f}" for s in durations] for durations, _ in all_of.found], all_of.complete
+    ([['0.898473', '2.243120']], True)
     """
-    grid = _grid(cell)
-    if grid is None:
-        return None
+
+    def determinants(s: Matrix) -> Matrix:
+        return _determinants(cell, s)
+
     with np.errstate(all="ignore"):
         try:
-            return _solutions(cell, grid)
-        except np.linalg.LinAlgError:
-            return None
+            roots = enclosure.roots(determinants, cell.duration * _edges())
+        except (np.linalg.LinAlgError, FloatingPointError):
+            return Solutions((), (), complete=False, resolved=False)
+        found = _starts(cell, roots.places, roots.signs)
+        few = _most_likely(cell, roots.doubtful[:DOUBTFUL])
+        both = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
+        doubtful = _starts(cell, *both)
+        return Solutions(found, doubtful, roots.complete, roots.resolved)
+
+
+def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
+    """Return one place of each interval: where ``|D| - R`` changes its sign, or the middle."""
+
+    def above(s: Vector) -> Vector:
+        D, P, Q = _determinants(cell, s[:, None])[:, :, 0]
+        return np.asarray(np.abs(D) >= np.hypot(P, Q))
+
+    if not len(intervals):
+        return np.empty(0)
+    low, high = intervals.T
+    begin = above(low)
+    changes = begin != above(high)
+    for _ in range(HALVINGS if changes.any() else 0):
+        middle = (low + high) / 2
+        before = above(middle) == begin
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return np.where(changes, (low + high) / 2, intervals.mean(axis=1))
 
 
 def vanishing(cell: Cell) -> list[Phase]:
@@ -86,86 +120,56 @@ def vanishing(cell: Cell) -> list[Phase]:
     >>> [phase.name for phase in vanishing(case.cell)]
     ['slide']
     """
-    ends = cell.duration * np.array([SHORTEST, 1 - SHORTEST])
+    ends = cell.duration * np.array([[SHORTEST], [1 - SHORTEST]])
     with np.errstate(all="ignore"):
-        try:
-            near = np.abs(_size(cell, ends)) <= ROUNDING
-        except np.linalg.LinAlgError:
-            return []
+        D, P, Q = _determinants(cell, ends)[:, :, 0]
+    near = np.abs(np.abs(D) - np.hypot(P, Q)) <= ROUNDING * np.abs(D)
     return [phase for phase, satisfied in zip(cell.phases, near, strict=True) if satisfied]
 
 
-def _solutions(
-    cell: Cell, grid: Vector
-) -> tuple[tuple[tuple[float, float], float], ...] | None:
-    values = _size(cell, grid)
-    told = np.flatnonzero(~(np.abs(values) <= ROUNDING))
-    if not len(told):
-        return None
-    inner = slice(told[0], told[-1] + 1)
-    grid, values = grid[inner], values[inner]
-    most = ROOTS * len(grid)
-    for _ in range(TIMES):
-        grid, values = _finer(cell, grid, values)
-    crossed = np.flatnonzero(
-        np.isfinite(values[:-1] + values[1:]) & (values[:-1] * values[1:] <= 0)
+def _edges() -> Vector:
+    """Return the edges of pieces on [0, 1], shorter towards both ends."""
+    count = math.ceil(math.log(0.5 / SHORTEST, LONGER))
+    half = np.geomspace(SHORTEST, 0.5, count + 1)
+    return np.concatenate([half, 1 - half[-2::-1]])
+
+
+def _determinants(cell: Cell, durations: Matrix) -> Matrix:
+    """Return D, P and Q at durations of the first phase, each of their shape.
+
+    Those of one row of durations have a common factor, by which they are of moderate size.
+    """
+    A, b = (
+        part.reshape(*durations.shape, *part.shape[1:])
+        for part in _rows(cell, durations.ravel())
     )
-    if len(crossed) > most:
-        return None
-    left, right, sign = grid[crossed], grid[crossed + 1], np.sign(values[crossed])
-    for _ in range(HALVINGS if len(left) else 0):
-        middle = (left + right) / 2
-        same = np.sign(_size(cell, middle)) == sign
-        left, right = np.where(same, middle, left), np.where(same, right, middle)
-    C, S = _forcing(cell, left) if len(left) else (left, left)
-    rest = cell.duration - left
-    return tuple(
-        ((float(s), float(q)), math.atan2(b, a))
-        for s, q, a, b in zip(left, rest, C, S, strict=True)
-    )
+    sizes = np.abs(A).max(axis=(1, 3), keepdims=True)
+    sizes[~(sizes > 0)] = 1.0
+    A, b = A / sizes, b / sizes[..., 0]
+    replaced = np.stack([A, A, A])
+    replaced[1, ..., -2], replaced[2, ..., -1] = b, b
+    if not np.isfinite(replaced).all():
+        raise FloatingPointError("the motion of a phase is beyond float64")
+    return np.asarray(np.linalg.det(replaced))
 
 
-def _grid(cell: Cell) -> Vector | None:
-    """Return durations of the first phase; None if it would take too many."""
-    fastest = max(0.0 if q.held else abs(flow.roots(q)[1].imag) for q in cell.phases)
-    count = EVEN + A_WAVE * math.ceil(max(fastest, cell.omega) * cell.duration / math.pi)
-    if count > MOST:
-        return None
-    ends = np.geomspace(SHORTEST, 1 / count, AT_END)
-    parts = np.concatenate([ends, np.linspace(0, 1, count + 1)[1:-1], 1 - ends])
-    return np.asarray(cell.duration * np.unique(parts))
-
-
-def _finer(cell: Cell, grid: Vector, values: Vector) -> tuple[Vector, Vector]:
-    """Return a grid, and values, with more of both where it may have missed two roots."""
-    size = np.abs(values)
-    least = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:])
-    change = np.maximum(size[:-2], size[2:]) - size[1:-1]
-    places = np.flatnonzero(least & (size[1:-1] < change)) + 1
+def _starts(
+    cell: Cell, places: Vector, signs: Vector
+) -> tuple[tuple[tuple[float, float], float], ...]:
+    """Return durations and the phase of the forcing at places where ``D = sign R``."""
     if not len(places):
-        return grid, values
-    parts = np.arange(1, FINER) / FINER
-    low = np.concatenate([grid[places - 1], grid[places]])
-    high = np.concatenate([grid[places], grid[places + 1]])
-    more = (low[:, None] + (high - low)[:, None] * parts).ravel()
-    grid, values = np.concatenate([grid, more]), np.concatenate([values, _size(cell, more)])
-    grid, first = np.unique(grid, return_index=True)
-    return grid, values[first]
-
-
-def _size(cell: Cell, durations: Vector) -> Vector:
-    """Return ``log(C^2 + S^2)`` at durations of the first phase."""
-    C, S = _forcing(cell, durations)
-    return np.asarray(np.log(C * C + S * S))
-
-
-def _forcing(cell: Cell, durations: Vector) -> tuple[Vector, Vector]:
-    """Return the C and S that the conditions need at durations of the first phase."""
-    A, b = _rows(cell, durations)
-    sizes = np.abs(A).max(axis=2)
-    sizes[sizes == 0] = 1.0
-    found = np.linalg.solve(A / sizes[:, :, None], (b / sizes)[:, :, None])[:, :, 0]
-    return found[:, -2], found[:, -1]
+        return ()
+    _, P, Q = _determinants(cell, places[:, None])[:, :, 0]
+    nothing = (P == 0) & (Q == 0)
+    if nothing.any():
+        A, _ = _rows(cell, places[nothing])
+        free = np.linalg.svd(A / np.abs(A).max(axis=2, keepdims=True))[2][:, -1]
+        P[nothing], Q[nothing] = free[:, -2], free[:, -1]
+    rest = cell.duration - places
+    return tuple(
+        ((float(s), float(q)), math.atan2(sign * b, sign * a))
+        for s, q, sign, a, b in zip(places, rest, signs, P, Q, strict=True)
+    )
 
 
 def _rows(cell: Cell, durations: Vector) -> tuple[Matrix, Matrix]:

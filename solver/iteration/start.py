@@ -19,7 +19,7 @@ from ..case.kernel import SceneKernel
 #: Phases of the forcing from which a blind search starts.
 ANGLES = 12
 
-#: Starts that are tried before it is asked whether there can be a solution.
+#: Starts that are tried where exact orbits can be listed, and their times have led nowhere.
 PATIENCE = 6
 
 #: Duration of one phase, as a part of the others', where equal ones have led nowhere.

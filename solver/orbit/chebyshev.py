@@ -23,8 +23,9 @@ DEGREE, LAST, RESOLVED = 32, 4, 1e-13
 #: the length does not lower such last coefficients, nothing is left to resolve.
 NOISE = 1e-8
 
-#: Shortest piece: of a function with more waves than that no sample of float64 says enough.
-SHORTEST = 2.0**-12
+#: Shortest piece, and most pieces: of a function with more waves than that no sample of float64
+#: says enough, and one that needs so many has mostly rounding errors for values.
+SHORTEST, MOST = 2.0**-12, 512
 
 #: Coefficients below this part of the largest are rounding errors of the values.
 ROUNDING = 1e-14
@@ -87,7 +88,8 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
         size = max(size, float(np.abs(values).max()))
         last = float(np.abs(coefficients[-LAST:]).max())
         only_noise = last <= NOISE * size and last > before / 100
-        if last > RESOLVED * size and end - start > SHORTEST and not only_noise:
+        many = len(found) + len(waiting) >= MOST
+        if last > RESOLVED * size and end - start > SHORTEST and not (only_noise or many):
             middle = (start + end) / 2
             waiting += [(middle, end, last), (start, middle, last)]
         else:

@@ -54,6 +54,7 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
         "errors": asdict(errors) if errors else without_errors(),
         "estimate": asdict(orbit.estimate),
         **stability.document(orbit),
+        "others": [_of_other(other) for other in orbit.others],
         "outcome": vars(orbit.outcome) | {"unknowns": orbit.unknowns.tolist()},
     }
     return {name: _finite(value) for name, value in content.items()}
@@ -94,6 +95,7 @@ def document_without_orbit(
         "errors": without_errors(),
         "estimate": without_errors(),
         **stability.without_multipliers(),
+        "others": [],
         "outcome": None,
         "status": finding.status,
     }
@@ -116,6 +118,12 @@ def _of_exact(exact: "ExactSceneOrbit | None") -> dict[str, Any]:
         "forcing_phase": exact and exact.forcing_phase,
         "durations": exact and list(exact.durations),
     }
+
+
+def _of_other(exact: "ExactSceneOrbit") -> dict[str, Any]:
+    """Return what is said of an orbit that exists beside another."""
+    motion = {"motion": exact.case.scene.motion}
+    return motion | _of_exact(exact) | stability.document(exact)
 
 
 def _finite(value: Any) -> Any:

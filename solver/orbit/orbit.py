@@ -1,5 +1,6 @@
 """A periodic orbit of a scene that one method computed, in SI units."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -13,15 +14,19 @@ from ..case.case import Case
 from ..case.kernel import SceneKernel
 from ..case.methods import about
 from ..case.names import shown
-from ..flow.exact import ExactSceneOrbit, exact_orbit
+from ..flow.exact_motion import ExactSceneOrbit, from_times
 from ..iteration.newton import Outcome
-from ..no_orbit import NoOrbit
+from ..iteration.start import RoughTimes
 from ..scaling import product_of_powers
 from ..stability.words import in_words
 from . import admissible
 from .allowance import by_residual
 from .document import document
 from .motion import SceneMotion
+
+#: Error of the times, as a part of the period, above which an exact solution is not next to one
+#: of an expansion: whether that one is an orbit is not decided by it.
+FAR = 0.05
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -111,22 +116,59 @@ class SceneOrbit(SceneMotion):
 
     @cached_property
     def violations(self) -> tuple[str, ...]:
-        """What keeps the solution from being an orbit, in words."""
-        return admissible.violations(self, by_residual(self))
+        """What keeps the solution from being an orbit, in words.
+
+        What its own residual excuses is bounded by the exact solution next to it: if that one
+        is not an orbit, neither is this.
+        """
+        return admissible.violations(self, by_residual(self)) or self._disproof
+
+    @cached_property
+    def _disproof(self) -> tuple[str, ...]:
+        """What the exact solution next to this one violates."""
+        near = self._exact_solution
+        if near is None or near.admissible:
+            return ()
+        if difference(self, near, self.order).times > FAR:
+            return ()
+        words = f"the exact solution next to it is not an orbit: {'; '.join(near.violations)}"
+        return (words,)
 
     @property
     def admissible(self) -> bool:
         """Whether the solution is an orbit: nothing in `violations`."""
         return not self.violations
 
+    @property
+    def confirmed(self) -> bool:
+        """Whether it is an orbit, and near one: the exact one, or one of higher order."""
+        if not (self.converged and self.admissible):
+            return False
+        return self.exact is not None or math.isfinite(self.estimate.times)
+
     @cached_property
+    def _exact_solution(self) -> ExactSceneOrbit | None:
+        """The solution of the exact equations to which its times lead, if to one."""
+        own = RoughTimes(tuple(map(float, self.cell_durations)), self.angle, "its own times")
+        found = from_times(self.case, own)
+        return found if found.outcome.converged else None
+
+    @property
     def exact(self) -> ExactSceneOrbit | None:
         """The exact orbit next to this one; None if there is none to be found."""
-        durations = tuple(float(s * self.case.units.time) for s in self.cell_durations)
-        try:
-            return exact_orbit(self.case, durations, self.angle)
-        except NoOrbit:
-            return None
+        found = self._exact_solution
+        return found if found is not None and found.admissible else None
+
+    @property
+    def others(self) -> list[ExactSceneOrbit]:
+        """Exact orbits of the same oscillator, of any motion, that are known beside this one.
+
+        All there are where all solutions of the exact equations can be listed: of one or two
+        phases under a forcing.
+        """
+        from ..flow.known import others  # noqa: PLC0415  (it reads exact orbits)
+
+        return [] if self.exact is None else others(self.exact)
 
     @cached_property
     def errors(self) -> SceneErrors | None:

@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
+from nonsmooth.solver import solve
 from nonsmooth.solver.accuracy import estimate as estimates
 from nonsmooth.solver.accuracy.errors import difference
 from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow import existence
 from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.flow.known import Known
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.solve import solve_case
 
@@ -216,7 +217,8 @@ def test_an_order_without_an_orbit_is_refused() -> None:
 
 
 def test_no_orbit_is_raised_with_every_start(monkeypatch) -> None:
-    monkeypatch.setattr(existence, "scanned_words", lambda case: "")  # it says so sooner
+    monkeypatch.setattr(solve, "known", lambda case: Known())  # it would be shown sooner
+    monkeypatch.setattr(solve, "shown_to_be_none", lambda *found: None)
     with pytest.raises(NoOrbit) as caught:
         solve_case(BACKLASH(force=0.05), "hb", 7)
     assert "hb, N = 7" in caught.value.reason

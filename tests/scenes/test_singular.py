@@ -111,6 +111,6 @@ def test_what_fails_where_nothing_is_singular_is_not_replaced():
     times = ns.exact(case).times
     far = attempt(kernel, case, 10, times * 10.0)
     assert not far.converged
-    search = solve._Search(case, kernel)
+    search = solve._Search(case, "ck-tau", 10, None)
     assert search.less_smooth(far, times) is far
     assert search.iterations > 0  # it was tried

@@ -56,6 +56,9 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         *motion_options(scene),
         click.Option(["--tol"], type=float, help="Choose N: largest error of times, period."),
         click.Option(["--budget"], help="Choose: the best in this time, like 200us, 1ms, 2s."),
+        click.Option(
+            ["--all", "every"], is_flag=True, help="List every orbit found, of every motion."
+        ),
         click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
@@ -66,15 +69,20 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
     def callback(
         method: str | None, order: int | None, functions: int | None, tol: float | None,
-        budget: str | None, no_shortcuts: bool, case: Path | None, json_: bool,
+        budget: str | None, every: bool, no_shortcuts: bool, case: Path | None, json_: bool,
         output: Path | None, **flags: Any,
     ) -> int:  # fmt: skip
         check_target(output, SUFFIXES)
         seconds = None if budget is None else parse_seconds(budget)
         wanted = Wanted(
-            tuple(split_methods(method)), order, functions, tol, seconds, json_, output
+            tuple(split_methods(method)), order, functions, tol, seconds, every, json_, output
         )
-        return run(case_from(scene, case, flags), wanted)
+        found = case_from(scene, case, flags)
+        if every:
+            from .every import list_every  # noqa: PLC0415
+
+            return list_every(found, wanted)
+        return run(found, wanted)
 
     last = scene.parameters[-1]
     words = {"name": scene.name, "title": scene.title.capitalize(), "best": names[-1]}
@@ -113,12 +121,13 @@ def run(case: "Case", wanted: Wanted) -> int:
 
         click.echo(captions.caption(case))
         tables.solutions(case, exact, found)
+        tables.tell_of_others(exact)
         if choice is not None:
             click.echo(_why(choice, wanted))
         click.echo(f"\n{captions.legend(case.scene)}")
     _warn(orbits if choice is None else [])
     if wanted.output is not None:
-        _write(wanted.output, text, orbits, exact)
+        write(wanted.output, text, orbits, exact)
     return 0 if len(orbits) == len(found) else 1
 
 
@@ -141,9 +150,10 @@ def _warn(orbits: "list[SceneOrbit]") -> None:
             click.echo(f"nonsmooth: {orbit.method}, N = {orbit.order}: {hint}", err=True)
 
 
-def _write(
+def write(
     output: Path, text: str, orbits: "list[SceneOrbit]", exact: "ExactSceneOrbit | None"
 ) -> None:
+    """Write orbits as data or as a picture; a document as its text."""
     suffix = output.suffix.lower()
     if suffix == ".json":
         write_text(output, text)

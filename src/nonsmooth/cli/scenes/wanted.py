@@ -30,6 +30,7 @@ class Wanted:
     functions: int | None = None
     tol: float | None = None
     budget: float | None = None
+    every: bool = False
     json: bool = False
     output: Path | None = None
 
@@ -66,7 +67,7 @@ def search(
     found: dict[str, SceneOrbit | NoOrbit] = {}
     try:
         with busy("looking for a motion"):
-            case = with_motion(case)
+            case = with_motion(case, ORDER if wanted.order is None else wanted.order)
     except NoOrbit as finding:
         tell(finding)
         return None, dict.fromkeys(names, finding)

@@ -2,14 +2,15 @@
 
 import math
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import click
 
 from nonsmooth.solver.case.names import shown
+from nonsmooth.solver.flow.known import is_stable, others
 from nonsmooth.solver.orbit.orbit import SceneOrbit
-from nonsmooth.solver.stability.words import in_words
+from nonsmooth.solver.stability.words import VERDICTS, in_words
 
 from ...columns import (
     MORE_DIGITS,
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.family import SceneFamily
     from nonsmooth.solver.flow.exact import ExactSceneOrbit
+    from nonsmooth.solver.flow.existence import WithoutSwitches
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit.motion import SceneMotion
     from nonsmooth.solver.sweep import SceneSweep
@@ -69,6 +71,38 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
         if isinstance(orbit, SceneOrbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
             click.echo(textwrap.fill(words, WIDTH, subsequent_indent="  "))
+
+
+def tell_of_others(exact: "ExactSceneOrbit | None") -> None:
+    """Print that there are other orbits beside one, if they are known."""
+    found = [] if exact is None else others(exact)
+    if found:
+        verdicts = [VERDICTS[is_stable(orbit)] for orbit in found]
+        count = "another orbit" if len(found) == 1 else f"{len(found)} other orbits"
+        words = f"{count} at these parameters: {', '.join(verdicts)}; see --all"
+        click.echo(textwrap.fill(words[0].upper() + words[1:], WIDTH))
+
+
+def every(orbits: "Sequence[SceneOrbit]", still: "Sequence[WithoutSwitches]") -> None:
+    """Print one row an orbit, and one a motion without switches."""
+    names = ("motion", "T [s]", "phi [rad]", "least x [m]", "largest x [m]", "estimate", "")
+    table = table_of(*names)
+    for orbit in orbits:
+        scene, turn = orbit.case.scene, orbit.forcing_phase
+        table.add_row(
+            scene.motion or ", ".join(scene.phases),
+            f"{orbit.period:.9g}",
+            "" if turn is None else f"{turn:.7g}",
+            *(f"{end:.6g}" for end in without_rounding(orbit.extremes["displacement"])),
+            f"{orbit.estimate.times:.1e}",
+            VERDICTS[orbit.stable],
+        )
+    for motion in still:
+        found = motion.as_dict()
+        ends = (f"{end:.6g}" for end in (motion.least, motion.largest))
+        verdict = VERDICTS[motion.stable]
+        table.add_row(found["motion"], f"{found['period']:.9g}", "", *ends, "", verdict)
+    print_table(table)
 
 
 def name_of(orbit: SceneOrbit) -> str:

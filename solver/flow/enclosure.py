@@ -1,0 +1,228 @@
+"""All roots of ``D**2 = P**2 + Q**2`` on an interval, and whether none can be missing.
+
+D, P and Q are smooth.  On pieces short enough each is an interpolant in Chebyshev polynomials,
+whose last coefficients bound what it leaves out and whose others bound its derivatives.  A part
+of a piece is left out where the distance of ``|D|`` from ``R = hypot(P, Q)`` at its middle, or
+``D**2 - R**2`` there, is more than can change on it.  It has one root at most of ``D = R``, and
+one of ``D = -R``, where D is steeper than R; and one in all where ``D**2 - R**2`` is monotonic.
+Anything else is halved.  Two roots on both sides of a zero of D, however near, are roots of two
+equations: they cannot be taken for none.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from ..arrays import Matrix, Vector
+
+#: ``function(s)`` returns D, P and Q, each of the shape of `s`; those of one row of `s` may be
+#: multiplied by a positive number of that row.
+Function = Callable[[Matrix], Matrix]
+
+#: Degree of an interpolant; its last coefficients, as a part of the largest, once resolved.
+DEGREE, LAST, RESOLVED = 24, 3, 1e-12
+
+#: What may be rounding of the functions: where halving a piece does not lower last coefficients
+#: of this size by a factor, nothing is left to resolve, and they count as the error.
+NOISE, LOWER = 1e-4, 4.0
+
+#: Most pieces, and most parts of pieces at a time; more are not looked at.
+MOST_PIECES, MOST_PARTS = 600, 4000
+
+#: Halvings of a piece until it is resolved, of a part until it is given up, of one with a root.
+SHORTEST, DEEPEST, HALVINGS = 12, 40, 48
+
+#: Distance, as a part of their place, below which doubtful intervals are one.
+BESIDE = 1e-9
+
+#: How much larger the error of an interpolant may be than its last coefficients.
+FACTOR = 8.0
+
+
+@dataclass(frozen=True)
+class Roots:
+    """What there is of roots.
+
+    Parameters
+    ----------
+    places : ndarray
+        Where they are, to about 1e-12 of the distance from the nearer end.
+    signs : ndarray
+        Of D there: ``D = sign * R``.
+    doubtful : ndarray, shape (n, 2)
+        Intervals in which there may be others, or none.
+    resolved : bool
+        Whether the functions are resolved on all pieces.
+    """
+
+    places: Vector
+    signs: Vector
+    doubtful: Matrix
+    resolved: bool
+
+    @property
+    def complete(self) -> bool:
+        """Whether there are no roots but those that were found."""
+        return self.resolved and not len(self.doubtful)
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """Interpolants of D, P and Q: coefficients of shape ``(3, pieces, DEGREE + 1)``."""
+
+    starts: Vector
+    ends: Vector
+    coefficients: Matrix
+    resolved: bool
+
+    def taken(self, kept: Vector) -> "Pieces":
+        """Return some of the pieces."""
+        starts, ends = self.starts[kept], self.ends[kept]
+        return Pieces(starts, ends, self.coefficients[:, kept], self.resolved)
+
+
+def roots(function: Function, edges: Vector) -> Roots:
+    """Return the roots between the first and the last of some edges.
+
+    Parameters
+    ----------
+    function : callable
+        See `Function`.
+    edges : ndarray
+        Of the first pieces, ascending.
+    """
+    parts = _pieces(function, edges)
+    which, low, high, doubtful = _isolated(parts)
+    places, signs = _bisected(parts, which, low, high)
+    order = np.argsort(places)
+    return Roots(places[order], signs[order], doubtful, parts.resolved)
+
+
+@cache
+def _nodes() -> tuple[Vector, Matrix]:
+    """Return the nodes on [-1, 1], and the matrix from values there to coefficients."""
+    nodes = chebyshev.chebpts1(DEGREE + 1)
+    matrix = chebyshev.chebvander(nodes, DEGREE) * (2 / (DEGREE + 1))
+    matrix[:, 0] /= 2
+    return np.asarray(nodes), np.asarray(matrix)
+
+
+def _pieces(function: Function, edges: Vector) -> Pieces:
+    """Return interpolants on pieces between the edges, halved until they are resolved."""
+    nodes, matrix = _nodes()
+    low, high = edges[:-1], edges[1:]
+    before = np.full(len(low), np.inf)
+    found: list[tuple[Vector, Vector, Matrix]] = []
+    resolved, count = True, 0
+    for halvings in range(SHORTEST + 1):
+        s = low[:, None] + (high - low)[:, None] * (1 + nodes) / 2
+        C = function(s) @ matrix
+        last = np.abs(C[:, :, -LAST:]).max(axis=(0, 2)) / np.abs(C).max(axis=(0, 2))
+        fine = (last <= RESOLVED) | ((last <= NOISE) & (LOWER * last >= before))
+        count += len(low)
+        if halvings == SHORTEST or count > MOST_PIECES:
+            resolved, fine = bool(fine.all()), np.ones_like(fine)
+        found.append((low[fine], high[fine], C[:, fine]))
+        middle = (low + high)[~fine] / 2
+        low, high = np.append(low[~fine], middle), np.append(middle, high[~fine])
+        before = np.tile(last[~fine], 2)
+        if not len(low):
+            break
+    starts, ends, coefficients = zip(*found, strict=True)
+    return Pieces(
+        np.concatenate(starts), np.concatenate(ends),
+        np.concatenate(coefficients, axis=1), resolved,
+    )  # fmt: skip
+
+
+def _values(C: Matrix, w: Vector) -> Matrix:
+    """Return interpolants, one a row of coefficients, each at a place of its own."""
+    return np.asarray(np.einsum("fnk,nk->fn", C, chebyshev.chebvander(w, C.shape[2] - 1)))
+
+
+def _isolated(parts: Pieces) -> tuple[Vector, Vector, Vector, Matrix]:
+    """Return parts with one root at most of each equation, and intervals that are doubtful."""
+    C, F = parts.coefficients, _difference(parts.coefficients)
+    rates, rate_F = chebyshev.chebder(C, axis=2), chebyshev.chebder(F, axis=2)
+    bends = np.abs(chebyshev.chebder(C, 2, axis=2)).sum(axis=2)
+    bend_D, bend_R = bends[0], np.hypot(bends[1], bends[2])
+    bend_F = np.abs(chebyshev.chebder(F, 2, axis=2)).sum(axis=2)[0]
+    error = FACTOR * np.abs(C[:, :, -LAST:]).max(axis=(0, 2))
+    error_F = error * np.abs(C).sum(axis=2).max(axis=0)
+    count = C.shape[1]
+    which, middle, half = np.arange(count), np.zeros(count), np.ones(count)
+    single: list[tuple[Vector, Vector, Vector]] = []
+    given_up: list[tuple[Vector, Vector, Vector]] = []
+    for _ in range(DEEPEST):
+        (D, P, Q), (dD, dP, dQ) = _values(C[:, which], middle), _values(rates[:, which], middle)
+        value, rate = (abs(_values(each[:, which], middle)[0]) for each in (F, rate_F))
+        more_D, more_R = half * bend_D[which], half * bend_R[which]
+        slope_D, slope_R = np.abs(dD) + more_D, np.hypot(dP, dQ) + more_R
+        change, change_F = half * (slope_D + slope_R), half * (rate + half * bend_F[which])
+        far = np.abs(np.abs(D) - np.hypot(P, Q)) > change + error[which]
+        far |= value > change_F + error_F[which]
+        once = np.abs(dD) - more_D > slope_R + error[which] * DEGREE**2
+        once |= rate > half * bend_F[which] + error_F[which] * DEGREE**2
+        vain = (change <= error[which]) & (change_F <= error_F[which])
+        kept, left = once & ~far, ~(once | far | vain)
+        vain &= ~(once | far)
+        single.append((which[kept], middle[kept] - half[kept], middle[kept] + half[kept]))
+        given_up.append((which[vain], middle[vain], half[vain]))
+        which, quarter = np.repeat(which[left], 2), np.repeat(half[left] / 2, 2)
+        middle = np.repeat(middle[left], 2) + quarter * np.tile([-1.0, 1.0], left.sum())
+        half = quarter
+        if not 0 < len(which) <= MOST_PARTS:
+            break
+    given_up.append((which, middle, half))
+    found, low, high = (np.concatenate(each) for each in zip(*single, strict=True))
+    which, middle, half = (np.concatenate(each) for each in zip(*given_up, strict=True))
+    where = parts.taken(which)
+    return found, low, high, _joined(_place(where, middle - half), _place(where, middle + half))
+
+
+def _difference(C: Matrix) -> Matrix:
+    """Return the coefficients of ``D**2 - P**2 - Q**2``, of twice the degree."""
+    count = 2 * DEGREE + 1
+    nodes = chebyshev.chebpts1(count)
+    D, P, Q = C @ chebyshev.chebvander(nodes, DEGREE).T
+    matrix = chebyshev.chebvander(nodes, 2 * DEGREE) * (2 / count)
+    matrix[:, 0] /= 2
+    return np.asarray(((D * D - P * P - Q * Q) @ matrix)[None])
+
+
+def _joined(low: Vector, high: Vector) -> Matrix:
+    """Return intervals in order, those that touch made one."""
+    order = np.argsort(low)
+    low, high = low[order], np.maximum.accumulate(high[order])
+    apart = low[1:] > high[:-1] * (1 + BESIDE)
+    first, last = np.append(True, apart), np.append(apart, True)
+    return np.column_stack([low[first[: len(low)]], high[last[: len(low)]]])
+
+
+def _place(parts: Pieces, w: Vector) -> Vector:
+    return np.asarray(parts.starts + (parts.ends - parts.starts) * (1 + w) / 2)
+
+
+def _bisected(parts: Pieces, which: Vector, low: Vector, high: Vector) -> tuple[Vector, Vector]:
+    """Return the roots of ``D = R`` and ``D = -R`` in parts where these change their sign."""
+    places, signs = [], []
+    for sign in (1.0, -1.0):
+
+        def above(C: Matrix, w: Vector, sign: float = sign) -> Vector:
+            D, P, Q = _values(C, w)
+            return np.asarray(sign * D >= np.hypot(P, Q))
+
+        C = parts.coefficients[:, which]
+        begin = above(C, low)
+        crossed = begin != above(C, high)
+        C, begin, a, b = C[:, crossed], begin[crossed], low[crossed], high[crossed]
+        for _ in range(HALVINGS):
+            middle = (a + b) / 2
+            before = above(C, middle) == begin
+            a, b = np.where(before, middle, a), np.where(before, b, middle)
+        places.append(_place(parts.taken(which[crossed]), (a + b) / 2))
+        signs.append(np.full(len(a), sign))
+    return np.concatenate(places), np.concatenate(signs)
