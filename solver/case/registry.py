@@ -192,10 +192,14 @@ def _module(scene: SceneNumbers, method: str, number: int | None) -> types.Modul
 
 
 def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
-    """Return a hash of the conditions behind these methods: 16 hexadecimal digits."""
+    """Return a hash of a scene and the conditions of these methods: 16 hexadecimal digits.
+
+    The title of a scene, the defaults of its parameters and other words are not part of it.
+    """
     wanted = {without_class(generic_method(scene, method)) for method in chosen}
-    texts = [scene.module.BODY]
+    texts = [scene.module.MATHEMATICS]
     for motion in scene.each_motion:
+        texts.append(motion.module.MATHEMATICS)
         by_path = sorted((path, key) for key, path in motion.files.items() if key[0] in wanted)
         texts += [motion.kernel_module(*key).MATHEMATICS for _, key in by_path]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
