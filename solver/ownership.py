@@ -16,7 +16,7 @@ class NotPrivate(PermissionError):  # noqa: N818  (named like the other errors o
         return f"{self.filename} {self.strerror}"
 
 
-def check_private(path: Path, status: os.stat_result | None = None) -> None:
+def check_private(path: Path, like: Path | None = None) -> None:
     """Check that a file or folder is its user's alone, and a link to it as well.
 
     Where a system has no numbers of users, as Windows, nothing is checked.
@@ -24,8 +24,8 @@ def check_private(path: Path, status: os.stat_result | None = None) -> None:
     Parameters
     ----------
     path : Path
-    status : stat_result, optional
-        Of what the path leads to, if it is open already.
+    like : Path, optional
+        A folder whose files are run in any case: who owns it, or may write to it, is trusted.
 
     Raises
     ------
@@ -34,10 +34,16 @@ def check_private(path: Path, status: os.stat_result | None = None) -> None:
     FileNotFoundError
         If there is nothing.
     """
-    link, there = path.lstat(), status or path.stat()
+    check_status(path, path.stat(), like.stat() if like else None)
+
+
+def check_status(path: Path, there: os.stat_result, like: os.stat_result | None = None) -> None:
+    """Check the same where the status of what the path leads to is known."""
+    owners = {there.st_uid, path.lstat().st_uid}
     if not hasattr(os, "getuid"):
         return
-    if {link.st_uid, there.st_uid} != {os.getuid()}:
+    trusted, allowed = ({like.st_uid}, like.st_mode) if like else (set(), 0)
+    if owners - trusted - {os.getuid()}:
         raise NotPrivate(errno.EPERM, "belongs to another user", str(path))
-    if there.st_mode & OTHERS:
+    if there.st_mode & OTHERS & ~allowed:
         raise NotPrivate(errno.EPERM, "may be written by others", str(path))

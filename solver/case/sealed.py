@@ -10,7 +10,7 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..ownership import check_private
+from ..ownership import check_private, check_status
 
 #: The file with the hash of all others, and the endings of these.
 SEAL, ENDINGS = "seal", (".py", ".code")
@@ -78,7 +78,7 @@ def below(kept: Kept, name: str) -> Kept:
 
 def _content(path: Path) -> bytes:
     with path.open("rb") as file:
-        check_private(path, os.fstat(file.fileno()))
+        check_status(path, os.fstat(file.fileno()))
         return file.read()
 
 

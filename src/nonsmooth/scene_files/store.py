@@ -122,7 +122,7 @@ def _for_now(key: str, files: Mapping[str, str]) -> Path:
             f"no folder can be written, neither a cache nor a temporary one: {error.strerror}"
         ) from None
     _FOR_NOW[key] = temporary / key
-    return _FOR_NOW[key]
+    return temporary / key
 
 
 def _write(files: Mapping[str, str], folder: Path, target: Path) -> None:
