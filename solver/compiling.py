@@ -112,7 +112,7 @@ def jit(function: types.FunctionType, *, inlined: bool = False) -> Any:
     try:
         return _cached(function, text.parent, options)
     except NotPrivate as refusal:
-        _warn_once(refusal.filename, refusal.strerror)
+        _warn_once(refusal.filename, str(refusal.strerror))
     except RuntimeError:  # numba found no folder that it can write to
         if text.exists():  # what is not from a file has no cache anywhere
             folder = text.parent / "__pycache__"

@@ -101,9 +101,10 @@ def _seal(impl: Any, hash_of: Callable[[bytes], str]) -> None:
     from numba.core.serialize import dumps  # noqa: PLC0415  (numba takes 750 ms)
 
     reduce, rebuild = impl.reduce, impl.rebuild
+    as_bytes: Callable[[Any], bytes] = dumps
 
     def sealed(result: Any) -> tuple[str, bytes]:
-        content = dumps(reduce(result))
+        content = as_bytes(reduce(result))
         return hash_of(content), content
 
     def checked(context: Any, kept: tuple[str, bytes]) -> Any:

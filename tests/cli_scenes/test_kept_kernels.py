@@ -177,6 +177,13 @@ def test_a_link_that_another_user_made_is_not_followed(
 
 
 @HAS_USERS
+def test_a_cache_in_a_folder_of_all_users(scene_file: Path, kept: Path, right: float) -> None:
+    """Such as /tmp: the folder of the program in it is the user's alone."""
+    kept.parents[2].chmod(0o1777)
+    assert solved(scene_file) == (right, [])
+
+
+@HAS_USERS
 @pytest.mark.parametrize("mask", [0, 0o002, 0o022, 0o077])
 def test_what_is_kept_is_the_users_alone(mask: int, scene_file: Path) -> None:
     before = os.umask(mask)
