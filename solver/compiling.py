@@ -6,7 +6,8 @@ once it has cost about as long as that takes: what is spent in all is then at mo
 what knowing would have cost.  Both give the same bits.
 
 The cache is a convenience: where it cannot be read or written, because a disk is full or
-damaged, kernels are compiled all the same, for this process, and a `CacheWarning` says so.
+damaged, or others could have written to it, kernels are compiled all the same, for this
+process, and a `CacheWarning` says so.
 """
 
 import os
@@ -14,10 +15,12 @@ import sys
 import time
 import types
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+
+from .ownership import NotPrivate
 
 #: Up to this order a kernel begins as plain Python; beyond, one solve takes as long as loading.
 PLAIN_ORDER = 48
@@ -105,40 +108,39 @@ def jit(function: types.FunctionType, *, inlined: bool = False) -> Any:
         "forceinline": inlined,
         "parallel": "prange" in function.__code__.co_names,
     }
+    text = Path(function.__code__.co_filename)
     try:
-        found = numba.njit(cache=True, **options)(function)
+        return _cached(function, text.parent, options)
+    except NotPrivate as refusal:
+        _warn_once(refusal.filename, str(refusal.strerror))
     except RuntimeError:  # numba found no folder that it can write to
-        text = Path(function.__code__.co_filename)
         if text.exists():  # what is not from a file has no cache anywhere
             folder = text.parent / "__pycache__"
             _warn_once(str(folder), "not writable, and no other folder is")
-        return numba.njit(**options)(function)
-    cache = getattr(found, "_cache", None)
-    if cache is not None:  # numba may be disabled
-        _guard(cache)
-    return found
+    return numba.njit(**options)(function)
 
 
-def _guard(cache: Any) -> None:
-    """Let compiling go on where a cache of numba cannot be read or written.
+def _cached(function: types.FunctionType, source: Path, options: dict[str, Any]) -> Any:
+    """Return a function of the folder `source` compiled, with numba's cache.
 
-    numba raises what the system says, with no folder in it, and its own guard is for Windows
-    alone; so two methods of this one cache are replaced.
+    Raises
+    ------
+    NotPrivate
+        If others may write to the cache.
+    RuntimeError
+        If there is no folder for it.
     """
+    import numba  # noqa: PLC0415  (see `jit`)
 
-    def guarded(action: Callable[..., Any]) -> Callable[..., Any]:
-        def or_none(*arguments: Any) -> Any:
-            try:
-                return action(*arguments)
-            except OSError as error:
-                cache.disable()
-                _warn_once(cache.cache_path, error.strerror or str(error))
-                return None  # not cached, or not kept
+    from .numba_cache import check_cache, guard, owned  # noqa: PLC0415
 
-        return or_none
-
-    cache.load_overload = guarded(cache.load_overload)
-    cache.save_overload = guarded(cache.save_overload)
+    with owned():
+        found = numba.njit(cache=True, **options)(function)
+    cached = getattr(found, "_cache", None)
+    if cached is not None:  # numba may be disabled
+        check_cache(cached, source)
+        guard(cached, f"{function.__module__}.{function.__qualname__}", _warn_once)
+    return found
 
 
 #: What was said of the cache in this process: one line is enough.

@@ -242,6 +242,14 @@ class SceneFamily(Tabular):
         }
 
 
+class FamilyInterrupted(KeyboardInterrupt):
+    """Ctrl-C while a family was computed; `done` is the family of the values before."""
+
+    def __init__(self, done: SceneFamily) -> None:
+        super().__init__(f"after {len(done)} values")
+        self.done = done
+
+
 def family_case(
     case: Case,
     parameter: str,
@@ -273,6 +281,8 @@ def family_case(
         computed.
     ValueError
         If there are no values or too many, or a method or an order cannot be computed.
+    FamilyInterrupted
+        A `KeyboardInterrupt`: with the orbits that were computed before.
 
     Examples
     --------
@@ -291,10 +301,16 @@ def family_case(
     number = check_order(registry.kernel(scene.each_motion[0], name, count), order)
     rows: list[FamilyRow] = []
     orbit: SceneOrbit | None = None
-    for each in cases:
-        orbit, row = _next(each, name, number, count, orbit, each.values[parameter])
-        rows.append(row)
-        progress(row)
+    try:
+        for each in cases:
+            orbit, row = _next(each, name, number, count, orbit, each.values[parameter])
+            rows.append(row)
+            progress(row)
+    except KeyboardInterrupt:
+        if not rows:
+            raise
+        done = SceneFamily(cases[0], parameter, name, number, count, tuple(rows))
+        raise FamilyInterrupted(done) from None
     return SceneFamily(cases[0], parameter, name, number, count, tuple(rows))
 
 

@@ -1,6 +1,7 @@
 """The functions of a scene in numbers: units, coefficients, events, demands, in Python."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -25,6 +26,22 @@ def words_of(demands: Mapping[str, sp.Expr]) -> tuple[str, ...]:
     return tuple(words for words, _ in _linear(demands))
 
 
+class Function(NamedTuple):
+    """One of the functions: its name, what it returns in words, and each entry of that."""
+
+    name: str
+    summary: str
+    entries: tuple[str, ...]
+
+    def source(self, scene: Scene) -> str:
+        """Return its text."""
+        arguments = ", ".join(symbol.name for symbol in scene.symbols)
+        values = "".join(f"        {entry},\n" for entry in self.entries)
+        result = f"(\n{values}    )" if self.entries else "()"
+        head = f'def {self.name}({arguments}):\n    """{self.summary}"""\n'
+        return f"{head}    return {result}\n"
+
+
 #: The coefficients of a linear form, or of an equation.
 Row = tuple[sp.Expr, ...]
 
@@ -33,35 +50,35 @@ def _python_of(row: Row) -> str:
     return f"({', '.join(python(e) for e in row)})"
 
 
-def _scalars(scene: Scene, name: str, summary: str, values: Iterable[sp.Expr]) -> str:
-    return _function(scene, name, summary, [python(e) for e in values])
+def _scalars(name: str, summary: str, values: Iterable[sp.Expr]) -> Function:
+    return Function(name, summary, tuple(python(e) for e in values))
 
 
-def _rows(scene: Scene, name: str, summary: str, values: Iterable[Row]) -> str:
-    return _function(scene, name, summary, [_python_of(row) for row in values])
+def _rows(name: str, summary: str, values: Iterable[Row]) -> Function:
+    return Function(name, summary, tuple(_python_of(row) for row in values))
 
 
-def _nested(scene: Scene, name: str, summary: str, values: Iterable[list[Row]]) -> str:
-    lines = [f"({' '.join(f'{_python_of(row)},' for row in phase)})" for phase in values]
-    return _function(scene, name, summary, lines)
+def _nested(name: str, summary: str, values: Iterable[list[Row]]) -> Function:
+    lines = (f"({' '.join(f'{_python_of(row)},' for row in phase)})" for phase in values)
+    return Function(name, summary, tuple(lines))
 
 
-def whole(scene: Scene) -> Iterator[str]:
-    """Yield the source of the functions on a scene as a whole."""
+def whole(scene: Scene) -> Iterator[Function]:
+    """Yield the functions on a scene as a whole."""
     sizes = scales(scene.each_motion[0])
-    yield _scalars(scene, "scales", "Return the units of mass, time and length.", sizes)
+    yield _scalars("scales", "Return the units of mass, time and length.", sizes)
     summary = "Return what must not be negative of the parameters."
-    yield _scalars(scene, "requires", summary, scene.requires.values())
+    yield _scalars("requires", summary, scene.requires.values())
 
 
-def extremes(scene: Scene) -> str:
-    """Return the source of the function that has the parameters at each extreme."""
+def extremes(scene: Scene) -> Function:
+    """Return the function that has the parameters at each extreme."""
     summary = "Return all parameters at each of the extremes."
-    return _rows(scene, "extremes", summary, at_extremes(scene))
+    return _rows("extremes", summary, at_extremes(scene))
 
 
-def of_phases(scene: Scene) -> Iterator[str]:
-    """Yield the source of those on the phases of one motion."""
+def of_phases(scene: Scene) -> Iterator[Function]:
+    """Yield those on the phases of one motion."""
     phases, memory = scene.cell, [q.symbol for q in scene.memory]
 
     def forms(demands: Mapping[str, sp.Expr], what: str) -> list[Row]:
@@ -70,55 +87,46 @@ def of_phases(scene: Scene) -> Iterator[str]:
     sides = "m x'' + c x' + k x = f + g cos"
     more = "" if not memory else ", and of each memory on the right side"
     yield _rows(
-        scene,
         "coefficients",
         f"Return m, c, k, f, g of each phase: {sides}{more}.",
         [linear_phase(p, memory).coefficients for p in phases],
     )
     held = [sp.sympify(p.held if p.held is not None else 0) for p in phases]
-    yield _scalars(scene, "held", "Return the velocity at which each phase is held.", held)
+    yield _scalars("held", "Return the velocity at which each phase is held.", held)
     yield _rows(
-        scene,
         "events",
         "Return the linear form that is zero at the end of each phase, v before it.",
         [state_row(p.ends.zero, p.name, memory).coefficients for p in phases],
     )
     yield _rows(
-        scene,
         "jumps",
         "Return rho and d at the end of each phase: v+ = rho v + d.",
         [_jump(p) for p in phases],
     )
     yield _nested(
-        scene,
         "demands",
         "Return the linear forms that must not be negative in each phase.",
         [forms(p.demands, p.name) for p in phases],
     )
     yield _nested(
-        scene,
         "switch_demands",
         "Return those that must not be negative where each phase ends, v before it.",
         [forms(p.ends.demands, p.name) for p in phases],
     )
     yield _rows(
-        scene,
         "memory",
         "Return the linear form that each memory is set to.",
         [state_row(q.value, str(q.symbol)).coefficients for q in scene.memory],
     )
+
+
+def guess(scene: Scene) -> Function:
+    """Return the function of where a search for one motion begins."""
     summary = "Return rough durations of the phases, if the scene has them."
     assert isinstance(scene.guess, tuple | list)
-    yield _scalars(scene, "guess", summary, scene.guess)
+    return _scalars("guess", summary, scene.guess)
 
 
 def _jump(phase: Phase) -> tuple[sp.Expr, ...]:
     row = state_row(phase.ends.jump.get(v, v), phase.name)
     return row.v, row.constant
-
-
-def _function(scene: Scene, name: str, summary: str, lines: list[str]) -> str:
-    arguments = ", ".join(symbol.name for symbol in scene.symbols)
-    values = "".join(f"        {line},\n" for line in lines)
-    result = f"(\n{values}    )" if lines else "()"
-    return f'def {name}({arguments}):\n    """{summary}"""\n    return {result}\n'

@@ -10,7 +10,7 @@ from ..scene.smoothness import classes_of
 from ..scene.units import dimension_of
 from .expressions import math_names
 from .printer import digest
-from .scene_functions import extremes, of_phases, whole, words_of
+from .scene_functions import Function, extremes, guess, of_phases, whole, words_of
 
 HEADER = '''"""{name}: {title} (C{k}), in numbers.
 
@@ -28,21 +28,43 @@ the cosine of the forcing, and an entry more for each constant of `MEMORY`."""
 
 def scene_source(scene: Scene) -> str:
     """Return the text of ``generated/<scene>/scene.py``, or of one motion of a scene."""
-    found = list(whole(scene)) if scene.motions else [*whole(scene), *of_phases(scene)]
-    functions = "\n\n".join(found)
+    found = _functions(scene)
+    guessed = [] if scene.motions else [guess(scene)]
+    functions = "\n\n".join(each.source(scene) for each in (*found, *guessed))
     body = "\n".join(_data(scene)) + "\n\n\n" + functions
     beside = _extremes(scene)
     names = math_names(functions + beside)
     imports = f"from math import {', '.join(names)}\n\n" if names else ""
     forms = "" if scene.motions else FORMS
     head = HEADER.format(name=scene.label, title=scene.title, k=_class(scene), forms=forms)
-    return f'{head}{imports}{beside}BODY = "{digest(body)}"  # of the text below\n\n{body}'
+    hashes = f'MATHEMATICS = "{mathematics(scene)}"  # of what fixes its motion\n'
+    hashes += f'BODY = "{digest(body)}"  # of the text below\n\n'
+    return f"{head}{imports}{beside}{hashes}{body}"
+
+
+def mathematics(scene: Scene) -> str:
+    """Return a hash of what fixes the motion, and the units of its unknowns.
+
+    Not of words, defaults, guesses or extremes: none of these changes an orbit.
+    """
+    parameters = sorted(f"{q.name} {q.symbol.name}" for q in scene.parameters)
+    phases = [(phase.name, phase.held is not None) for phase in scene.cell]
+    memory = [(q.symbol.name, q.at) for q in scene.memory]
+    forms = [(function.name, function.entries) for function in _functions(scene)]
+    motion = scene.half_period, str(scene.frequency), tuple(scene.motions), scene.motion
+    return digest(repr((parameters, phases, memory, forms, motion)))
+
+
+def _functions(scene: Scene) -> list[Function]:
+    """Return what a scene is in formulas; of several motions, what they share."""
+    return list(whole(scene)) if scene.motions else [*whole(scene), *of_phases(scene)]
 
 
 def _extremes(scene: Scene) -> str:
     """Return what is said of the extremes: beside the body, which is the scene itself."""
     words = "\n".join(_table("EXTREMES", map(repr, scene.extremes)))
-    return f"#: Where digits are easily lost, in words.\n{words}\n\n{extremes(scene)}\n\n"
+    source = extremes(scene).source(scene)
+    return f"#: Where digits are easily lost, in words.\n{words}\n\n{source}\n\n"
 
 
 def _class(scene: Scene) -> int:

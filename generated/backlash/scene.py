@@ -26,6 +26,7 @@ def extremes(m, c, k, k_0, g, F, Omega):
     )
 
 
+MATHEMATICS = "06718938ed5de4dfae7dff0e327e7b6daf802d4b93a65531811cbc8903d2119b"  # of what fixes its motion
 BODY = "a104c3686959a352186eb27b083413091e602dff822e6b94b3c768c866b44afd"  # of the text below
 
 NAME = 'backlash'

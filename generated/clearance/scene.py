@@ -32,6 +32,7 @@ def extremes(m, c, k, k_c, g, F, Omega):
     )
 
 
+MATHEMATICS = "e8d5d31d03f8f7339d1e8f0676521e48d780e46bfa0ba59140a98d51ea2e9cbe"  # of what fixes its motion
 BODY = "439c6a8b8037f2eb9df5d9c307d4e13043a787caf9654c0462eef0b7023b9610"  # of the text below
 
 NAME = 'clearance'

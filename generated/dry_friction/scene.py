@@ -25,6 +25,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
     )
 
 
+MATHEMATICS = "eb7f736c84d7665558d51619fdb91bb007e095999733935ca72f0bcb37b44900"  # of what fixes its motion
 BODY = "fde4505413f7baf379743e33c16c58d91edf4836e4bf36116dfb20d5d43812cf"  # of the text below
 
 NAME = 'dry-friction'

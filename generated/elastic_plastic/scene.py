@@ -32,6 +32,7 @@ def extremes(m, c, k, F_y, h, F, Omega):
     )
 
 
+MATHEMATICS = "63955929b2bd9ff90460bb747ab34ee37fce4750734e4ade22e85a934edee892"  # of what fixes its motion
 BODY = "1ff6fbe7e480b8843847e8efebe03f20bcc31f214b736312082d765a3ea1da66"  # of the text below
 
 NAME = 'elastic-plastic'

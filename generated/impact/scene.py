@@ -32,6 +32,7 @@ def extremes(m, c, k, F, Omega, g, r):
     )
 
 
+MATHEMATICS = "3ed960e7555145f22aedf028c5b7fa15bd4cff7d47800c08a4be2c8f613906a3"  # of what fixes its motion
 BODY = "582336f80abf9211649b0623c042fd5f6d4f1a1f27b4af3b9ad89c4042ffa804"  # of the text below
 
 NAME = 'impact'

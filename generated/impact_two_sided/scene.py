@@ -30,6 +30,7 @@ def extremes(m, c, k, F, Omega, g, r):
     )
 
 
+MATHEMATICS = "8906079daa39669ab5399c649d3bec38a04e75b7f04f6e96dac9a68949808ab5"  # of what fixes its motion
 BODY = "997c7391db1e4596ae3b4a6648395c3dc133735502381bb5d57f85a6f6055a2e"  # of the text below
 
 NAME = 'impact-two-sided'

@@ -32,6 +32,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N):
     )
 
 
+MATHEMATICS = "6944563ef036c224c95455df3e61f7fdd01925ba50d4a3b7540b1e39aaa9263c"  # of what fixes its motion
 BODY = "4e0ee2aaff8e746c959a91b2760795cf82b2a1da4540771c466f58a71bd2b2c7"  # of the text below
 
 NAME = 'stick-slip'

@@ -34,6 +34,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N, c, w):
     )
 
 
+MATHEMATICS = "6f2862355a3421eb06cc761ae3464832484bb715a044bf0e09afecc2e3d9645c"  # of what fixes its motion
 BODY = "e691fe66368877b0872a7ce330b48051940a2867e22047e4d2f4ddaf99334261"  # of the text below
 
 NAME = 'stick-slip-damped'

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .modules import module_of
+from .sealed import Kept
 
 if TYPE_CHECKING:
     from .case import Case
@@ -67,10 +68,13 @@ class SceneNumbers:
         The generated module.
     folder : Path
         Where the modules of the methods lie.
+    kept : mapping of str to bytes, optional
+        What was read of it, and is used in place of the files; see `sealed`.
     """
 
     module: types.ModuleType
     folder: Path
+    kept: Kept | None = None
 
     def __call__(self, *, cycles: int = 1, **values: object) -> "Case":
         """Return the case of these parameters, in SI units.
@@ -166,11 +170,12 @@ class SceneNumbers:
         if self.motions:
             return self.each_motion[0].files  # those of the others are the same
         found: dict[tuple[str, int | None], Path] = {}
-        for path in self.folder.glob("*.py"):
+        there = self.folder.glob("*.py") if self.kept is None else map(Path, self.kept)
+        for path in there:
             parts = path.stem.split("_")
             number = int(parts.pop()) if parts[-1].isdecimal() else None
-            if path.stem not in (SCENE, "__init__"):
-                found["-".join(parts), number] = path
+            if path.suffix == ".py" and path.stem not in (SCENE, "__init__"):
+                found["-".join(parts), number] = self.folder / path
         return found
 
     @cached_property
@@ -181,7 +186,7 @@ class SceneNumbers:
         """Return the module of a method, loaded once."""
         key = method, number
         if key not in self._kernels:
-            self._kernels[key] = module_of(self.files[key])
+            self._kernels[key] = module_of(self.files[key], self.kept)
         return self._kernels[key]
 
     @property

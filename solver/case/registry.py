@@ -8,9 +8,11 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from . import sealed
 from .modules import module_of
 from .names import generic, with_class_one, without_class
 from .numbers import SCENE, SceneNumbers
+from .sealed import Kept
 
 if TYPE_CHECKING:
     from .kernel import SceneKernel
@@ -50,18 +52,27 @@ def load(name: str) -> SceneNumbers:
     return SceneNumbers(module, _folder(module))
 
 
-def load_folder(folder: str | Path) -> SceneNumbers:
+def load_folder(folder: str | Path, kept: Kept | None = None) -> SceneNumbers:
     """Return the scene whose generated modules lie in `folder`, anywhere.
+
+    Parameters
+    ----------
+    folder : str or Path
+    kept : mapping of str to bytes, optional
+        What was read of it; without it, a folder that is sealed is read and checked here.
 
     Raises
     ------
     UnknownScene
         If there is no ``scene.py`` in it.
+    Damaged, NotPrivate
+        See `sealed.read`.
     """
     path = Path(folder).resolve() / f"{SCENE}.py"
-    if not path.is_file():
+    found = sealed.read_any(path.parent) if kept is None else kept
+    if not (path.is_file() if found is None else path.name in found):
         raise UnknownScene(f"scene: no {SCENE}.py in {str(folder)!r}")
-    return SceneNumbers(module_of(path), path.parent)
+    return SceneNumbers(module_of(path, found), path.parent, found)
 
 
 def of_motion(scene: SceneNumbers, name: object) -> SceneNumbers:
@@ -80,7 +91,9 @@ def of_motion(scene: SceneNumbers, name: object) -> SceneNumbers:
         raise UnknownScene(f"motion: got {name!r}, but {scene.label} has only one")
     if wanted not in known:
         raise UnknownScene(_unknown("motion", name, scene.motions))
-    return load_folder(scene.folder / known[str(wanted)].replace("-", "_"))
+    folder = known[str(wanted)].replace("-", "_")
+    kept = None if scene.kept is None else sealed.below(scene.kept, folder)
+    return load_folder(scene.folder / folder, kept)
 
 
 def methods(scene: SceneNumbers) -> tuple[str, ...]:
@@ -192,10 +205,14 @@ def _module(scene: SceneNumbers, method: str, number: int | None) -> types.Modul
 
 
 def mathematics(scene: SceneNumbers, chosen: Iterable[str]) -> str:
-    """Return a hash of the conditions behind these methods: 16 hexadecimal digits."""
+    """Return a hash of a scene and the conditions of these methods: 16 hexadecimal digits.
+
+    The title of a scene, the defaults of its parameters and other words are not part of it.
+    """
     wanted = {without_class(generic_method(scene, method)) for method in chosen}
-    texts = [scene.module.BODY]
+    texts = [scene.module.MATHEMATICS]
     for motion in scene.each_motion:
+        texts.append(motion.module.MATHEMATICS)
         by_path = sorted((path, key) for key, path in motion.files.items() if key[0] in wanted)
         texts += [motion.kernel_module(*key).MATHEMATICS for _, key in by_path]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]

@@ -2,6 +2,9 @@
 
 import csv
 import json
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -225,3 +228,73 @@ def test_the_cycles_of_a_case_are_those_of_its_family(tmp_path: Path) -> None:
     assert row.period == pytest.approx(2 * 2 * np.pi / 3.4, rel=1e-14)
     ns.save(found, tmp_path / "twice.json")
     assert ns.load(tmp_path / "twice.json") == found
+
+
+#: What computes a row; values, and the command that computes one for each.
+NEXT, VALUES = families._next, 5
+ALONG = ("sweep", "impact", "--vary", "gap=0.1:0.3:5", "--orders", ORDER)
+
+
+def after(count: int):
+    """Return what computes a row, until Ctrl-C comes where `count` of them are done."""
+    rows = iter(range(count))
+
+    def next_row(*arguments):
+        if next(rows, None) is None:
+            signal.raise_signal(signal.SIGINT)
+        return NEXT(*arguments)
+
+    return next_row
+
+
+@pytest.mark.parametrize("count", range(1, VALUES))
+def test_what_was_done_before_an_interrupt_is_kept(
+    count: int, run, tmp_path: Path, monkeypatch
+) -> None:
+    whole = ns.family(IMPACT(), "gap", np.linspace(0.1, 0.3, VALUES), order=ORDER)
+    path = tmp_path / "family.json"
+    monkeypatch.setattr(families, "_next", after(count))
+    status, out, err = run(*ALONG, "-o", path)
+    assert status == 130
+    assert err.endswith(f"nonsmooth: interrupted: {count} of 5 values are done\n")
+    assert f"g = 0.1 to {whole.rows[count - 1].value:g} m" in out
+    assert ns.load(path).rows == whole.rows[:count]
+    monkeypatch.setattr(families, "_next", after(count))
+    status, out, _ = run(*ALONG, "--json")
+    assert (status, out) == (130, path.read_text())
+
+
+def test_an_interrupt_before_the_first_leaves_nothing(run, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr(families, "_next", after(0))
+    status, out, err = run(*ALONG, "-o", tmp_path / "family.json")
+    assert (status, out, err.strip()) == (130, "", "nonsmooth: interrupted")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_from_python_an_interrupt_has_what_was_done(monkeypatch) -> None:
+    monkeypatch.setattr(families, "_next", after(2))
+    with pytest.raises(KeyboardInterrupt) as caught:
+        ns.family(IMPACT(), "gap", [0.1, 0.2, 0.3], order=ORDER)
+    assert caught.value.done["value"].tolist() == [0.1, 0.2]
+
+
+def test_the_program_ends_with_130_once_it_has_written(tmp_path: Path) -> None:
+    code = """if True:
+        import signal, sys
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        from nonsmooth.__main__ import main
+        from nonsmooth.solver import family
+        original, rows = family._next, iter("123")
+        def next_row(*arguments):
+            if next(rows, None) is None:
+                signal.raise_signal(signal.SIGINT)
+            return original(*arguments)
+        family._next = next_row
+        main()
+    """
+    command = [sys.executable, "-c", code, *map(str, ALONG), "-o", "family.csv"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 130
+    said = "wrote family.csv\nnonsmooth: interrupted: 3 of 5 values are done\n"
+    assert done.stderr == said
+    assert len((tmp_path / "family.csv").read_text().splitlines()) == 4

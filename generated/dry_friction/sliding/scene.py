@@ -26,6 +26,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
     )
 
 
+MATHEMATICS = "e7d0a2e72aed33017469aa3655b8d9278ff1bb7534d2392ca279e7ca25da59e2"  # of what fixes its motion
 BODY = "8e6a24b789a98ca13b7ead721f591ad3729d2383a115134814c3adb9cd20fb23"  # of the text below
 
 NAME = 'dry-friction'

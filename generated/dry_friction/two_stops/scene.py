@@ -26,6 +26,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
     )
 
 
+MATHEMATICS = "10754724b0139dd2c451d5192dfcb497f5123921a83704774a9c105895e6d301"  # of what fixes its motion
 BODY = "56c425b0be05c733a366c8bd8106b2c849656100b6d332247f72011b63c7f9dd"  # of the text below
 
 NAME = 'dry-friction'

@@ -16,7 +16,7 @@ class Problem(Exception):  # noqa: N818  (its text is what the user reads)
     message : str
         One line: the argument, the value, what was expected.
     status : int
-        Exit status: 2 for bad input, 1 for an orbit that is not there.
+        Exit status: 2 for bad input, 1 for an orbit that is not there, 130 after Ctrl-C.
     """
 
     def __init__(self, message: str, status: int = 2) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..room import room
+from ..scene_files.error import SceneFileError
 from .errors import FileError, damaged, other_kind
 from .json_text import check_digest, sealed
 from .kinds import Content
@@ -109,6 +110,8 @@ def load(path: str | Path, scene: object = None) -> Loaded:
         or too few numbers, an orbit that does not satisfy its equations, modes that are not
         those of the structure), is from a newer version, of another kind or scene, or of other
         equations.
+    SceneFileError
+        A `ValueError`: if `scene` is a file that is not as it must be.
     OSError
         If it cannot be read.
     """
@@ -180,7 +183,7 @@ def _from_document(path: Path, document: Mapping[str, Any], scene: object = None
         if "scene" not in document:
             raise other_kind(path)
         return restored(path, document, scene)
-    except FileError:
+    except (FileError, SceneFileError):
         raise
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise damaged(path, _words(error)) from error
@@ -198,7 +201,7 @@ def _from_netcdf(path: Path, scene: object) -> Loaded:
             file.set_auto_mask(False)
             check_schema(path, _whole_number(getattr(file, "schema", 0)))
             found, has_digest = _from_open(path, file, scene)
-    except FileError:
+    except (FileError, SceneFileError):
         raise
     except (AttributeError, IndexError, KeyError, OSError, RuntimeError, ValueError) as error:
         raise damaged(path, _words(error)) from error

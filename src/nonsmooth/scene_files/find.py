@@ -2,10 +2,11 @@
 
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.case import registry, sealed
 from nonsmooth.solver.case.numbers import SceneNumbers
 
 from .content import key_of_scene, key_of_text
@@ -83,29 +84,21 @@ def _is_scene(what: object) -> bool:
 
 def _of_file(path: Path, say: Say) -> SceneNumbers:
     text = text_of(path)
-    key = key_of_text(text)
-    folder = stored(key)
-    if folder is None:
-        scene = read_scene(path, text)
-        files = derive(scene, str(path), say)
-        folder = keep(scene.name, key, files, say)
-    return _loaded(folder, str(path))
+    return _kept(key_of_text(text), lambda: read_scene(path, text), str(path), say)
 
 
 def _of_object(scene: Any, say: Say) -> SceneNumbers:
-    key = key_of_scene(scene)
+    return _kept(key_of_scene(scene), lambda: scene, "scene", say)
+
+
+def _kept(key: str, made: Callable[[], Any], where: str, say: Say) -> SceneNumbers:
+    """Return the scene of a key, if it is kept; else that which is made, derived and kept."""
     folder = stored(key)
     if folder is None:
-        folder = keep(scene.name, key, derive(scene, "scene", say), say)
-    return _loaded(folder, "scene")
-
-
-def _loaded(folder: Path, where: str) -> SceneNumbers:
+        folder = keep(key, derive(made(), where, say), say)
     try:
-        found = registry.load_folder(folder)
+        found = registry.load_folder(folder, sealed.read(folder))
     except Exception as error:
-        raise SceneFileError(
-            f"{where}: its kernels in {folder} cannot be read ({error}); remove the folder"
-        ) from error
+        raise SceneFileError(f"{where}: its kernels cannot be read ({error})") from error
     check_name(found.name, where)
     return found

@@ -1,4 +1,8 @@
-"""The user's cache: a folder of kernels for each scene, whole or not at all."""
+"""The user's cache: a folder of kernels for each scene, whole or not at all.
+
+What is in it is run, so it is the user's alone: it is made so, and a folder or file that others
+own or may write to is not used.
+"""
 
 import atexit
 import os
@@ -7,13 +11,14 @@ import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from nonsmooth.solver.case import sealed
+from nonsmooth.solver.case.modules import with_code
+from nonsmooth.solver.ownership import NotPrivate, check_private
+
 from .error import SceneFileError
 
 #: What takes a line on what is being done.
 Say = Callable[[str], None]
-
-#: The module that every folder of kernels has.
-SCENE = "scene.py"
 
 #: Folders that go with the process, by key: where the cache cannot be written.
 _FOR_NOW: dict[str, Path] = {}
@@ -27,50 +32,81 @@ def root() -> Path:
 
 
 def stored(key: str) -> Path | None:
-    """Return the folder of a key, if there is one."""
-    if key in _FOR_NOW:
-        return _FOR_NOW[key]
+    """Return the folder of a key, if it is there, as it was written, and the user's alone."""
+    folder = _FOR_NOW.get(key)
     try:
-        found = sorted(root().glob(f"*-{key}/{SCENE}"))
+        if folder is None:
+            _check_root()
+            folder = root() / key
+        return folder if _is_whole(folder) else None
     except OSError:
-        return None
-    return found[0].parent if found else None
+        return None  # `keep` says why
 
 
-def keep(name: str, key: str, files: Mapping[str, str], say: Say) -> Path:
+def keep(key: str, files: Mapping[str, str], say: Say) -> Path:
     """Write the kernels of a scene and return their folder.
 
-    Where the cache cannot be written, they go into a temporary folder, for this process only.
+    Where the cache cannot be written, or others could, they go into a temporary folder, for
+    this process only.
 
     Parameters
     ----------
-    name, key : str
-        Of the scene; both are in the folder's name.
+    key : str
+        Of the scene; the name of the folder.
     files : mapping of str to str
         Text by name of file.
     say : callable
-        Told where the cache cannot be written.
+        Told where the cache cannot be written, and what is replaced there.
     """
-    target = root() / f"{name}-{key}"
+    target = root() / key
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        _put(files, target)
+        _make_root()
+        _put(files, target, say)
         return target
+    except NotPrivate as error:
+        say(f"{error}, so it is not used; derived for this run only")
     except OSError as error:
         reason = error.strerror or str(error)
         say(f"cannot write to {target.parent}: {reason}; derived for this run only")
     return _for_now(key, files)
 
 
-def _put(files: Mapping[str, str], target: Path) -> None:
+def _make_root() -> None:
+    """Make the folder of all scenes, for the user alone."""
+    root().parent.parent.mkdir(parents=True, exist_ok=True)
+    for folder in (root().parent, root()):
+        folder.mkdir(mode=0o700, exist_ok=True)
+    _check_root()
+
+
+def _check_root() -> None:
+    for folder in (root().parent, root()):
+        check_private(folder)
+
+
+def _is_whole(folder: Path) -> bool:
+    try:
+        sealed.read(folder)
+    except (FileNotFoundError, sealed.Damaged):
+        return False
+    return True
+
+
+def _put(files: Mapping[str, str], target: Path, say: Say) -> None:
     """Write a folder beside its place and put it there, unless another's is there already."""
     temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=".making-"))
     try:
-        _write(files, temporary)
+        made = temporary / target.name
+        _write(files, made, target)
+        if _is_whole(target):
+            return
+        if os.path.lexists(target):
+            say(f"{target} was not as it was written, and is written anew")
+            os.replace(target, temporary / "before")
         try:
-            os.replace(temporary, target)
+            os.replace(made, target)
         except OSError:
-            if not (target / SCENE).is_file():
+            if not _is_whole(target):
                 raise
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
@@ -78,18 +114,19 @@ def _put(files: Mapping[str, str], target: Path) -> None:
 
 def _for_now(key: str, files: Mapping[str, str]) -> Path:
     try:
-        folder = Path(tempfile.mkdtemp(prefix="nonsmooth-scene-"))
-        atexit.register(shutil.rmtree, folder, ignore_errors=True)
-        _write(files, folder)
+        temporary = Path(tempfile.mkdtemp(prefix="nonsmooth-scene-"))
+        atexit.register(shutil.rmtree, temporary, ignore_errors=True)
+        _write(files, temporary / key, temporary / key)
     except OSError as error:
         raise SceneFileError(
             f"no folder can be written, neither a cache nor a temporary one: {error.strerror}"
         ) from None
-    _FOR_NOW[key] = folder
-    return folder
+    _FOR_NOW[key] = temporary / key
+    return temporary / key
 
 
-def _write(files: Mapping[str, str], folder: Path) -> None:
-    for name, text in files.items():
-        (folder / name).parent.mkdir(exist_ok=True)  # of one of several motions
-        (folder / name).write_text(text, "utf-8", newline="\n")
+def _write(files: Mapping[str, str], folder: Path, target: Path) -> None:
+    """Write a folder that is to become `target`."""
+    folder.mkdir(mode=0o700)
+    texts = {name: text.encode() for name, text in files.items()}
+    sealed.write(with_code(texts, target.resolve()), folder)

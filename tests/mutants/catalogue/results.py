@@ -8,7 +8,8 @@ LINES = ("tests/results/test_lines_of_results.py",)
 CHANGED = ("tests/files/test_changed_files.py",)
 SCENES = ("tests/files/test_files_of_scenes.py",)
 COMPILE = ("tests/solving/test_when_to_compile.py",)
-COMPILING, FAILING = "solver/compiling.py", ("tests/solving/test_cache_that_fails.py",)
+COMPILING, CACHE = "solver/compiling.py", "solver/numba_cache.py"
+FAILING = ("tests/solving/test_cache_that_fails.py",)
 COPIED = ("tests/results/test_copied_errors.py",)
 
 MUTANTS: tuple[Mutant, ...] = (
@@ -133,22 +134,22 @@ MUTANTS: tuple[Mutant, ...] = (
     ),
     Mutant(
         "a cache that cannot be written ends the command",
-        COMPILING,
-        "cache.save_overload = guarded(cache.save_overload)",
+        CACHE,
+        "cached.save_overload = guarded(cached.save_overload)",
         "pass",
         FAILING,
     ),
     Mutant(
         "a cache that cannot be read ends the command",
-        COMPILING,
-        "cache.load_overload = guarded(cache.load_overload)",
+        CACHE,
+        "cached.load_overload = guarded(cached.load_overload)",
         "pass",
         FAILING,
     ),
     Mutant(
         "a cache that fails is not said",
-        COMPILING,
-        "_warn_once(cache.cache_path, error.strerror or str(error))",
+        CACHE,
+        "say(cached.cache_path, error.strerror or str(error))",
         "pass",
         FAILING,
     ),

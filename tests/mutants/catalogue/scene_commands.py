@@ -113,13 +113,13 @@ MUTANTS: tuple[Mutant, ...] = (
     user(
         "a second process fails on what the first has put there",
         "store.py",
-        "if not (target / SCENE).is_file():",
-        "if True:",
+        "        if _is_whole(target):\n            return\n",
+        "",
     ),
     user(
         "what goes with the process is derived at each use",
         "store.py",
-        "    _FOR_NOW[key] = folder\n",
+        "    _FOR_NOW[key] = temporary / key\n",
         "",
     ),
     user(

@@ -40,11 +40,21 @@ def run(
     case: "Case", vary: Vary, methods: str | None, orders: str | None, functions: int | None,
     json_: bool, output: Path | None,
 ) -> int:  # fmt: skip
-    """Follow the orbit, show it, write it; the exit status."""
+    """Follow the orbit, show it, write it; the exit status.
+
+    Raises
+    ------
+    Problem
+        If an argument is wrong; or after Ctrl-C, once what was computed is shown and written.
+    """
     from nonsmooth.files.scenes import documents  # noqa: PLC0415
     from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.family import ORDER, family_case  # noqa: PLC0415
+    from nonsmooth.solver.family import (  # noqa: PLC0415
+        ORDER,
+        FamilyInterrupted,
+        family_case,
+    )
 
     if orders is not None and not is_whole(orders):
         raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
@@ -53,6 +63,7 @@ def run(
     order = ORDER if orders is None else int(orders)
     values = vary.values(0, vary.count).tolist()
     name = FIRST if methods is None else methods.strip()
+    interrupted = False
     with as_problems(plural=True), progress(vary.count, "sweep") as advance:
 
         def done(row: "FamilyRow") -> None:
@@ -62,6 +73,8 @@ def run(
             result = family_case(case, vary.parameter, values, name, order, functions, done)
         except ParameterError as error:
             raise Problem(f"--vary: {error}") from error
+        except FamilyInterrupted as interrupt:
+            result, interrupted = interrupt.done, True
     text = documents.text(case, result.as_dict(), [result.method])
     if json_:
         click.echo(text, nl=False)
@@ -72,6 +85,8 @@ def run(
         tables.family(result)
     if output is not None:
         _write(output, text, result, vary.log)
+    if interrupted:
+        raise Problem(f"interrupted: {len(result)} of {vary.count} values are done", 130)
     return 0 if all(row.status == "ok" for row in result.rows) else 1
 
 

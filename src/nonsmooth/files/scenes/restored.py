@@ -1,6 +1,6 @@
 """Orbits, sweeps and families of any scene from their documents, if these can be right."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -10,6 +10,7 @@ import numpy as np
 from nonsmooth.scene import find
 from nonsmooth.solver.accuracy.errors import SceneErrors
 from nonsmooth.solver.case.case import Case
+from nonsmooth.solver.case.numbers import SceneNumbers
 from nonsmooth.solver.case.registry import (
     UnknownScene,
     generic_method,
@@ -49,11 +50,11 @@ def restored(path: Path, document: Mapping[str, Any], scene: object = None) -> A
         A `ValueError`: if a number in it cannot be right.
     """
     if "vary" in document:
-        return _family(document, _case(path, document, scene))
+        return _family(path, document, _case(path, document, scene))
     if "rows" in document:
         if not {"functions", "rates"} & document.keys():  # rows of ``digits``
             raise other_kind(path)
-        return _sweep(document, _case(path, document, scene))
+        return _sweep(path, document, _case(path, document, scene))
     every = document.get("orbits", [document])
     if not all("converged" in each for each in every):
         raise other_kind(path)
@@ -81,15 +82,22 @@ def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
     return Case(found, given, document.get("cycles", 1))
 
 
+def _check_mathematics(
+    path: Path, document: Mapping[str, Any], what: str, scene: SceneNumbers,
+    *choices: Iterable[str],
+) -> None:  # fmt: skip
+    """Refuse what was computed with other equations than those here, by one of the choices."""
+    found = document["mathematics"]
+    if found not in {mathematics(scene, methods) for methods in choices}:
+        raise FileError(path, f"{what} of other equations ({found}): compute it anew")
+
+
 def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit:
     case = _case(path, document, scene)
     method = generic_method(case.scene, document["method"])
     functions, order = document["functions"], document["order"]
     every = [each["method"] for each in document.get("orbits", [document])]
-    here = {mathematics(case.scene, [method]), mathematics(case.scene, every)}
-    if document["mathematics"] not in here:
-        found = document["mathematics"]
-        raise FileError(path, f"an orbit of other equations ({found}): compute it anew")
+    _check_mathematics(path, document, "an orbit", case.scene, [method], every)
     if document.get("outcome") is None:
         raise FileError(path, "an orbit without its unknowns, from before these were written")
     outcome = document["outcome"]
@@ -113,7 +121,9 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit
     return orbit
 
 
-def _sweep(document: Mapping[str, Any], case: Case) -> SceneSweep:
+def _sweep(path: Path, document: Mapping[str, Any], case: Case) -> SceneSweep:
+    methods = {row["method"] for row in document["rows"]}
+    _check_mathematics(path, document, "a sweep", case.scene, methods)
     rows = tuple(_row(case, row) for row in document["rows"])
     return SceneSweep(case, rows, document["functions"])
 
@@ -126,7 +136,8 @@ def _row(case: Case, row: Mapping[str, Any]) -> SceneRow:
     return SceneRow(**values | _checked(row))
 
 
-def _family(document: Mapping[str, Any], case: Case) -> SceneFamily:
+def _family(path: Path, document: Mapping[str, Any], case: Case) -> SceneFamily:
+    _check_mathematics(path, document, "a family", case.scene, [document["method"]])
     parameter, rows = document["vary"]["parameter"], []
     if parameter not in case.values:
         raise checks.NotRightError(f"{parameter!r} varies, which is not a parameter")
