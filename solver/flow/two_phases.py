@@ -31,7 +31,7 @@ from .divided import of_three, of_two
 SHORTEST, LONGER = 1e-10, 3.0
 
 #: Most intervals that are doubtful and tried all the same; halvings of each.
-DOUBTFUL, HALVINGS = 8, 40
+DOUBTFUL, HALVINGS = 6, 40
 
 #: What is rounding of the equation.
 ROUNDING = 1e-11
@@ -85,14 +85,17 @@ def solutions(cell: Cell) -> Solutions:
         except (np.linalg.LinAlgError, FloatingPointError):
             return Solutions((), (), complete=False, resolved=False)
         found = _starts(cell, roots.places, roots.signs)
-        few = _most_likely(cell, roots.doubtful[:DOUBTFUL])
+        few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
         both = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
         doubtful = _starts(cell, *both)
         return Solutions(found, doubtful, roots.complete, roots.resolved)
 
 
 def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
-    """Return one place of each interval: where ``|D| - R`` changes its sign, or the middle."""
+    """Return one place of each interval, where ``|D| - R`` changes its sign, or the middle.
+
+    The former come first, of them and of the others those of the longest phases.
+    """
 
     def above(s: Vector) -> Vector:
         D, P, Q = _determinants(cell, s[:, None])[:, :, 0]
@@ -107,7 +110,9 @@ def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
         middle = (low + high) / 2
         before = above(middle) == begin
         low, high = np.where(before, middle, low), np.where(before, high, middle)
-    return np.where(changes, (low + high) / 2, intervals.mean(axis=1))
+    places = np.where(changes, (low + high) / 2, intervals.mean(axis=1))
+    shortest = np.minimum(places, cell.duration - places)
+    return np.asarray(places[np.lexsort((-shortest, ~changes))])
 
 
 def vanishing(cell: Cell) -> list[Phase]:
