@@ -8,11 +8,16 @@ import pytest
 from made_scenes import Given, made
 from numpy.polynomial import Polynomial
 
+from nonsmooth.solver import solve
 from nonsmooth.solver.case import registry
+from nonsmooth.solver.flow import exact
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
+from nonsmooth.solver.flow.existence import motions_without_switches
+from nonsmooth.solver.flow.known import Known
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.admissible import violations
+from nonsmooth.solver.solve import orbits_of, solve_case, with_motion
 
 IMPACT, FRICTION = registry.load("impact"), registry.load("dry-friction")
 
@@ -101,3 +106,60 @@ def test_the_jacobian_of_the_exact_equations_with_a_memory():
             kernel.residual(one, z - size * np.eye(8)[i], below)
             expected = (above - below) / (2 * size)
             np.testing.assert_allclose(J[:, i], expected, rtol=0, atol=1e-8)
+
+
+#: Solutions by an expansion that are no orbits: a higher order, or the exact equations, say so.
+DISPROVED = [
+    (
+        {
+            "damping": 0.019767996350776345, "frequency": 1.9999769783284103,
+            "gap": 0.3333145972094319, "restitution": 0.023372925272368988, "cycles": 3,
+        },
+        20,
+    ),
+    (
+        {
+            "damping": 0.3102208332053689, "frequency": 0.3366305043143572,
+            "gap": 1.120214300212283, "restitution": 0.324171717427616, "cycles": 2,
+        },
+        10,
+    ),
+    ({"damping": 52.664, "frequency": 1.1045, "gap": 0.016674, "restitution": 0.13355}, 20),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("values", "order"), DISPROVED, ids=["repeats", "grazes", "creeps"])
+@pytest.mark.parametrize("method", ["ck-tau", "hb"])
+def test_what_the_exact_equations_disprove_is_not_returned(values, order, method, monkeypatch):
+    case = IMPACT(**values)
+    with pytest.raises(NoOrbit, match="no such orbit exists"):
+        solve_case(case, method, order)
+    # also by itself, where nothing is known of the exact solutions
+    for module in (solve, exact):
+        monkeypatch.setattr(module, "known", lambda case: Known())
+        monkeypatch.setattr(module, "known_orbits", lambda case: [])
+    with pytest.raises(NoOrbit):
+        solve_case(case, method, order)
+
+
+def test_of_two_orbits_the_stable_one_is_returned_and_the_other_named():
+    case = IMPACT(
+        mass=0.022676366, damping=0.20214459, stiffness=95.458992, force=77046612000,
+        frequency=24.487056, gap=946825740, restitution=0.81313913,
+    )  # fmt: skip
+    orbit = solve_case(case, "ck-tau", 20)
+    (other,) = orbit.others
+    assert (orbit.stable, other.stable) == (True, False)
+    assert [each.stable for each in orbits_of(case, order=20)] == [True, False]
+    (still,) = motions_without_switches(case)
+    assert (still.stable, still.phase) == (True, "flight")
+    assert orbit.as_dict()["others"][0]["stable"] is False
+
+
+def test_the_motion_that_occurs_is_found_whatever_the_order():
+    case = FRICTION(
+        damping=31.090267377334186, normal_force=46.596900233665814,
+        mu_s=0.0045101800933892095, mu_k=0.001111668978050268, frequency=0.46721042650884287,
+    )  # fmt: skip
+    assert solve_case(case, order=40).case.scene.motion == "two-stops"
+    assert with_motion(case).scene.motion == "two-stops"

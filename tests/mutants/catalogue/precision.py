@@ -99,13 +99,6 @@ MUTANTS: tuple[Mutant, ...] = (
         NONE,
     ),
     flow(
-        "solutions that are orbits do not count",
-        "existence.py",
-        "if any(orbit.admissible for orbit in orbits):",
-        "if False:",
-        NONE,
-    ),
-    flow(
         "a motion that leaves its phase is one without switches",
         "existence.py",
         "if not phase.demands or min(least(form) for _, form in phase.demands) < 0:",

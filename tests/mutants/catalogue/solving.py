@@ -18,23 +18,33 @@ FREE, MANY = "solver/shortcuts/series/matrix_free.py", ("tests/solving/test_matr
 SEARCH, SINGULAR = "solver/solve.py", ("tests/scenes/test_singular.py",)
 
 TWO, SCAN = "solver/flow/two_phases.py", ("tests/scenes/test_two_phases.py",)
+LISTED = "solver/flow/enclosure.py"
 
 MUTANTS = (
     Mutant(
-        "a scan of durations misses two solutions between neighbours",
-        TWO, "for _ in range(TIMES):", "for _ in range(0):", SCAN,
+        "a list of roots leaves out parts in which two functions may meet",
+        LISTED, "far = np.abs(np.abs(D) - np.hypot(P, Q)) > change", "far = change > change", SCAN,
     ),
     Mutant(
-        "a scan takes rounding about a phase of no duration for a solution",
-        TWO, "inner = slice(told[0], told[-1] + 1)", "inner = slice(None)", SCAN,
+        "a list of roots is complete though rounding hides some",
+        LISTED, "return self.resolved and not len(self.doubtful)", "return self.resolved", SCAN,
     ),
     Mutant(
-        "a scan takes any number of changes of sign for solutions",
-        TWO, "if len(crossed) > most:", "if False:", SCAN,
+        "a list of roots is complete though a function is not resolved",
+        LISTED, "resolved, fine = bool(fine.all()), np.ones_like(fine)",
+        "fine = np.ones_like(fine)", SCAN,
+    ),
+    Mutant(
+        "of the two roots beside a zero one is looked for",
+        LISTED, "for sign in (1.0, -1.0):", "for sign in (1.0,):", SCAN,
     ),
     Mutant(
         "a scan takes a load well below the limit for one that touches it",
         TWO, "ROUNDING = 1e-11", "ROUNDING = 1e-9", SCAN,
+    ),
+    Mutant(
+        "at a gap of 0 the forcing is taken from conditions that leave it free",
+        TWO, "if nothing.any():", "if False:", SCAN,
     ),
     Mutant(
         "a scan takes the second phase to begin where the first does",
@@ -54,17 +64,30 @@ MUTANTS = (
         "pass", SCAN,
     ),
     Mutant(
-        "solutions of a scan that are orbits are taken for none",
-        "solver/flow/existence.py", "if not all(orbit.outcome.converged and orbit.violations",
-        "if not all(orbit.outcome.converged", SCAN,
+        "solutions that are orbits do not count",
+        "solver/flow/known.py", "return self.complete and not self.orbits",
+        "return self.complete", SCAN,
+    ),
+    Mutant(
+        "a list is complete though a root led nowhere",
+        "solver/flow/known.py", "            complete = False", "            pass", SCAN,
     ),
     Mutant(
         "a search goes on though no solution can be an orbit",
-        SEARCH, "vain = number == PATIENCE and", "vain = number == 10**6 and", SCAN,
+        SEARCH, "if not known(self.case).none:", "if True:", SCAN,
     ),
     Mutant(
         "the search for the exact orbit goes on though none can be",
-        "solver/flow/exact.py", "if number == PATIENCE and", "if number == 10**6 and", SCAN,
+        "solver/flow/exact.py", "if not found.none:", "if True:", SCAN,
+    ),
+    Mutant(
+        "an orbit is returned that the exact equations disprove",
+        "solver/orbit/orbit.py", "or self._disproof", "", ("tests/scenes/test_never_wrong.py",),
+    ),
+    Mutant(
+        "of two orbits the unstable one is returned",
+        "solver/flow/known.py", "key=lambda q: is_stable(q) is not True",
+        "key=lambda q: is_stable(q) is True", ("tests/scenes/test_never_wrong.py",),
     ),
     Mutant(
         "functions of class C^1 are taken where the smoother ones are not singular",

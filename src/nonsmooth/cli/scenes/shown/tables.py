@@ -88,13 +88,13 @@ def every(orbits: "Sequence[SceneOrbit]", still: "Sequence[WithoutSwitches]") ->
     names = ("motion", "T [s]", "phi [rad]", "least x [m]", "largest x [m]", "estimate", "")
     table = table_of(*names)
     for orbit in orbits:
-        scene, turn = orbit.case.scene, orbit.forcing_phase
+        scene, turn, off = orbit.case.scene, orbit.forcing_phase, orbit.estimate.times
         table.add_row(
             scene.motion or ", ".join(scene.phases),
             f"{orbit.period:.9g}",
             "" if turn is None else f"{turn:.7g}",
             *(f"{end:.6g}" for end in without_rounding(orbit.extremes["displacement"])),
-            f"{orbit.estimate.times:.1e}",
+            f"{off:.1e}",
             VERDICTS[orbit.stable],
         )
     for motion in still:
