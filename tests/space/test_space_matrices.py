@@ -67,7 +67,7 @@ def test_the_scalar_equation_is_the_eigenproblem_of_the_matrices(name: str, K: i
     with mp.workdps(60):
         wanted = np.array([float(q) for q in matrix_eigenvalues(one, 3, K)])
     bare = ritz_forced(one, 3, tuple(range(1, K + 1)))
-    found = secular.eigenvalues(bare, one.structure.kind, one.s, len(wanted)).values
+    found = secular.eigenvalues(bare, one, len(wanted)).values
     # the highest one is that of the last forced mode, whose sums have ten digits
     np.testing.assert_allclose(found[:3], wanted[:3], rtol=1e-13)
     np.testing.assert_allclose(found, wanted, rtol=1e-9)
@@ -78,7 +78,7 @@ def test_the_reference_that_is_left_out() -> None:
     one = attached("beam-spring", "1/2", 1e6)
     with mp.workdps(60):
         wanted = [float(q) for q in matrix_eigenvalues(one, 4, 2)]
-    found = secular.eigenvalues(ritz_forced(one, 4, (1, 2)), "stiffness", one.s, 6).values
+    found = secular.eigenvalues(ritz_forced(one, 4, (1, 2)), one, 6).values
     np.testing.assert_allclose(found, wanted, rtol=1e-12)
     assert found[3] == pytest.approx(39846.409929222582, rel=1e-13)
 
@@ -205,7 +205,7 @@ def test_nothing_is_proved_from_below_beyond_the_first_sine_left_out() -> None:
 def test_no_digit_is_lost_for_a_weak_attachment() -> None:
     """The shift from the bare eigenvalue, 1e-8 of it, keeps its digits."""
     one = attached("beam-spring", "3/10", 1e-6)
-    roots = secular.eigenvalues(ritz_forced(one, 16, (1,)), "stiffness", one.s, 1)
+    roots = secular.eigenvalues(ritz_forced(one, 16, (1,)), one, 1)
     exact = exact_modes(one, 1)
     assert roots.shift[0] == pytest.approx(exact.shifts[0], rel=3e-14)
     first = 2 * np.sin(0.3 * np.pi) ** 2 * one.s

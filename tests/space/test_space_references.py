@@ -58,9 +58,7 @@ def test_ritz_values_are_those_of_the_matrices(
     for each in references():
         wanted = each.get("galerkin", {}).get(key, [])
         one = of(each)
-        roots = secular.eigenvalues(
-            ritz_forced(one, order, forced), one.structure.kind, one.s, COUNT
-        )
+        roots = secular.eigenvalues(ritz_forced(one, order, forced), one, COUNT)
         coupled = roots.values[roots.untouched < 0]
         for found, value in zip(coupled, wanted, strict=False):
             if value is not None:
@@ -74,7 +72,7 @@ def test_values_of_the_piecewise_series_are_those_of_the_matrices() -> None:
     for each in references():
         wanted = each.get("galerkin", {}).get("ck, N = 4", [])
         one = of(each)
-        found = secular.eigenvalues(piecewise(one, 4), one.structure.kind, one.s, 3).values
+        found = secular.eigenvalues(piecewise(one, 4), one, 3).values
         for value, other in zip(found, wanted, strict=False):
             compared += 1
             # of a crack a digit more is lost: the inner products with the function that jumps
@@ -86,7 +84,7 @@ def test_values_of_the_piecewise_series_are_those_of_the_matrices() -> None:
 def test_bounds_of_the_piecewise_series_hold_from_above() -> None:
     for each in references():
         one = of(each)
-        roots = secular.eigenvalues(piecewise(one, 12), one.structure.kind, one.s, 4)
+        roots = secular.eigenvalues(piecewise(one, 12), one, 4)
         assert (bounds.above(roots) >= exact_values(each)[:4]).all(), each
 
 
@@ -95,7 +93,7 @@ def _with_two_forced_modes_at_32() -> list[tuple[dict, np.ndarray]]:
     for each in references():
         one = of(each)
         bare = ritz_forced(one, 32, (1, 2))
-        roots = secular.eigenvalues(bare, one.structure.kind, one.s, COUNT)
+        roots = secular.eigenvalues(bare, one, COUNT)
         found.append((each, roots.values / exact_values(each) - 1))
     return found
 
@@ -118,7 +116,7 @@ def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
     for each in references()[:: 1 if order == 8 else 3]:
         one = of(each)
         bare = ritz_forced(one, order, tuple(range(1, forced + 1)))
-        roots = secular.eigenvalues(bare, one.structure.kind, one.s, 6)
+        roots = secular.eigenvalues(bare, one, 6)
         exact = exact_values(each)[: len(roots.values)]
         if one.structure.kind == "compliance" and forced == 0:
             assert np.isnan(bounds.below(one, order, forced, len(exact))).all()
@@ -134,14 +132,14 @@ def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
 def test_the_allowance_for_rounding_is_no_more_than_that() -> None:
     for each in references()[::7]:
         one = of(each)
-        roots = secular.eigenvalues(ritz_forced(one, 16, (1, 2)), one.structure.kind, one.s, 6)
+        roots = secular.eigenvalues(ritz_forced(one, 16, (1, 2)), one, 6)
         assert (roots.rounding < 2e-13 * roots.values).all(), each
 
 
 def test_bounds_of_the_table_of_the_rotational_spring() -> None:
     one = attached("beam-rotational-spring")
     exact = exact_modes(one, 3).eigenvalues
-    roots = secular.eigenvalues(ritz_forced(one, 8, (1,)), "stiffness", one.s, 3)
+    roots = secular.eigenvalues(ritz_forced(one, 8, (1,)), one, 3)
     assert roots.values / exact - 1 == pytest.approx([1.2e-10, 1.6e-9, 2.5e-7], rel=0.05)
     low = bounds.below(one, 8, 1, 3) / exact - 1
     assert low[1:] == pytest.approx([-1.1e-12, -9.5e-10], rel=0.05)

@@ -17,9 +17,9 @@ from ..expansions.sums import left_out
 from ..position import Integers
 from .bracketing import bracketed
 
-#: Below this `beta` the closed form of a beam cancels; its power series there takes `TERMS`
-#: terms, sums over `MODES` modes.
-SMALL, TERMS, MODES = 1.5, 16, 500
+#: Below this `beta`, by half the order, the closed form cancels; the power series there takes
+#: `TERMS` terms.
+SMALL, TERMS = {1: 1.0, 2: 1.5}, 16
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ def exact_modes(attached: Attached, count: int) -> ExactModes:
     felt = attached.felt(n) != 0
     coupled, kept = n[felt][: count + 2], n[~felt][:count]
     low, high = coupled[:-1], coupled[1:]
-    if attached.structure.kind != "stiffness":
+    if not attached.raises:
         low, high = np.append(0, low), np.append(coupled[0], high)
     low, high = low[:count], high[:count]
     origin, offset = _roots(attached, low, high)
@@ -144,7 +144,7 @@ def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers,
     """Return the nearer end of each bracket, and the distance from it."""
     half = (high - low) * np.pi / 2
     above = _Equation(attached, low)
-    start = -1.0 if attached.structure.kind == "stiffness" else 1.0
+    start = -1.0 if attached.raises else 1.0
     below = np.sign(above(half)) != start
     origin = np.where(below, low, high)
     end = np.where(below, half, -half)
@@ -156,18 +156,20 @@ def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers,
 @lru_cache(maxsize=64)
 def _series(attached: Attached) -> Vector:
     """Return the coefficients of the power series of the receptance in lambda."""
-    return left_out(attached, 0, TERMS, MODES).sums
+    return np.append(float(attached.static_sum), left_out(attached, 0, TERMS).sums[1:])
 
 
 class _Equation:
     """The characteristic equation times the distance from the wave number at the origin.
 
-    Where that is 0, which is none, the equation itself.
+    Where that is 0, which is none, the equation itself, of a spring from its margin of
+    stability.
     """
 
     def __init__(self, attached: Attached, origin: Integers) -> None:
         self.attached, self.origin = attached, origin
-        self.series = _series(attached) if attached.structure.m == 2 else None
+        self.from_zero = (origin == 0) & (attached.structure.kind == "stiffness")
+        self.series = _series(attached)
 
     def at_origin(self) -> Vector:
         """Return its limit there."""
@@ -180,7 +182,7 @@ class _Equation:
             limit = -attached.s * weight / (2 * m * wave ** (2 * m - 1))
         if attached.structure.kind != "stiffness":
             limit = -limit * wave ** (2 * m)
-        return np.where(n == 0, 1.0, limit)
+        return np.where(n == 0, np.where(self.from_zero, attached.margin, 1.0), limit)
 
     def __call__(self, offset: Vector) -> Vector:
         structure = self.attached.structure
@@ -188,19 +190,20 @@ class _Equation:
         factor = np.where(self.origin == 0, 1.0, offset)
         G = factor * self._receptance(beta, offset)
         if structure.kind == "stiffness":
-            return np.asarray(factor + self.attached.s * G)
+            constant = np.where(self.from_zero, self.attached.margin, factor)
+            return np.asarray(constant + self.attached.s * G)
         return np.asarray(factor - self.attached.s * beta ** (2 * structure.m) * G)
 
     def _receptance(self, beta: Vector, offset: Vector) -> Vector:
-        """Return the receptance; of a compliance over lambda."""
+        """Return the receptance, of a compliance over lambda; from zero, less that at zero."""
         module = self.attached.structure.module
         a, b = float(self.attached.a), float(1 - self.attached.a)
         q = _Sines(self.attached, self.origin, offset)
         with np.errstate(divide="ignore", invalid="ignore"):
             over = module.receptance_over_sine(beta, q.sin_a, q.cos_a, q.sin_b, q.cos_b)
             closed = over / q.sin + module.receptance_rest(beta, a, b)
-        if self.series is None:
-            return np.asarray(closed)
-        powers: Matrix = beta[:, None] ** (2 * self.attached.structure.m * np.arange(TERMS))
-        near = np.where(beta[:, None] < SMALL, powers, 0.0) @ self.series
-        return np.where(beta < SMALL, near, closed)
+        static = np.where(self.from_zero, self.series[0], 0.0)
+        m = self.attached.structure.m
+        powers: Matrix = np.minimum(beta, SMALL[m])[:, None] ** (2 * m * np.arange(TERMS))
+        near = powers[:, 1:] @ self.series[1:] + np.where(self.from_zero, 0.0, self.series[0])
+        return np.where(beta < SMALL[m], near, closed - static)
