@@ -11,15 +11,15 @@ from functools import lru_cache
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
+from ...arrays import Vector
 from ..attached import Attached
 from ..expansions.sums import left_out
 from ..position import Integers
 from .bracketing import bracketed
 
-#: Below this `beta`, by half the order, the closed form cancels; the power series there takes
-#: `TERMS` terms.
-SMALL, TERMS = {1: 1.0, 2: 1.5}, 16
+#: Near zero and near an end the closed form cancels.  There, up to this mode, it is a sum over
+#: so many modes beyond twice its number, and so many terms of a power series for the rest.
+HIGHEST, LEAST, TERMS = 100, 4, 16
 
 
 @dataclass(frozen=True)
@@ -58,11 +58,7 @@ class ExactModes:
     @property
     def shifts(self) -> Vector:
         """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
-        p, d = self.n * np.pi, self.offset
-        square = d * (2 * p + d)
-        if self.attached.structure.m == 1:
-            return np.asarray(square)
-        return np.asarray(square * (2 * p**2 + square))
+        return _shift(self.n * np.pi, self.offset, self.attached.structure.m)
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
         """Return a derivative of a mode, in units of the length; its scale is any.
@@ -103,6 +99,12 @@ class ExactModes:
         over = module.shape_over_sine(beta, inside, sine[0], cosine[0])[derivative]
         rest = module.shape_rest(beta, inside, b)[derivative]
         return np.asarray(over / around.sin[0] + rest)
+
+
+def _shift(p: Vector, d: Vector, m: int) -> Vector:
+    """Return ``(p + d)^(2m) - p^(2m)``."""
+    square = d * (2 * p + d)
+    return np.asarray(square if m == 1 else square * (2 * p**2 + square))
 
 
 class _Sines:
@@ -153,12 +155,6 @@ def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers,
     return origin, bracketed(function, zero, end, function.at_origin(), function(end))
 
 
-@lru_cache(maxsize=64)
-def _series(attached: Attached) -> Vector:
-    """Return the coefficients of the power series of the receptance in lambda."""
-    return np.append(float(attached.static_sum), left_out(attached, 0, TERMS).sums[1:])
-
-
 class _Equation:
     """The characteristic equation times the distance from the wave number at the origin.
 
@@ -169,15 +165,14 @@ class _Equation:
     def __init__(self, attached: Attached, origin: Integers) -> None:
         self.attached, self.origin = attached, origin
         self.from_zero = (origin == 0) & (attached.structure.kind == "stiffness")
-        self.series = _series(attached)
+        end = np.pi * float(min(attached.a, 1 - attached.a))
+        self.sums = np.flatnonzero((origin * end < 1) & (origin <= HIGHEST))
 
     def at_origin(self) -> Vector:
         """Return its limit there."""
         attached, n = self.attached, self.origin
         m, wave = attached.structure.m, self.origin * np.pi
-        weight = attached.felt(n) ** 2
-        if attached.structure.kind == "compliance":
-            weight = 2 * attached.sines(n)[0] ** 2
+        weight = _weights(attached, n)
         with np.errstate(divide="ignore", invalid="ignore"):
             limit = -attached.s * weight / (2 * m * wave ** (2 * m - 1))
         if attached.structure.kind != "stiffness":
@@ -201,9 +196,34 @@ class _Equation:
         q = _Sines(self.attached, self.origin, offset)
         with np.errstate(divide="ignore", invalid="ignore"):
             over = module.receptance_over_sine(beta, q.sin_a, q.cos_a, q.sin_b, q.cos_b)
-            closed = over / q.sin + module.receptance_rest(beta, a, b)
-        static = np.where(self.from_zero, self.series[0], 0.0)
-        m = self.attached.structure.m
-        powers: Matrix = np.minimum(beta, SMALL[m])[:, None] ** (2 * m * np.arange(TERMS))
-        near = powers[:, 1:] @ self.series[1:] + np.where(self.from_zero, 0.0, self.series[0])
-        return np.where(beta < SMALL[m], near, closed - static)
+            found = np.array(over / q.sin + module.receptance_rest(beta, a, b))
+        if self.sums.size:
+            found[self.sums] = self._summed(offset[self.sums])
+        return found
+
+    def _summed(self, offset: Vector) -> Vector:
+        """Return the same as a sum over modes, and a power series of what that leaves out."""
+        attached, n = self.attached, self.origin[self.sums]
+        poles, weights, rest = _sum(attached, 2 * int(n.max()) + LEAST)
+        shift = _shift(n * np.pi, offset, attached.structure.m)
+        origin, from_zero = attached.bare(n), self.from_zero[self.sums]
+        value = origin + shift
+        terms = weights / ((poles - origin[:, None]) - shift[:, None])
+        terms *= np.where(from_zero[:, None], value[:, None] / poles, 1.0)
+        series = value[:, None] ** np.arange(TERMS) * rest
+        series[from_zero, 0] = 0.0
+        return np.asarray(terms.sum(axis=1) + series.sum(axis=1))
+
+
+def _weights(attached: Attached, n: Integers) -> Vector:
+    """Return ``r_n^2``, of a compliance over ``mu_n``."""
+    if attached.structure.kind == "compliance":
+        return np.asarray(2 * attached.sines(n)[0] ** 2)
+    return attached.felt(n) ** 2
+
+
+@lru_cache(maxsize=16)
+def _sum(attached: Attached, last: int) -> tuple[Vector, Vector, Vector]:
+    """Return eigenvalues of bare modes, what is felt of them, and the series of the rest."""
+    n = np.arange(1, last + 1)
+    return attached.bare(n), _weights(attached, n), left_out(attached, last, TERMS).sums
