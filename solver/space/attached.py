@@ -181,7 +181,7 @@ def _unstable(found: Attached) -> list[str]:
     if structure.kind != "stiffness" or found.margin > LEAST_MARGIN:
         return []
     return [
-        f"{q.name}: got {found.values[q.name]:.12g}, expected more than the critical stiffness "
+        f"{q.name}: got {found.values[q.name]!r}, expected more than the critical stiffness "
         f"{found.critical:.12g} {q.unit}, at which the {structure.bare} loses its stability"
     ]
 
