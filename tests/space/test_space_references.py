@@ -2,16 +2,22 @@
 
 from functools import cache
 
+import mpmath as mp
 import numpy as np
 import pytest
-from known import attached, exact_values, of, references
+from known import attached, drawn, exact_values, expansion, lower, of, references
 
+from nonsmooth.solver.space.attached import Attached
 from nonsmooth.solver.space.eigenvalues import bounds, secular
 from nonsmooth.solver.space.eigenvalues.exact import ExactModes, exact_modes
 from nonsmooth.solver.space.expansions.forced import ritz_forced
 from nonsmooth.solver.space.expansions.pieces import piecewise
+from nonsmooth.solver.space.modes import at_order
 
 COUNT = 10
+
+#: Seeds that are rare.
+LONG = [pytest.param(seed, marks=pytest.mark.long) for seed in range(100, 400)]
 
 #: Four units in the last of the 14 digits that the references of Ritz values have.
 PRINTED = 6e-14
@@ -127,6 +133,45 @@ def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
         assert (low[known] <= exact[known]).all(), each
         proved += int(known.sum())
     assert proved > 300
+
+
+def assert_enclosed(one: Attached, method: str, order: int, forced: int) -> None:
+    """Hold bounds and exact eigenvalues against the number of those below, in 50 digits."""
+    for mode in at_order(one, method, order, forced, None):
+        low, high = mode.bounds
+        about = one.structure.name, str(one.a), one.s, method, order, forced, mode.number
+        assert lower(one, high) >= mode.number, about
+        assert low is None or lower(one, low) < mode.number, about
+        exact = mp.mpf(mode.exact_beta) ** (2 * one.structure.m)
+        off = 3e-13 if one.s < 0 else 2e-15  # a negative stiffness takes digits
+        assert lower(one, exact * (1 - off)) < mode.number <= lower(one, exact * (1 + off)), (
+            about
+        )
+
+
+@pytest.mark.parametrize("seed", [*range(40), *LONG])
+def test_bounds_enclose_the_exact_eigenvalues_of_any_structure(seed: int) -> None:
+    assert_enclosed(drawn(seed), *expansion(seed))
+
+
+@pytest.mark.parametrize("seed", [*range(24), *LONG])
+def test_bounds_enclose_those_of_a_negative_stiffness(seed: int) -> None:
+    assert_enclosed(drawn(seed, negative=True), *expansion(seed))
+
+
+@pytest.mark.parametrize("position", ["0.99972", "0.00028"])
+def test_bounds_of_a_heavy_mass_beside_either_end(position: str) -> None:
+    assert_enclosed(attached("beam-mass", position, 1e6), "ritz-ck", 64, 2)
+
+
+@pytest.mark.parametrize("position", ["0.00026", "0.0018", "0.0105", "0.9995"])
+@pytest.mark.parametrize("order", [12, 60, 100])
+def test_the_series_keeps_its_digits_with_a_crack_beside_an_end(
+    position: str, order: int
+) -> None:
+    one = attached("beam-crack", position, 1e5)
+    assert_enclosed(one, "ck", order, 0)
+    assert max(abs(mode.error) for mode in at_order(one, "ck", order, 0, 3)) < 1e-12
 
 
 def test_the_allowance_for_rounding_is_no_more_than_that() -> None:

@@ -13,9 +13,11 @@ import numpy as np
 
 from ...arrays import Vector
 from ..attached import Attached
+from ..expansions.bare import joined
+from ..expansions.forced import ForcedModes
 from ..expansions.sums import left_out
 from ..position import Integers
-from .bracketing import bracketed
+from .bracketing import EPS, bracketed
 
 #: Near zero and near an end the closed form cancels.  There, up to this mode, it is a sum over
 #: so many modes beyond twice its number, and so many terms of a power series for the rest.
@@ -79,12 +81,20 @@ class ExactModes:
         if self.untouched[i] or offset == 0:
             wave = n * np.pi
             return wave**derivative * np.sin(wave * x + derivative * np.pi / 2)
+        m, most = self.attached.structure.m, self.attached.structure.most_forced
+        if (self.beta[i] / np.pi) ** (2 * m * most) < EPS:  # a power series, of forced modes
+            forced, lam = ForcedModes(self.attached), self.eigenvalues[i]
+            return np.asarray(
+                sum(
+                    lam ** (q - 1) * forced.values(q, x, derivative) for q in range(1, most + 1)
+                )
+            )
         a, b = float(self.attached.a), float(1 - self.attached.a)
         j = self.attached.structure.felt
         left = self._side(n, offset, x, b, derivative, mirrored=False)
         right = self._side(n, offset, 1 - x, a, derivative, mirrored=True)
         right = (-1) ** (j + derivative) * right
-        return np.where(x < a, left, np.where(x > a, right, (left + right) / 2))
+        return joined(x, a, left, right)
 
     def _side(
         self, n: int, offset: float, x: Vector, b: float, derivative: int, *, mirrored: bool
@@ -112,13 +122,17 @@ class _Sines:
 
     def __init__(self, attached: Attached, n: Integers, offset: Vector) -> None:
         a, b = float(attached.a), float(1 - attached.a)
-        self.offset = np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
+        self.offset = _not_zero(offset)
         sine, cosine = attached.sines(n)
         sign = np.where(n % 2 == 0, 1.0, -1.0)
         self.sin = sign * np.sin(self.offset)
         self.sin_a, self.cos_a = _turned(sine, cosine, self.offset * a)
         # n pi b is n pi less n pi a
         self.sin_b, self.cos_b = _turned(-sign * sine, sign * cosine, self.offset * b)
+
+
+def _not_zero(offset: Vector) -> Vector:
+    return np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
 
 
 def _turned(sine: Vector, cosine: Vector, by: Vector) -> tuple[Vector, Vector]:
@@ -205,7 +219,7 @@ class _Equation:
         """Return the same as a sum over modes, and a power series of what that leaves out."""
         attached, n = self.attached, self.origin[self.sums]
         poles, weights, rest = _sum(attached, 2 * int(n.max()) + LEAST)
-        shift = _shift(n * np.pi, offset, attached.structure.m)
+        shift = _shift(n * np.pi, _not_zero(offset), attached.structure.m)
         origin, from_zero = attached.bare(n), self.from_zero[self.sums]
         value = origin + shift
         terms = weights / ((poles - origin[:, None]) - shift[:, None])
