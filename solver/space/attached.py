@@ -162,7 +162,7 @@ def attach(structure: Structure, position: object = POSITION, **given: float) ->
             errors[-1] += _why_not(structure, name, value)
     if not errors:
         found = Attached(structure, {name: float(v) for name, v in values.items()}, a)
-        errors += _extremes(found) or _unstable(found)
+        errors += _unstable(found) or _extremes(found)
         if not errors:
             return found
     raise ParameterError(errors)
@@ -178,7 +178,9 @@ def _why_not(structure: Structure, name: str, value: object) -> str:
 def _unstable(found: Attached) -> list[str]:
     """Return what is wrong with a negative stiffness at which the structure is not stable."""
     structure, q = found.structure, found.structure.attached
-    if structure.kind != "stiffness" or found.margin > LEAST_MARGIN:
+    if structure.kind != "stiffness" or not np.isfinite(found.s):
+        return []
+    if found.margin > LEAST_MARGIN:
         return []
     return [
         f"{q.name}: got {found.values[q.name]!r}, expected more than the critical stiffness "
