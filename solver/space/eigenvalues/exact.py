@@ -60,7 +60,7 @@ class ExactModes:
     @property
     def shifts(self) -> Vector:
         """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
-        return _shift(self.n * np.pi, self.offset, self.attached.structure.m)
+        return _shift(self.n, self.offset, self.attached.structure.m)
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
         """Return a derivative of a mode, in units of the length; its scale is any.
@@ -111,8 +111,9 @@ class ExactModes:
         return np.asarray(over / around.sin[0] + rest)
 
 
-def _shift(p: Vector, d: Vector, m: int) -> Vector:
-    """Return ``(p + d)^(2m) - p^(2m)``."""
+def _shift(n: Integers, d: Vector, m: int) -> Vector:
+    """Return ``(n pi + d)^(2m) - (n pi)^(2m)``."""
+    p = n * np.pi
     square = d * (2 * p + d)
     return np.asarray(square if m == 1 else square * (2 * p**2 + square))
 
@@ -219,7 +220,7 @@ class _Equation:
         """Return the same as a sum over modes, and a power series of what that leaves out."""
         attached, n = self.attached, self.origin[self.sums]
         poles, weights, rest = _sum(attached, 2 * int(n.max()) + LEAST)
-        shift = _shift(n * np.pi, _not_zero(offset), attached.structure.m)
+        shift = _shift(n, _not_zero(offset), attached.structure.m)
         origin, from_zero = attached.bare(n), self.from_zero[self.sums]
         value = origin + shift
         terms = weights / ((poles - origin[:, None]) - shift[:, None])

@@ -1,11 +1,15 @@
 """What an expansion makes of the bare structure: modes, and what is felt of each."""
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from ...arrays import Matrix, Vector
+
+#: Values of one function, or of several, a row each.
+Values: TypeAlias = npt.NDArray[np.floating[Any]]
 
 
 class Shapes(Protocol):
@@ -21,7 +25,7 @@ class Shapes(Protocol):
         """Return the same of the function with a unit jump, of a compliance."""
 
 
-def joined(x: Vector, a: float, left: Matrix, right: Matrix, side: int = 0) -> Matrix:
+def joined(x: Vector, a: float, left: Values, right: Values, side: int = 0) -> Matrix:
     """Return what is `left` before `a` and `right` behind it; at `a` as `Shapes` has it."""
     at_a = ((1 - side) * left + (1 + side) * right) / 2
     return np.asarray(np.where(x < a, left, np.where(x > a, right, at_a)))

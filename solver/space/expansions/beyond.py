@@ -12,6 +12,7 @@ transcendent),
 """
 
 from functools import lru_cache
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -20,7 +21,7 @@ from scipy.special import exp1, roots_genlaguerre
 from ...arrays import Vector
 
 #: Values of exponentials.
-Complex = npt.NDArray[np.complex128]
+Complex: TypeAlias = npt.NDArray[np.complexfloating[Any, Any]]
 
 #: Terms up to this `n` are added one by one: beyond, the poles are 50 units of x away or more,
 #: and so many nodes leave rounding only.
@@ -43,7 +44,8 @@ def beyond(p: int, N: int, theta: Vector) -> Complex:
     x, weights = _laguerre(p)
     w = x[:, None] / v - 1j * angle
     smooth = weights @ (-1 / np.expm1(-w) - 1 / w)
-    last = v * exponential_integral(p, -1j * v * angle) + np.exp(1j * v * angle) * smooth
+    turned = 1j * v * angle
+    last = v * exponential_integral(p, -turned) + np.exp(turned) * smooth
     return np.asarray(first + last / v**p)
 
 
