@@ -33,7 +33,7 @@ PLACES = ("0.3", "0.318309886183790671537767526745", "0.5")
 
 def off(one: Attached, bare: BareModes, number: int = 1) -> float:
     """Return the relative error of an eigenvalue."""
-    roots = secular.eigenvalues(bare, one.structure.kind, one.s, number)
+    roots = secular.eigenvalues(bare, one, number)
     exact = exact_modes(one, number)
     found = secular.difference(roots, exact.origins, exact.shifts, number - 1)
     return found / float(exact.eigenvalues[number - 1])
@@ -170,7 +170,7 @@ def proved() -> None:
     print("\nBounds, rotational spring, one forced mode, N = 8: above and below, relative")
     one = attach(load("beam-rotational-spring"))
     exact = exact_modes(one, 3).eigenvalues
-    roots = secular.eigenvalues(ritz_forced(one, 8, ONE), "stiffness", one.s, 3)
+    roots = secular.eigenvalues(ritz_forced(one, 8, ONE), one, 3)
     above, below = bounds.above(roots) / exact - 1, bounds.below(one, 8, 1, 3) / exact - 1
     for number in range(3):
         print(f"mode {number + 1}: +{above[number]:.1e} / {below[number]:.1e}")

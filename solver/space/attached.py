@@ -9,15 +9,19 @@ import numpy as np
 
 from ..arrays import Vector
 from ..case.parameters import ParameterError, is_number
+from .eigenvalues.bracketing import EPS
 from .position import Integers, as_position, sines
 from .structure import Structure
 
-#: Dimensionless strengths beyond which rounding is not what is said of it.
+#: Sizes of dimensionless strengths beyond which rounding is not what is said of it.
 LEAST, MOST = 1e-9, 1e9
 
 #: The nearest that it may be to an end, as a part of the length: nearer, sums over modes that
 #: hardly move there would take too many of them.
 NEAREST = Fraction(1, 10_000)
+
+#: Margin of stability below which the rounding of the strength decides.
+LEAST_MARGIN = 4 * EPS
 
 #: Where the attachment is if nothing else is said.
 POSITION = "3/10"
@@ -48,6 +52,32 @@ class Attached:
     def s(self) -> float:
         """The dimensionless strength of the attachment."""
         return float(self.structure.module.strength(*self._arguments))
+
+    @cached_property
+    def static_sum(self) -> Fraction:
+        """The sum of ``r_n^2/mu_n``, of a compliance ``r_n^2/mu_n^2``, exactly."""
+        found: Fraction = self.structure.module.static_sum(self.a)
+        return found
+
+    @property
+    def raises(self) -> bool:
+        """Whether the attachment raises eigenvalues: a spring of positive stiffness."""
+        return self.structure.kind == "stiffness" and self.s > 0
+
+    @cached_property
+    def margin(self) -> float:
+        """``1 + s S_1`` of a spring, rounded once: at 0 and below, the structure is unstable.
+
+        A unit load that works on the felt derivative moves it by ``S_1`` without the spring,
+        and by ``S_1/(1 + s S_1)`` with it; `static_sum` is ``S_1``.
+        """
+        return float(1 + Fraction(self.s) * self.static_sum)
+
+    @property
+    def critical(self) -> float:
+        """The stiffness of a spring at which the structure loses its stability, in SI units."""
+        name = self.structure.attached.name
+        return float(-1 / self.static_sum) * self.values[name] / self.s
 
     @cached_property
     def frequency_unit(self) -> float:
@@ -125,28 +155,37 @@ def attach(structure: Structure, position: object = POSITION, **given: float) ->
         errors.append(f"{name}: unknown, expected some of {expected}")
     values = {q.name: given.get(q.name, q.default) for q in structure.parameters}
     for name, value in values.items():
-        unit = f" in {known[name].unit}"
-        if not is_number(value) or not value > 0:
-            errors.append(f"{name}: got {value!r:.60}, expected a number above 0{unit}")
+        signed = structure.kind == "stiffness" and name == structure.attached.name
+        if not is_number(value) or value == 0 or (value < 0 and not signed):
+            expected = f"a number {'other than' if signed else 'above'} 0 in {known[name].unit}"
+            errors.append(f"{name}: got {value!r:.60}, expected {expected}")
             errors[-1] += _why_not(structure, name, value)
     if not errors:
         found = Attached(structure, {name: float(v) for name, v in values.items()}, a)
-        errors += _extremes(found)
+        errors += _unstable(found) or _extremes(found)
         if not errors:
             return found
     raise ParameterError(errors)
 
 
 def _why_not(structure: Structure, name: str, value: object) -> str:
-    """Return what a number that is not positive would mean."""
-    attached = structure.attached
-    if name != attached.name or not is_number(value):
+    """Return what an attachment of nothing would mean."""
+    if name != structure.attached.name or not is_number(value) or value != 0:
         return ""
-    if value == 0:
-        return f" (without the attachment beta L is n pi: it is the bare {structure.bare})"
-    if structure.kind == "stiffness":
-        return " (a negative stiffness destabilises: beyond a critical one it buckles)"
-    return ""
+    return f" (without the attachment beta L is n pi: it is the bare {structure.bare})"
+
+
+def _unstable(found: Attached) -> list[str]:
+    """Return what is wrong with a negative stiffness at which the structure is not stable."""
+    structure, q = found.structure, found.structure.attached
+    if structure.kind != "stiffness" or not np.isfinite(found.s):
+        return []
+    if found.margin > LEAST_MARGIN:
+        return []
+    return [
+        f"{q.name}: got {found.values[q.name]!r}, expected more than the critical stiffness "
+        f"{found.critical:.12g} {q.unit}, at which the {structure.bare} loses its stability"
+    ]
 
 
 def _extremes(found: Attached) -> list[str]:
@@ -154,12 +193,12 @@ def _extremes(found: Attached) -> list[str]:
     errors = []
     with np.errstate(all="ignore"):
         for what, value in (("strength", found.s), ("frequency", found.frequency_unit)):
-            if not np.isfinite(value) or value <= 0:
+            if not np.isfinite(value) or value == 0:
                 errors.append(f"their {what} is {value!r}, beyond float64")
-    if not errors and not LEAST <= found.s <= MOST:
+    if not errors and not LEAST <= abs(found.s) <= MOST:
         name = found.structure.attached.name
         errors.append(
             f"{name}: got {found.values[name]:g}, a dimensionless strength of {found.s:.3g}, "
-            f"expected one from {LEAST:g} to {MOST:g}"
+            f"expected one of a size from {LEAST:g} to {MOST:g}"
         )
     return errors

@@ -209,7 +209,7 @@ def _row(attached: Attached, line: Line, order: int, number: int) -> Convergence
     head = ConvergenceRow(line.method, line.forced, order, bare.unknowns)
     if available(attached, bare) < number:
         return head
-    roots = secular.eigenvalues(bare, attached.structure.kind, attached.s, number)
+    roots = secular.eigenvalues(bare, attached, number)
     exact, i = exact_modes(attached, number), number - 1
     off = secular.difference(roots, exact.origins, exact.shifts, i) / float(
         exact.eigenvalues[i]

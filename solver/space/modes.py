@@ -253,7 +253,7 @@ def at_order(attached: Attached, method: str, order: int, K: int, count: int | N
     """
     bare = bare_modes(attached, method, check_order(method, order), K)
     wanted = _count(available(attached, bare), count, method, order)
-    roots = secular.eigenvalues(bare, attached.structure.kind, attached.s, wanted)
+    roots = secular.eigenvalues(bare, attached, wanted)
     exact = exact_modes(attached, wanted)
     low = np.full(wanted, np.nan)
     if method != "ck":

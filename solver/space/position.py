@@ -67,9 +67,10 @@ def sines(numbers_: Integers, a: Fraction) -> tuple[Vector, Vector]:
     P, Q = a.numerator, a.denominator
     n = np.asarray(numbers_)
     if n.size and int(n.max()) > EXACTLY:
-        # only their mean matters that far out; 2 n a loses n eps
-        angle = np.pi * np.fmod(n * float(a), 2.0)
-        return np.sin(angle), np.cos(angle)
+        # 2 n a loses n eps of itself: from the nearer end
+        angle = np.pi * np.fmod(n * float(min(a, 1 - a)), 2.0)
+        sign = np.where((n % 2 == 0) | (2 * a <= 1), 1.0, -1.0)
+        return np.where(2 * a > 1, -sign, 1.0) * np.sin(angle), sign * np.cos(angle)
     found = [_exact(int(k) * P % (2 * Q), Q) for k in n.ravel()]
     both = np.array(found, dtype=float).reshape((*n.shape, 2))
     return both[..., 0], both[..., 1]

@@ -65,6 +65,11 @@ class Structure:
         return self.broken - 1
 
     @property
+    def lowest_sum(self) -> int:
+        """The lowest `q` for which the sum of ``r_n^2/mu_n^q`` over all modes converges."""
+        return 2 if self.kind == "compliance" else 1
+
+    @property
     def attached(self) -> Parameter:
         """The parameter that is attached."""
         return self.parameters[-1]

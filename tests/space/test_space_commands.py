@@ -120,7 +120,7 @@ MISTAKES = {
     ("beam-mass", "--position", "1e-5"): "--position: got 1e-05, expected 1/10000 from an end",
     ("beam-mass", "--position", "middle"): "--position: got 'middle'",
     ("beam-mass", "--mass", "0"): "--mass: got 0.0, expected a number above 0 in kg (without",
-    ("beam-spring", "--stiffness", "-5"): "beyond a critical one it buckles",
+    ("beam-mass", "--mass", "-5"): "--mass: got -5.0, expected a number above 0 in kg",
     ("beam-mass", "--mass", "nan"): "--mass: got nan",
     ("beam-mass", "--mass", "1e40"): "--mass: got 1e+40, a dimensionless strength of 1e+40",
     ("beam-mass", "--stiffness", "3"): "beam-mass has no --stiffness",
@@ -261,7 +261,7 @@ def _drawn(axes, style: str) -> "np.ndarray":
 def test_the_moment_of_the_sines_swings_and_that_of_the_others_does_not() -> None:
     expansions = [ns.modes(ROTATIONAL, q, 16) for q in ("ritz", "ritz-ck", "ck")]
     figure = pictures.modes_figure(expansions)
-    assert len(figure.axes) == 6
+    assert len(figure.axes) == 12
     moments = figure.axes[1]
     assert moments.get_ylabel() == "moment [N]"
     drawn = [np.array(line.get_data()) for line in moments.lines if len(line.get_xdata()) > 2]
@@ -274,6 +274,33 @@ def test_the_moment_of_the_sines_swings_and_that_of_the_others_does_not() -> Non
     assert off[0] > 0.4  # at the jump itself half of it
     assert max(off[1:]) < 1e-4
     plt.close(figure)
+
+
+def test_all_modes_that_were_asked_for_are_drawn() -> None:
+    """One below the other down the columns, and shape beside slope."""
+    for count, columns in ((1, 2), (4, 2), (6, 2), (7, 4), (25, 6)):
+        modes = ns.modes("string-mass", order=32, count=count)
+        figure = pictures.modes_figure([modes])
+        assert len(figure.axes) == 2 * count
+        assert {axes.get_gridspec().ncols for axes in figure.axes} == {columns}
+        shapes = [axes for axes in figure.axes if axes.get_ylabel().startswith("mode")]
+        by_place = sorted(shapes, key=lambda q: (q.get_position().x0, -q.get_position().y0))
+        found = [axes.get_ylabel() for axes in by_place]
+        assert found == [f"mode {number}" for number in range(1, count + 1)]
+        for mode, axes in zip(modes, by_place, strict=True):
+            np.testing.assert_allclose(
+                axes.lines[1].get_ydata(), mode.shape(axes.lines[1].get_xdata())
+            )
+        plt.close(figure)
+
+
+def test_more_modes_than_a_picture_shows_are_refused(run, tmp_path) -> None:
+    arguments = ("modes", "string-mass", "--order", "128", "--count", "101")
+    status, _, err = run(*arguments, "-o", tmp_path / "modes.svg")
+    assert (status, err.strip()) == (
+        2, "nonsmooth: --count: got 101, expected at most 100 in a picture"
+    )  # fmt: skip
+    assert not (tmp_path / "modes.svg").exists()
 
 
 def test_what_the_pictures_of_a_study_show() -> None:

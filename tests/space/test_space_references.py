@@ -2,16 +2,22 @@
 
 from functools import cache
 
+import mpmath as mp
 import numpy as np
 import pytest
-from known import attached, exact_values, of, references
+from known import attached, drawn, exact_values, expansion, lower, of, references
 
+from nonsmooth.solver.space.attached import Attached
 from nonsmooth.solver.space.eigenvalues import bounds, secular
 from nonsmooth.solver.space.eigenvalues.exact import ExactModes, exact_modes
 from nonsmooth.solver.space.expansions.forced import ritz_forced
 from nonsmooth.solver.space.expansions.pieces import piecewise
+from nonsmooth.solver.space.modes import at_order
 
 COUNT = 10
+
+#: Seeds that are rare.
+LONG = [pytest.param(seed, marks=pytest.mark.long) for seed in range(100, 400)]
 
 #: Four units in the last of the 14 digits that the references of Ritz values have.
 PRINTED = 6e-14
@@ -58,9 +64,7 @@ def test_ritz_values_are_those_of_the_matrices(
     for each in references():
         wanted = each.get("galerkin", {}).get(key, [])
         one = of(each)
-        roots = secular.eigenvalues(
-            ritz_forced(one, order, forced), one.structure.kind, one.s, COUNT
-        )
+        roots = secular.eigenvalues(ritz_forced(one, order, forced), one, COUNT)
         coupled = roots.values[roots.untouched < 0]
         for found, value in zip(coupled, wanted, strict=False):
             if value is not None:
@@ -74,7 +78,7 @@ def test_values_of_the_piecewise_series_are_those_of_the_matrices() -> None:
     for each in references():
         wanted = each.get("galerkin", {}).get("ck, N = 4", [])
         one = of(each)
-        found = secular.eigenvalues(piecewise(one, 4), one.structure.kind, one.s, 3).values
+        found = secular.eigenvalues(piecewise(one, 4), one, 3).values
         for value, other in zip(found, wanted, strict=False):
             compared += 1
             # of a crack a digit more is lost: the inner products with the function that jumps
@@ -86,7 +90,7 @@ def test_values_of_the_piecewise_series_are_those_of_the_matrices() -> None:
 def test_bounds_of_the_piecewise_series_hold_from_above() -> None:
     for each in references():
         one = of(each)
-        roots = secular.eigenvalues(piecewise(one, 12), one.structure.kind, one.s, 4)
+        roots = secular.eigenvalues(piecewise(one, 12), one, 4)
         assert (bounds.above(roots) >= exact_values(each)[:4]).all(), each
 
 
@@ -95,7 +99,7 @@ def _with_two_forced_modes_at_32() -> list[tuple[dict, np.ndarray]]:
     for each in references():
         one = of(each)
         bare = ritz_forced(one, 32, (1, 2))
-        roots = secular.eigenvalues(bare, one.structure.kind, one.s, COUNT)
+        roots = secular.eigenvalues(bare, one, COUNT)
         found.append((each, roots.values / exact_values(each) - 1))
     return found
 
@@ -118,7 +122,7 @@ def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
     for each in references()[:: 1 if order == 8 else 3]:
         one = of(each)
         bare = ritz_forced(one, order, tuple(range(1, forced + 1)))
-        roots = secular.eigenvalues(bare, one.structure.kind, one.s, 6)
+        roots = secular.eigenvalues(bare, one, 6)
         exact = exact_values(each)[: len(roots.values)]
         if one.structure.kind == "compliance" and forced == 0:
             assert np.isnan(bounds.below(one, order, forced, len(exact))).all()
@@ -131,17 +135,56 @@ def test_bounds_hold_on_both_sides(order: int, forced: int) -> None:
     assert proved > 300
 
 
+def assert_enclosed(one: Attached, method: str, order: int, forced: int) -> None:
+    """Hold bounds and exact eigenvalues against the number of those below, in 50 digits."""
+    for mode in at_order(one, method, order, forced, None):
+        low, high = mode.bounds
+        about = one.structure.name, str(one.a), one.s, method, order, forced, mode.number
+        assert lower(one, high) >= mode.number, about
+        assert low is None or lower(one, low) < mode.number, about
+        exact = mp.mpf(mode.exact_beta) ** (2 * one.structure.m)
+        off = 3e-13 if one.s < 0 else 2e-15  # a negative stiffness takes digits
+        assert lower(one, exact * (1 - off)) < mode.number <= lower(one, exact * (1 + off)), (
+            about
+        )
+
+
+@pytest.mark.parametrize("seed", [*range(40), *LONG])
+def test_bounds_enclose_the_exact_eigenvalues_of_any_structure(seed: int) -> None:
+    assert_enclosed(drawn(seed), *expansion(seed))
+
+
+@pytest.mark.parametrize("seed", [*range(24), *LONG])
+def test_bounds_enclose_those_of_a_negative_stiffness(seed: int) -> None:
+    assert_enclosed(drawn(seed, negative=True), *expansion(seed))
+
+
+@pytest.mark.parametrize("position", ["0.99972", "0.00028"])
+def test_bounds_of_a_heavy_mass_beside_either_end(position: str) -> None:
+    assert_enclosed(attached("beam-mass", position, 1e6), "ritz-ck", 64, 2)
+
+
+@pytest.mark.parametrize("position", ["0.00026", "0.0018", "0.0105", "0.9995"])
+@pytest.mark.parametrize("order", [12, 60, 100])
+def test_the_series_keeps_its_digits_with_a_crack_beside_an_end(
+    position: str, order: int
+) -> None:
+    one = attached("beam-crack", position, 1e5)
+    assert_enclosed(one, "ck", order, 0)
+    assert max(abs(mode.error) for mode in at_order(one, "ck", order, 0, 3)) < 1e-12
+
+
 def test_the_allowance_for_rounding_is_no_more_than_that() -> None:
     for each in references()[::7]:
         one = of(each)
-        roots = secular.eigenvalues(ritz_forced(one, 16, (1, 2)), one.structure.kind, one.s, 6)
+        roots = secular.eigenvalues(ritz_forced(one, 16, (1, 2)), one, 6)
         assert (roots.rounding < 2e-13 * roots.values).all(), each
 
 
 def test_bounds_of_the_table_of_the_rotational_spring() -> None:
     one = attached("beam-rotational-spring")
     exact = exact_modes(one, 3).eigenvalues
-    roots = secular.eigenvalues(ritz_forced(one, 8, (1,)), "stiffness", one.s, 3)
+    roots = secular.eigenvalues(ritz_forced(one, 8, (1,)), one, 3)
     assert roots.values / exact - 1 == pytest.approx([1.2e-10, 1.6e-9, 2.5e-7], rel=0.05)
     low = bounds.below(one, 8, 1, 3) / exact - 1
     assert low[1:] == pytest.approx([-1.1e-12, -9.5e-10], rel=0.05)

@@ -7,6 +7,8 @@ eigenvalues of Ritz and Ritz with forced modes lie above the exact ones, and tho
 Radau tail below.  Each bound is widened by what rounding may have done.
 """
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.linalg import LinAlgError, eigh
 
@@ -31,13 +33,13 @@ def below(attached: Attached, N: int, K: int, count: int) -> Vector:
     without a forced mode.
     """
     found = np.full(count, np.nan)
-    structure = attached.structure
     bare = _with_radau_tail(attached, N, K)
     if bare is None:
         return found
-    roots = secular.eigenvalues(bare, structure.kind, attached.s, count)
-    valid = roots.values < attached.bare(np.array([N + 1]))[0]
-    found[: len(valid)][valid] = (roots.values - roots.rounding)[valid]
+    roots = secular.eigenvalues(bare, attached, count)
+    low = roots.values - roots.rounding
+    valid = (roots.values < attached.bare(np.array([N + 1]))[0]) & (low > 0)
+    found[: len(valid)][valid] = low[valid]
     return found
 
 
@@ -59,20 +61,16 @@ def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
     if not (np.isfinite(weights).all() and (weights >= 0).all() and (nodes > 0).all()):
         return None
     poles = next_bare / nodes
-    felt = sines.at_a / sines.eigenvalues if compliant else sines.at_a
-    nothing = np.zeros(N + len(poles))
-    return BareModes(
+    felt = attached.felt(np.arange(1, N + 1))
+    felt = felt / sines.eigenvalues if compliant else felt
+    return replace(
+        sines,
         eigenvalues=np.append(sines.eigenvalues, poles),
         felt=np.append(felt, np.sqrt(weights * poles)),
-        at_a=nothing,
-        jumps=nothing,
-        hinge_mass=0.0,
+        static_rest=0.0,
         hinge_rest=left.sums[0] - float(weights @ poles) if compliant else 0.0,
-        hinge_at_a=0.0,
-        unknowns=len(nothing),
-        shapes=sines.shapes,
         off=left.error,
-        inexact=np.ones(len(nothing)),
+        inexact=np.ones(N + len(poles)),
     )
 
 

@@ -11,15 +11,17 @@ from functools import lru_cache
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
+from ...arrays import Vector
 from ..attached import Attached
+from ..expansions.bare import joined
+from ..expansions.forced import ForcedModes
 from ..expansions.sums import left_out
 from ..position import Integers
-from .bracketing import bracketed
+from .bracketing import EPS, bracketed
 
-#: Below this `beta` the closed form of a beam cancels; its power series there takes `TERMS`
-#: terms, sums over `MODES` modes.
-SMALL, TERMS, MODES = 1.5, 16, 500
+#: Near zero and near an end the closed form cancels.  There, up to this mode, it is a sum over
+#: so many modes beyond twice its number, and so many terms of a power series for the rest.
+HIGHEST, LEAST, TERMS = 100, 4, 16
 
 
 @dataclass(frozen=True)
@@ -58,11 +60,7 @@ class ExactModes:
     @property
     def shifts(self) -> Vector:
         """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
-        p, d = self.n * np.pi, self.offset
-        square = d * (2 * p + d)
-        if self.attached.structure.m == 1:
-            return np.asarray(square)
-        return np.asarray(square * (2 * p**2 + square))
+        return _shift(self.n, self.offset, self.attached.structure.m)
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
         """Return a derivative of a mode, in units of the length; its scale is any.
@@ -83,12 +81,20 @@ class ExactModes:
         if self.untouched[i] or offset == 0:
             wave = n * np.pi
             return wave**derivative * np.sin(wave * x + derivative * np.pi / 2)
+        m, most = self.attached.structure.m, self.attached.structure.most_forced
+        if (self.beta[i] / np.pi) ** (2 * m * most) < EPS:  # a power series, of forced modes
+            forced, lam = ForcedModes(self.attached), self.eigenvalues[i]
+            return np.asarray(
+                sum(
+                    lam ** (q - 1) * forced.values(q, x, derivative) for q in range(1, most + 1)
+                )
+            )
         a, b = float(self.attached.a), float(1 - self.attached.a)
         j = self.attached.structure.felt
         left = self._side(n, offset, x, b, derivative, mirrored=False)
         right = self._side(n, offset, 1 - x, a, derivative, mirrored=True)
         right = (-1) ** (j + derivative) * right
-        return np.where(x < a, left, np.where(x > a, right, (left + right) / 2))
+        return joined(x, a, left, right)
 
     def _side(
         self, n: int, offset: float, x: Vector, b: float, derivative: int, *, mirrored: bool
@@ -105,18 +111,29 @@ class ExactModes:
         return np.asarray(over / around.sin[0] + rest)
 
 
+def _shift(n: Integers, d: Vector, m: int) -> Vector:
+    """Return ``(n pi + d)^(2m) - (n pi)^(2m)``."""
+    p = n * np.pi
+    square = d * (2 * p + d)
+    return np.asarray(square if m == 1 else square * (2 * p**2 + square))
+
+
 class _Sines:
     """Sines and cosines of ``beta``, ``beta a``, ``beta b`` for ``beta = n pi + offset``."""
 
     def __init__(self, attached: Attached, n: Integers, offset: Vector) -> None:
         a, b = float(attached.a), float(1 - attached.a)
-        self.offset = np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
+        self.offset = _not_zero(offset)
         sine, cosine = attached.sines(n)
         sign = np.where(n % 2 == 0, 1.0, -1.0)
         self.sin = sign * np.sin(self.offset)
         self.sin_a, self.cos_a = _turned(sine, cosine, self.offset * a)
         # n pi b is n pi less n pi a
         self.sin_b, self.cos_b = _turned(-sign * sine, sign * cosine, self.offset * b)
+
+
+def _not_zero(offset: Vector) -> Vector:
+    return np.where(offset == 0, np.finfo(float).tiny ** 0.5, offset)
 
 
 def _turned(sine: Vector, cosine: Vector, by: Vector) -> tuple[Vector, Vector]:
@@ -130,7 +147,7 @@ def exact_modes(attached: Attached, count: int) -> ExactModes:
     felt = attached.felt(n) != 0
     coupled, kept = n[felt][: count + 2], n[~felt][:count]
     low, high = coupled[:-1], coupled[1:]
-    if attached.structure.kind != "stiffness":
+    if not attached.raises:
         low, high = np.append(0, low), np.append(coupled[0], high)
     low, high = low[:count], high[:count]
     origin, offset = _roots(attached, low, high)
@@ -144,7 +161,7 @@ def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers,
     """Return the nearer end of each bracket, and the distance from it."""
     half = (high - low) * np.pi / 2
     above = _Equation(attached, low)
-    start = -1.0 if attached.structure.kind == "stiffness" else 1.0
+    start = -1.0 if attached.raises else 1.0
     below = np.sign(above(half)) != start
     origin = np.where(below, low, high)
     end = np.where(below, half, -half)
@@ -153,34 +170,29 @@ def _roots(attached: Attached, low: Integers, high: Integers) -> tuple[Integers,
     return origin, bracketed(function, zero, end, function.at_origin(), function(end))
 
 
-@lru_cache(maxsize=64)
-def _series(attached: Attached) -> Vector:
-    """Return the coefficients of the power series of the receptance in lambda."""
-    return left_out(attached, 0, TERMS, MODES).sums
-
-
 class _Equation:
     """The characteristic equation times the distance from the wave number at the origin.
 
-    Where that is 0, which is none, the equation itself.
+    Where that is 0, which is none, the equation itself, of a spring from its margin of
+    stability.
     """
 
     def __init__(self, attached: Attached, origin: Integers) -> None:
         self.attached, self.origin = attached, origin
-        self.series = _series(attached) if attached.structure.m == 2 else None
+        self.from_zero = (origin == 0) & (attached.structure.kind == "stiffness")
+        end = np.pi * float(min(attached.a, 1 - attached.a))
+        self.sums = np.flatnonzero((origin * end < 1) & (origin <= HIGHEST))
 
     def at_origin(self) -> Vector:
         """Return its limit there."""
         attached, n = self.attached, self.origin
         m, wave = attached.structure.m, self.origin * np.pi
-        weight = attached.felt(n) ** 2
-        if attached.structure.kind == "compliance":
-            weight = 2 * attached.sines(n)[0] ** 2
+        weight = _weights(attached, n)
         with np.errstate(divide="ignore", invalid="ignore"):
             limit = -attached.s * weight / (2 * m * wave ** (2 * m - 1))
         if attached.structure.kind != "stiffness":
             limit = -limit * wave ** (2 * m)
-        return np.where(n == 0, 1.0, limit)
+        return np.where(n == 0, np.where(self.from_zero, attached.margin, 1.0), limit)
 
     def __call__(self, offset: Vector) -> Vector:
         structure = self.attached.structure
@@ -188,19 +200,45 @@ class _Equation:
         factor = np.where(self.origin == 0, 1.0, offset)
         G = factor * self._receptance(beta, offset)
         if structure.kind == "stiffness":
-            return np.asarray(factor + self.attached.s * G)
+            constant = np.where(self.from_zero, self.attached.margin, factor)
+            return np.asarray(constant + self.attached.s * G)
         return np.asarray(factor - self.attached.s * beta ** (2 * structure.m) * G)
 
     def _receptance(self, beta: Vector, offset: Vector) -> Vector:
-        """Return the receptance; of a compliance over lambda."""
+        """Return the receptance, of a compliance over lambda; from zero, less that at zero."""
         module = self.attached.structure.module
         a, b = float(self.attached.a), float(1 - self.attached.a)
         q = _Sines(self.attached, self.origin, offset)
         with np.errstate(divide="ignore", invalid="ignore"):
             over = module.receptance_over_sine(beta, q.sin_a, q.cos_a, q.sin_b, q.cos_b)
-            closed = over / q.sin + module.receptance_rest(beta, a, b)
-        if self.series is None:
-            return np.asarray(closed)
-        powers: Matrix = beta[:, None] ** (2 * self.attached.structure.m * np.arange(TERMS))
-        near = np.where(beta[:, None] < SMALL, powers, 0.0) @ self.series
-        return np.where(beta < SMALL, near, closed)
+            found = np.array(over / q.sin + module.receptance_rest(beta, a, b))
+        if self.sums.size:
+            found[self.sums] = self._summed(offset[self.sums])
+        return found
+
+    def _summed(self, offset: Vector) -> Vector:
+        """Return the same as a sum over modes, and a power series of what that leaves out."""
+        attached, n = self.attached, self.origin[self.sums]
+        poles, weights, rest = _sum(attached, 2 * int(n.max()) + LEAST)
+        shift = _shift(n, _not_zero(offset), attached.structure.m)
+        origin, from_zero = attached.bare(n), self.from_zero[self.sums]
+        value = origin + shift
+        terms = weights / ((poles - origin[:, None]) - shift[:, None])
+        terms *= np.where(from_zero[:, None], value[:, None] / poles, 1.0)
+        series = value[:, None] ** np.arange(TERMS) * rest
+        series[from_zero, 0] = 0.0
+        return np.asarray(terms.sum(axis=1) + series.sum(axis=1))
+
+
+def _weights(attached: Attached, n: Integers) -> Vector:
+    """Return ``r_n^2``, of a compliance over ``mu_n``."""
+    if attached.structure.kind == "compliance":
+        return np.asarray(2 * attached.sines(n)[0] ** 2)
+    return attached.felt(n) ** 2
+
+
+@lru_cache(maxsize=16)
+def _sum(attached: Attached, last: int) -> tuple[Vector, Vector, Vector]:
+    """Return eigenvalues of bare modes, what is felt of them, and the series of the rest."""
+    n = np.arange(1, last + 1)
+    return attached.bare(n), _weights(attached, n), left_out(attached, last, TERMS).sums

@@ -10,6 +10,13 @@ the roots of
 each monotone between the ``Lambda_i``: the roots interlace with them, and none can be missed.
 A mode of which nothing is felt keeps its eigenvalue.  The unknown is the distance from the
 nearer end of the bracket, which keeps its digits however small it is.
+
+A spring raises the eigenvalues: there is one above each ``Lambda_i``.  All else lowers them,
+a spring of negative stiffness as well, and the lowest is between 0 and ``Lambda_1``.  Of such a
+spring it goes to 0 with the margin of stability ``1 + s sum r_i^2/Lambda_i``, from which it is
+computed near 0:
+
+    margin + s lambda sum r_i^2/(Lambda_i (Lambda_i - lambda)) = 0
 """
 
 from dataclasses import dataclass
@@ -17,6 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arrays import Matrix, Vector
+from ..attached import Attached
 from ..expansions.bare import BareModes
 from .bracketing import EPS, bracketed
 
@@ -50,14 +58,12 @@ class Roots:
         return self.origin + self.shift
 
 
-def eigenvalues(bare: BareModes, kind: str, s: float, count: int) -> Roots:
-    """Return the lowest eigenvalues of a structure with an attachment of strength `s`."""
+def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
+    """Return the lowest eigenvalues of a structure with its attachment, by bare modes."""
     index = np.arange(len(bare.eigenvalues))
     felt = bare.felt != 0
-    poles, weights, h = bare.eigenvalues[felt], bare.felt[felt] ** 2, bare.hinge_rest
-    if kind == "compliance":
-        weights = weights * poles
-    origin, shift = _coupled(poles, weights, h, kind, s, count)
+    terms = _terms(bare, attached, felt)
+    origin, shift = _coupled(terms, count)
     kept = index[~felt][:count]
     all_origins = np.concatenate([origin, bare.eigenvalues[kept]])
     all_shifts = np.concatenate([shift, np.zeros(len(kept))])
@@ -69,7 +75,7 @@ def eigenvalues(bare: BareModes, kind: str, s: float, count: int) -> Roots:
     rounding[~coupled] *= bare.inexact[mark[order][~coupled]]
     if coupled.any():
         found = _sensitivity(
-            poles, poles * bare.inexact[felt], weights, h, kind, s, bare.off,
+            terms, bare.inexact[felt], bare.off,
             all_origins[order][coupled], all_shifts[order][coupled],
         )  # fmt: skip
         rounding[coupled] += ROUNDINGS * EPS * found
@@ -89,57 +95,79 @@ def number(bare: BareModes, kind: str) -> int:
     return len(bare.eigenvalues) + (kind == "compliance" and bare.hinge_rest > 0)
 
 
+@dataclass(frozen=True)
+class _Terms:
+    """An equation of those above: the poles ``Lambda_i``, and the numerators over them."""
+
+    poles: Vector
+    weights: Vector
+    h: float
+    kind: str
+    s: float
+    raises: bool
+    margin: float
+
+
+def _terms(bare: BareModes, attached: Attached, felt: Vector) -> _Terms:
+    kind, s = attached.structure.kind, attached.s
+    poles, weights = bare.eigenvalues[felt], bare.felt[felt] ** 2
+    if kind == "compliance":
+        weights = weights * poles
+    margin = attached.margin - s * bare.static_rest if kind == "stiffness" else 1.0
+    return _Terms(poles, weights, bare.hinge_rest, kind, s, attached.raises, margin)
+
+
 def _sensitivity(
-    poles: Vector, inexact: Vector, weights: Vector, h: float, kind: str, s: float, off: float,
-    origin: Vector, shift: Vector,
-) -> Vector:  # fmt: skip
+    terms: _Terms, inexact: Vector, off: float, origin: Vector, shift: Vector
+) -> Vector:
     """Return the sum of the moduli of the terms over the slope of the equation.
 
     Times the unit of rounding, this is how far each root moves if every term is off by that,
     and every bare eigenvalue by so many of its units.
     """
+    poles, weights, s = terms.poles, terms.weights, abs(terms.s)
     away = (poles[None, :] - origin[:, None]) - shift[:, None]
-    away = np.where(away == 0, np.finfo(float).tiny, away)
-    terms = np.abs(weights / away)
-    slopes = terms / np.abs(away)
-    sizes = h + off / EPS + (terms + slopes * inexact).sum(axis=1)
-    if kind == "stiffness":
-        return np.asarray((1 / s + sizes) / slopes.sum(axis=1))
-    slope = h + (slopes * poles).sum(axis=1)
-    return np.asarray((1 / s + (origin + shift) * sizes) / slope)
+    away = np.where(away == 0, EPS * poles, away)  # next to nothing is felt of that one
+    moduli = np.abs(weights / away)
+    slopes, value = moduli / np.abs(away), origin + shift
+    if terms.kind == "stiffness":
+        zero = origin == 0
+        part = np.where(zero[:, None], 2 * value[:, None] / poles, 1.0)
+        sizes = (part * (moduli + slopes * poles * inexact)).sum(axis=1)
+        constant = np.where(zero, terms.margin, 1.0) / s
+        return np.asarray((constant + sizes + part[:, 0] * off / EPS) / slopes.sum(axis=1))
+    sizes = terms.h + off / EPS + (moduli + slopes * poles * inexact).sum(axis=1)
+    slope = terms.h + (slopes * poles).sum(axis=1)
+    return np.asarray((1 / s + value * sizes) / slope)
 
 
-def _coupled(
-    poles: Vector, weights: Vector, h: float, kind: str, s: float, count: int
-) -> tuple[Vector, Vector]:
+def _coupled(terms: _Terms, count: int) -> tuple[Vector, Vector]:
     """Return origin and shift of the roots between the poles."""
+    poles, h = terms.poles, terms.h
     if poles.size == 0 and h <= 0:
         return np.empty(0), np.empty(0)
-    if kind == "stiffness":
-        low, high = poles, np.append(poles[1:], poles[-1:] + s * weights.sum())
+    if terms.raises:
+        low, high = poles, np.append(poles[1:], poles[-1:] + terms.s * terms.weights.sum())
+    elif h > 0:
+        low, high = np.append(0.0, poles), np.append(poles, _beyond(terms))
     else:
         low, high = np.append(0.0, poles[:-1]), poles
-    if h > 0:
-        low, high = np.append(0.0, poles), np.append(poles, _beyond(poles, weights, h, s))
     low, high = low[:count], high[:count]
     half = (high - low) / 2
-    below = np.sign(_Function(poles, weights, kind, s, h, low)(half)) != _sign_below(kind)
+    start = -1.0 if terms.raises else 1.0  # the sign just above the lower end
+    below = np.sign(_Function(terms, low)(half)) != start
     is_pole = np.isin(high, poles)
     origin = np.where(below | ~is_pole, low, high)
     # without a pole at its upper end, the last bracket is searched from the lower one
     end = np.where(is_pole, np.where(below, half, -half), high - low)
-    function = _Function(poles, weights, kind, s, h, origin)
+    function = _Function(terms, origin)
     zero = np.zeros_like(end)
     return origin, bracketed(function, zero, end, function(zero), function(end))
 
 
-def _sign_below(kind: str) -> float:
-    """Return the sign of the equation just above the lower end of a bracket."""
-    return -1.0 if kind == "stiffness" else 1.0
-
-
-def _beyond(poles: Vector, weights: Vector, h: float, s: float) -> float:
+def _beyond(terms: _Terms) -> float:
     """Return a place above the highest root of a compliance, whose equation falls to -inf."""
+    poles, weights, h, s = terms.poles, terms.weights, terms.h, terms.s
     last = float(poles[-1]) if poles.size else 0.0
     step = max(last, 1 / (s * h))
     while 1 - s * (last + step) * (h + np.sum(weights / (poles - last - step))) >= 0:
@@ -153,21 +181,23 @@ class _Function:
     So it is smooth there; where the origin is 0 and not a pole, it is the equation itself.
     """
 
-    def __init__(
-        self, poles: Vector, weights: Vector, kind: str, s: float, h: float, origin: Vector
-    ) -> None:
-        self.kind, self.s, self.h, self.origin = kind, s, h, origin
-        self.weights = weights
-        self.distance: Matrix = poles[None, :] - origin[:, None]
+    def __init__(self, terms: _Terms, origin: Vector) -> None:
+        self.terms, self.origin = terms, origin
+        self.distance: Matrix = terms.poles[None, :] - origin[:, None]
         self.own = self.distance == 0
         self.at_pole = self.own.any(axis=1)
-        self.own_weight = np.where(self.own, weights[None, :], 0.0).sum(axis=1)
+        self.from_zero = (origin == 0) & (terms.kind == "stiffness")
+        over = np.where(self.from_zero[:, None], terms.poles[None, :], 1.0)
+        self.weights: Matrix = terms.weights[None, :] / over
+        self.own_weight = np.where(self.own, self.weights, 0.0).sum(axis=1)
 
     def __call__(self, shift: Vector) -> Vector:
+        terms = self.terms
         away = np.where(self.own, 1.0, self.distance - shift[:, None])
-        others = np.where(self.own, 0.0, self.weights[None, :] / away).sum(axis=1)
+        others = np.where(self.own, 0.0, self.weights / away).sum(axis=1)
         factor = np.where(self.at_pole, shift, 1.0)
-        total = factor * (self.h + others) - self.own_weight
-        if self.kind == "stiffness":
-            return np.asarray(factor + self.s * total)
-        return np.asarray(factor - self.s * (self.origin + shift) * total)
+        total = factor * (terms.h + others) - self.own_weight
+        if terms.kind == "stiffness":
+            constant = np.where(self.from_zero, terms.margin, factor)
+            return np.asarray(constant + terms.s * np.where(self.from_zero, shift, 1.0) * total)
+        return np.asarray(factor - terms.s * (self.origin + shift) * total)

@@ -1,22 +1,34 @@
 """What an expansion makes of the bare structure: modes, and what is felt of each."""
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
 
 from ...arrays import Matrix, Vector
+
+#: Values of one function, or of several, a row each.
+Values: TypeAlias = npt.NDArray[np.floating[Any]]
 
 
 class Shapes(Protocol):
     """The functions behind bare modes."""
 
-    def values(self, x: Vector, derivative: int) -> Matrix:
+    def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
         """Return a derivative of each mode, a row a mode, at places in units of the length.
 
-        At the attachment itself, the mean of both sides.
+        At the attachment itself the limit from a side, -1 or 1, or the mean of both.
         """
 
-    def hinge(self, x: Vector, derivative: int) -> Vector:
+    def hinge(self, x: Vector, derivative: int, side: int = 0) -> Vector:
         """Return the same of the function with a unit jump, of a compliance."""
+
+
+def joined(x: Vector, a: float, left: Values, right: Values, side: int = 0) -> Matrix:
+    """Return what is `left` before `a` and `right` behind it; at `a` as `Shapes` has it."""
+    at_a = ((1 - side) * left + (1 + side) * right) / 2
+    return np.asarray(np.where(x < a, left, np.where(x > a, right, at_a)))
 
 
 @dataclass(frozen=True)
@@ -32,16 +44,11 @@ class BareModes:
     felt : ndarray, shape (P,)
         ``r_i = psi_i^(j)(a)``; of a compliance, the inner product with the function that has
         a unit jump.
-    at_a : ndarray, shape (P,)
-        ``psi_i^(j)(a)``, of a compliance as well.
-    jumps : ndarray, shape (P,)
-        The jump of the broken derivative of each.
-    hinge_mass : float
-        Of a compliance, the inner product of the function with a unit jump with itself.
+    static_rest : float
+        Of a stiffness, what these modes leave of the sum of ``r_n^2/mu_n`` over all modes of
+        the structure: 0 where the static answer is one of their combinations.
     hinge_rest : float
-        The same of what the bare modes leave of that function.
-    hinge_at_a : float
-        Its felt derivative at the attachment.
+        Of a compliance, the mean square of what they leave of the function with a unit jump.
     unknowns : int
         How many unknown coefficients the expansion has.
     shapes : Shapes
@@ -54,11 +61,8 @@ class BareModes:
 
     eigenvalues: Vector
     felt: Vector
-    at_a: Vector
-    jumps: Vector
-    hinge_mass: float
+    static_rest: float
     hinge_rest: float
-    hinge_at_a: float
     unknowns: int
     shapes: Shapes
     off: float

@@ -6,7 +6,7 @@ matrix ``U``, and the mass matrix is ``U^T U``. The singular values of ``U`` are
 square roots of the eigenvalues: the lowest keep all digits.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -14,7 +14,7 @@ from numpy.polynomial import legendre
 from ...arrays import Matrix, Vector
 from ..attached import Attached
 from ..eigenvalues.bracketing import EPS
-from .bare import BareModes
+from .bare import BareModes, joined
 
 
 @dataclass(frozen=True)
@@ -23,24 +23,24 @@ class Pieces:
 
     Parameters
     ----------
-    a : float
-        Where the segments meet.
+    lengths : tuple of float
+        Of the segments; each has its own digits, however short it is.
     left, right : ndarray, shape (degree + 1, count)
         Coefficients of the shifted Legendre polynomials of each segment.
     """
 
-    a: float
+    lengths: tuple[float, float]
     left: Matrix
     right: Matrix
 
-    @property
-    def lengths(self) -> tuple[float, float]:
-        """Lengths of the segments."""
-        return self.a, 1 - self.a
-
     def combined(self, matrix: Matrix) -> "Pieces":
         """Return combinations of the functions, a column each."""
-        return Pieces(self.a, self.left @ matrix, self.right @ matrix)
+        return replace(self, left=self.left @ matrix, right=self.right @ matrix)
+
+    def mirrored(self) -> "Pieces":
+        """Return the functions seen from the other end."""
+        sign = (-1.0) ** np.arange(len(self.left))[:, None]
+        return Pieces(self.lengths[::-1], sign * self.right, sign * self.left)
 
     def ends(self, derivative: int) -> tuple[Vector, Vector, Vector, Vector]:
         """Return a derivative at 0, left and right of `a`, and at 1."""
@@ -50,18 +50,13 @@ class Pieces:
             rows += [np.asarray(legendre.legval(place, found)) for place in (-1.0, 1.0)]
         return rows[0], rows[1], rows[2], rows[3]
 
-    def values(self, x: Vector, derivative: int) -> Matrix:
-        """Return a derivative at places `x`, a row a function; at `a`, the mean."""
-        x, found = np.asarray(x, dtype=float), []
-        for part, h, start in zip(
-            (self.left, self.right), self.lengths, (0, self.a), strict=True
-        ):
-            local = 2 * (x - start) / h - 1
-            found.append(legendre.legval(local, _derivative(part, h, derivative), tensor=True))
-        left, right = found
-        return np.asarray(
-            np.where(x < self.a, left, np.where(x > self.a, right, (left + right) / 2))
-        )
+    def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
+        """Return a derivative at places `x`, a row a function; at `a` as `Shapes` has it."""
+        x, (a, b) = np.asarray(x, dtype=float), self.lengths
+        before, behind = np.minimum(2 * x / a - 1, 1), np.maximum(1 - 2 * (1 - x) / b, -1)
+        left = legendre.legval(before, _derivative(self.left, a, derivative), tensor=True)
+        right = legendre.legval(behind, _derivative(self.right, b, derivative), tensor=True)
+        return joined(x, a, left, right, side)
 
     def norms(self, attached: Attached) -> tuple[Vector, Vector]:
         """Return the square roots of the integrals of the squares of the polynomials."""
@@ -88,15 +83,15 @@ class Pieces:
             found[0] += scaled[0] + start  # P_(-1)* = -1: zero at the start of the segment
             parts.append(found)
             start = found.sum(axis=0)
-        return Pieces(self.a, parts[0], parts[1])
+        return Pieces(self.lengths, parts[0], parts[1])
 
     def less_slope(self, slope: Vector) -> "Pieces":
         """Return the functions less ``slope x``, of which the degree is 1 at least."""
-        left, right = self.left.copy(), self.right.copy()
-        for part, h, start in zip((left, right), self.lengths, (0, self.a), strict=True):
-            part[0] -= slope * (start + h / 2)
+        left, right, (a, b) = self.left.copy(), self.right.copy(), self.lengths
+        for part, h, middle in ((left, a, a / 2), (right, b, a + b / 2)):
+            part[0] -= slope * middle
             part[1] -= slope * h / 2
-        return Pieces(self.a, left, right)
+        return Pieces(self.lengths, left, right)
 
 
 def _derivative(part: Matrix, h: float, derivative: int) -> Matrix:
@@ -113,20 +108,20 @@ class PieceModes:
 
     modes: Pieces
 
-    def values(self, x: Vector, derivative: int) -> Matrix:
+    def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
         """Return a derivative of each mode at places `x`."""
-        return self.modes.values(x, derivative)
+        return self.modes.values(x, derivative, side)
 
-    def hinge(self, x: Vector, derivative: int) -> Vector:
+    def hinge(self, x: Vector, derivative: int, side: int = 0) -> Vector:
         """Return a derivative of the function that is straight on both sides."""
-        return np.asarray(_hat(self.modes.a).values(x, derivative)[0])
+        return np.asarray(_hat(self.modes.lengths).values(x, derivative, side)[0])
 
 
-def _hat(a: float) -> Pieces:
+def _hat(lengths: tuple[float, float]) -> Pieces:
     """Return the function with slope ``-b`` before `a`, ``a`` behind it: a unit jump."""
-    b = 1 - a
+    a, b = lengths
     return Pieces(
-        a,
+        lengths,
         np.array([[-a * b / 2], [-a * b / 2]]),
         np.array([[-a * b / 2], [a * b / 2]]),
     )
@@ -148,7 +143,7 @@ def piecewise(
     natural : bool
         Whether the moment of a beam is made zero at the ends, too.
     """
-    structure, a = attached.structure, float(attached.a)
+    structure = attached.structure
     m, k = structure.m, structure.k if continuity is None else continuity
     compliant = structure.kind == "compliance"
     degree = N + max(k + 1, m) - m
@@ -156,44 +151,45 @@ def piecewise(
     rows = _conditions(start, m, max(k, m - 1), natural)
     basis = start.combined(_nullspace(rows, start.left.shape[1]))
     u = _integrals(basis, attached)
-    _, sigma, turned = np.linalg.svd(u.orthonormal(attached), full_matrices=False)
+    each, sigma, turned = np.linalg.svd(u.orthonormal(attached), full_matrices=False)
     good = sigma > np.finfo(float).tiny ** 0.25
-    sigma, turned = sigma[good], turned[good]
+    each, sigma, turned = each[:, good], sigma[good], turned[good]
     modes = u.combined(turned.T / sigma)
-    felt, jump = _at(modes, structure.felt), _jump(modes, structure.broken)
-    coupled, hat_mass, rest = felt, 0.0, 0.0
+    _, felt, _, _ = modes.ends(structure.felt)  # from the shorter side: nothing cancels
+    static, rest = float(np.sum((felt * sigma) ** 2)), 0.0
     if compliant:
-        hat, size = _hat(a), len(modes.left)
-        padded = Pieces(a, _padded(hat.left, size), _padded(hat.right, size))
-        column, each = padded.orthonormal(attached)[:, 0], modes.orthonormal(attached)
-        coupled = column @ each
-        left = column - each @ coupled
-        left -= each @ (left @ each)
-        hat_mass, rest = float(column @ column), float(left @ left)
+        hat, size = _hat(u.lengths), len(u.left)
+        padded = Pieces(u.lengths, _padded(hat.left, size), _padded(hat.right, size))
+        column = padded.orthonormal(attached)[:, 0]
+        felt = column @ each
+        left = column - each @ felt
+        static, rest = float(column @ column), float(left @ left)
+    if 2 * attached.a > 1:
+        modes, felt = modes.mirrored(), (-1) ** structure.felt * felt
+    has_static = compliant or k <= structure.k
     return BareModes(
         eigenvalues=sigma**-2.0,
-        felt=coupled,
-        at_a=felt,
-        jumps=np.zeros(len(sigma)) if compliant else jump,
-        hinge_mass=hat_mass,
+        felt=felt,
+        static_rest=0.0 if has_static else float(attached.static_sum) - static,
         hinge_rest=rest,
-        hinge_at_a=0.0,
         unknowns=len(sigma) + compliant,
         shapes=PieceModes(modes),
-        off=4 * EPS * (hat_mass or float(np.sum((felt * sigma) ** 2))),
+        off=4 * EPS * static,
         # singular values are off by a rounding error of the largest
         inexact=1 + np.sqrt(len(sigma)) * sigma[0] / sigma,
     )
 
 
 def _orthonormal(attached: Attached, degree: int) -> Pieces:
-    """Return the orthonormal polynomials of both segments, up to a degree."""
-    size, a = degree + 1, float(attached.a)
-    empty = Pieces(a, np.zeros((size, 1)), np.zeros((size, 1)))
-    left, right = empty.norms(attached)
-    zeros = np.zeros((size, size))
+    """Return the orthonormal polynomials of both segments, up to a degree.
+
+    The shorter segment is the first.
+    """
+    size, near = degree + 1, min(attached.a, 1 - attached.a)
+    lengths, zeros = (float(near), float(1 - near)), np.zeros((size, size))
+    left, right = Pieces(lengths, zeros, zeros).norms(attached)
     return Pieces(
-        a,
+        lengths,
         np.hstack([np.diag(1 / left), zeros]),
         np.hstack([zeros, np.diag(1 / right)]),
     )
@@ -234,16 +230,6 @@ def _integrals(basis: Pieces, attached: Attached) -> Pieces:
         return found
     found = found.integrated(attached)
     return found.less_slope(found.ends(0)[3])
-
-
-def _at(modes: Pieces, derivative: int) -> Vector:
-    _, left, right, _ = modes.ends(derivative)
-    return (left + right) / 2
-
-
-def _jump(modes: Pieces, derivative: int) -> Vector:
-    _, left, right, _ = modes.ends(derivative)
-    return right - left
 
 
 def _padded(part: Matrix, size: int) -> Matrix:

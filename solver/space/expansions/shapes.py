@@ -27,12 +27,15 @@ class Shape:
     coefficients: Vector
     hinge: float
 
-    def values(self, x: Vector, derivative: int) -> Vector:
-        """Return a derivative at places `x` in units of the length."""
+    def values(self, x: Vector, derivative: int, side: int = 0) -> Vector:
+        """Return a derivative at places `x` in units of the length.
+
+        At the attachment itself the limit from a side, -1 or 1, or the mean of both.
+        """
         x = np.asarray(x, dtype=float)
-        found = self.coefficients @ self.bare.shapes.values(x, derivative)
+        found = self.coefficients @ self.bare.shapes.values(x, derivative, side)
         if self.hinge:
-            found = found + self.hinge * self.bare.shapes.hinge(x, derivative)
+            found = found + self.hinge * self.bare.shapes.hinge(x, derivative, side)
         return np.asarray(found)
 
 
@@ -49,30 +52,26 @@ def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape
         found = bare.felt / away
         if attached.structure.kind == "compliance":
             found, hinge = found * float(roots.values[i]), 1.0
-    found_norm = found @ found + hinge * (hinge * bare.hinge_mass + 2 * bare.felt @ found)
-    scale = float(1 / np.sqrt(found_norm))
+    whole = found + hinge * bare.felt  # with what the function with a jump has of each mode
+    scale = float(1 / np.sqrt(whole @ whole + hinge**2 * bare.hinge_rest))
     shape = Shape(bare, found * scale, hinge * scale)
     if shape.values(np.zeros(1), 1)[0] < 0:
         return Shape(bare, -shape.coefficients, -shape.hinge)
     return shape
 
 
-def jump(attached: Attached, shape: Shape) -> float:
-    """Return the jump of the broken derivative at the attachment."""
-    return float(shape.bare.jumps @ shape.coefficients + attached.structure.jump * shape.hinge)
-
-
 def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float:
     """Return the jump over what the law of the attachment says it is, less one.
 
-    An error that needs no exact solution; -1 where the functions have no jump.
+    Both are taken from the shape at the attachment.  An error that needs no exact solution;
+    -1 where the functions have no jump.
     """
-    structure, bare = attached.structure, shape.bare
-    felt = float(bare.at_a @ shape.coefficients + bare.hinge_at_a * shape.hinge)
+    structure, a = attached.structure, np.array([float(attached.a)])
+    before, behind = (shape.values(a, structure.broken, side)[0] for side in (-1, 1))
     factor = {
         "stiffness": -attached.s,
         "inertia": attached.s * eigenvalue,
         "compliance": attached.s,
     }[structure.kind]
-    law = structure.jump * factor * felt
-    return jump(attached, shape) / law - 1 if law else float("nan")
+    law = structure.jump * factor * shape.values(a, structure.felt)[0]
+    return float((behind - before) / law - 1) if law else float("nan")

@@ -7,6 +7,7 @@ import numpy as np
 from ...arrays import Matrix, Vector
 from ..attached import Attached
 from .bare import BareModes
+from .sums import left_out
 
 
 @dataclass(frozen=True)
@@ -15,13 +16,13 @@ class Sines:
 
     N: int
 
-    def values(self, x: Vector, derivative: int) -> Matrix:
+    def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
         """Return a derivative of each at places `x`, shape (N, len(x))."""
         wave = np.pi * np.arange(1, self.N + 1)[:, None]
         turned = wave * np.asarray(x)[None, :] + derivative * np.pi / 2
         return np.asarray(np.sqrt(2.0) * wave**derivative * np.sin(turned))
 
-    def hinge(self, x: Vector, derivative: int) -> Vector:
+    def hinge(self, x: Vector, derivative: int, side: int = 0) -> Vector:
         """Return zeros: sines have no jump."""
         return np.zeros_like(np.asarray(x, dtype=float))
 
@@ -31,17 +32,13 @@ def ritz(attached: Attached, N: int) -> BareModes:
 
     Of a compliance nothing is felt of any: sines have no jump in the slope.
     """
-    n = np.arange(1, N + 1)
-    felt = attached.felt(n)
-    compliant = attached.structure.kind == "compliance"
+    n, kind = np.arange(1, N + 1), attached.structure.kind
+    rest = left_out(attached, N, 1) if kind == "stiffness" else None
     return BareModes(
         eigenvalues=attached.bare(n),
-        felt=np.zeros(N) if compliant else felt,
-        at_a=felt,
-        jumps=np.zeros(N),
-        hinge_mass=0.0,
+        felt=np.zeros(N) if kind == "compliance" else attached.felt(n),
+        static_rest=float(rest.sums[0]) if rest else 0.0,
         hinge_rest=0.0,
-        hinge_at_a=0.0,
         unknowns=N,
         shapes=Sines(N),
         off=0.0,

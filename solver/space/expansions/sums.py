@@ -10,10 +10,11 @@ from scipy.special import zeta
 from ...arrays import Vector
 from ..attached import Attached
 from ..eigenvalues.bracketing import EPS
+from .beyond import ROUNDINGS, beyond
 
 #: Modes that are summed one by one: at least, and at most; between them so many that the
-#: cosine in ``r_n^2`` makes this many turns.
-FEWEST, MOST, TURNS = 1_000, 50_000, 40
+#: cosine in ``r_n^2`` makes this many turns, for before the first one it cancels the one.
+FEWEST, MOST, TURNS = 1_000, 50_000, 4
 
 
 @dataclass(frozen=True)
@@ -32,64 +33,31 @@ class LeftOut:
     error: float
 
 
-def left_out(attached: Attached, N: int, most: int, summed: int | None = None) -> LeftOut:
-    """Return the sums over the modes beyond the first `N`, up to ``q = most``.
-
-    Summed one by one they have their digits, but for the first of a load that converges
-    slowly: that is the closed form less its first N terms.
-    """
-    if summed is None:
-        turns = TURNS / float(min(attached.a, 1 - attached.a))
-        summed = int(min(max(FEWEST, turns), MOST))
-    lower = 1 if attached.structure.kind == "compliance" else 0
-    found, first_off = [], 0.0
-    for q in range(1 + lower, most + 1 + lower):
-        total, off = _summed(attached, N, q, N + summed)
-        if q == 1 + lower:
-            closed, closed_off = _from_closed_form(attached, N, q)
-            better = closed_off < off
-            total, first_off = (closed, closed_off) if better else (total, off)
-        found.append(total)
-    return LeftOut(np.array(found), first_off)
-
-
-def _from_closed_form(attached: Attached, N: int, q: int) -> tuple[float, float]:
-    """Return the closed form less its first terms, and its rounding."""
-    whole = float(attached.structure.module.static_sum(float(attached.a)))
-    weights, bare = _terms(attached, N)
-    return math.fsum([whole, *(-weights / bare**q)]), 2 * EPS * whole
+def left_out(attached: Attached, N: int, most: int) -> LeftOut:
+    """Return the sums over the modes beyond the first `N`, up to ``q = most``."""
+    turns = TURNS / float(min(attached.a, 1 - attached.a))
+    summed = int(min(max(FEWEST, turns), MOST))
+    lower = attached.structure.lowest_sum
+    both = [_summed(attached, N, q + lower, N + summed) for q in range(most)]
+    return LeftOut(np.array([total for total, _ in both]), both[0][1])
 
 
 def _summed(attached: Attached, N: int, q: int, last: int) -> tuple[float, float]:
     """Return the sum one by one and what it leaves, and how far off it may be.
 
     Beyond the last mode ``r_n^2`` is ``(n pi)^(2j) (1 -+ cos(2 pi n a))``: one, by the Hurwitz
-    zeta function, and a cosine; see `_cosines`.
+    zeta function, and a cosine.
     """
     weights, bare = _terms(attached, last)
     j = attached.structure.felt
     power = 2 * attached.structure.m * q - 2 * j
     unit = bare[N]  # whose powers do not overflow
     head = float(np.sum((weights[N:] * (unit / bare[N:]) ** q)[::-1]) * unit**-q)
-    cosines, off = _cosines(power, last, float(attached.a))
+    angle = 2 * np.pi * float(min(attached.a, 1 - attached.a))
+    cosines = float(beyond(power, last, np.array([angle]))[0].real)
     rest = math.pi**-power * (zeta(power, last + 1) - (-1) ** j * cosines)
-    return head + rest, math.pi**-power * off + 2 * EPS * head
-
-
-def _cosines(p: int, last: int, a: float) -> tuple[float, float]:
-    """Return the sum of ``cos(2 pi n a)/n^p`` over ``n > last``, and how far it may be off.
-
-    With ``z = exp(2 pi i a)`` and ``F(t) = sum of exp((n + 1/2) (t + 2 pi i a))``, which is
-    ``i/(2 sin(pi a))`` at 0, it is the real part of ``z^(last + 1/2)`` times the Taylor series
-    of ``n^-p`` about ``last + 1/2``, with the derivatives of F for powers: three terms of it.
-    """
-    x, angle = last + 0.5, math.fmod((2 * last + 1) * a, 2.0) * math.pi
-    sine, cosine = math.sin(math.pi * a), math.cos(math.pi * a)
-    turned = math.sin(angle) / (2 * sine)
-    first = p / x * math.cos(angle) * cosine / (4 * sine**2)
-    second = p * (p + 1) / x**2 * math.sin(angle) * (1 + cosine**2) / (16 * sine**3)
-    third = p * (p + 1) * (p + 2) / (2 * x * sine) ** 3 / sine
-    return x**-p * (first + second - turned), x**-p * third
+    off = ROUNDINGS * EPS * math.pi**-power * (last + 1.0) ** (1 - power)
+    return head + rest, off + 4 * EPS * head
 
 
 @lru_cache(maxsize=8)

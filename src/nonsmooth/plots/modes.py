@@ -1,5 +1,6 @@
 """Modes of structures: shapes, what jumps at the attachment, convergence, families."""
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,8 +27,9 @@ LOOKS: dict[str, dict[str, Any]] = {
 #: Markers of one, two, three forced modes.
 MARKERS = ("s", "^", "v")
 
-#: Modes whose shapes are drawn, and points of each.
-DRAWN, POINTS = 3, 2001
+#: Most modes whose shapes are drawn at once, modes below one another in a square of panels,
+#: and points of each.
+MOST, BELOW, POINTS = 100, 6, 2001
 
 #: What can be drawn of a mode.
 QUANTITIES = ("shape", "discontinuous")
@@ -100,25 +102,48 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
     """Draw mode shapes, and beside each the first discontinuous derivative.
 
     The exact ones are drawn below them; what is left and right of the attachment is not
-    joined.
+    joined.  The modes stand below one another, many of them in several pairs of columns.
+
+    Raises
+    ------
+    ValueError
+        If there are more than a picture can show.
     """
-    rows = min(DRAWN, max(map(len, found)))
-    figure = Figure(figsize=(8, 1.2 + 2.1 * rows), layout="constrained")
-    axes = figure.subplots(rows, 2, squeeze=False, sharex=True)
-    quantity = found[0][0].quantity
-    for number, pair in enumerate(axes, 1):
-        those = [expansion for expansion in found if number <= len(expansion)]
-        for panel, what in zip(pair, QUANTITIES, strict=True):
-            draw_exact(those[0], panel, what, number)
-            for expansion in those:
-                _draw_mode(expansion, panel, what, number, {})
-    axes[0, 0].set(title="shape")
-    axes[0, 1].set(title=f"{quantity}, the first that jumps")
-    for each in axes[-1]:
-        each.set(xlabel="x [m]")
+    count = max(map(len, found))
+    if count > MOST:
+        raise ValueError(f"count: got {count}, expected at most {MOST} in a picture")
+    pairs = math.ceil(math.sqrt(count / BELOW))
+    rows = math.ceil(count / pairs)
+    figure = Figure(figsize=(8 * pairs, 1.2 + 1.9 * rows), layout="constrained")
+    axes = figure.subplots(rows, 2 * pairs, squeeze=False, sharex=True)
+    for place in range(rows * pairs):
+        pair = axes[place % rows, 2 * (place // rows) :][:2]
+        if place < count:
+            _draw_pair(found, pair, place + 1)
+        else:
+            for panel in pair:
+                panel.remove()
+    for place in range(0, count, rows):
+        shape, jumping = axes[0, 2 * (place // rows) :][:2]
+        shape.set(title="shape")
+        jumping.set(title=f"{found[0][0].quantity}, the first that jumps")
+        last = min(place + rows, count) - 1
+        for panel in axes[last % rows, 2 * (place // rows) :][:2]:
+            panel.set(xlabel="x [m]")
+            panel.tick_params(labelbottom=True)
+    figure.align_ylabels()
     words = f"{found[0].structure.name}: {found[0].attached.description}"
     frame(figure, axes[0, 0], words, 4)
     return figure
+
+
+def _draw_pair(found: "Sequence[Modes]", pair: Any, number: int) -> None:
+    """Draw one mode of each expansion that has it, and its discontinuous derivative."""
+    those = [expansion for expansion in found if number <= len(expansion)]
+    for panel, what in zip(pair, QUANTITIES, strict=True):
+        draw_exact(those[0], panel, what, number)
+        for expansion in those:
+            _draw_mode(expansion, panel, what, number, {})
 
 
 def _places(attached: Any) -> Any:

@@ -64,17 +64,17 @@ MUTANTS = (
         MATRICES,
     ),
     _solver(
-        "the second term of the sum of cosines is left out",
-        "expansions/sums",
-        "(first + second - turned)",
-        "(first - turned)",
+        "the smooth part of a sum beyond the modes is left out",
+        "expansions/beyond",
+        " + np.exp(turned) * smooth",
+        "",
         MATRICES,
     ),
     _solver(
         "the sums of a compliance begin with the first",
         "expansions/sums",
-        'lower = 1 if attached.structure.kind == "compliance" else 0',
-        "lower = 0",
+        "lower = attached.structure.lowest_sum",
+        "lower = 1",
         MATRICES,
     ),
     _solver(
@@ -115,8 +115,8 @@ MUTANTS = (
     _solver(
         "bounds from below are given beyond the first sine left out",
         "eigenvalues/bounds",
-        "    valid = roots.values < attached.bare(np.array([N + 1]))[0]",
-        "    valid = roots.values > 0",
+        "    valid = (roots.values < attached.bare(np.array([N + 1]))[0]) & (low > 0)",
+        "    valid = low > 0",
         MATRICES,
     ),
     _solver(
@@ -127,10 +127,10 @@ MUTANTS = (
         REFERENCES,
     ),
     _solver(
-        "near zero the closed form is used in place of the series",
+        "near zero and near an end the closed form is used in place of the sum",
         "eigenvalues/exact",
-        "SMALL, TERMS, MODES = 1.5, 16, 500",
-        "SMALL, TERMS, MODES = 0.0, 16, 500",
+        "np.flatnonzero((origin * end < 1) & (origin <= HIGHEST))",
+        "np.flatnonzero(origin < 0)",
         REFERENCES,
     ),
     _solver(

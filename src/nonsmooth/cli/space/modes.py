@@ -183,7 +183,8 @@ def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path 
         else:
             from nonsmooth.plots.modes import modes_figure  # noqa: PLC0415
 
-            write_picture(output, lambda: modes_figure(found))
+            with as_problems():
+                write_picture(output, lambda: modes_figure(found))
     return 0
 
 

@@ -73,11 +73,17 @@ def _parameter_options(structure: "Structure") -> list[click.Parameter]:
         click.Option(
             [flag(q.name), PREFIX + q.name],
             type=float,
-            help=f"{q.symbol} in {q.unit}: {q.what}, above 0.  [default: {q.default:g}]",
+            help=f"{q.symbol} in {q.unit}: {q.what}, {_range(structure, q.name)}.  "
+            f"[default: {q.default:g}]",
         )
         for q in structure.parameters
     ]
     return [file, place, *flags]
+
+
+def _range(structure: "Structure", name: str) -> str:
+    spring = structure.kind == "stiffness" and name == structure.attached.name
+    return "above the critical one, not 0" if spring else "above 0"
 
 
 def attached_from(
