@@ -22,9 +22,6 @@ from .zeros import DEPTH, first_zero
 #: What of a derivative may be rounding, as a part of the size of its terms.
 NOISE = 64 * float(np.finfo(float).eps)
 
-#: A zero in this part of an interval is looked for in a shorter one.
-LEFTMOST = 2.0**-12
-
 #: A time, without units, in which nothing happens.
 SHORTEST = 1e-280
 
@@ -160,6 +157,6 @@ def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
     found = first_zero(powers[leading:]) if np.isfinite(powers).all() else 0.0
     if found is None:
         return most
-    if found < LEFTMOST:  # for its digits, in an interval of its own size
-        return _safe(at, form, most * max(2 * found, 2.0**-DEPTH), zero)
+    if found == 0:  # an interval of the size of what is left
+        return _safe(at, form, most * 2.0**-DEPTH, zero)
     return found * most
