@@ -140,7 +140,7 @@ def _run(
             left = min(left, float(whole - clock.t))
             segments.append(_segment(after, state, clock, left))
             clock, after, state = clock.later(left), rest, still
-        elif accumulates(segments) and not machine.has_rest(surface):
+        elif accumulates(segments) and (left or not machine.has_rest(surface)):
             return segments, f"chatter: {_chatter(case, segments)}"
         if len(segments) >= MOST_PHASES:
             return segments, f"{MOST_PHASES} phases are the most that one motion may have"
