@@ -37,13 +37,15 @@ class Local:
     sizes: tuple[float, ...]
 
 
-def local(phase: Phase, x: float, v: float, omega: float, angle: float) -> Local:
-    """Return a phase at a state."""
+def local(
+    phase: Phase, x: float, v: float, omega: float, angle: float, placed: bool = False
+) -> Local:
+    """Return a phase at a state; `placed` if the displacement is exact to its own rounding."""
     if phase.held:
         still = (x, phase.speed, *(0.0,) * TERMS)
         return Local(phase, omega, angle, still, tuple(map(abs, still)))
     # displacements are known to the rounding of the way in a unit of time, also where x is 0
-    values, sizes = [x, v], [abs(x) + abs(v), abs(v)]
+    values, sizes = [x, v], [abs(x) + (0.0 if placed else abs(v)), abs(v)]
     m, power = phase.m, 1.0
     for j in range(TERMS):
         force = phase.g * power * math.cos(angle + j * math.pi / 2)
@@ -82,18 +84,16 @@ def taylor(at: Local, form: Form) -> tuple[list[float], list[float]]:
 def bound(at: Local, form: Form, s: float) -> float:
     """Return what the derivative of order `TERMS` of a form never exceeds within a time `s`."""
     ex, ev, ec, _ = form
-    wave = abs(ec) * at.omega**TERMS
+    power = math.prod((at.omega,) * TERMS)
+    wave = abs(ec) * power
     if at.phase.held:
         return wave
     phase = at.phase
     stiffness, damping = phase.k / phase.m, phase.c / phase.m
-    kappa = abs(stiffness) or 1.0
-    if stiffness > 0:
-        growth = max(0.0, -damping)
-    else:
-        square = damping * damping + (4 * kappa if stiffness else kappa)
-        growth = (-damping + math.sqrt(square)) / 2
-    forced = abs(phase.g) / phase.m * at.omega**TERMS
+    rate = 1 / window(phase, at.omega)
+    kappa = max(abs(stiffness), rate * rate) or 1.0
+    growth = (-damping + math.hypot(damping, (kappa - stiffness) / math.sqrt(kappa))) / 2
+    forced = abs(phase.g) / phase.m * power
     norm = math.hypot(math.sqrt(kappa) * at.derivatives[TERMS], at.derivatives[TERMS + 1])
     if not norm and not forced:
         return wave

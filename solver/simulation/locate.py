@@ -17,10 +17,13 @@ from ..arrays import Vector
 from ..case.cell import Form, Phase
 from ..flow import flow
 from .bounds import TERMS, Local, bound, local, taylor, window
-from .zeros import first_zero
+from .zeros import DEPTH, first_zero
 
 #: What of a derivative may be rounding, as a part of the size of its terms.
 NOISE = 64 * float(np.finfo(float).eps)
+
+#: A time, without units, in which nothing happens.
+SHORTEST = 1e-280
 
 #: Steps of one phase before a search is given up; some ten are usual for a period.
 MOST_STEPS = 100_000
@@ -37,13 +40,16 @@ class Reached:
     x, v : float
         The state there, before the switch.
     form : int or None
-        Which of the forms vanishes; None at the end of the time that was given.
+        Which of the forms vanishes; None if none did.
+    ended : str
+        Why it was not followed to the end of its time; empty if it was.
     """
 
     s: float
     x: float
     v: float
     form: int | None
+    ended: str = ""
 
 
 def sign_after(at: Local, form: Form, zero: bool = False) -> int:
@@ -70,7 +76,7 @@ def _leading(values: Sequence[float], sizes: Sequence[float], zero: bool) -> int
 
 def first_event(
     phase: Phase, start: Vector, omega: float, angle: float, forms: Sequence[Form],
-    most: float, zeros: Collection[int] = (),
+    most: float, zeros: Collection[int] = (), placed: bool = False,
 ) -> Reached:  # fmt: skip
     """Return where the first of some forms vanishes.
 
@@ -88,36 +94,42 @@ def first_event(
         Time after which the search ends.
     zeros : collection of int
         Which of the forms are known to be zero at the start.
-
-    Raises
-    ------
-    ArithmeticError
-        If the motion is not finite, or the search takes `MOST_STEPS`.
+    placed : bool
+        Whether the displacement at the start is exact to its own rounding.
     """
     s, (x, v) = 0.0, map(float, start)
     widest = window(phase, omega)
+    largest = max((abs(factor) for form in forms for factor in form), default=1.0)
     for _ in range(MOST_STEPS):
-        at = local(phase, x, v, omega, angle + omega * s)
-        step = min(widest, most - s)
-        nearest = None
-        for index, form in enumerate(forms):
-            safe = _safe(at, form, step, s == 0 and index in zeros)
-            if safe < step:
-                step, nearest = safe, index
-        if nearest is not None and step <= 4 * np.finfo(float).eps * s:
-            s += _last_correction(at, forms[nearest], s)
-            x, v = map(float, flow.end(phase, start, angle, omega, s).state)
-            return Reached(s, x, v, nearest)
-        if nearest is None and s + step >= most:
-            s, nearest = most, -1
+        at = local(phase, x, v, omega, angle + omega * s, placed and s == 0)
+        if not math.isfinite(max(largest, 1.0) * sum(at.sizes)):
+            return Reached(s, x, v, None, f"the motion in {phase.name} is beyond float64")
+        step, nearest = _step(at, forms, min(widest, most - s), zeros if s == 0 else ())
+        found = nearest is not None and step <= 4 * np.finfo(float).eps * s
+        if found:
+            end = s + _last_correction(at, forms[nearest], s)  # type: ignore[index]
         else:
-            s += step
-        x, v = map(float, flow.end(phase, start, angle, omega, s).state)
-        if not (math.isfinite(x) and math.isfinite(v)):
-            raise ArithmeticError(f"the motion in {phase.name} is beyond float64")
-        if nearest == -1:
-            return Reached(s, x, v, None)
-    raise ArithmeticError(f"no event was located in {phase.name} within {MOST_STEPS} steps")
+            end = most if nearest is None and s + step >= most else s + step
+        state = flow.end(phase, start, angle, omega, end).state
+        if not np.isfinite(state).all():
+            return Reached(s, x, v, None, f"the motion in {phase.name} is beyond float64")
+        s, (x, v) = end, map(float, state)
+        if found or s == most:
+            return Reached(s, x, v, nearest if found else None)
+    words = f"no event was located in {phase.name} within {MOST_STEPS} steps"
+    return Reached(s, x, v, None, words)
+
+
+def _step(
+    at: Local, forms: Sequence[Form], most: float, zeros: Collection[int]
+) -> tuple[float, int | None]:
+    """Return a time before which no form has a zero, and which may have one there."""
+    step, nearest = most, None
+    for index, form in enumerate(forms):
+        safe = _safe(at, form, step, index in zeros)
+        if safe < step:
+            step, nearest = safe, index
+    return step, nearest
 
 
 def _last_correction(at: Local, form: Form, s: float) -> float:
@@ -130,18 +142,21 @@ def _last_correction(at: Local, form: Form, s: float) -> float:
 def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
     """Return a time before which a form has no zero; `most` if that is longer."""
     values, sizes = taylor(at, form)
-    rest = bound(at, form, most)
+    leading = _leading(values, sizes, zero)
+    if leading == TERMS or most < SHORTEST:  # the form is zero all along
+        return most
+    if values[leading] < 0:
+        return 0.0
     powers, scale = np.empty(TERMS + 1), 1.0
     for j, value in enumerate(values):
         powers[j] = value * scale
         scale *= most / (j + 1)
-    powers[TERMS] = -rest * scale
-    leading = _leading(values, sizes, zero)
-    if leading == TERMS:  # the form is zero all along
-        return most
-    if powers[leading] < 0:
-        return 0.0
+    powers[TERMS] = -bound(at, form, most) * scale
     if powers[leading] > -np.minimum(powers[leading + 1 :], 0.0).sum():
         return most
-    found = first_zero(powers[leading:])
-    return most if found is None else found * most
+    found = first_zero(powers[leading:]) if np.isfinite(powers).all() else 0.0
+    if found is None:
+        return most
+    if found == 0:  # an interval of the size of what is left
+        return _safe(at, form, most * 2.0**-DEPTH, zero)
+    return found * most

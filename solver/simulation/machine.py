@@ -1,72 +1,22 @@
 """Which phase follows an event: one whose demands hold just after it.
 
-The phases of a scene are those of its cell and, where the other half of its period is the
-mirror image of the cell, their mirror images.  A phase ends where its event happens or one of
-its demands would be violated next.  The law of the switch is that of the event; a demand that
-ends where the event of another phase of the same equation happens has the law of that.
+A phase ends where its event happens or one of its demands would be violated next.  The law of
+the switch is that of the event; a demand that ends where the event of another phase of the same
+equation happens has the law of that.  A phase that is held behind an impact is a rest on the
+stop: it is entered there alone, by an impact that leaves no velocity or by infinitely many.
 """
 
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-from ..arrays import Vector
-from ..case.cell import Cell, Form, Phase
+from ..case.cell import Cell, Form
 from .bounds import local
-from .locate import sign_after
+from .locate import NOISE, sign_after
+from .nodes import Node, nodes
 
 #: How far from the velocity at which a phase is held a motion may enter it, without units.
 NEAR = 1e-9
-
-
-@dataclass(frozen=True)
-class Node:
-    """One phase that a motion can be in.
-
-    Parameters
-    ----------
-    phase : Phase
-        In the coordinates of the motion.
-    index : int
-        Its place in the cell.
-    mirrored : bool
-        Whether it is the mirror image of a phase of the cell.
-    """
-
-    phase: Phase
-    index: int
-    mirrored: bool
-
-    def at(self, state: "State") -> Phase:
-        """Return the phase with numbers for what the motion remembers."""
-        return self.phase.remembering(state.memory)
-
-
-def mirror(phase: Phase) -> Phase:
-    """Return the mirror image of a phase: the motion ``-x`` half a period of the forcing on."""
-    return replace(
-        phase,
-        f=-phase.f,
-        speed=-phase.speed,
-        event=_mirrored(phase.event),
-        d=-phase.d,
-        demands=tuple((words, _mirrored(form)) for words, form in phase.demands),
-    )
-
-
-def _mirrored(form: Form) -> Form:
-    x, v, cos, constant, *memory = form
-    return -x, -v, -cos, constant, *(-factor for factor in memory)
-
-
-def nodes(cell: Cell) -> tuple[Node, ...]:
-    """Return the phases that a motion of a cell can be in."""
-    own = tuple(Node(cell.carrying(p), p, False) for p in range(len(cell.phases)))
-    if cell.sign > 0:
-        return own
-    return own + tuple(Node(mirror(q.phase), q.index, True) for q in own)
 
 
 @dataclass(frozen=True)
@@ -76,21 +26,20 @@ class State:
     Parameters
     ----------
     x, v, angle : float
-    zero : Form or None
-        A form that is known to vanish there: that of the event that has just happened.
+    surface : int or None
+        The surface that it is known to be on: that of the event that has just happened.
     memory : tuple of float
         What the motion remembers.
+    placed : bool
+        Whether the displacement is that of the surface, to its own rounding.
     """
 
     x: float
     v: float
     angle: float
-    zero: Form | None = None
+    surface: int | None = None
     memory: tuple[float, ...] = ()
-
-    def has(self, form: Form) -> bool:
-        """Whether a form is known to vanish there."""
-        return self.zero is not None and same(form, self.zero)
+    placed: bool = False
 
 
 @dataclass(frozen=True)
@@ -109,43 +58,69 @@ class Machine:
         """Return the phase in which a motion from a state begins; None if it is in none."""
         return next((q for q in self._held_first(None) if self.admits(q, state)), None)
 
-    def watched(self, node: Node, state: State) -> list[Form]:
-        """Return the forms that end a phase where they vanish: not negative at its start."""
+    def watched(self, node: Node, state: State) -> list[tuple[int, Form]]:
+        """Return what ends a phase: surfaces, each with a form that is not negative before."""
         phase = node.at(state)
-        forms = [form for _, form in phase.demands]
-        event = phase.event
-        if not any(same(form, event) for form in forms):
-            forms.append(event if self._sign(node, event, state) >= 0 else _negative(event))
-        return forms
+        found = [(q, form) for q, (_, form) in zip(node.demands, phase.demands, strict=True)]
+        if node.event not in node.demands:
+            event = phase.event
+            ahead = self._sign(node, node.event, event, state) >= 0
+            found.append((node.event, event if ahead else _negative(event)))
+        return found
 
-    def _sign(self, node: Node, form: Form, state: State) -> int:
-        at = local(node.at(state), state.x, state.v, self.cell.omega, state.angle)
-        return sign_after(at, form, state.has(form))
+    def _sign(self, node: Node, surface: int, form: Form, state: State) -> int:
+        x, v, omega, angle = state.x, state.v, self.cell.omega, state.angle
+        at = local(node.at(state), x, v, omega, angle, state.placed)
+        return sign_after(at, form, surface == state.surface)
 
-    def law(self, node: Node, form: Form, state: State) -> tuple[float, float]:
-        """Return rho and d of the switch where a form that ends a phase vanishes."""
-        own = node.at(state)
-        equation = (own.m, own.c, own.k, own.f, own.g, own.held)
+    def law(self, node: Node, surface: int) -> tuple[float, float]:
+        """Return rho and d of the switch where a phase ends on a surface."""
+
+        def equation(q: Node) -> tuple[object, ...]:
+            phase = q.phase
+            return phase.m, phase.c, phase.k, phase.f, phase.g, phase.held, phase.memory
+
         for other in (node, *self.nodes):
-            q = other.at(state)
-            alike = (q.m, q.c, q.k, q.f, q.g, q.held) == equation
-            if alike and same(q.event, form):
-                return q.rho, q.d
+            if other.event == surface and equation(other) == equation(node):
+                return other.phase.rho, other.phase.d
         return 1.0, 0.0
 
-    def next(self, node: Node, form: Form, state: State) -> Node | None:
-        """Return the phase that follows where a form vanished, the law of the switch done."""
-        declared = self._declared(node) if same(form, node.at(state).event) else None
-        found = self._held_first(declared)
+    def crossed(self, node: Node, surface: int, form: Form, end: State) -> State:
+        """Return the state behind the switch on a surface from that in which a phase ends.
+
+        A displacement or a velocity that the surface alone gives is that, without rounding.
+        """
+        (rho, d), (ex, ev, ec, constant) = self.law(node, surface), form
+        placed, paced = ev == ec == 0 != ex, ex == ec == 0 != ev
+        x = 0.0 - constant / ex if placed else end.x
+        v = 0.0 - constant / ev if paced else end.v
+        known = surface if ev == 0 or (rho, d) == (1, 0) else None
+        return replace(end, x=x, v=rho * v + d, surface=known, placed=placed)
+
+    def next(self, node: Node, surface: int, state: State) -> Node | None:
+        """Return the phase that follows on a surface, the law of the switch done."""
+        declared = self._beside(node, 1) if surface == node.event else None
         return next(
             (
                 q
-                for q in found
+                for q in self._held_first(declared)
                 if (q is declared or not self.sets(q))
                 and self.admits(q, self.entered(q, state))
             ),
             None,
         )
+
+    def rest(self, node: Node, surface: int, state: State) -> Node | None:
+        """Return the rest on a stop that takes a state whose impacts have died away there."""
+        still = (
+            q for q in self._held_first(self._beside(node, 1)) if self._stop(q) is not None
+        )
+        return next((q for q in still if self.admits(q, q.begun(state))), None)
+
+    def has_rest(self, surface: int) -> bool:
+        """Whether the scene has a rest on a stop."""
+        stops = (self._stop(node) for node in self.nodes)
+        return any(stop is not None and stop.event == surface for stop in stops)
 
     def sets(self, node: Node) -> bool:
         """Whether the beginning of a phase sets what the motion remembers.
@@ -154,24 +129,37 @@ class Machine:
         """
         return any(memory.phase == node.index for memory in self.cell.memory)
 
-    def _declared(self, node: Node) -> Node:
-        after = (node.index + 1) % len(self.cell.phases)
-        mirrored = node.mirrored != (after == 0 and self.cell.sign < 0)
-        return next(q for q in self.nodes if (q.index, q.mirrored) == (after, mirrored))
+    def _beside(self, node: Node, step: int) -> Node:
+        """Return the phase that the scene declares behind another, or before it."""
+        place = node.index + len(self.cell.phases) * node.mirrored
+        return self.nodes[(place + step) % len(self.nodes)]
+
+    def _stop(self, node: Node) -> Node | None:
+        """Return the phase behind whose impact one is held; None where it follows none."""
+        before = self._beside(node, -1)
+        return before if node.phase.held and before.impact else None
 
     def _held_first(self, declared: Node | None) -> Iterator[Node]:
         """Yield phases as they are tried in turn: constraints hold while they can."""
-        yield from (q for q in self.nodes if q.phase.held and q.phase.demands)
-        if declared is not None:
-            yield declared
-        yield from self.nodes
+        turn = self.nodes if declared is None else (declared, *self.nodes)
+        yield from (q for q in turn if q.phase.held and q.phase.demands)
+        yield from turn
 
     def admits(self, node: Node, state: State) -> bool:
         """Whether the demands of a phase hold just after a state."""
-        phase = node.at(state)
-        if phase.held and abs(state.v - phase.speed) > NEAR * max(1.0, abs(phase.speed)):
-            return False
-        return all(self._sign(node, form, state) >= 0 for _, form in phase.demands)
+        return self._holds(node, state) and all(
+            self._sign(node, surface, form, state) >= 0
+            for surface, (_, form) in zip(node.demands, node.at(state).demands, strict=True)
+        )
+
+    def _holds(self, node: Node, state: State) -> bool:
+        """Whether a phase, if it is held, is held at a state: on a stop, on it alone."""
+        if not node.phase.held:
+            return True
+        speed, stop = node.phase.speed, self._stop(node)
+        if stop is None:
+            return abs(state.v - speed) <= NEAR * max(1.0, abs(speed))
+        return state.v == speed and (state.surface == stop.event or _is_on(stop, state))
 
     def entered(self, node: Node, state: State) -> State:
         """Return the state in which a phase begins: with what its beginning sets."""
@@ -203,41 +191,25 @@ class Machine:
         """Return in words why no phase takes a state."""
         found = []
         for q in self.nodes:
-            demands = q.at(state).demands
-            words = [words for words, form in demands if self._sign(q, form, state) < 0]
+            demands = zip(q.demands, q.at(state).demands, strict=True)
+            words = [w for on, (w, form) in demands if self._sign(q, on, form, state) < 0]
             if words:
                 found.append(f"in {q.phase.name} not true that {words[0]}")
             elif q.phase.held:
-                found.append(f"the velocity is not that of {q.phase.name}")
+                found.append(f"the velocity or the place is not that of {q.phase.name}")
         return "; ".join(dict.fromkeys(found))
-
-
-def same(one: Form, other: Form) -> bool:
-    """Whether two forms vanish at the same states.
-
-    Examples
-    --------
-    >>> same((1.0, 0.0, 0.0, -0.5), (-2.0, 0.0, 0.0, 1.0))
-    True
-    >>> same((1.0, 0.0, 0.0, -0.5), (1.0, 0.0, 0.0, 0.5))
-    False
-    >>> same((1.0, 0.0, 0.0, -1e300), (-2.0, 0.0, 0.0, 2e300))
-    True
-    """
-    a, b = _scaled(one), _scaled(other)
-    sizes = math.sqrt(float(a @ a) * float(b @ b))
-    return bool(sizes > 0 and sizes - abs(float(a @ b)) <= 1e-12 * sizes)
-
-
-def _scaled(form: Form) -> Vector:
-    """Return a form of which the largest factor is 1, so that no square overflows."""
-    factors = np.array(form)
-    return factors / (np.abs(factors).max() or 1.0)
 
 
 def _negative(form: Form) -> Form:
     x, v, cos, constant = form
     return -x, -v, -cos, -constant
+
+
+def _is_on(node: Node, state: State) -> bool:
+    """Whether a state is on the surface of the event of a phase, to rounding."""
+    ex, _, ec, constant = node.at(state).event
+    terms = ex * state.x, ec * math.cos(state.angle), constant
+    return abs(sum(terms)) <= NOISE * sum(map(abs, terms))
 
 
 def _in_the_middle(node: Node, state: State, i: int) -> State:

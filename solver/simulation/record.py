@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +21,9 @@ from .bounds import window
 #: Of the document's keys and their meaning.
 SCHEMA = 1
 
+#: How far beyond an end of a motion a time may be that is rounded, as a part of its duration.
+ROUNDING = 16 * float(np.finfo(float).eps)
+
 
 @dataclass(frozen=True)
 class Segment:
@@ -33,8 +37,10 @@ class Segment:
         Its place in the cell.
     mirrored : bool
         Whether it is the mirror image of a phase of the cell.
-    t, angle : float
-        When it starts, and the angle of the forcing there.
+    t : Fraction
+        When it starts: the exact sum of the durations before, behind any number of phases.
+    angle : float
+        The angle of the forcing there, rounded once from the angle at the start and `t`.
     x, v : float
         The state in which it starts, after the switch.
     s : float
@@ -44,7 +50,7 @@ class Segment:
     phase: Phase
     index: int
     mirrored: bool
-    t: float
+    t: Fraction
     angle: float
     x: float
     v: float
@@ -65,6 +71,9 @@ class SimulatedPhase:
         In s.
     displacement, velocity : float
         Where it starts, in m and m/s, after the switch.
+    forcing_phase : float or None
+        Phase of the forcing where it starts, in rad, to its own rounding however late that is;
+        None where nothing forces.
     """
 
     name: str
@@ -73,6 +82,7 @@ class SimulatedPhase:
     duration: float
     displacement: float
     velocity: float
+    forcing_phase: float | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -96,11 +106,11 @@ class Simulation(Tabular):
     @cached_property
     def phases(self) -> tuple[SimulatedPhase, ...]:
         """The phases, in order, in SI units."""
-        units = self.case.units
+        units, forced = self.case.units, self.case.cell.forced
         return tuple(
             SimulatedPhase(
-                q.phase.name, q.mirrored, q.t * units.time, q.s * units.time,
-                q.x * units.length, q.v * units.of_motion(1),
+                q.phase.name, q.mirrored, float(q.t) * units.time, q.s * units.time,
+                q.x * units.length, q.v * units.of_motion(1), q.angle if forced else None,
             )
             for q in self.segments
         )  # fmt: skip
@@ -109,7 +119,7 @@ class Simulation(Tabular):
     def time(self) -> float:
         """How long the motion is, in s."""
         last = self.segments[-1]
-        return (last.t + last.s) * self.case.units.time
+        return float(last.t + Fraction(last.s)) * self.case.units.time
 
     @property
     def forcing_phase(self) -> float | None:
@@ -122,7 +132,7 @@ class Simulation(Tabular):
         Parameters
         ----------
         t : array_like of float, any shape
-            Times in s, from 0 to `time`.
+            Times in s, from 0 to `time`; what rounding adds at either end counts as the end.
 
         Raises
         ------
@@ -141,15 +151,18 @@ class Simulation(Tabular):
 
     def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
         times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
-        if not ((times >= 0) & (times <= self.time)).all():
+        slack = ROUNDING * self.time
+        if not ((times >= -slack) & (times <= self.time + slack)).all():
             raise ValueError(f"t: got {t!r:.80}, expected times from 0 to {self.time:.6g} s")
-        local = times.ravel() / self.case.units.time
-        starts = np.array([q.t for q in self.segments])
+        local = times.clip(0.0, self.time).ravel() / self.case.units.time
+        starts = np.array([float(q.t) for q in self.segments])
         which = np.searchsorted(starts, local, side="right") - 1
         values = np.empty(len(local))
         for index in np.unique(which):
             q, here = self.segments[index], which == index
-            values[here] = self._of(q, np.clip(local[here] - q.t, 0.0, q.s), derivative)
+            values[here] = self._of(
+                q, np.clip(local[here] - starts[index], 0.0, q.s), derivative
+            )
         return np.asarray(values * self.case.units.of_motion(derivative)).reshape(times.shape)
 
     def samples(self, points: int = 100) -> list[tuple[Vector, Vector, Vector, Vector]]:
@@ -168,7 +181,7 @@ class Simulation(Tabular):
             count = 3 + math.ceil(points * q.s / wave)
             s = q.s * np.linspace(0.0, 1.0, count)
             x, v, a = (self._of(q, s, j) * factor for j, factor in enumerate(factors))
-            found.append(((q.t + s) * units.time, x, v, a))
+            found.append(((float(q.t) + s) * units.time, x, v, a))
         return found
 
     def _of(self, q: Segment, s: Vector, derivative: int) -> Vector:
@@ -190,6 +203,7 @@ class Simulation(Tabular):
                     "mirrored": q.mirrored,
                     "time": q.start,
                     "duration": q.duration,
+                    "forcing_phase": q.forcing_phase,
                     "start": {"displacement": q.displacement, "velocity": q.velocity},
                 }
                 for q in self.phases

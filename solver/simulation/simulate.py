@@ -2,26 +2,29 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 
 from ..case.case import Case
-from ..case.cell import Cell
-from .locate import first_event
-from .machine import Machine, Node, State
+from ..case.cell import Cell, Form
+from .bounds import local
+from .chatter import accumulates, end_of, time_left
+from .clock import Clock
+from .locate import Reached, first_event
+from .machine import Machine, State
+from .nodes import Node
 from .record import Segment, Simulation
 
 #: Cycles that are simulated where neither cycles nor a time is given.
 CYCLES = 20
 
-#: Phases in a row, each shorter than this without units, that are called chatter.
-CHATTER, SHORT = 12, 1e-6
-
 #: How far from a limit a mass that is pressed against it is put, in units of length.
 ASIDE = 0.1
 
-#: Most phases of one motion.
-MOST_PHASES = 100_000
+#: Most phases, and most cycles, of one motion.
+MOST_PHASES = MOST_CYCLES = 100_000
 
 
 def simulate(
@@ -112,57 +115,72 @@ def _run(
     case: Case, machine: Machine, node: Node, state: State, duration: float
 ) -> tuple[list[Segment], str]:
     """Return the phases of a motion, and why it ended before its time."""
-    omega, t, short = case.cell.omega, 0.0, 0
+    clock, whole = Clock.of(state.angle, case.cell.omega), Fraction(duration)
     segments: list[Segment] = []
     while True:
-        phase = node.at(state)
-        start = np.array([state.x, phase.speed if phase.held else state.v])
-        forms = machine.watched(node, state)
-        try:
-            end = first_event(
-                phase, start, omega, state.angle, forms, duration - t,
-                [index for index, form in enumerate(forms) if state.has(form)],
-            )  # fmt: skip
-        except ArithmeticError as error:
-            return segments, str(error)
-        x, v = map(float, start)
-        place = (phase, node.index, node.mirrored)
-        segments.append(Segment(*place, t, state.angle, x, v, end.s))
-        t += end.s
-        if end.form is None:
-            return segments, ""
-        form = forms[end.form]
-        rho, d = machine.law(node, form, state)
-        still = form if form[1] == 0 or (rho, d) == (1, 0) else None
-        angle = math.fmod(
-            state.angle + omega * end.s, 2 * math.pi
-        )  # a small one has its digits
-        speed = end.v if (form[0], form[2]) != (0, 0) else -form[3] / form[1]  # not rounded
-        state = State(end.x, rho * speed + d, angle, still, state.memory)
-        short = short + 1 if end.s < SHORT else 0
-        if short == CHATTER:
-            return segments, f"chatter: {_chatter(case, segments)}"
-        if len(segments) == MOST_PHASES:
-            return segments, f"{MOST_PHASES} phases are the most that one motion may have"
-        after = machine.next(node, form, state)
+        state = node.begun(state)
+        end, on = _end(machine, node, state, float(whole - clock.t))
+        segments.append(_segment(node, state, clock, end.s))
+        if on is None:
+            return segments, end.ended
+        clock = clock.later(end.s)
+        before = State(end.x, end.v, clock.angle, memory=state.memory)
+        surface, state = on[0], machine.crossed(node, *on, before)
+        after = machine.next(node, surface, state)
         if after is None:
+            when = f"at t = {float(clock.t) * case.units.time:.6g} s"
             return segments, (
-                f"no phase of the scene takes the state at t = {t * case.units.time:.6g} s, "
-                f"where {phase.name} ends; {machine.unmet(state)}"
+                f"no phase of the scene takes the state {when}, where {node.phase.name} ends; "
+                f"{machine.unmet(state)}"
             )
+        left = _time_left(machine, node, surface, after, state)
+        still = replace(state, v=0.0, angle=clock.later(left).angle)
+        rest = machine.rest(node, surface, still) if left else None
+        if rest is not None:  # its last flight stands for all that are left
+            left = min(left, float(whole - clock.t))
+            segments.append(_segment(after, state, clock, left))
+            clock, after, state = clock.later(left), rest, still
+        elif accumulates(segments) and (left or not machine.has_rest(surface)):
+            return segments, f"chatter: {_chatter(case, segments)}"
+        if len(segments) >= MOST_PHASES:
+            return segments, f"{MOST_PHASES} phases are the most that one motion may have"
         node, state = after, machine.entered(after, state)
+
+
+def _end(
+    machine: Machine, node: Node, state: State, most: float
+) -> tuple[Reached, tuple[int, Form] | None]:
+    """Return where a phase ends, and the surface and the form that end it."""
+    watched = machine.watched(node, state)
+    end = first_event(
+        node.at(state), np.array([state.x, state.v]), machine.cell.omega, state.angle,
+        [form for _, form in watched], most,
+        [i for i, (surface, _) in enumerate(watched) if surface == state.surface],
+        state.placed,
+    )  # fmt: skip
+    return end, None if end.form is None else watched[end.form]
+
+
+def _segment(node: Node, state: State, clock: Clock, s: float) -> Segment:
+    place = (node.index, node.mirrored, clock.t, state.angle)
+    return Segment(node.at(state), *place, state.x, state.v, s)
+
+
+def _time_left(machine: Machine, node: Node, surface: int, after: Node, state: State) -> float:
+    """Return how long the impacts go on behind that which ends a phase; 0 if not known."""
+    phase, (rho, d) = after.at(state), machine.law(node, surface)
+    if phase.held or d:
+        return 0.0
+    at = local(phase, state.x, state.v, machine.cell.omega, state.angle, state.placed)
+    return time_left(at, rho)
 
 
 def _chatter(case: Case, segments: list[Segment]) -> str:
     """Return in words where the switches accumulate."""
-    before, last = segments[-2].s, segments[-1].s
-    t = segments[-1].t + last
-    if 0 < last < before:  # as a geometric series
-        t += last * last / (before - last)
-    name, unit = segments[-1].phase.name, case.units.time
+    when = f"t = {end_of(segments) * case.units.time:.9g} s"
     return (
-        f"{name} ends ever sooner, the switches accumulate at t = {t * unit:.9g} s, and the "
-        "scene does not say what follows"
+        f"{segments[-1].phase.name} ends ever sooner, the switches accumulate at {when}, "
+        "and the scene does not say what follows"
     )
 
 
@@ -194,7 +212,13 @@ def _given(case: Case, state: Sequence[float], angle: float) -> State:
     place = _number("state", x, "a finite displacement in m")
     speed = _number("state", v, "a finite velocity in m/s")
     units = case.units
-    return State(place / units.length, speed / units.of_motion(1), angle)
+    found = State(place / units.length, speed / units.of_motion(1), angle)
+    if not (math.isfinite(found.x) and math.isfinite(found.v)):
+        expected = (
+            f"numbers within float64 in units of {units.length:.3g} m, {units.time:.3g} s"
+        )
+        raise ValueError(f"state: got {(place, speed)!r}, expected {expected}")
+    return found
 
 
 def _duration(case: Case, cycles: float | None, time: float | None) -> float:
@@ -208,8 +232,12 @@ def _duration(case: Case, cycles: float | None, time: float | None) -> float:
         wanted = CYCLES if cycles is None else cycles
         found = _number("cycles", wanted, "a positive number") * cycle(case.cell)
         name, value = "cycles", wanted
-    if not 0 < found < math.inf:
+    if not found > 0:
         raise ValueError(f"{name}: got {value!r}, expected a positive number")
+    if found > MOST_CYCLES * cycle(case.cell):
+        seconds = MOST_CYCLES * cycle(case.cell) * case.units.time
+        expected = f"at most {MOST_CYCLES} cycles, which are {seconds:.6g} s"
+        raise ValueError(f"{name}: got {value!r}, expected {expected}")
     return found
 
 

@@ -84,5 +84,8 @@ def _polished(powers: Vector, start: float, width: float) -> float:
         moved = u + value / -rate
         if moved > start + 2 * width:
             break
+        below = polynomial(moved)
+        if below < 0:  # too far along an arc that falls ever faster: its chord is below it
+            moved = u + (moved - u) * value / (value - below)
         u = float(moved)
     return u

@@ -122,6 +122,8 @@ def test_a_phase_of_what_does_not_force_is_refused(run) -> None:
         (("--cycles", 0), "--cycles: got 0.0, expected a positive number"),
         (("--time", "-1"), "--time: got -1.0, expected a positive number"),
         (("--time", 1, "--cycles", 2), "--time: got 1.0 beside cycles"),
+        (("--state", "1e308,0"), "--state: got (1e+308, 0.0), expected numbers within float64"),
+        (("--cycles", 1e9), "--cycles: got 1000000000.0, expected at most 100000 cycles"),
         (("--forcing-phase", "inf"), "--forcing-phase: got inf, expected a finite number"),
         (("--restitution", 2), "restitution: got 2.0"),
         (("--mass-of", 2), "impact has no --mass-of. Did you mean --mass?"),

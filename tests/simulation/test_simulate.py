@@ -2,12 +2,17 @@
 
 import json
 import math
+import re
+from fractions import Fraction
+from itertools import pairwise
 
+import mpmath
 import numpy as np
 import pytest
 from every_run import tried
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from made_scenes import made
 from reached import BELT, DAMPED, EVERY_RUN, IMPACT, REACHED, dry
 
 import nonsmooth as ns
@@ -156,10 +161,13 @@ def test_units_do_not_matter() -> None:
         ({"time": -1.0}, ValueError, "time: got -1.0"),
         ({"time": 1.0, "cycles": 2}, ValueError, "time: got 1.0 beside cycles"),
         ({"forcing_phase": math.inf}, ValueError, "forcing_phase: got inf"),
+        ({"state": (-1e308, 0)}, ValueError, "state: got (-1e+308, 0.0), expected numbers"),
+        ({"cycles": 1e9}, ValueError, "cycles: got 1000000000.0, expected at most 100000 c"),
+        ({"time": 1e308}, ValueError, "time: got 1e+308, expected at most 100000 cycles"),
     ],
 )
 def test_bad_arguments_are_named(arguments, error, message) -> None:
-    with pytest.raises(error, match=message.replace("(", r"\(")):
+    with pytest.raises(error, match=re.escape(message)):
         ns.simulate(**({"case": IMPACT()} | arguments))
 
 
@@ -222,3 +230,92 @@ def test_a_constraint_holds_while_it_can() -> None:
     assert (resting.segments[0].index, resting.phases[0].velocity) == (1, 0.0)
     beyond = ns.simulate(case, (0.7, 0), 1, forcing_phase=math.pi / 2)
     assert (beyond.segments[0].index, beyond.segments[0].mirrored) == (0, False)
+
+
+@pytest.mark.parametrize("cycles", [200, pytest.param(20_000, marks=pytest.mark.long)])
+def test_times_and_angles_do_not_drift(cycles) -> None:
+    case = IMPACT()
+    motion = ns.simulate(case, cycles=cycles, forcing_phase=0.3)
+    omega, t = Fraction(case.cell.omega), Fraction(0)
+    with mpmath.workdps(40):
+        for q in motion.segments:
+            assert q.t == t  # not rounded
+            angle = (mpmath.mpf(0.3) + mpf(omega * t)) % (2 * mpmath.pi)
+            assert q.angle == pytest.approx(float(angle), rel=2e-16, abs=0)
+            t += Fraction(q.s)
+    # on the orbit the impacts are a period apart, to the rounding of the time itself
+    orbit, late = ns.exact(case), motion.phases[60:-1]
+    for number, phase in enumerate(late):
+        expected = late[0].start + number * orbit.period
+        assert abs(phase.start - expected) <= 4 * np.spacing(phase.start)
+        assert phase.forcing_phase == pytest.approx(orbit.forcing_phase, rel=0, abs=1e-13)
+
+
+def mpf(number):
+    return mpmath.mpf(number.numerator) / number.denominator
+
+
+def test_times_that_are_rounded_at_an_end_are_of_the_motion() -> None:
+    case = IMPACT()
+    period = 2 * math.pi / 1.8
+    motion = ns.simulate(case, cycles=60)
+    times = np.linspace(58 * period, 60 * period, 60)
+    times[-1] = motion.time * (1 + 4e-16)
+    assert times[-1] > motion.time
+    assert motion.displacement(times)[-1] == motion.displacement(motion.time)
+    assert motion.velocity(-1e-15) == motion.velocity(0.0)
+    for t in (-1e-12, motion.time * (1 + 1e-13)):
+        with pytest.raises(ValueError, match="expected times from 0 to"):
+            motion.displacement(t)
+
+
+def test_of_two_rests_alike_the_declared_one_follows() -> None:
+    """Rest behind sliding down and rest behind sliding up: the same but for their place."""
+    down, up = (1, 0.1, 1, 0.4, 1), (1, 0.1, 1, -0.4, 1)
+    held = {"the load is held": (-1, 0, 1, 0.6), "both ways": (1, 0, -1, 0.6)}
+    stopped, speed = (1, 0, 0, 0, 0), (0, 1, 0, 0)
+    case = made(
+        [down, stopped, up, stopped],
+        [speed, (-1, 0, 1, -0.6), speed, (1, 0, -1, -0.6)],
+        omega=0.4,
+        held=(None, 0.0, None, 0.0),
+        demands=[{"down": (0, -1, 0, 0)}, held, {"up": (0, 1, 0, 0)}, held],
+    )()
+    motion = ns.simulate(case, (0.2, -0.1), cycles=6)
+    followed = set(pairwise(q.index for q in motion.segments))
+    assert {(0, 1), (2, 3)} <= followed
+    assert not {(0, 3), (2, 1)} & followed
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(
+    ("parameters", "state"),
+    [
+        ({}, (-1e307, 1e306)),
+        ({}, (-1e-300, 0.0)),
+        ({"gap": 1e300}, (-3e306, 0.0)),
+        ({"stiffness": 1e300}, None),
+        ({"stiffness": 1e-300}, None),
+        ({"force": 1e300}, None),
+        ({"damping": 1e300}, None),
+        ({"frequency": 1e-150}, None),
+        ({"restitution": 1e-300}, None),
+    ],
+)
+def test_at_the_ends_of_float64_it_is_followed_or_said_not_to_be(parameters, state) -> None:
+    motion = ns.simulate(IMPACT(**parameters), state, cycles=2)
+    reasons = ("", "the motion in flight is beyond float64", "chatter: ", "no phase of the sc")
+    assert motion.ended.startswith(reasons)
+    assert all(
+        math.isfinite(number)
+        for q in motion.phases
+        for number in (q.start, q.duration, q.displacement, q.velocity)
+    )
+    json.dumps(motion.as_dict(), allow_nan=False)
+
+
+def test_a_spring_that_is_hardly_there_is_followed() -> None:
+    weak, none = IMPACT(stiffness=1e-300), IMPACT(stiffness=1e-30)
+    one, other = ns.simulate(weak, cycles=3), ns.simulate(none, cycles=3)
+    assert one.ended == other.ended == ""
+    assert [q.start for q in one.phases] == pytest.approx([q.start for q in other.phases])

@@ -4,6 +4,7 @@ from ..mutant import Mutant
 
 LOCATE = ("tests/simulation/test_locate.py",)
 MOTION = ("tests/simulation/test_simulate.py",)
+INTEGRATED = ("tests/simulation/test_integrated.py",)
 SETTLE = ("tests/simulation/test_settle.py",)
 COMMAND = ("tests/cli_scenes/test_simulate_command.py",)
 
@@ -15,11 +16,11 @@ def mistake(what: str, file: str, old: str, new: str, tests: tuple[str, ...]) ->
 
 MUTANTS: tuple[Mutant, ...] = (
     mistake(
-        "squares of the factors of a form overflow",
-        "machine.py",
-        "a, b = _scaled(one), _scaled(other)",
-        "a, b = np.array(one), np.array(other)",
-        SETTLE,
+        "two surfaces near each other are taken for one",
+        "nodes.py",
+        "<= ROUNDING * np.abs(ratios[0])).all()",
+        "<= ROUNDING * np.abs(ratios[0])).any()",
+        INTEGRATED,
     ),
     mistake(
         "a limit that is only touched is taken for a slide",
@@ -38,15 +39,15 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "negative damping is not bounded",
         "bounds.py",
-        "growth = max(0.0, -damping)",
+        "growth = (-damping + math.hypot(damping, (kappa - stiffness) / math.sqrt(kappa))) / 2",
         "growth = 0.0",
         LOCATE,
     ),
     mistake(
         "the polynomial is not lowered by the bound",
         "locate.py",
-        "powers[TERMS] = -rest * scale",
-        "powers[TERMS] = rest * scale",
+        "powers[TERMS] = -bound(at, form, most) * scale",
+        "powers[TERMS] = bound(at, form, most) * scale",
         LOCATE,
     ),
     mistake(
@@ -61,20 +62,20 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "any of two events is taken",
         "locate.py",
-        "            if safe < step:\n",
-        "            if safe < step and nearest is None:\n",
+        "        if safe < step:\n",
+        "        if safe < step and nearest is None:\n",
         LOCATE,
     ),
     mistake(
         "a form that begins at zero is its own event",
         "locate.py",
-        "leading = _leading(values, sizes, zero)\n    if leading == TERMS:",
-        "leading = 0\n    if leading == TERMS:",
+        "leading = _leading(values, sizes, zero)\n    if leading == TERMS or",
+        "leading = 0\n    if leading == TERMS or",
         LOCATE,
     ),
     mistake(
         "the impulse is not mirrored",
-        "machine.py",
+        "nodes.py",
         "        event=_mirrored(phase.event),\n",
         "        event=phase.event,\n",
         MOTION,
@@ -82,15 +83,15 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "a constraint does not come first",
         "machine.py",
-        "yield from (q for q in self.nodes if q.phase.held and q.phase.demands)",
+        "yield from (q for q in turn if q.phase.held and q.phase.demands)",
         "yield from ()",
         MOTION,
     ),
     mistake(
         "a phase may be entered with any velocity",
         "machine.py",
-        "if phase.held and abs(state.v - phase.speed) > NEAR * max(1.0, abs(phase.speed)):",
-        "if False:",
+        "return abs(state.v - speed) <= NEAR * max(1.0, abs(speed))",
+        "return True",
         MOTION,
     ),
     mistake(
@@ -103,15 +104,15 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "chatter goes on",
         "simulate.py",
-        "if short == CHATTER:",
-        "if short == -1:",
+        "elif accumulates(segments) and",
+        "elif False and",
         MOTION,
     ),
     mistake(
         "the velocity does not jump",
-        "simulate.py",
-        "State(end.x, rho * speed + d, angle, still, state.memory)",
-        "State(end.x, speed + d, angle, still, state.memory)",
+        "machine.py",
+        "v=rho * v + d, surface=known",
+        "v=v + d, surface=known",
         MOTION,
     ),
     mistake(
