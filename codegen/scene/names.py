@@ -11,8 +11,8 @@ TAKEN = frozenset(
     (
         *("budget", "c1_terms", "case", "cycles", "digits", "expand", "format", "fragment"),
         *("forcing_phase", "functions", "help", "json", "log", "method", "methods", "motion"),
-        *("order", "orders", "output", "quick", "shortcuts", "state", "time", "tol"),
-        *("tol_acceleration", "vary"),
+        *("no_shortcuts", "order", "orders", "output", "quick", "shortcuts", "state", "time"),
+        *("tol", "tol_acceleration", "vary", "verbose", "version"),
     )
 )
 
