@@ -67,4 +67,8 @@ def test_of_any_number_of_starts_a_handful_is_told() -> None:
 
 
 def test_a_sentence_is_one_line_whatever_the_scene() -> None:
-    assert reasons(NoOrbit("none was found", True, ())) == ("none was found",)
+    assert reasons(NoOrbit("none was found", False, ())) == ("none was found",)
+    assert reasons(NoOrbit("both are known; none is one", True, ("by hand",))) == (
+        "both are known; none is one",
+        "by hand",
+    )

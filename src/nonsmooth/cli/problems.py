@@ -58,8 +58,11 @@ def is_verbose() -> bool:
 
 
 def reasons(finding: "NoOrbit") -> tuple[str, ...]:
-    """Return what a search in vain found: one sentence, then what is known, and was tried."""
-    found, *known = finding.reason.split("; ")
+    """Return what a search in vain found: one sentence, then what is known, and was tried.
+
+    The reason of what is shown is one sentence; that of a search has further ones behind it.
+    """
+    found, *known = [finding.reason] if finding.proven else finding.reason.split("; ")
     return found, *known, *_shortened(finding.tried)
 
 
