@@ -9,7 +9,7 @@ from .entries import check_entries
 from .error import SceneError, named
 from .extremes import check_extremes
 from .memory import check_memory
-from .names import check_name
+from .names import COMMANDS, check_called, check_name
 from .parameters import check_parameters
 from .phases import Units, check_neighbours, check_phase, check_same_units
 from .scales import scales
@@ -30,7 +30,9 @@ def check(scene: Scene) -> None:
         Naming the first field that is wrong, what was found and what was expected.
     """
     check_entries(scene)
-    check_name("name", scene.name.replace("-", "_"))
+    check_called("name", scene.name)
+    if scene.name in COMMANDS:
+        raise SceneError(f"name: got {scene.name!r}, that of a command, expected another")
     if scene.motions:
         _check_motions(scene)
     else:
@@ -65,9 +67,7 @@ def _check_motions(scene: Scene) -> None:
     if scene.phases:
         raise SceneError("motions: got phases beside them, expected only one of both")
     for name in scene.motions:
-        check_name(f"motion {name}: name", name.replace("-", "_"))
-    if len({name.replace("-", "_") for name in scene.motions}) < len(scene.motions):
-        raise SceneError(f"motions: got {', '.join(scene.motions)}, expected different names")
+        check_called("motions", name)
     if scene.guess and not isinstance(scene.guess, Mapping):
         raise SceneError(
             "guess: got durations, expected a mapping {motion: durations}, as of `motions`"

@@ -112,7 +112,7 @@ class Scene:
     Parameters
     ----------
     name, title : str
-        ``"impact"``, and what it is in a few words.
+        ``"impact"``, of lower-case letters, digits and dashes; and what it is in a few words.
     parameters : tuple of Parameter
         All symbols of the equations.
     phases : tuple of Phase

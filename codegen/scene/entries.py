@@ -8,7 +8,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .data import Event, Memory, Parameter, Phase, Scene
-from .error import SceneError, named
+from .error import INSTEAD, SceneError, named
 
 #: What a number must not be, anywhere in an expression.
 _NO_NUMBERS = (sp.I, sp.nan, sp.oo, -sp.oo, sp.zoo)
@@ -48,7 +48,7 @@ def check_entries(scene: Scene) -> None:
     for name in ("requires", "scales"):
         _check_mapping(name, getattr(scene, name))
     if scene.frequency is not None and not isinstance(scene.frequency, sp.Symbol):
-        raise SceneError(f"frequency: got {scene.frequency!r}, expected a symbol")
+        raise SceneError(f"frequency: got {scene.frequency!r}, expected one symbol")
     guesses = scene.guess if isinstance(scene.guess, Mapping) else {"": scene.guess}
     for guess in guesses.values():
         for duration in _several("guess", guess):
@@ -126,6 +126,8 @@ def _check_expression(field: str, value: object) -> None:
     """Check what stands in an equation: finite, real, of symbols and no functions of time."""
     if isinstance(value, sp.Equality):
         raise SceneError(f"{field}: got an equation, expected one side of it, the other zero")
+    if isinstance(value, tuple | list | sp.MatrixBase):
+        raise SceneError(f"{field}: got {_shown(value)}, expected one expression; {INSTEAD}")
     number = isinstance(value, int | float) and not isinstance(value, bool)
     if not number and not isinstance(value, sp.Expr):
         raise SceneError(f"{field}: got {_shown(value)}, expected an expression of SymPy")
@@ -133,7 +135,14 @@ def _check_expression(field: str, value: object) -> None:
         expression = sp.sympify(value)
         if expression.has(*_NO_NUMBERS):
             raise SceneError(f"got {expression}, expected real and finite numbers")
-        unknown = expression.atoms(AppliedUndef, sp.Derivative)
+        unknown = expression.atoms(AppliedUndef, sp.Derivative, sp.Integral)
         if unknown:
-            first = min(unknown, key=sp.default_sort_key)
-            raise SceneError(f"got {first}, expected the symbols x, v, a and forcing")
+            first = max(unknown, key=lambda q: (_of_the_past(q), str(q)))
+            instead = f" as they are now; {INSTEAD}" if _of_the_past(first) else ""
+            raise SceneError(f"got {first}, expected the symbols x, v, a and forcing{instead}")
+
+
+def _of_the_past(function: sp.Expr) -> bool:
+    """Whether a function of time is of more than this moment: a delay, an integral."""
+    delay = isinstance(function, AppliedUndef) and isinstance(function.args[0], sp.Add)
+    return delay or isinstance(function, sp.Integral)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .data import Phase
-from .error import SceneError
+from .error import INSTEAD, SceneError, check_linear, named
 from .symbols import a, forcing, v, x
 
 
@@ -49,10 +49,9 @@ class State:
 def _parts(expression: sp.Expr, symbols: tuple[sp.Symbol, ...], what: str) -> list[sp.Expr]:
     """Return the coefficient of each symbol, and the rest."""
     expanded = sp.expand(expression)
+    with named(what):
+        check_linear(expanded, symbols)
     found = [sp.diff(expanded, symbol) for symbol in symbols]
-    for symbol, coefficient in zip(symbols, found, strict=True):
-        if coefficient.has(*symbols):
-            raise SceneError(f"{what}: {expression} is not linear in {symbol}")
     rest = sp.expand(expanded - sum(c * q for c, q in zip(found, symbols, strict=True)))
     return [*map(sp.factor_terms, found), sp.factor_terms(rest)]
 
@@ -75,7 +74,7 @@ def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
     what = f"phase {phase.name}: equation"
     m, c, k, g, *others, f = _parts(phase.equation, (a, v, x, forcing, *memory), what)
     if m == 0:
-        raise SceneError(f"{what}: {phase.equation} has no acceleration a")
+        raise SceneError(f"{what}: {phase.equation} has no acceleration a; {INSTEAD}")
     return LinearPhase(m, c, k, -f, -g, tuple(-h for h in others))
 
 

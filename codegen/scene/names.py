@@ -11,10 +11,21 @@ TAKEN = frozenset(
     (
         *("budget", "c1_terms", "case", "cycles", "digits", "expand", "format", "fragment"),
         *("forcing_phase", "functions", "help", "json", "log", "method", "methods", "motion"),
-        *("order", "orders", "output", "quick", "shortcuts", "state", "time", "tol"),
-        *("tol_acceleration", "vary"),
+        *("no_shortcuts", "order", "orders", "output", "quick", "shortcuts", "state", "time"),
+        *("tol", "tol_acceleration", "vary", "verbose", "version"),
     )
 )
+
+#: Names that commands have; a scene of such a name would be taken for one.
+COMMANDS = frozenset(
+    (
+        *("digits", "equations", "generate", "modes", "report", "roots", "scenes", "simulate"),
+        *("solve", "stability", "sweep", "tradeoff"),
+    )
+)
+
+#: How scenes and their motions are called, on the command line too.
+_CALLED = re.compile(r"[a-z][a-z0-9-]*")
 
 #: The short ones of the names that kernels and equations use themselves.
 SHORT = ("N", "R", "J", "T", "z", "p", "u", "l", "n", "j", "t", "x", "v", "a", "b", "a0", "phi")
@@ -49,6 +60,20 @@ def check_name(field: str, name: str) -> None:
         raise SceneError(f"{field}: got {name!r}, a word of Python")
     if not name.isidentifier():
         raise SceneError(f"{field}: got {name!r}, expected letters, digits and underscores")
+
+
+def check_called(field: str, name: str) -> None:
+    """Check that a scene or a motion can be called so on the command line.
+
+    Raises
+    ------
+    SceneError
+        If it cannot.
+    """
+    if not _CALLED.fullmatch(name):
+        expected = "lower-case letters, digits and dashes, beginning with a letter"
+        raise SceneError(f"{field}: got {name!r:.60}, expected {expected}")
+    check_name(field, name.replace("-", "_"))
 
 
 def check_meaning(field: str, name: str, phases: Iterable[str]) -> None:

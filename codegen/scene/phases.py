@@ -5,9 +5,9 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from .data import Phase
-from .error import SceneError, named
+from .error import SceneError, check_kind, named
 from .linear import linear_phase, state_row, without_modulus
-from .symbols import a, forcing, t, v
+from .symbols import a, forcing, v
 from .units import Dimension, balance, spelled
 
 Units = Mapping[sp.Symbol, Dimension]
@@ -37,8 +37,7 @@ def check_phase(
     for name, expression in _fields(phase):
         with named(f"{field}: {name}"):
             value = sp.sympify(expression)
-            if value.has(t):
-                raise SceneError("it has the time t, which enters by forcing alone")
+            check_kind(value, memory, modulus="demand" in name)
             if value.has(forcing) and not forced:
                 raise SceneError("it has forcing, but the scene has no frequency")
             balance(sp.expand(value), units)

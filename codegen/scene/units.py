@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from .error import SceneError
+from .error import INSTEAD, SceneError, looks_like_state
 
 Dimension = tuple[Fraction, Fraction, Fraction]
 
@@ -132,10 +132,10 @@ def _balance_of_power(expression: sp.Pow, units: Mapping[sp.Symbol, Dimension]) 
 def _unit_of(symbol: sp.Symbol, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
     if symbol in units:
         return units[symbol]
-    if symbol.name == "t":
-        raise SceneError("it has the time t, which enters by forcing alone")
     same = [other for other in units if other.name == symbol.name]
     but = f", but another symbol of that name is: with {_assumed(same[0])}" if same else ""
+    if not same and looks_like_state(symbol):
+        but = f"; if it is a coordinate of another mass, {INSTEAD}"
     raise SceneError(f"{symbol} is not a parameter of the scene{but}")
 
 

@@ -2,7 +2,6 @@
 
 import itertools
 import math
-import time
 
 import pytest
 
@@ -44,13 +43,14 @@ def test_it_begins_before_the_order_that_is_found(
 
 
 @pytest.mark.parametrize("method", ["hb", "hb-c1"])
-def test_what_no_order_can_meet_is_refused_before_anything_is_tried(method: str) -> None:
+def test_what_no_order_can_meet_is_refused_before_anything_is_tried(
+    monkeypatch, method: str
+) -> None:
     """It took more than nine minutes, and 1.5 GB."""
-    begin = time.process_time()
+    monkeypatch.setattr("nonsmooth.solver.shortcuts.choice.tolerance.attempt", pytest.fail)
     with pytest.raises(ns.NotCertified, match=f"{method} would need N of about ") as caught:
         within(with_alpha(14_149.195), 1e-5, methods=[method])
     assert caught.value.trials == ()
-    assert time.process_time() - begin < 1.0
     assert caught.value.foretold[method] > 1e6
 
 

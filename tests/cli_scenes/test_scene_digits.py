@@ -99,6 +99,7 @@ def test_a_scene_that_names_no_extremes_is_measured_as_it_is(run, monkeypatch) -
         (("impact", "--quick", "--orders", "5"), "--quick: got --orders 5 beside it"),
         (("impact", "--methods", "c1"), "--methods: got 'c1'"),
         (("impact", "--orders", "x"), "--orders: "),
+        (("impact", "--orders", "10,1000000"), "--orders: got 1000000, expected at most 400"),
         (("impact", "--gap", "nan"), "gap: got nan"),
         (("impact", "-o", "digits.csv"), "digits.csv"),
         (("stick-slip-damped", "--mu-k", "0.5"), "extremes: no numbers for these parameters"),

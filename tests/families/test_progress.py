@@ -1,5 +1,6 @@
 """Progress: nothing of what is quick, then a line a tenth of the way, and a line a minute."""
 
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -52,11 +53,18 @@ def test_what_goes_on_for_long_is_said_once_and_again(monkeypatch, capsys) -> No
     written: list[str] = []
     with busy("solving") as say:
         say("N = 8")
-        end = time.monotonic() + 5
+        end = time.monotonic() + 60
         while len(written) < 2 and time.monotonic() < end:
             written += capsys.readouterr().err.splitlines()
     assert len(written) > 1
     assert written[0] == written[1] == "solving: N = 8 (0:00:00 so far)"
+
+
+def test_what_is_known_to_take_long_is_said_at_once(monkeypatch) -> None:
+    said = threading.Event()
+    monkeypatch.setattr("click.echo", lambda text, err: said.set())
+    with busy("N = 1000000", long=True):
+        assert said.wait(60)
 
 
 @pytest.mark.parametrize("soon", [0.0, 3600.0])
@@ -71,7 +79,7 @@ def test_a_terminal_has_a_bar_of_what_is_not_over_soon(monkeypatch, soon: float)
 
     monkeypatch.setattr(shown, "SOON", soon)
     with shown._shown_later(bar()):
-        end = time.monotonic() + 5
+        end = time.monotonic() + 60
         while soon == 0.0 and not calls and time.monotonic() < end:
             pass
     assert calls == (["shown", "gone"] if soon == 0.0 else [])

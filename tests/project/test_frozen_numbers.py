@@ -5,10 +5,13 @@ says in the commit by how much and why.
 """
 
 import json
+import random
 
 import pytest
 from frozen import equations, grid, machine
-from frozen.compare import FOLDER, differences
+from frozen.compare import FOLDER, OF_AN_ERROR, differences
+
+from nonsmooth.solver.accuracy.rates import slope
 
 FROZEN = json.loads((FOLDER / "machine.json").read_text("utf-8"))
 
@@ -44,3 +47,33 @@ def test_a_last_bit_is_a_difference_and_rounding_is_none_elsewhere() -> None:
     assert differences(old, [{**new[0], "status": "no-orbit"}], exactly=False)
     assert differences(old, [{**new[0], "period": (1.5001).hex()}], exactly=False)
     assert differences(old, [], exactly=False)
+
+
+def sweep_of(errors: dict[int, float]) -> list[dict]:
+    """Return the document of a sweep whose errors of the period are these, with its rate."""
+    rows = [
+        {"method": "c1", "order": order, "errors": {"period": error.hex()}}
+        for order, error in errors.items()
+    ]
+    rate = slope(errors.items(), 1e-12, power=False, upper_half=True)
+    return [{"rates": {"c1": {"kind": "geometric", "period": rate.hex()}}, "rows": rows}]
+
+
+@pytest.mark.parametrize("last", [1e-3, 1e-6, 1e-9, 2e-12])
+def test_a_rate_differs_by_what_the_rounding_of_its_errors_explains(last: float) -> None:
+    draw = random.Random(7)
+    errors = {N: last ** (N / 12) for N in range(1, 13)}
+    old = sweep_of(errors)
+    rate = float.fromhex(old[0]["rates"]["c1"]["period"])
+    for _ in range(20):
+        rounded = {N: e + draw.uniform(-1, 1) * OF_AN_ERROR for N, e in errors.items()}
+        assert differences(old, sweep_of(rounded), exactly=False) == []
+        beyond = errors | {12: last * draw.choice((0.9, 1.1))}
+        assert differences(old, sweep_of(beyond), exactly=False)
+    explained = 10 * OF_AN_ERROR / last  # as a part of the rate, at most, and a little more
+    for other in (rate * (1 + explained), rate * (1 - explained), 2 * rate, -rate):
+        old[0]["rates"]["c1"]["period"] = other.hex()
+        assert differences(old, sweep_of(errors), exactly=False)
+    assert differences(
+        old, [{**old[0], "rates": {"c1": {"kind": "geometric", "period": None}}}], exactly=False
+    )

@@ -69,7 +69,7 @@ def belt(*, rest=None, run=None, parameters=BELT, **changes):
 
 
 def refused(make, *words):
-    """Check that a scene is refused in one line that begins with the field."""
+    """Check that a scene is refused in one line that begins with the field; return it."""
     with pytest.raises(SceneError) as caught:
         make()
     message = str(caught.value)
@@ -78,3 +78,4 @@ def refused(make, *words):
     assert message.startswith(field), message
     for word in others:
         assert word in message, message
+    return message

@@ -245,7 +245,7 @@ FIELDS = {
     "jump of the square": (
         lambda: scene(ends={"jump": {v: -r * v**2}}),
         "phase flight: jump: ",
-        "is not a velocity",
+        "-r*v**2 is not linear in v",
     ),
     "jump of the modulus": (
         lambda: scene(ends={"jump": {v: -r * sp.Abs(v)}}),
@@ -277,7 +277,7 @@ FIELDS = {
     "forcing times x": (
         lambda: scene(phase={"equation": MOTION + k * x * forcing}),
         "phase flight: equation",
-        "not linear",
+        "x has the coefficient forcing*k, which varies with time",
     ),
     "phases in different units": (
         lambda: scene(

@@ -112,11 +112,11 @@ MISTAKES = {
     ),
     "a motion of two words": (
         lambda: several(motions={"a b": (FLIGHT,)}),
-        "motion a b: name: got 'a b'",
+        "motions: got 'a b', expected lower-case letters",
     ),
     "two motions of one name": (
         lambda: several(motions={"a-b": (FLIGHT,), "a_b": (FLIGHT,)}),
-        "motions: got a-b, a_b, expected different names",
+        "motions: got 'a_b', expected lower-case letters, digits and dashes",
     ),
     "a mistake in a motion": (
         lambda: several(motions={"one": (replace(FLIGHT, ends=Event(x**2 / g - g)),)}),

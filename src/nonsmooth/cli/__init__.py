@@ -9,7 +9,7 @@ import contextlib
 import io
 import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NoReturn
 
 import click
@@ -17,13 +17,14 @@ import click
 from nonsmooth.room import room
 
 from . import equations, generate
-from .problems import Problem, print_warnings
+from .problems import Problem, print_warnings, say
 from .scenes import command as scene_command
 from .scenes import simulate as simulation
 from .scenes.default import EXAMPLE
 from .scenes.shown import listing
 from .space import modes
 from .space import named as structures
+from .suggest import no_such_option
 from .version import show_version
 
 EXAMPLES = """\b
@@ -125,9 +126,15 @@ for command in (
     cli.add_command(command)
 
 
-def _fail(message: str, status: int) -> NoReturn:
-    click.echo(f"nonsmooth: {message}", err=True)
+def _fail(message: str, status: int, below: Sequence[str] = ()) -> NoReturn:
+    say(message, below)
     sys.exit(status)
+
+
+def _said(error: click.UsageError) -> str:
+    if isinstance(error, click.NoSuchOption):
+        return no_such_option(error)
+    return error.format_message()
 
 
 def _print_what_can_be() -> None:
@@ -138,7 +145,7 @@ def _print_what_can_be() -> None:
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
-    """Run the command line; every mistake is one line and a status, never a traceback."""
+    """Run the command line; every mistake is one sentence and a status, never a traceback."""
     # For matrices as small as these threads cost more than they give: twice the time.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     _print_what_can_be()
@@ -152,11 +159,11 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         sys.exit(0)
     except click.UsageError as error:
         where = f" {error.ctx.command_path}" if error.ctx else ""
-        _fail(f"{error.format_message()} (see{where} --help)", 2)
+        _fail(f"{_said(error)} (see{where} --help)", 2)
     except click.ClickException as error:
         _fail(error.format_message(), 2)
     except Problem as problem:
-        _fail(str(problem), problem.status)
+        _fail(str(problem), problem.status, problem.below)
     except (click.Abort, KeyboardInterrupt):
         _fail("interrupted", 130)
     except (_ReaderLeft, BrokenPipeError):

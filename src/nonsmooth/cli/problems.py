@@ -1,11 +1,17 @@
-"""A mistake of the user, or an orbit that is not there: one line and an exit status."""
+"""A mistake of the user, or an orbit that is not there: one sentence, and lines below it."""
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 import click
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.no_orbit import NoOrbit
+
+#: Most starts of a search that are told without ``--verbose``: as many first as last ones.
+MOST_TOLD = 4
 
 
 class Problem(Exception):  # noqa: N818  (its text is what the user reads)
@@ -17,11 +23,64 @@ class Problem(Exception):  # noqa: N818  (its text is what the user reads)
         One line: the argument, the value, what was expected.
     status : int
         Exit status: 2 for bad input, 1 for an orbit that is not there, 130 after Ctrl-C.
+    below : sequence of str
+        What is printed below it, a line each: further mistakes, or what was tried.
     """
 
-    def __init__(self, message: str, status: int = 2) -> None:
+    def __init__(self, message: str, status: int = 2, below: Sequence[str] = ()) -> None:
         super().__init__(" ".join(message.split("\n")))
-        self.status = status
+        self.status, self.below = status, below
+
+
+def say(message: str, below: Iterable[str] = ()) -> None:
+    """Print a sentence on stderr, and lines below it."""
+    click.echo("\n  ".join((f"nonsmooth: {message}", *below)), err=True)
+
+
+class Verbose(click.Option):
+    """``--verbose``, which any command may have: `is_verbose` says whether it was given."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            ["-v", "--verbose"], is_flag=True, expose_value=False, callback=_note_verbose,
+            help="Where there is no orbit, say all that was tried.",
+        )  # fmt: skip
+
+
+def _note_verbose(ctx: click.Context, _: click.Parameter, given: bool) -> None:
+    ctx.meta[__name__] = given
+
+
+def is_verbose() -> bool:
+    """Whether the command that runs was given ``--verbose``."""
+    context = click.get_current_context(silent=True)
+    return context is not None and bool(context.meta.get(__name__))
+
+
+def reasons(finding: "NoOrbit") -> tuple[str, ...]:
+    """Return what a search in vain found: one sentence, then what is known, and was tried.
+
+    The reason of what is shown is one sentence; that of a search has further ones behind it.
+    """
+    found, *known = [finding.reason] if finding.proven else finding.reason.split("; ")
+    return found, *known, *_shortened(finding.tried)
+
+
+def _shortened(tried: Sequence[str]) -> Iterator[str]:
+    """Yield the first and the last of what was tried, with how much there is between."""
+    left_out = 0 if is_verbose() else len(tried) - MOST_TOLD
+    if left_out <= 1:  # a line that says so would be as long
+        yield from tried
+        return
+    yield from tried[: MOST_TOLD // 2]
+    yield f"... and {left_out} more starts, which --verbose shows ..."
+    yield from tried[-MOST_TOLD // 2 :]
+
+
+def no_orbit(finding: "NoOrbit") -> Problem:
+    """Return the problem that there is no orbit."""
+    found, *below = reasons(finding)
+    return Problem(found, 1, below)
 
 
 def about_option(error: ValueError) -> Problem:

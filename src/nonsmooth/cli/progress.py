@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 #: Seconds of silence at first: on a terminal, and elsewhere.
-SOON, QUIET = 3.0, 10.0
+SOON, QUIET = 1.0, 10.0
 
 #: Seconds between two lines where nothing else is to be said.
 MINUTE = 60.0
@@ -46,11 +46,14 @@ def progress(total: int, task: str) -> Iterator[Callable[[str], None]]:
 
 
 @contextmanager
-def busy(task: str) -> Iterator[Callable[[str], None]]:
-    """Show that something goes on that may take long; yield a callback for what that is now."""
+def busy(task: str, long: bool = False) -> Iterator[Callable[[str], None]]:
+    """Show that something goes on that may take long; yield a callback for what that is now.
+
+    What is known to be `long` is said at once where stderr is not a terminal.
+    """
     console = _terminal()
     if console is None:
-        with _lines(task) as say:
+        with _lines(task, 0.0 if long else QUIET) as say:
             yield say
         return
     status = console.status(task)
@@ -83,12 +86,12 @@ def _shown_later(display: AbstractContextManager[object]) -> Iterator[None]:
 
 
 @contextmanager
-def _lines(task: str) -> Iterator[Callable[[str], None]]:
-    """Write a line after `QUIET` seconds, and each minute, with what is said to go on."""
+def _lines(task: str, quiet: float) -> Iterator[Callable[[str], None]]:
+    """Write a line after `quiet` seconds, and each minute, with what is said to go on."""
     begin, over, current = time.monotonic(), threading.Event(), [task]
 
     def write() -> None:
-        pause = QUIET
+        pause = quiet
         while not over.wait(pause):
             pause = MINUTE
             passed = timedelta(seconds=round(time.monotonic() - begin))

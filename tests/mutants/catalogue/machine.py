@@ -110,9 +110,9 @@ MUTANTS = (
     ),
     _scene(
         "the time may stand in an equation",
-        "phases",
-        "if value.has(t):",
-        "if value is t:",
+        "error",
+        "if times:",
+        "if False:",
         CHECKS,
     ),
     _scene(

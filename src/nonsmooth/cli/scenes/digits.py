@@ -74,12 +74,15 @@ def run(
         extremes,
         measure,
     )
+    from nonsmooth.solver.solve import HIGHEST_ORDER  # noqa: PLC0415
 
     if quick and orders is not None:
         raise Problem(f"--quick: got --orders {orders} beside it, expected one of them")
     numbers = QUICK_ORDERS if quick else ORDERS
     if orders is not None:
         numbers = tuple(parse_orders(orders))
+    if max(numbers) > HIGHEST_ORDER:
+        raise Problem(f"--orders: got {max(numbers)}, expected at most {HIGHEST_ORDER}")
     with as_problems(plural=True):
         names = list(registry.methods(case.scene))
         if methods is not None:

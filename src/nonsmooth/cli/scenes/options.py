@@ -1,14 +1,13 @@
 """The flags of a scene, and the case that they and a case file describe."""
 
 from collections.abc import Callable, Mapping
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from ..case_files import read_case
-from ..problems import Problem, as_problems
+from ..problems import Problem, Verbose, as_problems
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
@@ -19,22 +18,11 @@ PREFIX = "of_scene_"
 
 
 class CommandOfScene(click.Command):
-    """A command built for a scene: an option that it does not have is one of its parameters."""
+    """A command built for a scene."""
 
     def __init__(self, scene: "SceneNumbers", **options: Any) -> None:
         super().__init__(**options)
         self.scene = scene
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse arguments; say which parameters there are where one is unknown."""
-        try:
-            return super().parse_args(ctx, args)
-        except click.NoSuchOption as error:
-            flags = [flag(parameter) for parameter in self.scene.parameters]
-            given = str(error.option_name)
-            close = get_close_matches(given, [*flags, *(error.possibilities or ())], 1)
-            hint = f"Did you mean {close[0]}?" if close else f"It has {', '.join(flags)}."
-            raise click.UsageError(f"{self.scene.name} has no {given}. {hint}", ctx) from error
 
 
 def motion_options(scene: "SceneNumbers") -> list[click.Parameter]:
@@ -59,7 +47,7 @@ def command_of(
         scene,
         name=scene.name,
         callback=callback,
-        params=[*options[:-2], *_parameter_options(scene), *options[-2:]],
+        params=[*options[:-2], *_parameter_options(scene), Verbose(), *options[-2:]],
         help=help_,
         epilog=epilog,
     )
@@ -124,7 +112,8 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
         wrong = [_as_flag(line) for line in error.errors]
     where = f"{file}: " if file else ""
     if wrong or missing:  # a name that is misspelled before that which it should have been
-        raise Problem(where + "; ".join(wrong + missing))
+        first, *others = wrong + missing
+        raise Problem(where + first, below=others)
     with as_problems():
         return case if motion is None else case.of_motion(motion)
 

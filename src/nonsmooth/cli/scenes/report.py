@@ -7,7 +7,7 @@ import click
 
 from ..folders import check_folder, write_folder
 from ..output import need
-from ..problems import Problem
+from ..problems import no_orbit
 from ..progress import progress
 from .options import case_from, command_of
 
@@ -55,7 +55,7 @@ def run(case: "Case", said: str, output: Path) -> int:
     try:
         exact = exact_orbit(case)
     except NoOrbit as finding:
-        raise Problem(str(finding), 1) from finding
+        raise no_orbit(finding) from finding
     case = exact.case  # of the motion that occurs, where the scene has several
     with progress(count(case), "report") as done:
         write_folder(output, lambda folder: build(case, exact, said, folder, done))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..output import PICTURES, check_target, write_picture, write_text
-from ..problems import Problem
+from ..problems import no_orbit
 from ..progress import progress
 from .options import case_from, command_of
 
@@ -60,7 +60,7 @@ def run(case: "Case", json_: bool, output: Path | None) -> int:
         with progress(1 + len(ways(case)), "tradeoff") as advance:
             result = trade(case, advance)
     except NoOrbit as finding:
-        raise Problem(str(finding), 1) from finding
+        raise no_orbit(finding) from finding
     methods = dict.fromkeys(method for method, _ in ways(case))
     text = documents.text(case, result.as_dict(), methods)
     if json_:

@@ -4,10 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from ..aliases import check_one_method
-from ..problems import Problem, as_problems
+from ..problems import Problem, as_problems, reasons, say
 from ..progress import busy
 
 if TYPE_CHECKING:
@@ -132,19 +130,19 @@ def _choose(
 
 
 def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
-    """Say on stderr why there is no orbit, with the first and the last of the starts.
+    """Say on stderr why there is no orbit: what was found, and below it what was tried.
 
     What is in `said`, but for the method in front, is not said at length again; it is added.
     """
-    first, middle, last = finding.tried[:1], finding.tried[1:-1], finding.tried[1:][-1:]
-    more = [f"and {len(middle)} more starts"] if middle else []
-    text = "; ".join([finding.reason, *first, *more, *last])
-    of_what, _, why = text.partition(": ")
+    found, *below = reasons(finding)
+    of_what, _, why = found.partition(": ")
+    whole, same = "; ".join((found, *below)), "; ".join((why, *below))
     said = set() if said is None else said
-    if text not in said:
-        shown = f"{of_what}: no orbit, for the same reasons" if why in said else text
-        click.echo(f"nonsmooth: {shown}", err=True)
-    said.update((text, why))
+    if whole not in said and same in said:
+        say(f"{of_what}: no orbit, for the same reasons")
+    elif whole not in said:
+        say(found, below)
+    said.update((whole, same))
 
 
 def exact_near(case: "Case", orbits: "list[SceneOrbit]") -> "ExactSceneOrbit | None":

@@ -79,7 +79,7 @@ def belt_from(case: Path | None, flags: Mapping[str, float | None]) -> "StickSli
     errors = structure + parameter_errors(parameters)
     where = f"{case}: " if case else ""
     if errors:
-        raise Problem(where + "; ".join(errors))
+        raise Problem(where + errors[0], below=errors[1:])
     try:
         return StickSlip(**parameters)
     except ParameterError as error:

@@ -8,7 +8,7 @@ import click
 
 from ..aliases import Aliased, OneOrder, check_one_method, split_methods
 from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
-from ..problems import Problem
+from ..problems import Problem, Verbose, reasons, say
 from ..progress import busy
 from ..scenes.command import SceneCommand
 from ..scenes.wanted import Wanted
@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 
 #: N without ``--order``.
 ORDER = 10
+
+#: Order from which a search is said to go on at once: it takes seconds to minutes.
+LARGE = 50_000
 
 #: Estimated error of the period above which an orbit is not returned without a word.
 FAR_OFF = 0.1
@@ -170,6 +173,9 @@ def solve(
     return 0 if len(orbits) == len(found) else 1
 
 
+solve.params.append(Verbose())
+
+
 def _check_terms(names: list[str], c1_terms: int) -> None:
     if c1_terms != 1 and names and "hb-c1" not in names:
         raise Problem(f"--c1-terms: got {c1_terms}, expected 1 for method {names[0]}")
@@ -186,17 +192,20 @@ def _add_digits(
 def _search(belt: "StickSlip", method: str, order: int, terms: int) -> "Orbit | NoOrbit":
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
+    from nonsmooth.solver.shortcuts.orbit import methods  # noqa: PLC0415
     from nonsmooth.solver.shortcuts.search.solve import solve as search  # noqa: PLC0415
 
+    long = LARGE < order <= methods.check_method(method).highest_order
     try:
-        with busy(f"{method}, N = {order}"):
+        with busy(f"{method}, N = {order}", long):
             return search(belt, method, order, c1_terms=terms)
     except ParameterError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
         raise Problem("--" + str(error).replace("c1_terms", "c1-terms")) from error
     except NoOrbit as finding:
-        click.echo(f"nonsmooth: {method}, N = {order}: {finding}", err=True)
+        first, *below = reasons(finding)
+        say(f"{method}, N = {order}: {first}", below)
         return finding
 
 

@@ -1,0 +1,67 @@
+"""Flags: what a mistyped one may have been meant for, and names that no parameter can have."""
+
+import click
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.cli import cli
+from nonsmooth.cli.scenes.options import PREFIX
+from nonsmooth.cli.suggest import suggested
+from nonsmooth.codegen.scene.names import TAKEN
+
+#: Every command of every scene; of the default scene by themselves.
+COMMANDS = {
+    f"{name} {scene}".strip(): cli.resolve_command(
+        click.Context(cli), [name, scene] if scene else [name]
+    )[1]
+    for name in ("solve", "sweep", "simulate", "digits", "tradeoff", "report")
+    for scene in ("", *ns.scenes())
+}
+
+
+def flags_of(command: click.Command | None) -> list[str]:
+    """Return the long flags of a command."""
+    assert command is not None
+    return [name for q in command.params for name in q.opts if name.startswith("--")]
+
+
+@pytest.mark.parametrize("what", COMMANDS)
+def test_what_a_flag_begins_with_is_what_it_was_meant_for(what: str) -> None:
+    flags = flags_of(COMMANDS[what])
+    assert flags
+    for flag in flags:
+        for end in range(len("--f"), len(flag)):
+            meant = suggested(flag[:end], flags)
+            assert flag in meant or flag[:end] in flags, flag[:end]
+            assert all(q.startswith(flag[:end]) for q in meant)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("impact", "--freq", 3), "impact has no --freq. Did you mean --frequency? (see"),
+        (("impact", "--fre=3"), "impact has no --fre. Did you mean --frequency? (see"),
+        (("dry-friction", "--mu", 3), "Did you mean --mu-s or --mu-k? (see"),
+        (("impact", "--farce", 3), "Did you mean --force? (see"),
+        (("impact", "--Gap", 3), "Did you mean --gap? (see"),
+        (("impact", "--tol_", 3), "Did you mean --tol? (see"),
+        (("impact", "--xyz", 3), "It has --mass, --damping, --stiffness, --force, --freq"),
+        (("--norm", 3), "No such option '--norm'. Did you mean --normal-force? (see"),
+        (("--xyz", 3), "No such option '--xyz'. (see nonsmooth solve --help)"),
+    ],
+)
+def test_a_flag_that_is_not_there(run, arguments, words: str) -> None:
+    status, out, err = run("solve", *arguments)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert words in err
+
+
+def test_no_parameter_has_the_name_of_an_option() -> None:
+    for what, command in COMMANDS.items():
+        if " " not in what or what.endswith("stick-slip"):  # its parameters are among them
+            continue
+        assert command is not None
+        own = [q for q in command.params if not (q.name or "").startswith(PREFIX)]
+        names = {name.strip("-") for q in own for name in q.opts if name.startswith("--")}
+        named_so = {name.replace("-", "_") for name in names}
+        assert named_so <= TAKEN, what
