@@ -2,11 +2,13 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..case.case import Case
-from ..case.cell import Cell
+from ..case.cell import Cell, Phase
+from .bounds import window
 from .locate import first_event
 from .machine import Machine, Node, State
 from .record import Segment, Simulation
@@ -22,6 +24,9 @@ ASIDE = 0.1
 
 #: Most phases of one motion.
 MOST_PHASES = 100_000
+
+#: Windows of a search for events that take about as long as what else a phase takes.
+STRETCH = 10
 
 
 def simulate(
@@ -100,37 +105,77 @@ def whole(case: Case) -> Case:
     return max(case.each_motion, key=lambda each: len(each.cell.phases))
 
 
+@dataclass(frozen=True)
+class Place:
+    """Where a phase of a motion begins: the phase, the state, and when, without units."""
+
+    node: Node
+    state: State
+    t: float
+
+
 def follow(case: Case, machine: Machine, start: State, duration: float) -> Simulation:
     """Return the motion of a case from a state that a phase takes, all without units."""
     node = machine.first(start)
     assert node is not None
-    segments, ended = _run(case, machine, node, start, duration)
+    segments, _, ended = walk(case, machine, Place(node, start, 0.0), duration)
     return Simulation(case, tuple(segments), ended)
 
 
-def _run(
-    case: Case, machine: Machine, node: Node, state: State, duration: float
-) -> tuple[list[Segment], str]:
-    """Return the phases of a motion, and why it ended before its time."""
-    omega, t, short = case.cell.omega, 0.0, 0
+def effort(phase: Phase, omega: float, s: float) -> float:
+    """Return what it takes to follow a phase for a time: 1, and more for a long one."""
+    return 1 + s / (STRETCH * window(phase, omega))
+
+
+def walk(
+    case: Case, machine: Machine, place: Place, until: float, most: float = math.inf
+) -> tuple[list[Segment], Place, str]:
+    """Return the phases of a motion from the beginning of one on, the last one cut off.
+
+    Parameters
+    ----------
+    case : Case
+    machine : Machine
+        Of its cell.
+    place : Place
+        Where to begin.
+    until : float
+        The time at which it ends, without units.
+    most : float
+        The `effort` after which it ends earlier.
+
+    Returns
+    -------
+    segments : list of Segment
+    place : Place
+        Where the last of them begins, to go on from.
+    ended : str
+        Why the motion ends before, where it does.
+    """
+    omega, t, short = case.cell.omega, place.t, 0
+    node, state = place.node, place.state
     segments: list[Segment] = []
     while True:
+        place = Place(node, state, t)
         phase = node.at(state)
         start = np.array([state.x, phase.speed if phase.held else state.v])
         forms = machine.watched(node, state)
+        within = (
+            max(most - 1, 0.0) * STRETCH * window(phase, omega) if most < math.inf else most
+        )
         try:
             end = first_event(
-                phase, start, omega, state.angle, forms, duration - t,
+                phase, start, omega, state.angle, forms, min(until - t, within),
                 [index for index, form in enumerate(forms) if state.has(form)],
             )  # fmt: skip
         except ArithmeticError as error:
-            return segments, str(error)
+            return segments, place, str(error)
         x, v = map(float, start)
-        place = (phase, node.index, node.mirrored)
-        segments.append(Segment(*place, t, state.angle, x, v, end.s))
+        segments.append(Segment(phase, node.index, node.mirrored, t, state.angle, x, v, end.s))
         t += end.s
-        if end.form is None:
-            return segments, ""
+        most -= effort(phase, omega, end.s)
+        if end.form is None or most < 1:
+            return segments, place, ""
         form = forms[end.form]
         rho, d = machine.law(node, form, state)
         still = form if form[1] == 0 or (rho, d) == (1, 0) else None
@@ -141,15 +186,17 @@ def _run(
         state = State(end.x, rho * speed + d, angle, still, state.memory)
         short = short + 1 if end.s < SHORT else 0
         if short == CHATTER:
-            return segments, f"chatter: {_chatter(case, segments)}"
+            return segments, place, f"chatter: {_chatter(case, segments)}"
         if len(segments) == MOST_PHASES:
-            return segments, f"{MOST_PHASES} phases are the most that one motion may have"
+            words = f"{MOST_PHASES} phases are the most that one motion may have"
+            return segments, place, words
         after = machine.next(node, form, state)
         if after is None:
-            return segments, (
+            words = (
                 f"no phase of the scene takes the state at t = {t * case.units.time:.6g} s, "
                 f"where {phase.name} ends; {machine.unmet(state)}"
             )
+            return segments, place, words
         node, state = after, machine.entered(after, state)
 
 
