@@ -2,28 +2,39 @@
 
 The better orbit is that of the method whose times converge fastest, from the orbit's own times,
 at an order where it has nearly always converged.  What it may be off by itself, the change to a
-few orders more, is added, and so is the rounding that Newton's method left.
+few orders more, is added.
+
+Rounding is added as well: what Newton's method left, and what all orders share.  Parameters and
+residuals are rounded, and where two orbits nearly meet, or little damps a resonance, the orbit
+answers to that by far more: the condition number of the exact equations says by how much.  The
+last correction of Newton's method alone does not: it may be small by chance.
 """
 
 import math
+
+import numpy as np
 
 from ..case import registry
 from ..case.methods import FIRST
 from ..iteration.attempt import attempt
 from ..orbit.orbit import SceneOrbit
 from .errors import SceneErrors, difference
+from .skeel import condition
 
 #: The order of the better orbit: so many more than the orbit's, and no less than that; nor more
 #: than that, where the orbit is of a method whose errors are far larger at any order.
 MORE, LEAST, MOST = 4, 20, 60
 
-#: Rounding of the times, as a part of the period, beside the last corrections of Newton's
+#: Least rounding of the times, as a part of the period, beside the last corrections of Newton's
 #: method; and of the derivative.
 ROUNDING, CORRECTIONS, DERIVATIVE_ROUNDING = 2e-15, 4.0, 1e-14
 
 #: Differences of times and of the derivative below which two solutions are the same root: one
 #: is an orbit if the other is, and is not followed through its critical points again.
 SAME, SAME_DERIVATIVE = 1e-6, 1e-3
+
+#: What one rounding is, as a part of a number.
+EPSILON = float(np.finfo(float).eps)
 
 NOTHING = SceneErrors(math.inf, math.inf, math.inf)
 
@@ -40,14 +51,16 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     if better is None or beyond is None:
         return NOTHING
     apart, doubt = better[1], beyond[1]
-    rounding = ROUNDING + CORRECTIONS * orbit.outcome.correction
+    left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(better[0])
+    free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
+    turned = 2 * math.pi * shared  # times are parts of a period, and this of a radian
     return SceneErrors(
-        period=abs(apart.period) + abs(doubt.period) + rounding,
-        times=apart.times + doubt.times + rounding,
+        period=abs(apart.period) + abs(doubt.period) + left + max(ROUNDING, free),
+        times=apart.times + doubt.times + left + max(ROUNDING, shared),
         discontinuous=apart.discontinuous
         + doubt.discontinuous
-        + DERIVATIVE_ROUNDING
-        + CORRECTIONS * orbit.outcome.correction,
+        + left
+        + max(DERIVATIVE_ROUNDING, turned),
     )
 
 

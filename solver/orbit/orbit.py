@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,6 +23,9 @@ from . import admissible
 from .allowance import by_residual
 from .document import document
 from .motion import SceneMotion
+
+if TYPE_CHECKING:
+    from ..stability.stability import Stability
 
 #: Error of the times, as a part of the period, above which an exact solution is not next to one
 #: of an expansion: whether that one is an orbit is not decided by it.
@@ -182,15 +185,20 @@ class SceneOrbit(SceneMotion):
 
         return estimate(self)
 
-    @property
-    def stable(self) -> bool | None:
-        """Whether small perturbations die out; None where that cannot be told.
+    @cached_property
+    def stability(self) -> "Stability":
+        """What a period of the exact orbit next to this one makes of small perturbations.
 
-        It cannot at the boundary, nor where the exact orbit next to this one says otherwise:
-        then the order is too low to tell.
+        Multipliers belong to the exact orbit that this one approximates.  At its own times and
+        states they have its errors, which grow where an event is crossed slowly: the saltation
+        divides by the rate there.  They stand in only where no exact orbit is found.
+
+        Raises
+        ------
+        NoMultipliersError
+            If an event is touched and not crossed, or a check of the computation failed.
         """
-        own = self.stability.stable
-        return own if self.exact is None or self.exact.stable == own else None
+        return super().stability if self.exact is None else self.exact.stability
 
     def as_dict(self) -> dict[str, Any]:
         """Return the orbit as the document that ``solve --json`` writes."""

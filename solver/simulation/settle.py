@@ -1,26 +1,43 @@
 """The periodic motion that a simulation comes to, as times from which Newton's method starts.
 
 What Newton's method misses from rough times, a long simulation may find: the order of the
-phases, their durations and the phase of the forcing.  It comes to stable orbits only.  Where it
-settles on another order of phases than the scene declares, that is said in words.
+phases, their durations and the phase of the forcing.  It comes to stable orbits only.  It goes
+on while the damping lets transients last, up to a number of phases.  Where it settles on an
+order of phases that the scene does not declare, that is said in words.
+
+A motion has settled if its last phases are two successive repeats of those before, to what is
+left of a transient that is `NEAR`.  That it has no more switches is said if it is shown.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
+import numpy as np
+
 from ..case.case import Case
 from ..case.cell import Cell
+from ..flow import flow
 from ..iteration.start import RoughTimes
+from .lasting import lasts
 from .machine import Machine, State
 from .record import Segment, Simulation
-from .simulate import at_rest, cycle, follow
+from .simulate import Place, at_rest, cycle, effort, walk
 
-#: Cycles that are simulated, and how many a settled motion may take to repeat.
-CYCLES, MOST = 100, 8
+#: Cycles that are simulated at first, and by which factor more each time that was too short;
+#: and how many a settled motion may take to repeat.
+CYCLES, LONGER, MOST = 100, 1.5, 8
 
-#: How far from itself a settled motion may be a period later, in units of time and length.
-NEAR = 1e-3
+#: A transient is followed for so many of the times in which it decays by a factor e.
+DECAYS = 10
+
+#: Phases that are simulated from all starts, at most; long ones count as several: some 3 s.
+PHASES = 4000
+
+#: How far from its limit a settled motion may be, in units of time and length, and as a part of
+#: its size; and what is rounding there.
+NEAR, ROUNDING = 1e-3, 1e-10
 
 #: What is rounding of a duration, in units of time: of two events that meet, its square root.
 NO_TIME = 1e-7
@@ -56,67 +73,131 @@ def rough_times_by_simulation(case: Case) -> Iterator[Settled]:
     starts = [at_rest(machine, 0.0)]
     held = [State(0.0, q.phase.speed, 0.0) for q in machine.nodes if q.phase.held]
     starts += map(machine.remembered, held)
-    for start in dict.fromkeys(starts):
-        if start is not None and machine.first(start) is not None:
-            yield _followed(case, start)
+    possible = [q for q in dict.fromkeys(starts) if q is not None and machine.first(q)]
+    for start in possible:
+        yield _followed(case, start, PHASES // len(possible))
 
 
 @lru_cache(maxsize=16)
-def _followed(case: Case, start: State) -> Settled:
+def _followed(case: Case, start: State, most: int) -> Settled:
     """Return what the simulation from one state comes to; every method asks for the same."""
-    machine = Machine.of(case.cell)
-    return settled(case.cell, follow(case, machine, start, CYCLES * cycle(case.cell)))
+    machine, cell = Machine.of(case.cell), case.cell
+    place, cycles, spent = Place.first(machine, start), float(CYCLES), 0.0
+    segments: list[Segment] = []
+    while True:
+        # the phase that was cut off is followed anew, to its end
+        more, place, ended = walk(case, machine, place, cycles * cycle(cell), most - spent)
+        segments = segments[:-1] + more
+        motion = Simulation(case, tuple(segments), ended)
+        spent += sum(effort(q.phase, cell.omega, q.s) for q in more)
+        found = _came_to(cell, motion)
+        if found or cycles >= _lasting(cell) or spent > most - 1:
+            return found or _unsettled(cell, motion)
+        cycles = min(LONGER * cycles, _lasting(cell))
+
+
+def _lasting(cell: Cell) -> float:
+    """Return for how many cycles transients may last by the damping; `CYCLES` at least."""
+    return max(CYCLES, DECAYS / (_slowest_decay(cell) * cycle(cell)))
+
+
+def _slowest_decay(cell: Cell) -> float:
+    """Return the least rate at which a transient of a damped phase decays; infinite if none."""
+    damped = [phase for phase in cell.phases if not phase.held and phase.c > 0]
+    rates = [-root.real for phase in damped for root in flow.roots(phase)]
+    return min((rate for rate in rates if rate > 0), default=math.inf)
 
 
 def settled(cell: Cell, motion: Simulation) -> Settled:
     """Return what a motion of a cell came to, by its last phases."""
+    return _came_to(cell, motion) or _unsettled(cell, motion)
+
+
+def _unsettled(cell: Cell, motion: Simulation) -> Settled:
+    last = motion.segments[-1]
+    cycles = round((last.t + last.s) / cycle(cell))
+    return Settled(None, f"a simulation of {cycles} cycles does not settle")
+
+
+def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
+    """Return what a motion came to; None if it has not settled yet."""
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}")
-    segments = motion.segments[:-1]  # the last is cut off
-    cells = [i for i in range(len(segments)) if _is_cell(cell, segments, i)]
-    if cells:
-        first = segments[cells[-1] : cells[-1] + len(cell.phases)]
-        durations = tuple(q.s for q in first)
-        words = f"a simulation settles on {', '.join(q.phase.name for q in first)}"
-        touched = [q.phase.name for q in first if q.s < NO_TIME]
-        if touched:
-            words += f", where {' and '.join(touched)} lasts no time to rounding"
-        again = cells[-2:-1] and segments[cells[-2] : cells[-2] + len(cell.phases)]
-        if again and all(
-            max(abs(one.s - two.s), abs(one.x - two.x), abs(one.v - two.v)) <= NEAR
-            for one, two in zip(first, again, strict=True)
-        ):
-            return Settled(RoughTimes(durations, first[0].angle, words), words)
-    return Settled(None, _other(cell, segments))
+    last = motion.segments[-1]
+    end = flow.end(last.phase, np.array([last.x, last.v]), last.angle, cell.omega, last.s).state
+    if lasts(last.phase, *map(float, end), cell.omega, last.angle + cell.omega * last.s):
+        return Settled(None, "a simulation comes to a motion without switches")
+    repeated = _repeated(cell, motion.segments)
+    if repeated is None:
+        return _touching(cell, motion.segments)
+    return _declared(cell, repeated) or _other(cell, repeated)
 
 
-def _is_cell(cell: Cell, segments: tuple[Segment, ...], start: int) -> bool:
-    """Whether the phases from one on are a cell in the declared order, of its duration."""
-    found = segments[start : start + len(cell.phases)]
-    if [(q.index, q.mirrored) for q in found] != [(p, False) for p in range(len(cell.phases))]:
-        return False
-    return not cell.forced or abs(sum(q.s for q in found) - cell.duration) <= NEAR
+def _touching(cell: Cell, segments: tuple[Segment, ...]) -> Settled | None:
+    """Return in words that a motion stays in one phase but for others that last no time."""
+    late = [q for q in segments[:-1] if q.t > segments[-1].t - MOST * cycle(cell)]
+    stays = {q.phase.name for q in late if q.s >= NO_TIME}
+    touched = {q.phase.name for q in late if q.s < NO_TIME}
+    if len(stays) != 1 or not touched:
+        return None
+    words = f"{' and '.join(sorted(touched))} lasts no time to rounding"
+    return Settled(None, f"a simulation stays in {stays.pop()}: {words}")
 
 
-def _other(cell: Cell, segments: tuple[Segment, ...]) -> str:
-    """Return in words on which other order of phases a motion settles, if on any."""
-    if not segments or segments[-1].t < (CYCLES / 2) * cycle(cell):
-        return "a simulation comes to a motion without switches"
-    last = segments[-1]
-    for length in range(1, len(segments) // 2):
-        one, two = last, segments[-1 - length]
-        passed = one.t - two.t
-        if passed > MOST * cycle(cell):
-            break
+def _repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] | None:
+    """Return the phases that a motion repeats at its end, twice; None if there are none.
+
+    What is left of a transient that decays no slower than those of the phases is the change
+    from one repeat to the next over what decays in that time.
+    """
+    *done, cut = segments
+    for length in range(1, len(done) // 3 + 1):
+        again = tuple(done[-length:])
+        passed = done[-1].t - done[-1 - length].t
         turns = passed / cycle(cell)
-        whole = not cell.forced or abs(turns - round(turns)) <= NEAR
-        same = (one.index, one.mirrored) == (two.index, two.mirrored)
-        if whole and same and max(abs(one.x - two.x), abs(one.v - two.v)) <= NEAR:
-            names = ", ".join(
-                f"{'-' if q.mirrored else ''}{q.phase.name}" for q in segments[-length:]
-            )
-            count = round(turns)
-            every = "each period" if count == 1 else f"every {count} periods"
-            within = f", in {every} of the forcing" if cell.forced else ""
-            return f"a simulation settles on another order of phases: {names}{within}"
-    return "a simulation does not settle on a periodic motion"
+        if turns > MOST + NEAR:
+            return None
+        if cell.forced and not (round(turns) and abs(turns - round(turns)) <= NEAR):
+            continue
+        near = NEAR * -math.expm1(-_slowest_decay(cell) * passed)
+        size = min(1.0, max(max(abs(q.x), abs(q.v)) for q in again))
+        pairs = zip(done[-2 * length :], done[-3 * length : -length], strict=True)
+        if all(_same(one, two, near, size) for one, two in pairs) and (
+            (cut.index, cut.mirrored) == (again[0].index, again[0].mirrored)
+            and cut.s <= again[0].s + NEAR
+        ):
+            return again
+    return None
+
+
+def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
+    """Whether two phases are the same, in times and states."""
+    return (
+        (one.index, one.mirrored) == (two.index, two.mirrored)
+        and abs(one.s - two.s) <= max(near, NO_TIME)
+        and max(abs(one.x - two.x), abs(one.v - two.v)) <= max(near * size, ROUNDING)
+    )
+
+
+def _declared(cell: Cell, repeated: tuple[Segment, ...]) -> Settled | None:
+    """Return the times of a cell of the declared order, if the phases that repeat are one."""
+    count, one = len(cell.phases), repeated
+    for _ in repeated:
+        own = one[:count]
+        declared = [(q.index, q.mirrored) for q in own] == [(p, False) for p in range(count)]
+        whole = not cell.forced or abs(sum(q.s for q in own) - cell.duration) <= NEAR
+        if len(one) == count * cell.cells and declared and whole:
+            words = f"a simulation settles on {', '.join(q.phase.name for q in own)}"
+            return Settled(RoughTimes(tuple(q.s for q in own), own[0].angle, words), words)
+        one = (*one[1:], one[0])
+    return None
+
+
+def _other(cell: Cell, repeated: tuple[Segment, ...]) -> Settled:
+    """Return in words on which other order of phases a motion settles."""
+    names = ", ".join(f"{'-' if q.mirrored else ''}{q.phase.name}" for q in repeated)
+    count = round(sum(q.s for q in repeated) / cycle(cell))
+    every = "each period" if count == 1 else f"every {count} periods"
+    within = f", in {every} of the forcing" if cell.forced else ""
+    words = f"a simulation settles on another order of phases: {names}{within}"
+    return Settled(None, words)

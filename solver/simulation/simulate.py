@@ -2,14 +2,14 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
 
 from ..case.case import Case
-from ..case.cell import Cell, Form
-from .bounds import local
+from ..case.cell import Cell, Form, Phase
+from .bounds import local, window
 from .chatter import accumulates, end_of, time_left
 from .clock import Clock
 from .locate import Reached, first_event
@@ -25,6 +25,9 @@ ASIDE = 0.1
 
 #: Most phases, and most cycles, of one motion.
 MOST_PHASES = MOST_CYCLES = 100_000
+
+#: Windows of a search for events that take about as long as what else a phase takes.
+STRETCH = 10
 
 
 def simulate(
@@ -103,36 +106,82 @@ def whole(case: Case) -> Case:
     return max(case.each_motion, key=lambda each: len(each.cell.phases))
 
 
+@dataclass(frozen=True)
+class Place:
+    """Where a phase of a motion begins: the phase, the state, and when, without units."""
+
+    node: Node
+    state: State
+    clock: Clock
+
+    @classmethod
+    def first(cls, machine: Machine, state: State) -> "Place":
+        """Return where the motion from a state begins that a phase takes."""
+        node = machine.first(state)
+        assert node is not None
+        return cls(node, state, Clock.of(state.angle, machine.cell.omega))
+
+
 def follow(case: Case, machine: Machine, start: State, duration: float) -> Simulation:
     """Return the motion of a case from a state that a phase takes, all without units."""
-    node = machine.first(start)
-    assert node is not None
-    segments, ended = _run(case, machine, node, start, duration)
+    segments, _, ended = walk(case, machine, Place.first(machine, start), duration)
     return Simulation(case, tuple(segments), ended)
 
 
-def _run(
-    case: Case, machine: Machine, node: Node, state: State, duration: float
-) -> tuple[list[Segment], str]:
-    """Return the phases of a motion, and why it ended before its time."""
-    clock, whole = Clock.of(state.angle, case.cell.omega), Fraction(duration)
+def effort(phase: Phase, omega: float, s: float) -> float:
+    """Return what it takes to follow a phase for a time: 1, and more for a long one."""
+    return 1 + s / (STRETCH * window(phase, omega))
+
+
+def walk(
+    case: Case, machine: Machine, place: Place, until: float, most: float = math.inf
+) -> tuple[list[Segment], Place, str]:
+    """Return the phases of a motion from the beginning of one on, the last one cut off.
+
+    Parameters
+    ----------
+    case : Case
+    machine : Machine
+        Of its cell.
+    place : Place
+        Where to begin.
+    until : float
+        The time at which it ends, without units.
+    most : float
+        The `effort` after which it ends earlier.
+
+    Returns
+    -------
+    segments : list of Segment
+    place : Place
+        Where the last of them begins, to go on from.
+    ended : str
+        Why the motion ends before, where it does.
+    """
+    omega, whole = case.cell.omega, Fraction(until)
+    node, state, clock = place.node, place.state, place.clock
     segments: list[Segment] = []
     while True:
         state = node.begun(state)
-        end, on = _end(machine, node, state, float(whole - clock.t))
+        place, phase = Place(node, state, clock), node.at(state)
+        end, on = _end(
+            machine, node, state, min(float(whole - clock.t), _reach(phase, omega, most))
+        )
         segments.append(_segment(node, state, clock, end.s))
-        if on is None:
-            return segments, end.ended
+        most -= effort(phase, omega, end.s)
+        if on is None or most < 1:
+            return segments, place, end.ended
         clock = clock.later(end.s)
         before = State(end.x, end.v, clock.angle, memory=state.memory)
         surface, state = on[0], machine.crossed(node, *on, before)
         after = machine.next(node, surface, state)
         if after is None:
             when = f"at t = {float(clock.t) * case.units.time:.6g} s"
-            return segments, (
+            words = (
                 f"no phase of the scene takes the state {when}, where {node.phase.name} ends; "
                 f"{machine.unmet(state)}"
             )
+            return segments, place, words
         left = _time_left(machine, node, surface, after, state)
         still = replace(state, v=0.0, angle=clock.later(left).angle)
         rest = machine.rest(node, surface, still) if left else None
@@ -141,10 +190,16 @@ def _run(
             segments.append(_segment(after, state, clock, left))
             clock, after, state = clock.later(left), rest, still
         elif accumulates(segments) and (left or not machine.has_rest(surface)):
-            return segments, f"chatter: {_chatter(case, segments)}"
+            return segments, place, f"chatter: {_chatter(case, segments)}"
         if len(segments) >= MOST_PHASES:
-            return segments, f"{MOST_PHASES} phases are the most that one motion may have"
+            words = f"{MOST_PHASES} phases are the most that one motion may have"
+            return segments, place, words
         node, state = after, machine.entered(after, state)
+
+
+def _reach(phase: Phase, omega: float, most: float) -> float:
+    """Return for how long a phase is followed by an effort."""
+    return max(most - 1, 0.0) * STRETCH * window(phase, omega) if most < math.inf else most
 
 
 def _end(

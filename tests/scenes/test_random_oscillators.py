@@ -9,14 +9,18 @@ import nonsmooth as ns
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow.exact_motion import ExactSceneOrbit
 from nonsmooth.solver.simulation.machine import Machine, State
+from nonsmooth.solver.simulation.record import Simulation
 from nonsmooth.solver.simulation.settle import settled
-from nonsmooth.solver.simulation.simulate import cycle, follow
+from nonsmooth.solver.simulation.simulate import Place, cycle, follow, walk
 
 #: Oscillators in every run, and in a block of the long one; blocks of that.
 FEW, MANY, BLOCKS = 16, 100, 20
 
 #: Simulations from random states, and their cycles; in every run, and in the long one.
 SHORT, LONG = (1, 40), (12, 100)
+
+#: Phases of one of them, at most.
+PHASES = 1000
 
 #: Decades about the default that a parameter is drawn from; those below it of small ones.
 DECADES, SMALL = 0.7, (1.0, 8.0)
@@ -76,7 +80,9 @@ def settles(case, random, simulations, cycles) -> bool:
             )
             if machine.first(start) is None:
                 continue
-            motion = follow(each, machine, start, cycles * cycle(each.cell))
+            until = cycles * cycle(each.cell)
+            segments, _, ended = walk(each, machine, Place.first(machine, start), until, PHASES)
+            motion = Simulation(each, tuple(segments), ended)
             if settled(each.cell, motion).times is not None:
                 return True
     return False

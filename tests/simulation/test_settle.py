@@ -1,7 +1,9 @@
 """What simulations settle on: times for Newton, or words on another order of phases."""
 
 import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from every_run import tried
 from made_scenes import made
@@ -9,9 +11,14 @@ from reached import EVERY_RUN, IMPACT, REACHED, dry
 
 import nonsmooth as ns
 from nonsmooth.solver.case import registry
+from nonsmooth.solver.flow import flow
 from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.simulation import settle
+from nonsmooth.solver.simulation.lasting import lasts
+from nonsmooth.solver.simulation.machine import Machine
 from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settled
+from nonsmooth.solver.simulation.simulate import at_rest, cycle, follow
 from nonsmooth.solver.solve import solve_case
 
 
@@ -61,9 +68,8 @@ def test_a_limit_that_is_only_touched_is_said() -> None:
         case = registry.load("dry-friction")(force=load).of_motion("two-stops")
         return [each.words for each in rough_times_by_simulation(case)]
 
-    settles = "a simulation settles on slide, stop"
-    assert words(0.3) == [f"{settles}, where slide lasts no time to rounding"]
-    assert words(0.3 + 1e-9) == [settles]
+    assert words(0.3) == ["a simulation stays in stop: slide lasts no time to rounding"]
+    assert words(0.3 + 1e-9) == ["a simulation settles on slide, stop"]
 
 
 def test_phases_of_no_duration_are_not_repeated() -> None:
@@ -127,3 +133,130 @@ def test_what_still_decays_has_not_settled() -> None:
     times = settled(lossless.cell, ns.simulate(lossless, (0, 1), cycles=60)).times
     assert times is not None
     assert times.durations == pytest.approx((math.pi / 2, math.pi))
+
+
+def resonant(damping: float, yield_force: float):
+    """Return an element that yields only when its resonance has built up."""
+    values = {"damping": damping, "yield_force": yield_force, "hardening": 0, "frequency": 1}
+    return registry.load("elastic-plastic")(**values)
+
+
+def test_a_transient_is_followed_as_long_as_the_damping_lets_it_last() -> None:
+    """It first yields after 128 cycles; before, it is a motion without switches until now."""
+    case = resonant(0.008, 120)
+    short = settled(case.cell, ns.simulate(case, cycles=100))
+    assert (short.times, short.words) == (None, "a simulation of 100 cycles does not settle")
+    (found,) = rough_times_by_simulation(case)
+    assert found.words == "a simulation settles on elastic, plastic"
+    orbit = exact_orbit(
+        case, [s * case.units.time for s in found.times.durations], found.times.angle
+    )
+    assert orbit.cell_durations == pytest.approx(found.times.durations, abs=1e-3)
+
+
+@pytest.mark.long
+def test_a_transient_of_eight_hundred_cycles_is_followed() -> None:
+    case = replace(resonant(1, 1), values={
+        "damping": 0.0012588256917278591, "yield_force": 761.8819214211377, "hardening": 0,
+        "frequency": 1.0000005056922898,
+    })  # fmt: skip
+    (found,) = rough_times_by_simulation(case)
+    assert found.words == "a simulation settles on elastic, plastic"
+    assert solve_case(case).admissible
+
+
+def test_the_work_is_bounded_and_what_was_done_is_said(monkeypatch) -> None:
+    monkeypatch.setattr(settle, "PHASES", 60)
+    settle._followed.cache_clear()
+    slow = registry.load("clearance")(frequency=0.003, damping=1e-4)
+    for case in (resonant(1e-5, 9e4), slow):
+        (found,) = rough_times_by_simulation(case)
+        head, _, tail = found.words.partition(" cycles ")
+        assert tail == "does not settle"
+        assert 0 <= int(head.removeprefix("a simulation of ")) < 500
+    settle._followed.cache_clear()
+
+
+def test_what_was_repeated_before_is_not_what_a_motion_settles_on() -> None:
+    """The last phase goes on for many cycles, and does not last for ever."""
+    case = IMPACT()
+    motion = ns.simulate(case, cycles=40)
+    assert settled(case.cell, motion).times is not None
+    *done, last = motion.segments
+    left = replace(motion, segments=(*done, replace(last, s=200.0)))
+    assert settled(case.cell, left).times is None
+    changed = replace(done[-1], s=done[-1].s + 2e-3)
+    assert (
+        settled(case.cell, replace(motion, segments=(*done[:-1], changed, last))).times is None
+    )
+
+
+def some_motions(count: int, seed: int):
+    """Yield cases of every scene with random parameters, and what was said of them."""
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
+        for scene in map(registry.load, registry.names()):
+            values = {q.name: q.default * rng.uniform(0.5, 1.7) for q in scene.parameters}
+            for name, factors in (("gap", [1, 3]), ("damping", [2, 4, 8])):
+                if name in values:
+                    values[name] *= rng.choice(factors)
+            try:
+                case = scene(**values).each_motion[-1]
+            except ValueError:  # of parameters that do not go together
+                continue
+            machine = Machine.of(case.cell)
+            start = at_rest(machine, 0.0)
+            if start is not None and machine.first(start) is not None:
+                yield case, machine, start, settle._followed(case, start, 400).words
+
+
+def holds(said: str, case, machine, start) -> bool:
+    """Whether a statement holds in a simulation ten times as long."""
+    cycles = settle._lasting(case.cell)
+    motion = follow(case, machine, start, 10 * cycles * cycle(case.cell))
+    if said.endswith("without switches"):
+        return motion.segments[-1].t <= cycles * cycle(case.cell)
+    order = said.rpartition(": ")[2].removeprefix("a simulation settles on ")
+    names = order.partition(", in ")[0].split(", ")
+    late = [f"{'-' if q.mirrored else ''}{q.phase.name}" for q in motion.segments[:-1]]
+    if "another" not in said:  # of a cell; its mirror image follows
+        late, names = [name.lstrip("-") for name in late], names * case.cell.cells
+    turned = [names[i:] + names[:i] for i in range(len(names))]
+    return late[-len(names) :] in turned and late[-2 * len(names) : -len(names)] in turned
+
+
+@pytest.mark.parametrize("count", [1, pytest.param(12, marks=pytest.mark.long)])
+def test_what_is_said_holds_in_a_simulation_ten_times_as_long(monkeypatch, count: int) -> None:
+    monkeypatch.setattr(settle, "CYCLES", 12)
+    said = []
+    for *case, words in some_motions(count, seed=count):
+        if words.startswith(("a simulation settles", "a simulation comes")):
+            assert holds(words, *case), (case[0], words)
+            said.append(words)
+    assert len(said) >= 4 * count
+
+
+@pytest.mark.parametrize("count", [100, pytest.param(5000, marks=pytest.mark.long)])
+def test_a_phase_that_is_said_to_last_has_no_event(count: int) -> None:
+    rng, shown = np.random.default_rng(count), 0
+    for _ in range(count):
+        c, k = rng.choice([0.0, 0.05, 0.5, 4.0]), rng.choice([0.0, 1.0, 9.0])
+        x, v, angle, limit = *rng.uniform(-1, 1, 2), rng.uniform(0, 6), rng.uniform(0.5, 6)
+        forms = [(1, 0, 0, limit), (-1, 0, 0, limit), (0, -1, 0, 2 * limit)]
+        case = made([(1, c, k, 0, 1)], [(1, 0, 0, -limit)], omega=1.7)()
+        phase = replace(case.cell.phases[0], demands=tuple(("", form) for form in forms))
+        if lasts(phase, x, v, 1.7, angle):
+            shown += 1
+            t = np.linspace(0, 300, 3000)
+            far, fast = (flow.motion(phase, np.array([x, v]), angle, 1.7, t, j) for j in (0, 1))
+            assert np.abs(far).max() < limit
+            assert fast.max() < 2 * limit
+    assert shown > count / 10
+
+
+def test_whether_a_phase_lasts_is_decided_at_the_edge() -> None:
+    """Without damping, a mass at rest swings to twice the mean; no farther, and no less."""
+    phase = made([(1, 0, 1, 1, 0)], [(1, 0, 0, -9)], omega=1)().cell.phases[0]
+    for stop, expected in ((2 - 1e-9, False), (2 + 1e-9, True)):
+        demands = (("below", (-1.0, 0.0, 0.0, stop)),)
+        assert lasts(replace(phase, demands=demands), 0.0, 0.0, 1.0, 0.0) is expected

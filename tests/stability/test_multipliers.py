@@ -16,6 +16,7 @@ from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.stability import monodromy as module
 from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
+from nonsmooth.solver.stability.stability import stability
 from nonsmooth.solver.stability.words import in_words
 
 IMPACT = registry.load("impact")
@@ -150,10 +151,11 @@ def test_the_trivial_multiplier_is_off_as_the_duration_of_slip_is() -> None:
     case = registry.load("stick-slip")()
     orbit = ns.solve(case, "ck-tau", 5)
     # without units, where alpha is 1: cos(s) - sin(s), s the duration of slip
-    s = float(orbit.cell_durations[1])
-    assert orbit.trivial_multiplier == pytest.approx(math.cos(s) - math.sin(s), abs=1e-6)
-    assert 1e-9 < abs(orbit.trivial_multiplier - 1) < 1e-3
-    assert orbit.stable is True
+    s, own = float(orbit.cell_durations[1]), stability(orbit)
+    assert own.trivial_multiplier == pytest.approx(math.cos(s) - math.sin(s), abs=1e-6)
+    assert 1e-9 < abs(own.trivial_multiplier - 1) < 1e-3
+    assert own.stable is True
+    assert orbit.trivial_multiplier == pytest.approx(1, abs=1e-13)
 
 
 @pytest.mark.parametrize("force", [200.0, 400.0, 900.0])
@@ -168,7 +170,7 @@ def test_the_paper_s_orbits_have_them_in_closed_form(force) -> None:
     generic = ns.solve(belt, "c1-tau", 5)
     s = float(generic.cell_durations[1])
     expected = math.cos(s) - belt.alpha * math.sin(s)
-    assert generic.trivial_multiplier == pytest.approx(expected, abs=1e-7)
+    assert stability(generic).trivial_multiplier == pytest.approx(expected, abs=1e-7)
     off = (orbit.period - orbit.t1 - (exact.period - exact.t1)) / belt.time_unit
     # the slope of the closed form by s is -sin(s) - alpha cos(s) = alpha, where it is 1
     assert orbit.trivial_multiplier - 1 == pytest.approx(belt.alpha * off, rel=0.05)
@@ -192,20 +194,68 @@ def test_without_damping_a_clearance_is_on_the_unit_circle() -> None:
 
 
 @pytest.mark.parametrize(("method", "order", "off"), [("ck-tau", 8, 1e-6), ("hb", 40, 5e-2)])
-def test_an_expansion_gives_multipliers_as_good_as_its_times(method, order, off) -> None:
+def test_at_its_own_times_an_expansion_has_them_as_well_as_those(method, order, off) -> None:
     orbit = ns.solve(IMPACT(**UNIT, frequency=2.1), method, order)
-    expected = PROVED["impact, stable"][3]
-    assert orbit.multipliers == pytest.approx(np.array(expected), abs=off)
+    expected = np.array(PROVED["impact, stable"][3])
+    assert stability(orbit).multipliers == pytest.approx(expected, abs=off)
+    assert orbit.multipliers == pytest.approx(expected, rel=1e-12)
     assert orbit.stable is True
 
 
-def test_an_order_that_is_too_low_to_tell_does_not_tell() -> None:
+def test_the_multipliers_of_an_expansion_are_those_of_the_exact_orbit_next_to_it() -> None:
+    """At its own times, a slow impact makes nearly ten times as much of a perturbation."""
+    slow = IMPACT(damping=0.1052, restitution=0.86, frequency=2.272, gap=0.23612)
+    orbit, exact = ns.solve(slow, "ck-tau", 4), ns.exact(slow)
+    assert abs(exact.phases[0].velocity) < 0.02
+    assert stability(orbit).multipliers[0].real == pytest.approx(-325.8, rel=1e-3)
+    assert exact.multipliers[0].real == pytest.approx(-33.5925, rel=1e-5)
+    assert orbit.multipliers == pytest.approx(exact.multipliers, rel=1e-9)
+    assert in_words(orbit) == in_words(exact)
+    first = orbit.as_dict()["multipliers"][0]
+    assert complex(first["re"], first["im"]) == orbit.multipliers[0]
+    assert orbit.facts["stability"] == in_words(exact)
+
+
+def test_an_order_that_is_low_does_not_change_the_verdict() -> None:
     # the flip is at 2.6533..., and four harmonics have the times to some per cent
     case = IMPACT(**UNIT, frequency=2.64)
     orbit = ns.solve(case, "hb", 4)
-    assert ns.exact(case).stable is True
-    assert orbit.stability.stable is False
-    assert orbit.stable is None
+    assert stability(orbit).stable is False
+    assert orbit.stable is ns.exact(case).stable is True
+
+
+def test_where_no_exact_orbit_is_found_they_are_those_at_its_own_times() -> None:
+    orbit = ns.solve(IMPACT(), "hb", 5)
+    orbit.__dict__["exact"] = None
+    assert orbit.multipliers.tolist() == stability(orbit).multipliers.tolist()
+    assert orbit.multipliers != pytest.approx(ns.exact(IMPACT()).multipliers, rel=1e-3)
+
+
+def some_orbits(count: int, seed: int):
+    """Yield orbits of every scene by every method, at random parameters and orders."""
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
+        for scene in map(registry.load, registry.names()):
+            values = {q.name: q.default * rng.uniform(0.7, 1.4) for q in scene.parameters}
+            methods = registry.methods(scene)
+            method = methods[rng.integers(len(methods))]
+            try:
+                yield ns.solve(scene(**values), method, int(rng.integers(4, 13)))
+            except (ValueError, NoOrbit):  # of parameters that do not go together
+                continue
+
+
+@pytest.mark.parametrize("count", [1, pytest.param(12, marks=pytest.mark.long)])
+def test_every_orbit_has_the_multipliers_of_the_exact_one_from_its_times(count: int) -> None:
+    seen = set()
+    for orbit in some_orbits(count, seed=count):
+        exact = exact_orbit(
+            orbit.case, orbit.durations[: len(orbit.cell_durations)], orbit.angle
+        )
+        assert orbit.multipliers == pytest.approx(exact.multipliers, rel=1e-9, abs=1e-12)
+        assert orbit.stable is exact.stable
+        seen.add((orbit.case.scene.name, orbit.method))
+    assert len(seen) >= 4 * min(count, 6)
 
 
 def test_what_an_event_that_is_touched_comes_to() -> None:

@@ -25,8 +25,8 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "a limit that is only touched is taken for a slide",
         "settle.py",
-        "if q.s < NO_TIME]",
-        "if q.s < 0]",
+        "if q.s < NO_TIME}",
+        "if q.s < 0}",
         SETTLE,
     ),
     mistake(
@@ -125,14 +125,14 @@ MUTANTS: tuple[Mutant, ...] = (
     mistake(
         "times of a cell of another duration",
         "settle.py",
-        "return not cell.forced or abs(sum(q.s for q in found) - cell.duration) <= NEAR",
-        "return True",
+        "whole = not cell.forced or abs(sum(q.s for q in own) - cell.duration) <= NEAR",
+        "whole = True",
         SETTLE,
     ),
     mistake(
         "what has not settled is a start",
         "settle.py",
-        "max(abs(one.s - two.s), abs(one.x - two.x), abs(one.v - two.v)) <= NEAR",
+        "max(abs(one.x - two.x), abs(one.v - two.v)) <= max(near * size, ROUNDING)",
         "True",
         SETTLE,
     ),

@@ -95,10 +95,10 @@ MUTANTS: tuple[Mutant, ...] = (
         "self.margin > -1e-9",
     ),
     Mutant(
-        "an order that is too low to tell tells",
+        "multipliers at the times of the expansion for those of the exact orbit",
         "solver/orbit/orbit.py",
-        "return own if self.exact is None or self.exact.stable == own else None",
-        "return own",
+        "return super().stability if self.exact is None else self.exact.stability",
+        "return super().stability",
         MULTIPLIERS,
     ),
     Mutant(

@@ -1,0 +1,58 @@
+"""How much the times of an orbit answer to rounding of the exact equations, to first order.
+
+Near a fold, where two orbits meet, or at a resonance that little damps, they answer by far more
+than what is rounded; every method there shares that error.
+"""
+
+import math
+
+import numpy as np
+
+from ..arrays import Vector
+from ..flow.exact_system import exact_kernel
+from ..orbit.motion import SceneMotion
+
+
+def condition(motion: SceneMotion) -> float:
+    """Return Skeel's condition number of the exact equations, near one of their solutions.
+
+    ``|J^-1| |J| |z|`` with the Jacobian J at the unknowns z, of the time that answers most, as
+    a part of the period: if each term is rounded by a part e, no time moves by more than e
+    times this.  It does not depend on the units of conditions and unknowns, and is infinite
+    where J is singular.
+
+    Parameters
+    ----------
+    motion : SceneMotion
+        An orbit, of an expansion or exact.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.case import registry
+    >>> from nonsmooth.solver.flow.exact import exact_orbit
+    >>> round(condition(exact_orbit(registry.load("impact")())), 1)
+    5.3
+    """
+    cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
+    z = _unknowns(motion)
+    J = np.empty((len(z), len(z)))
+    kernel.jacobian(cell, z, J)
+    J /= np.abs(J).max(axis=1, keepdims=True)
+    sizes = np.abs(z)
+    if cell.forced:
+        sizes[-1] = max(1.0, sizes[-1])  # a cosine is rounded at a small angle too
+    try:
+        moved = kernel.times(np.abs(np.linalg.inv(J)) @ np.abs(J) @ sizes)
+    except np.linalg.LinAlgError:
+        return math.inf
+    if cell.forced:
+        moved[-1] /= cell.omega
+    return float(moved.max() / np.sum(motion.cell_durations)) / cell.cells
+
+
+def _unknowns(motion: SceneMotion) -> Vector:
+    """Return the unknowns of the exact equations as a motion has them."""
+    start, phases = np.zeros(1), range(len(motion.case.cell.phases))
+    states = [float(motion.part(p, start, j)[0]) for p in phases for j in (0, 1)]
+    turn = [motion.angle] if motion.case.cell.forced else []
+    return np.array([*states, *motion.memory_values, *motion.cell_durations, *turn])
