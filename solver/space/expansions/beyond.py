@@ -49,7 +49,7 @@ def beyond(p: int, N: int, theta: Vector) -> Complex:
     return np.asarray(first + last / v**p)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=128)
 def _laguerre(p: int) -> tuple[Vector, Vector]:
     """Return nodes and weights for ``x^(p-1) e^-x/(p-1)!``."""
     x, weights = roots_genlaguerre(NODES, p - 1)
@@ -58,11 +58,16 @@ def _laguerre(p: int) -> tuple[Vector, Vector]:
 
 def exponential_integral(p: int, z: Complex) -> Complex:
     """Return ``E_p(z)``, the integral of ``e^(-z t)/t^p`` from 1 on, for imaginary `z`."""
-    z = np.where(z == 0, 1e-300j, z)
-    near = exp1(z)
-    for q in range(1, p):
-        near = (np.exp(-z) - z * near) / q
-    fraction = z
-    for level in range(LEVELS, 0, -1):
-        fraction = z + (p + level - 1) / (1 + level / fraction)
-    return np.where(np.abs(z) < NEAR, near, np.exp(-z) / fraction)
+    found, near = np.exp(-z), np.abs(z) < NEAR
+    if near.any():
+        inside = np.where(z == 0, 1e-300j, z)[near]
+        last = exp1(inside)
+        for q in range(1, p):
+            last = (found[near] - inside * last) / q
+        found[near] = last
+    fraction = far = z[~near]
+    if far.size:
+        for level in range(LEVELS, 0, -1):
+            fraction = far + (p + level - 1) / (1 + level / fraction)
+        found[~near] /= fraction
+    return found

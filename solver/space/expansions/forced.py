@@ -8,12 +8,14 @@ it: the nodes of the Gauss quadrature of what the sines leave out.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
 import numpy as np
 from scipy.linalg import eigh
 
 from ...arrays import Matrix, Vector
 from ..attached import Attached
+from ..structure import Structure
 from .bare import BareModes, joined
 from .beyond import beyond
 from .sines import Sines, ritz
@@ -28,14 +30,10 @@ class ForcedModes:
 
     def values(self, q: int, x: Vector, derivative: int, side: int = 0) -> Vector:
         """Return a derivative of ``g_q`` at places `x`; at `a` as `Shapes` has it."""
-        x, a = np.asarray(x, dtype=float), self.attached.a
-        forced_modes, j = (
-            self.attached.structure.module.forced_modes,
-            self.attached.structure.felt,
-        )
-        left = _odd_polynomial(forced_modes(a)[q - 1], x, derivative)
-        right = _odd_polynomial(forced_modes(1 - a)[q - 1], 1 - x, derivative)
-        right = (-1) ** (j + derivative) * right
+        x, a, structure = np.asarray(x, dtype=float), self.attached.a, self.attached.structure
+        left = _odd_polynomial(_coefficients(structure, a)[q - 1], x, derivative)
+        right = _odd_polynomial(_coefficients(structure, 1 - a)[q - 1], 1 - x, derivative)
+        right = (-1) ** (structure.felt + derivative) * right
         return joined(x, float(a), left, right, side)
 
     def tail(self, q: int, N: int, x: Vector, derivative: int, side: int = 0) -> Vector:
@@ -58,7 +56,14 @@ class ForcedModes:
         return np.asarray((apart - along).real / np.pi**power)
 
 
-def _odd_polynomial(coefficients: Sequence[Fraction], x: Vector, derivative: int) -> Vector:
+@lru_cache(maxsize=64)
+def _coefficients(structure: Structure, a: Fraction) -> tuple[tuple[float, ...], ...]:
+    """Return the coefficients of each forced mode left of `a`, from fractions."""
+    rows = structure.module.forced_modes(a)
+    return tuple(tuple(map(float, row)) for row in rows)
+
+
+def _odd_polynomial(coefficients: Sequence[float], x: Vector, derivative: int) -> Vector:
     """Return a derivative of the polynomial with coefficients of ``x, x^3, ...``."""
     whole = np.zeros(2 * len(coefficients))
     whole[1::2] = coefficients
