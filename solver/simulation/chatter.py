@@ -1,9 +1,9 @@
-"""Impacts that accumulate: infinitely many in a finite time, each softer than the one before.
+"""Switches that accumulate: infinitely many in a finite time, each jump a part of the last.
 
-A mass that is pressed against a stop, and leaves each impact with a part r of its speed, flies
-for ``2 v / |a|`` behind the first, and behind each other for r of the time before: for
-``2 v / ((1 - r) |a|)`` in all.  So it is under a constant force, and where the time is so short
-that the change of the force does not count.
+A mass that is pressed against a wall, and leaves it each time with a part r of its speed, is
+away for ``2 v / |a|`` first, and then each time for r of the time before: in all for
+``2 v / ((1 - r) |a|)``.  So it is under a constant force, and where the time is so short that
+the change of the force does not count.
 """
 
 from collections.abc import Sequence
@@ -19,14 +19,14 @@ LEFT = 1e-16
 
 
 def time_left(at: Local, rho: float) -> float:
-    """Return how long the impacts on a stop still go on; 0 while that is not known.
+    """Return how long the jumps at a wall still go on; 0 while that is not known.
 
     Parameters
     ----------
     at : Local
-        The flight behind an impact.
+        The motion behind a jump.
     rho : float
-        Velocity behind an impact over the velocity before.
+        Velocity behind a jump over the velocity before.
     """
     _, v, a, jerk, *_ = at.derivatives
     if not (-1 < rho <= 0 and v * a < 0):

@@ -2,8 +2,8 @@
 
 A phase ends where its event happens or one of its demands would be violated next.  The law of
 the switch is that of the event; a demand that ends where the event of another phase of the same
-equation happens has the law of that.  A phase that is held behind an impact is a rest on the
-stop: it is entered there alone, by an impact that leaves no velocity or by infinitely many.
+equation happens has the law of that.  A phase that is held behind a jump of the velocity at
+a place is a rest there: it is entered by a jump that leaves no velocity or by infinitely many.
 """
 
 import math
@@ -111,16 +111,16 @@ class Machine:
         )
 
     def rest(self, node: Node, surface: int, state: State) -> Node | None:
-        """Return the rest on a stop that takes a state whose impacts have died away there."""
+        """Return the rest at a place that takes a state whose jumps have died away there."""
         still = (
-            q for q in self._held_first(self._beside(node, 1)) if self._stop(q) is not None
+            q for q in self._held_first(self._beside(node, 1)) if self._wall(q) is not None
         )
         return next((q for q in still if self.admits(q, q.begun(state))), None)
 
     def has_rest(self, surface: int) -> bool:
-        """Whether the scene has a rest on a stop."""
-        stops = (self._stop(node) for node in self.nodes)
-        return any(stop is not None and stop.event == surface for stop in stops)
+        """Whether the scene has a rest at a place."""
+        walls = (self._wall(node) for node in self.nodes)
+        return any(wall is not None and wall.event == surface for wall in walls)
 
     def sets(self, node: Node) -> bool:
         """Whether the beginning of a phase sets what the motion remembers.
@@ -134,10 +134,10 @@ class Machine:
         place = node.index + len(self.cell.phases) * node.mirrored
         return self.nodes[(place + step) % len(self.nodes)]
 
-    def _stop(self, node: Node) -> Node | None:
-        """Return the phase behind whose impact one is held; None where it follows none."""
+    def _wall(self, node: Node) -> Node | None:
+        """Return the phase behind whose jump one is held in place; None where it is not."""
         before = self._beside(node, -1)
-        return before if node.phase.held and before.impact else None
+        return before if node.phase.held and before.jumps else None
 
     def _held_first(self, declared: Node | None) -> Iterator[Node]:
         """Yield phases as they are tried in turn: constraints hold while they can."""
@@ -153,13 +153,13 @@ class Machine:
         )
 
     def _holds(self, node: Node, state: State) -> bool:
-        """Whether a phase, if it is held, is held at a state: on a stop, on it alone."""
+        """Whether a phase, if it is held, is held at a state: behind a jump, there alone."""
         if not node.phase.held:
             return True
-        speed, stop = node.phase.speed, self._stop(node)
-        if stop is None:
+        speed, wall = node.phase.speed, self._wall(node)
+        if wall is None:
             return abs(state.v - speed) <= NEAR * max(1.0, abs(speed))
-        return state.v == speed and (state.surface == stop.event or _is_on(stop, state))
+        return state.v == speed and (state.surface == wall.event or _is_on(wall, state))
 
     def entered(self, node: Node, state: State) -> State:
         """Return the state in which a phase begins: with what its beginning sets."""

@@ -53,7 +53,7 @@ class Node:
         return replace(state, v=self.phase.speed) if self.phase.held else state
 
     @property
-    def impact(self) -> bool:
+    def jumps(self) -> bool:
         """Whether it ends at a place where the velocity jumps."""
         return self.phase.event[1] == 0 and (self.phase.rho, self.phase.d) != (1.0, 0.0)
 

@@ -222,7 +222,7 @@ def _segment(node: Node, state: State, clock: Clock, s: float) -> Segment:
 
 
 def _time_left(machine: Machine, node: Node, surface: int, after: Node, state: State) -> float:
-    """Return how long the impacts go on behind that which ends a phase; 0 if not known."""
+    """Return how long jumps go on behind that which ends a phase; 0 if not known."""
     phase, (rho, d) = after.at(state), machine.law(node, surface)
     if phase.held or d:
         return 0.0

@@ -291,9 +291,9 @@ def test_of_two_rests_alike_the_declared_one_follows() -> None:
 @pytest.mark.parametrize(
     ("parameters", "state"),
     [
-        ({}, (-1e307, 1e306)),
+        ({}, (-5e307, -9e307)),
         ({}, (-1e-300, 0.0)),
-        ({"gap": 1e300}, (-3e306, 0.0)),
+        ({"gap": 1e300}, (-1e307, 0.0)),
         ({"stiffness": 1e300}, None),
         ({"stiffness": 1e-300}, None),
         ({"force": 1e300}, None),
@@ -304,6 +304,7 @@ def test_of_two_rests_alike_the_declared_one_follows() -> None:
 )
 def test_at_the_ends_of_float64_it_is_followed_or_said_not_to_be(parameters, state) -> None:
     motion = ns.simulate(IMPACT(**parameters), state, cycles=2)
+    assert motion.phases
     reasons = ("", "the motion in flight is beyond float64", "chatter: ", "no phase of the sc")
     assert motion.ended.startswith(reasons)
     assert all(
