@@ -128,7 +128,7 @@ def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
     if lasts(last.phase, *map(float, end), cell.omega, last.angle + cell.omega * last.s):
         return Settled(None, "a simulation comes to a motion without switches")
     repeated = _repeated(cell, motion.segments)
-    if repeated is None:
+    if repeated is None or any(q.s < NO_TIME for q in repeated):
         return _touching(cell, motion.segments)
     return _declared(cell, repeated) or _other(cell, repeated)
 

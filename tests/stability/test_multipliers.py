@@ -226,7 +226,7 @@ def test_an_order_that_is_low_does_not_change_the_verdict() -> None:
 
 def test_where_no_exact_orbit_is_found_they_are_those_at_its_own_times() -> None:
     orbit = ns.solve(IMPACT(), "hb", 5)
-    orbit.__dict__["exact"] = None
+    orbit.__dict__["_exact_solution"] = None
     assert orbit.multipliers.tolist() == stability(orbit).multipliers.tolist()
     assert orbit.multipliers != pytest.approx(ns.exact(IMPACT()).multipliers, rel=1e-3)
 
