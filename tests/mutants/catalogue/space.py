@@ -80,8 +80,8 @@ MUTANTS = (
     _solver(
         "the right piece of a forced mode is not mirrored",
         "expansions/forced",
-        "        right = (-1) ** (j + derivative) * right",
-        "        right = (-1) ** j * right",
+        "        right = (-1) ** (structure.felt + derivative) * right",
+        "        right = (-1) ** structure.felt * right",
         MATRICES,
     ),
     _solver(
