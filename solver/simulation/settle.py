@@ -124,8 +124,9 @@ def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}")
     last = motion.segments[-1]
-    end = flow.end(last.phase, np.array([last.x, last.v]), last.angle, cell.omega, last.s).state
-    if lasts(last.phase, *map(float, end), cell.omega, last.angle + cell.omega * last.s):
+    begun = np.array([last.x, last.v])
+    x, v = map(float, flow.end(last.phase, begun, last.angle, cell.omega, last.s).state)
+    if lasts(last.phase, x, v, cell.omega, last.angle + cell.omega * last.s):
         return Settled(None, "a simulation comes to a motion without switches")
     repeated = _repeated(cell, motion.segments)
     if repeated is None or any(q.s < NO_TIME for q in repeated):
