@@ -23,7 +23,7 @@ from .iteration.start import PATIENCE, rough_times
 from .motions import of_any_motion
 from .no_orbit import NoOrbit
 from .orbit.orbit import SceneOrbit
-from .simulation.settle import rough_times_by_simulation
+from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
 #: the first, and where a motion has too many waves for that, at the second.
@@ -252,16 +252,17 @@ class _Search:
         exact orbit, which may be found where a coarse one is not.  Where it is shown that there
         is none, a simulation alone: it says what there is instead.
         """
+        listed = known(self.case).listed
         if not known(self.case).none:
             yield from self._coarse()
-        for settled in rough_times_by_simulation(self.case):
+        for settled in rough_times_by_simulation(self.case, FEW if listed else PHASES):
             self.words = settled.words
             if settled.times is None:
                 self.tried.append(settled.words)
             else:
                 angle = (settled.times.angle,) if self.kernel.forced else ()
                 yield np.array([*settled.times.durations, *angle])
-        if known(self.case).complete:
+        if listed:
             return
         try:
             exact = exact_orbit(self.case)

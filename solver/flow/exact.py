@@ -68,12 +68,12 @@ def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
 
     Where it is shown that there is no orbit, a simulation says what there is instead.
     """
-    from ..simulation.settle import rough_times_by_simulation  # noqa: PLC0415  (by this flow)
+    from ..simulation.settle import FEW, PHASES, rough_times_by_simulation  # noqa: PLC0415  (by this flow)
 
     found = known(case)
     if not found.none:
         yield from islice(rough_times(case.cell), PATIENCE if found.listed else None)
-    for settled in rough_times_by_simulation(case):
+    for settled in rough_times_by_simulation(case, FEW if found.listed else PHASES):
         if settled.times is None:
             tried.append(settled.words)
         else:

@@ -43,7 +43,7 @@ class Known:
     infinite : bool
         Whether there are infinitely many, none isolated.
     listed : bool
-        Whether they were listed at all, as far as rounding allows: no blind search finds more.
+        Whether they were listed, as far as float64 allows: no blind search finds more.
     """
 
     orbits: tuple[ExactSceneOrbit, ...] = ()
@@ -86,7 +86,7 @@ def known(case: Case) -> Known:
             orbits.append(orbit)
         elif start in scan.found:
             complete = False
-    return replace(_sorted(orbits, complete), listed=scan.resolved)
+    return replace(_sorted(orbits, complete), listed=True)
 
 
 def known_orbits(case: Case) -> list[ExactSceneOrbit]:

@@ -49,14 +49,11 @@ class Solutions:
         Where there may be a solution, or none.
     complete : bool
         Whether there are no solutions but those that were found.
-    resolved : bool
-        Whether all that is left open is what rounding hides.
     """
 
     found: tuple[tuple[tuple[float, float], float], ...]
     doubtful: tuple[tuple[tuple[float, float], float], ...]
     complete: bool
-    resolved: bool
 
 
 def applies(cell: Cell) -> bool:
@@ -83,12 +80,12 @@ def solutions(cell: Cell) -> Solutions:
         try:
             roots = enclosure.roots(determinants, cell.duration * _edges())
         except (np.linalg.LinAlgError, FloatingPointError):
-            return Solutions((), (), complete=False, resolved=False)
+            return Solutions((), (), complete=False)
         found = _starts(cell, roots.places, roots.signs)
         few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
         both = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
         doubtful = _starts(cell, *both)
-        return Solutions(found, doubtful, roots.complete, roots.resolved)
+        return Solutions(found, doubtful, roots.complete)
 
 
 def _most_likely(cell: Cell, intervals: Matrix) -> Vector:

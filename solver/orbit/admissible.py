@@ -147,6 +147,11 @@ def _demand(
     if not np.isfinite(scale):
         return [f"in {phase.name}, where {words}: the motion is not finite"]
     parts = chebyshev.pieces(value, scale)
+    if not all(part.resolved for part in parts):
+        return [
+            f"in {phase.name}, where {words}: the motion has more waves than can be followed, "
+            "or is smaller than rounding"
+        ]
     points = chebyshev.candidates(parts)
     values = value(points)
     worst = int(np.argmin(values))

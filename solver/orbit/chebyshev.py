@@ -23,9 +23,9 @@ DEGREE, LAST, RESOLVED = 32, 4, 1e-13
 #: the length does not lower such last coefficients, nothing is left to resolve.
 NOISE = 1e-8
 
-#: Shortest piece, and most pieces: of a function with more waves than that no sample of float64
-#: says enough, and one that needs so many has mostly rounding errors for values.
-SHORTEST, MOST = 2.0**-12, 512
+#: Shortest piece, and most pieces: a function that needs more has more waves than can be
+#: followed, or mostly rounding errors for values.
+SHORTEST, MOST = 2.0**-40, 256
 
 #: Coefficients below this part of the largest are rounding errors of the values.
 ROUNDING = 1e-14
@@ -36,11 +36,12 @@ NEAR = 1e-3
 
 @dataclass(frozen=True)
 class Piece:
-    """Chebyshev coefficients on an interval."""
+    """Chebyshev coefficients on an interval, and whether they resolve the function there."""
 
     start: float
     end: float
     coefficients: Vector
+    resolved: bool = True
 
     def derivative(self, times: int) -> Vector:
         """Return the coefficients of a derivative by the variable in [0, 1]."""
@@ -88,12 +89,13 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
         size = max(size, float(np.abs(values).max()))
         last = float(np.abs(coefficients[-LAST:]).max())
         only_noise = last <= NOISE * size and last > before / 100
+        resolved = last <= RESOLVED * size or only_noise
         many = len(found) + len(waiting) >= MOST
-        if last > RESOLVED * size and end - start > SHORTEST and not (only_noise or many):
+        if resolved or many or end - start <= SHORTEST:
+            found.append(Piece(start, end, coefficients, resolved))
+        else:
             middle = (start + end) / 2
             waiting += [(middle, end, last), (start, middle, last)]
-        else:
-            found.append(Piece(start, end, coefficients))
     return found
 
 

@@ -35,6 +35,9 @@ DECAYS = 10
 #: Phases that are simulated from all starts, at most; long ones count as several: some 3 s.
 PHASES = 4000
 
+#: As many, where a simulation only says what there is instead of an orbit.
+FEW = 500
+
 #: How far from its limit a settled motion may be, in units of time and length, and as a part of
 #: its size; and what is rounding there.
 NEAR, ROUNDING = 1e-3, 1e-10
@@ -59,8 +62,14 @@ class Settled:
     words: str
 
 
-def rough_times_by_simulation(case: Case) -> Iterator[Settled]:
+def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Settled]:
     """Yield what simulations of a case come to, from rest and from each constraint.
+
+    Parameters
+    ----------
+    case : Case
+    phases : int
+        How many are simulated at most; see `PHASES`.
 
     Examples
     --------
@@ -75,7 +84,7 @@ def rough_times_by_simulation(case: Case) -> Iterator[Settled]:
     starts += map(machine.remembered, held)
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.first(q)]
     for start in possible:
-        yield _followed(case, start, PHASES // len(possible))
+        yield _followed(case, start, phases // len(possible))
 
 
 @lru_cache(maxsize=16)
