@@ -4,7 +4,7 @@ import operator
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import islice, product
 
 import numpy as np
@@ -276,20 +276,27 @@ class _Search:
         scene = self.case.scene
         available = FIRST in registry.methods(scene)
         once = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
-        coarse = registry.quicker_kernel(scene, once or FIRST) if available else None
+        method = once or FIRST
         waves = WAVES * (self.case.cycles - 1)
-        orders = [q + waves for q in COARSE] if coarse else COARSE[:1]
+        orders = [q + waves for q in COARSE] if available else COARSE[:1]
         ways = product(orders, rough_times(self.case.cell))
         for order, rough in islice(ways, PATIENCE if known(self.case).listed else None):
             self.words = rough.words
             angle = (rough.angle,) if self.kernel.forced else ()
             times = np.array([*rough.durations, *angle])
-            if coarse is None:
+            if not available:
                 yield times
                 continue
-            found = self.note(attempt(coarse, self.case, order, times))
+            found = self.note(_coarse_orbit(self.case, method, order, tuple(times)))
             if found.converged and found.admissible:
-                yield coarse.times(found.unknowns)
+                yield registry.kernel(scene, method).times(found.unknowns)
+
+
+@lru_cache(maxsize=512)
+def _coarse_orbit(case: Case, method: str, order: int, times: tuple[float, ...]) -> SceneOrbit:
+    """Return where a coarse method leads from rough times; every method asks for the same."""
+    kernel = registry.quicker_kernel(case.scene, method, None, order)
+    return attempt(kernel, case, order, np.array(times))
 
 
 def check_order(kernel: SceneKernel, value: object) -> int:

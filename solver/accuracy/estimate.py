@@ -2,7 +2,8 @@
 
 The better orbit is that of the method whose times converge fastest, from the orbit's own times,
 at an order where it has nearly always converged.  What it may be off by itself, the change to a
-few orders more, is added.
+few orders more, is added.  Only where no better orbit is found, it is the error against the
+exact one.
 
 Rounding is added as well: what Newton's method left, and what all orders share.  Parameters and
 residuals are rounded, and where two orbits nearly meet, or little damps a resonance, the orbit
@@ -42,14 +43,14 @@ NOTHING = SceneErrors(math.inf, math.inf, math.inf)
 def estimate(orbit: SceneOrbit) -> SceneErrors:
     """Return the estimated errors of an orbit, without sign; infinite where none is known."""
     if FIRST not in registry.methods(orbit.case.scene):
-        return NOTHING
+        return _against_the_exact_orbit(orbit)
     order = max(orbit.order + MORE, LEAST)
     if orbit.method != FIRST:
         order = min(order, MOST)
     better = _neighbour(orbit, order, orbit.admissible)
     beyond = better and _neighbour(better[0], order + MORE, True)
     if better is None or beyond is None:
-        return NOTHING
+        return _against_the_exact_orbit(orbit)
     apart, doubt = better[1], beyond[1]
     left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(better[0])
     free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
@@ -62,6 +63,14 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
         + left
         + max(DERIVATIVE_ROUNDING, turned),
     )
+
+
+def _against_the_exact_orbit(orbit: SceneOrbit) -> SceneErrors:
+    """Return the errors themselves, where no better orbit says what they are."""
+    found = orbit.errors
+    if found is None:
+        return NOTHING
+    return SceneErrors(abs(found.period), found.times, found.discontinuous)
 
 
 def _neighbour(

@@ -158,7 +158,7 @@ def test_random_equations_are_accepted_if_linear_and_else_refused(seed: int) -> 
 NAMES = (
     *("", "--help", "-x", "--", "a/b", "../a", "a b", "a\n", "a\tb", "A", "Ball", "2-balls"),
     *("ball_2", "ball.py", "é", "ball\x00", "class", "a" * 30 + "/", "=", "[scene]", "$HOME"),
-    *COMMANDS,
+    *sorted(COMMANDS),
 )
 
 
