@@ -45,7 +45,8 @@ class Event:
     zero : Expr
         Linear in `x`, `v` (before the switch) and `forcing`; zero where the phase ends.
     jump : mapping
-        What the switch makes of the velocity: ``{v: -r * v}``; empty where it is continuous.
+        What the switch makes of the velocity: ``{v: -r * v}``, or ``{v: 0}`` into a phase
+        that is held at rest; empty where it is continuous.
     demands : mapping of str to Expr
         What must not be negative at the switch, in the state before it, as those of a phase.
     """
@@ -72,7 +73,7 @@ class Phase:
         `v`, `forcing`, or a bound less the ``Abs`` of such an expression.
     held : Expr, optional
         The velocity at which a constraint holds the mass: then `equation` is `a`, and the
-        phase before it must end where `v` has this value.
+        phase before it must lead to this velocity, by its event or by its jump.
     """
 
     name: str

@@ -94,6 +94,14 @@ def state_row(expression: sp.Expr, what: str, memory: Sequence[sp.Symbol] = ()) 
     return State(row_x, row_v, cos, constant, tuple(others))
 
 
+def fixed(phase: Phase, symbol: sp.Symbol) -> sp.Expr | None:
+    """Return the value of `x` or `v` where a phase ends, if its event is of that alone."""
+    zero = sp.expand(phase.ends.zero)
+    if not zero.has(symbol) or zero.free_symbols & ({x, v, forcing} - {symbol}):
+        return None
+    return -zero.subs(symbol, 0) / sp.diff(zero, symbol)
+
+
 def without_modulus(expression: sp.Expr) -> tuple[sp.Expr, ...]:
     """Return what must not be negative for ``bound - Abs(...)``: both signs.
 

@@ -6,8 +6,8 @@ import sympy as sp
 
 from .data import Phase
 from .error import SceneError, check_kind, named
-from .linear import linear_phase, state_row, without_modulus
-from .symbols import a, forcing, v
+from .linear import fixed, linear_phase, state_row, without_modulus
+from .symbols import a, forcing, v, x
 from .units import Dimension, balance, spelled
 
 Units = Mapping[sp.Symbol, Dimension]
@@ -60,7 +60,7 @@ def check_phase(
             if sp.simplify(phase.equation / a).has(a) or linear_phase(phase).c != 0:
                 raise SceneError(f"got the equation {phase.equation}, expected a")
             _check_velocity(phase.held, units)
-            if sp.sympify(phase.held).has(*memory):
+            if sp.sympify(phase.held).has(x, v, forcing, *memory):
                 raise SceneError(f"got {phase.held}, expected a velocity in the parameters")
         if row.cos == 0 and (row.x == 0 or sp.sympify(phase.held) == 0):
             raise SceneError(
@@ -108,17 +108,18 @@ def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:
     Raises
     ------
     SceneError
-        If it ends with another velocity.
+        If its event and its jump lead to another velocity.
     """
     if after.held is None:
         return
     field, speed = f"phase {phase.name}", sign * sp.sympify(after.held)
-    if phase.ends.jump:
-        raise SceneError(f"{field}: jump: {after.name} is held, expected no jump before it")
-    row = state_row(phase.ends.zero, f"{field}: ends")
-    if row.x != 0 or row.cos != 0 or sp.simplify(row.constant + row.v * speed) != 0:
+    law, before = sp.sympify(phase.ends.jump.get(v, v)), fixed(phase, v)
+    if sp.simplify(law.subs(v, v if before is None else before) - speed) != 0:
+        where, got, expected = (
+            ("jump", law, speed) if phase.ends.jump else ("ends", phase.ends.zero, v - speed)
+        )
         raise SceneError(
-            f"{field}: ends: got {phase.ends.zero}, expected {v - speed}: "
+            f"{field}: {where}: got {got}, expected {expected}: "
             f"the velocity at which {after.name} is held"
         )
 

@@ -16,8 +16,8 @@ from sympy.polys.matrices import DomainMatrix
 
 from .data import Phase, Scene
 from .error import SceneError
-from .linear import linear_phase, state_row
-from .symbols import v
+from .linear import fixed, linear_phase, state_row
+from .symbols import v, x
 
 #: Derivatives that are looked at; a phase that differs from the next differs in these.
 HIGHEST = 8
@@ -92,6 +92,17 @@ def generator(
     return found
 
 
+def place(scene: Scene, p: int) -> sp.Expr | None:
+    """Return the displacement at which phase `p` of a cell is held, if it is known.
+
+    It is where the phase is at rest, and the phase before it ends at a displacement.
+    """
+    phase, sign = scene.cell[p], scene.sign if p == 0 else 1
+    found = fixed(scene.cell[p - 1], x)
+    at_rest = phase.held is not None and sp.sympify(phase.held) == 0
+    return sign * found if at_rest and found is not None else None
+
+
 def known_rows(scene: Scene, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
     """Return the rows in y that vanish at the switch between two phases of ``scene.cell``.
 
@@ -104,6 +115,9 @@ def known_rows(scene: Scene, left: Phase, right: Phase, sign: int) -> list[list[
     nothing = [sp.Integer(0)] * len(memory)
     if left.held is not None:
         known.append([0, sign, -left.held, 0, 0, *nothing])
+    at = place(scene, scene.cell.index(left))
+    if at is not None:
+        known.append([sign, 0, -at, 0, 0, *nothing])
     for column, q in enumerate(scene.memory):
         if q.at == right.name:
             row = state_row(q.value, f"memory {q.symbol}")

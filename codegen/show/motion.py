@@ -33,11 +33,12 @@ def equation_of_motion(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
 def balanced(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr, bool]:
     """Return ``(left, right, turned)``: what depends on the state, and what does not.
 
-    They are equal where `expression` is zero; `turned` if ``left <= right`` is what
-    ``expression >= 0`` says.
+    Where nothing does, the forcing stands on the left.  They are equal where `expression` is
+    zero; `turned` if ``left <= right`` is what ``expression >= 0`` says.
     """
     terms = sp.Add.make_args(sp.expand_mul(expression))
     moving = [q for q in terms if q.has(Rate, sp.Abs) or q.has(sp.core.function.AppliedUndef)]
+    moving = moving or [q for q in terms if q.has(sp.cos)]
     left = sp.Add(*moving)
     rest = sp.factor_terms(expression.expand(deep=False) - left) if moving else expression
     if rest.has(Rate, sp.Abs, sp.core.function.AppliedUndef):  # spelled in two ways

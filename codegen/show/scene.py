@@ -7,6 +7,7 @@ import sympy as sp
 
 from ..scene import Scene
 from ..scene.scales import scales
+from ..scene.smoothness import place
 from ..system import Equation
 from .functions import T, state, t, x
 from .motion import balanced, during, equation_of_motion, not_negative
@@ -49,6 +50,9 @@ def _phases(notation: Notation) -> Iterator[Equation]:
         if phase.held is not None:
             held = (state(1, t), sp.sympify(phase.held))
             yield Equation("", f"the velocity is held in {name}", held, when)
+        at = place(notation.scene, p)
+        if at is not None:
+            yield Equation("", f"the displacement is held in {name}", (state(0, t), at), when)
         for words, demand in notation.scene.cell[p].demands.items():
             relation = not_negative(during(notation, demand))
             title = f"demanded in {name}: {_marked(notation.scene, words)}"

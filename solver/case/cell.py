@@ -163,6 +163,16 @@ class Cell:
             memory=tuple(map(mul, phase.memory, signs)),
         )
 
+    def place(self, p: int) -> float | None:
+        """Return the displacement at which a phase is held; None where it is not at one alone.
+
+        It is where the phase is at rest, and the phase before it ends at a displacement.
+        """
+        ex, ev, ec, constant, *memory = self.phases[p - 1].event
+        phase, sign = self.phases[p], self.sign if p == 0 else 1
+        alone = ex != 0 and not (ev or ec or any(memory))
+        return -sign * constant / ex if alone and phase.held and phase.speed == 0 else None
+
     @property
     def forced(self) -> bool:
         """Whether the phase of a forcing is unknown, and the duration of the cell known."""

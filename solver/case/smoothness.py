@@ -54,6 +54,9 @@ def _known(cell: Cell, p: int, left: Phase, sign: int) -> list[list[float]]:
     nothing = [0.0] * len(cell.memory)
     if left.held:
         rows.append([0.0, float(sign), -left.speed, 0.0, 0.0, *nothing])
+    place = cell.place((p - 1) % len(cell.phases))
+    if place is not None:
+        rows.append([float(sign), 0.0, -place, 0.0, 0.0, *nothing])
     for i, q in enumerate(cell.memory):
         if q.phase == p:
             x, v, cos, constant = q.value

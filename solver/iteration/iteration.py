@@ -26,6 +26,10 @@ ROUNDOFF = 4.0 * np.finfo(float).eps
 #: Corrections below this have squares below rounding: what is left is only rounding.
 SETTLED = 1e-8
 
+#: Least size against which coefficients are measured, without units: where a motion is at rest
+#: at 0 at all its switches, the states there are nothing but rounding.
+LEAST = 1e-6
+
 #: Smallest damping factor; below it the iteration has failed.
 SMALLEST_STEP = 2.0**-12
 
@@ -68,7 +72,7 @@ def step_size(step: Vector, z: Vector) -> tuple[float, float]:
     """Return the size of a step, and that of its times alone.
 
     Times are measured as a part of the cell, or of those of its durations that are unknown,
-    and of a turn; coefficients against the largest.
+    and of a turn; coefficients against the largest, or `LEAST`.
     """
     last = len(z) - (1 if FORCED else 0)
     first, cell = last - DURATIONS, 0.0
@@ -77,7 +81,7 @@ def step_size(step: Vector, z: Vector) -> tuple[float, float]:
     times = greatest(step, first, last) / cell if DURATIONS else 0.0
     if FORCED:
         times = max(times, abs(step[last]) / (2 * np.pi))
-    scale = max(greatest(z, 0, first), 1e-300)
+    scale = max(greatest(z, 0, first), LEAST)
     return max(times, greatest(step, 0, first) / scale), times
 
 

@@ -32,10 +32,15 @@ MOST = 0.25
 def defect(orbit: SceneMotion, p: int) -> tuple[float, float]:
     """Return the sizes of velocity and displacement that the residual on a phase would give.
 
-    Both without units; on a held phase the residual is the acceleration.
+    Both without units; on a held phase the residual is the acceleration.  Where a phase is
+    held at one place, the errors of both are what they differ from rest there.
     """
     cell, durations = orbit.cell, orbit.cell_durations
     phase, s = cell.phases[p], float(durations[p])
+    place = cell.place(p)
+    if place is not None:
+        x, v = (orbit.part(p, LOOK, j) for j in (0, 1))
+        return float(np.abs(v).max()), float(np.abs(x - place).max())
     angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
 
     def terms(u: Vector) -> Vector:

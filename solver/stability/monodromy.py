@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..case.cell import Phase
+from ..case.cell import Cell, Phase
 from ..flow import flow
 from .linear_maps import Switch, contraction, determinant, rates, saltation, transition
 
@@ -41,8 +41,8 @@ class Monodromy:
     size : ndarray, shape (n, n)
         The same product of absolute values: rounding errors are parts of it.
     forgotten : int
-        How many multipliers are exactly 0: one where a phase holds the velocity, and one for
-        each constant that a switch sets.
+        How many multipliers are exactly 0: as many as the phase or the switch that forgets
+        most; see `_forgotten`.
     """
 
     matrix: Matrix
@@ -80,8 +80,19 @@ def monodromy(motion: "SceneMotion") -> Monodromy:
         if not cell.forced:
             _check_rates(phase, starts[p], s, along, across, switch)
     _check_determinant(matrix, size, expected)
-    held = any(phase.held for phase in cell.phases)
-    return Monodromy(matrix, size, len(memory) + held)
+    return Monodromy(matrix, size, _forgotten(motion.case.cell))
+
+
+def _forgotten(cell: Cell) -> int:
+    """Return of how many parts of the state nothing is left at some place of a cell.
+
+    A phase that is held forgets the velocity, at one place the displacement too; a switch
+    forgets each constant that it sets.
+    """
+    places = range(len(cell.phases))
+    held = (cell.phases[p].held + (cell.place(p) is not None) for p in places)
+    sets = (sum(memory.phase == p for memory in cell.memory) for p in places)
+    return max(*held, *sets)
 
 
 def _states(motion: "SceneMotion") -> tuple[Matrix, Matrix]:

@@ -84,9 +84,10 @@ def _eigenvalues(found: Monodromy) -> tuple[Complex, Vector]:
     forgets has a multiplier of 0, which is set, not computed.
     """
     count = len(found.matrix)
-    if found.forgotten == count - 1:  # one is left: the trace
-        values = np.array([np.trace(found.matrix), *[0.0] * (count - 1)], dtype=complex)
-        return values, np.array([ROUNDING * float(np.trace(found.size)), *[0.0] * (count - 1)])
+    if found.forgotten >= count - 1:  # at most one is left: the trace
+        left = np.eye(count)[0] * (found.forgotten < count)
+        values = (left * np.trace(found.matrix)).astype(complex)
+        return values, left * ROUNDING * float(np.trace(found.size))
     values, right = np.linalg.eig(found.matrix)  # of a real matrix: pairs are exact
     values = np.asarray(values, dtype=complex)
     from_left, left = np.linalg.eig(found.matrix.T)

@@ -68,6 +68,9 @@ def test_what_a_scene_is(run) -> None:
     ):
         assert text in words, text
     assert max(map(len, out.splitlines())) <= 80
+    words = " ".join(run("scenes", "impact-inelastic")[1].split())
+    assert "ends x - g = 0, then x' -> 0 demands" in words
+    assert "rest: x' = 0 begins C0: x' jumps" in words
     document = json.loads(run("scenes", "impact", "--json")[1])
     (phase,) = document["phases"]
     assert phase["equation"] == "m x'' + c x' + k x = F cos(Omega t + phi)"

@@ -10,6 +10,7 @@ from nonsmooth.codegen.scenes import (
     dry_friction,
     elastic_plastic,
     impact,
+    impact_inelastic,
     impact_two_sided,
     stick_slip,
     stick_slip_damped,
@@ -107,6 +108,7 @@ SCENES = {
     "S5b": (stick_slip_damped.SCENE, (1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 0.1, 0.2)),
     "S5c": (CONTINUOUS, None),
     "S6": (impact_two_sided.SCENE, None),
+    "S7": (impact_inelastic.SCENE, None),
 }
 
 #: Periods of the forcing in the period, where there are several.

@@ -20,9 +20,9 @@ from nonsmooth.codegen import SOLVED, scenes
 from nonsmooth.generated.methods import METHODS as GENERIC_METHODS
 from nonsmooth.solver.shortcuts.names import METHODS, SCENE
 
-#: What the generic interface itself speaks of.
+#: What the generic interface itself speaks of; the rest is also what is left.
 GENERAL = frozenset(
-    {"mass", "damping", "stiffness", "force", "frequency", "speed", "damped", "two"}
+    {"mass", "damping", "stiffness", "force", "frequency", "speed", "damped", "two", "rest"}
 )
 
 #: Names of the paper's oscillator that no record has.

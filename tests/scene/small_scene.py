@@ -49,6 +49,17 @@ def with_parameter(index, **changes):
     return scene(parameters=(*PARAMETERS[:index], changed, *PARAMETERS[index + 1 :]))
 
 
+#: The same where the mass stays at the stop until the force pulls it off.
+STAYS = Phase("rest", a, Event(F * forcing - k * x), held=sp.Integer(0))
+
+
+def stop(*, flight=None, rest=None, **changes):
+    """Return the scene of a mass that rests on a stop, with changed fields."""
+    ends = {"ends": Event(x - g, jump={v: 0})}
+    phases = (replace(FLIGHT, **(ends | (flight or {}))), replace(STAYS, **(rest or {})))
+    return scene(**({"phases": phases, "parameters": PARAMETERS[:-1]} | changes))
+
+
 BELT = (
     Parameter("mass", m, "kg", 1.0, "mass"),
     Parameter("stiffness", k, "N/m", 1.0, "stiffness"),

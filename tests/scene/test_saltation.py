@@ -41,6 +41,7 @@ CROSSED = {
     "kink": (x - 0.0, {}, None, 0.7, 0.3, 0.3, 0.0),
     "reversal": (v, {}, None, 0.0, -0.4, -0.9, 0.0),
     "stick begins": (v - 0.5, {}, 0.5, 0.5, 0.3, 0.0, 0.0),
+    "inelastic stop": (x - 0.0, {v: 0.0}, 0.0, 0.7, 0.3, 0.0, 0.0),
     "forced event": (x - 2 * forcing, {}, None, 0.7, 0.3, -0.9, 0.8),
     "released from rest": (x - 2 * forcing, {}, None, 0.0, 0.0, -0.9, 0.8),
     "all in one": (x + 0.5 * v - 2 * forcing, {v: -0.3 * v}, None, 0.7, 0.3, -0.9, 0.8),
@@ -82,6 +83,9 @@ def test_the_scenes_of_the_program() -> None:
     (impact,) = saltations(scenes.load("impact"))
     assert impact.matrix == sp.Matrix([[-r, 0], [(a_after + a_before * r) / v, -r]])
     assert impact.determinant == r**2
+    lands, lifts_off = saltations(scenes.load("impact-inelastic"))
+    assert lands.matrix == sp.zeros(2)
+    assert lifts_off.matrix == sp.eye(2)
     for name in ("stick-slip", "stick-slip-damped"):
         stick, slip = saltations(scenes.load(name))
         assert stick.matrix == sp.Matrix([[1, 0], [a_after / V, 1]])

@@ -22,6 +22,7 @@ from small_scene import (
     r,
     refused,
     scene,
+    stop,
     v,
     with_parameter,
     x,
@@ -29,6 +30,7 @@ from small_scene import (
 
 from nonsmooth.codegen.scene import Event, Parameter, Phase, t
 from nonsmooth.codegen.scene.linear import without_modulus
+from nonsmooth.codegen.scene.smoothness import place
 
 stranger = sp.Symbol("stranger", positive=True)
 OWN_TIME = sp.Symbol("t")  # without the assumption of that of a scene
@@ -38,6 +40,13 @@ MOTION = FLIGHT.equation
 def test_the_scenes_that_are_changed_below_are_right():
     assert scene().symbols == tuple(q.symbol for q in PARAMETERS)
     assert belt().sign == 1
+    assert place(stop(), 1) == g
+    assert place(belt(), 0) is None
+    # a jump to the speed of a belt, and a stop on the other side of half a period
+    struck = Event(k * x - F, jump={v: V})
+    assert belt(run={"ends": struck}).phases[1].ends is struck
+    rest, flight = stop().phases[1], replace(FLIGHT, ends=Event(x + g, jump={v: 0}))
+    assert place(stop(half_period=True, phases=(rest, flight)), 0) == g
     assert scene(half_period=True).sign == -1
 
 
@@ -388,7 +397,19 @@ HELD = {
     ),
     "entered by a jump": (
         lambda: belt(run={"ends": Event(v - V, jump={v: -v})}),
-        "phase run: jump: rest is held",
+        "phase run: jump: got -v, expected V: the velocity at which rest is held",
+    ),
+    "entered by a rebound": (
+        lambda: stop(flight={"ends": Event(x - g, jump={v: -r * v})}, parameters=PARAMETERS),
+        "phase flight: jump: got -r*v, expected 0: the velocity at which rest is held",
+    ),
+    "entered at a stop without a jump": (
+        lambda: stop(flight={"ends": Event(x - g)}),
+        "phase flight: ends: got -g + x, expected v: the velocity at which rest is held",
+    ),
+    "held at a velocity of the motion": (
+        lambda: belt(rest={"held": v}),
+        "phase rest: held: got v, expected a velocity in the parameters",
     ),
     "entered without the other sign": (
         lambda: belt(half_period=True),

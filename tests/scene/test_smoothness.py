@@ -10,9 +10,10 @@ from galerkin.oscillators import (
     EQUAL_FRICTION,
     SCENES,
 )
-from small_scene import FLIGHT, refused, scene
+from small_scene import FLIGHT, g, k, refused, scene, stop
+from small_scene import F as FORCE
 
-from nonsmooth.codegen.scene import Event, switches, v, x
+from nonsmooth.codegen.scene import Event, forcing, switches, v, x
 from nonsmooth.codegen.scene.smoothness import Switch, generator
 from nonsmooth.codegen.scenes import dry_friction
 
@@ -78,6 +79,12 @@ def test_the_mirrored_side_of_half_a_period_has_its_forces_mirrored():
     mirrored = generator(phase, sp.Symbol("Omega", positive=True), sign=-1)
     assert q - mirrored == sp.Matrix(5, 5, lambda i, j: 2 * q[1, 2] if (i, j) == (1, 2) else 0)
     assert q[1, 2] != 0
+
+
+@pytest.mark.parametrize("place", [x, g])
+def test_from_rest_on_a_stop_the_force_is_continuous_however_it_is_written(place):
+    """`x` is `g` there, since the phase before the rest ends there."""
+    assert classes(stop(rest={"ends": Event(FORCE * forcing - k * place)})) == [2, 0]
 
 
 def test_where_nothing_changes_there_is_no_switch():

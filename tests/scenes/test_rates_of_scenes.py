@@ -15,7 +15,12 @@ from nonsmooth.solver.case import registry
 from nonsmooth.solver.solve import solve_case
 
 #: A scene of each class: its k, r of the decisive event, the orders of the fit.
-CLASSES = {"impact-two-sided": (0, 1), "dry-friction": (1, 1), "backlash": (2, 0)}
+CLASSES = {
+    "impact-two-sided": (0, 1),
+    "impact-inelastic": (0, 1),
+    "dry-friction": (1, 1),
+    "backlash": (2, 0),
+}
 ORDERS = (9, 13, 17, 23, 31)
 
 #: Where the terms of next order are small only later.

@@ -64,10 +64,11 @@ SCENES: dict[str, str | Scene] = {
     "stops": STOPS,
     "two-sided": TWO_SIDED,
     "elastic-plastic": "elastic-plastic",
+    "impact-inelastic": "impact-inelastic",
 }
 
 #: Scenes of every run; those left out have phases of the same kinds.
-EVERY_RUN = ("impact", "stick-slip-damped", "stops", "elastic-plastic")
+EVERY_RUN = ("impact", "stick-slip-damped", "stops", "elastic-plastic", "impact-inelastic")
 
 #: Every method on a scene, and each kind of phase in the others.
 CASES = [
@@ -82,6 +83,9 @@ CASES = [
     ("two-sided", "ck-tau"),
     ("elastic-plastic", "hb"),
     ("elastic-plastic", "ck-tau"),
+    ("impact-inelastic", "hb"),
+    ("impact-inelastic", "hb-ck"),
+    ("impact-inelastic", "ck-tau"),
 ]
 CASES_OF_EVERY_RUN = [
     case for case in CASES if case[0] in EVERY_RUN and case != ("stops", "ck")

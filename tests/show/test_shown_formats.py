@@ -30,6 +30,7 @@ METHODS = {
     "stops": ("hb-ck",),
     "two-sided": ("ck-tau",),
     "elastic-plastic": ("hb",),
+    "impact-inelastic": ("hb",),
 }
 
 

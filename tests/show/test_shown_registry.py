@@ -10,6 +10,7 @@ from shown_scenes import EVERY_RUN, SCENES
 
 import nonsmooth as ns
 from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
+from nonsmooth.codegen.scene.smoothness import place
 from nonsmooth.codegen.scenes import impact
 from nonsmooth.codegen.show import derive_scene, scene_equations, scene_named
 from nonsmooth.codegen.show.functions import Rate
@@ -92,6 +93,20 @@ def test_a_scene_from_a_file(run, tmp_path: Path) -> None:
     assert err.count("\n") == 1
 
 
+def test_a_jump_into_a_phase_that_is_held() -> None:
+    """The place and the law are said, and an event of the forcing alone as one writes it."""
+    scene = scene_named("impact-inelastic")
+    rows = [" ".join(q.text(unicode=False).split()[1:]) for q in scene_equations(scene)]
+    for text in (
+        "the displacement is held in rest; t1 <= t < T x(t) = g",
+        "demanded in rest: the mass is pressed on to the stop F*cos(Omega*t + phi) >= g*k",
+        "the velocity jumps where flight ends x'(t1^+) = 0",
+        "rest ends F*cos(Omega*T + phi) = g*k",
+        "small perturbation xi of the displacement where flight ends xi(t1^+) = 0",
+    ):
+        assert text in rows, text
+
+
 def test_the_command_shows_a_scene_and_all_its_methods(run) -> None:
     status, out, _ = run("equations", "impact")
     assert status == 0
@@ -131,13 +146,16 @@ def test_the_jump_at_each_switch_is_that_of_the_equations_of_motion(scene: str) 
         state = {x: sp.Float(0.4, 30), v: sp.Float(0.3, 30), forcing: sp.cos(angle)}
         if left.held is not None:
             state[v] = sign * sp.sympify(left.held).subs(values)
+        if place(found, (p - 1) % len(found.phases)) is not None:
+            state[x] = sign * place(found, (p - 1) % len(found.phases)).subs(values)
         before = {x: sign * x, v: sign * v, forcing: sign * forcing}
         known = values | {q.symbol: sp.Float(0.25, 30) for q in found.memory}
         zero = left.ends.zero.subs(before, simultaneous=True).subs(known)
-        pivot = x if zero.has(x) else v
+        pivot = next(q for q in (x, v, forcing) if zero.has(q))
         state[pivot] = sp.solve(
             zero.subs({q: e for q, e in state.items() if q != pivot}), pivot
         )[0]
+        angle = sp.acos(state[forcing])
         known |= {q.symbol: q.value.subs(state) for q in found.memory if q.at == switch.before}
         mirrored = {q: sign * e for q, e in state.items()}
         now = {

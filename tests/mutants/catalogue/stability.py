@@ -55,8 +55,8 @@ MUTANTS: tuple[Mutant, ...] = (
     numeric(
         "the determinant is not checked",
         "monodromy.py",
-        "    _check_determinant(matrix, size, expected)\n    held",
-        "    held",
+        "    _check_determinant(matrix, size, expected)\n    return",
+        "    return",
     ),
     numeric(
         "the rate of the motion is not checked",

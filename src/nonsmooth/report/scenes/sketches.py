@@ -97,6 +97,15 @@ def impact(axes: Any) -> None:
     axes.text(7.9, 1.3, "$r$")
 
 
+def impact_inelastic(axes: Any) -> None:
+    """Draw a mass before a stop that takes its speed."""
+    _hung(axes)
+    _arrow(axes, (3.2, 3.3), (4.4, 3.3), r"$F \cos(\Omega t + \varphi)$")
+    wall(axes, 7.2, 0.0, 2.6, 1)
+    gap(axes, 5.6, 7.2, 0.6)
+    axes.text(7.9, 1.3, "$r = 0$")
+
+
 def impact_two_sided(axes: Any) -> None:
     """Draw a mass between two stops."""
     wall(axes, 0.4, 0.9, 2.6, -1)
@@ -187,6 +196,7 @@ def _on_a_belt(axes: Any) -> None:
 #: By the name of the scene.
 SKETCHES: dict[str, Drawing] = {
     "impact": impact,
+    "impact-inelastic": impact_inelastic,
     "impact-two-sided": impact_two_sided,
     "clearance": clearance,
     "backlash": backlash,
