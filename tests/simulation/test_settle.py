@@ -62,18 +62,17 @@ def test_a_limit_that_is_only_touched_is_said() -> None:
         return [each.words for each in rough_times_by_simulation(case)]
 
     settles = "a simulation settles on slide, stop"
-    assert words(0.3) == [f"{settles}, where slide lasts no time to rounding"]
+    assert words(0.3) == ["a simulation comes to a motion without switches"]
     assert words(0.3 + 1e-9) == [settles]
 
 
-def test_phases_of_no_duration_are_not_repeated() -> None:
-    """Each of the 40 times that the load touches its limit is one slide, not many."""
-    motion = ns.simulate(registry.load("dry-friction")(force=0.3), cycles=20)
+@pytest.mark.parametrize("load", [0.3, 0.4])
+def test_what_only_touches_a_limit_is_no_phase(load) -> None:
+    """At none of the 40 times that the load comes to its limit does the mass slide."""
+    case = registry.load("dry-friction")(force=load, mu_s=load, mu_k=0.2)
+    motion = ns.simulate(case, cycles=20)
     assert motion.ended == ""
-    slides = [q for q in motion.phases if q.name == "slide"]
-    assert len(slides) <= 40
-    assert len(motion.phases) <= 2 * 40 + 1
-    assert max(abs(q.displacement) for q in motion.phases) < 1e-20
+    assert [(q.name, q.displacement) for q in motion.phases] == [("stop", 0.0)]
 
 
 def test_solve_falls_back_on_it() -> None:
