@@ -10,8 +10,9 @@ import math
 
 from ..case.cell import Form, Phase
 
-#: Rounding, as a part of the size of the terms of a form.
-ROUNDING = 1e-12
+#: Rounding, as a part of the size of the terms of a form: what is below zero by that only
+#: touches it, and is not an event.
+ROUNDING = 2e-15
 
 
 def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
@@ -40,7 +41,7 @@ def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
         ex, ev, ec, e0 = form
         turning = abs(ex * wave + ev * 1j * omega * wave + ec)
         least = sign * (ex * mean + e0) - turning - abs(ex) * far - abs(ev) * fast
-        return least > ROUNDING * (abs(ex * mean) + abs(e0) + turning)
+        return least >= -ROUNDING * (abs(ex * mean) + abs(e0) + turning)
 
     kept = all(positive(form) for _, form in phase.demands)
     return kept and (positive(phase.event) or positive(phase.event, -1))

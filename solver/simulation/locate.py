@@ -3,7 +3,8 @@
 From a state, a form is at least its Taylor polynomial less the bound for the rest: it has no
 zero before that lower bound has one.  So far a step goes; the motion there is that of the exact
 flow from the start of the phase, not of the polynomial.  Near an event these steps converge as
-fast as Newton's do.  A form that is zero at the start of a phase, as that of the event which
+fast as Newton's do.  A form that falls below zero by no more than its rounding only touches it,
+which is not an event.  A form that is zero at the start of a phase, as that of the event which
 began it, is divided by time as often as it vanishes there.
 """
 
@@ -64,7 +65,23 @@ def sign_after(at: Local, form: Form, zero: bool = False) -> int:
     """
     values, sizes = taylor(at, form)
     leading = _leading(values, sizes, zero)
-    return 0 if leading == TERMS else 1 if values[leading] > 0 else -1
+    if leading == TERMS:
+        return 0
+    return 1 if values[leading] > 0 or (leading == 1 and _touch(values, sizes)) else -1
+
+
+def _touch(values: Sequence[float], sizes: Sequence[float]) -> float:
+    """Return a time after which a form that is zero, and falls, has risen again.
+
+    It is 0 where the form falls below zero by more than its rounding: elsewhere it only
+    touches zero, and nobody can tell whether it passes.
+    """
+    _, slope, curvature, third, *_ = values
+    if not slope < 0 < curvature:
+        return 0.0
+    risen = -4 * slope / curvature
+    touches = -slope * risen / 8 <= NOISE * sizes[0] and abs(third) * risen <= curvature
+    return risen if touches else 0.0
 
 
 def _leading(values: Sequence[float], sizes: Sequence[float], zero: bool) -> int:
@@ -146,7 +163,7 @@ def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
     if leading == TERMS or most < SHORTEST:  # the form is zero all along
         return most
     if values[leading] < 0:
-        return 0.0
+        return min(most, _touch(values, sizes)) if leading == 1 else 0.0
     powers, scale = np.empty(TERMS + 1), 1.0
     for j, value in enumerate(values):
         powers[j] = value * scale

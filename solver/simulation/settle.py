@@ -138,20 +138,9 @@ def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
     if lasts(last.phase, x, v, cell.omega, last.angle + cell.omega * last.s):
         return Settled(None, "a simulation comes to a motion without switches")
     repeated = _repeated(cell, motion.segments)
-    if repeated is None or any(q.s < NO_TIME for q in repeated):
-        return _touching(cell, motion.segments)
-    return _declared(cell, repeated) or _other(cell, repeated)
-
-
-def _touching(cell: Cell, segments: tuple[Segment, ...]) -> Settled | None:
-    """Return in words that a motion stays in one phase but for others that last no time."""
-    late = [q for q in segments[:-1] if q.t > segments[-1].t - MOST * cycle(cell)]
-    stays = {q.phase.name for q in late if q.s >= NO_TIME}
-    touched = {q.phase.name for q in late if q.s < NO_TIME}
-    if len(stays) != 1 or not touched:
+    if repeated is None:
         return None
-    words = f"{' and '.join(sorted(touched))} lasts no time to rounding"
-    return Settled(None, f"a simulation stays in {stays.pop()}: {words}")
+    return _declared(cell, repeated) or _other(cell, repeated)
 
 
 def _repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] | None:

@@ -135,6 +135,20 @@ def test_a_form_that_begins_at_zero_is_not_its_own_event() -> None:
     assert found.s == pytest.approx(2 * math.pi, abs=1e-6)  # it touches zero there
 
 
+@pytest.mark.parametrize("factor", [1.0, 0.3, 0.4, 1e-9, 7.7])
+def test_a_form_that_only_touches_zero_goes_on(factor) -> None:
+    still, start, crests = phase(held=True), np.zeros(2), 200
+    form = (0.0, 0.0, factor, factor)  # 1 + cos s is zero at pi, and a turn on
+    found = first_event(still, start, 1.0, 0.0, [form], 2 * math.pi * crests)
+    assert found.form is None
+    for depth in (1e-13, 1e-10):  # that is more than rounding
+        lower = (0.0, 0.0, factor, factor * (1 - depth))
+        found = first_event(still, start, 1.0, 0.0, [lower], 10.0)
+        expected = math.pi - math.acos(1 - depth)
+        assert found.form == 0
+        assert found.s == pytest.approx(expected, abs=3e-16 / math.sqrt(depth) + 1e-9)
+
+
 def test_the_sign_just_after_a_state() -> None:
     at = local(phase(c=0.0, k=0.0, f=-1.0, g=0.0), 0.0, 0.0, 0.0, 0.0)
     assert sign_after(at, (1.0, 0.0, 0.0, 0.0)) == -1  # by the second derivative

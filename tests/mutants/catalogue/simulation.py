@@ -23,11 +23,11 @@ MUTANTS: tuple[Mutant, ...] = (
         INTEGRATED,
     ),
     mistake(
-        "a limit that is only touched is taken for a slide",
-        "settle.py",
-        "if q.s < NO_TIME}",
-        "if q.s < 0}",
-        SETTLE,
+        "what only touches zero is an event",
+        "locate.py",
+        "return risen if touches else 0.0",
+        "return 0.0",
+        LOCATE,
     ),
     mistake(
         "the bound is for a window of half the length",
