@@ -8,5 +8,8 @@ import numpy.typing as npt
 #: One-dimensional array of float64.
 Vector: TypeAlias = npt.NDArray[np.float64]
 
+#: Indices of entries, or which of them are meant.
+Indices: TypeAlias = npt.NDArray[np.intp] | npt.NDArray[np.bool_]
+
 #: Two-dimensional array of float64.
 Matrix: TypeAlias = npt.NDArray[np.float64]

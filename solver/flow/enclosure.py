@@ -16,7 +16,7 @@ from functools import cache
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from ..arrays import Matrix, Vector
+from ..arrays import Indices, Matrix, Vector
 
 #: ``function(s)`` returns D, P and Q, each of the shape of `s`; those of one row of `s` may be
 #: multiplied by a positive number of that row.
@@ -78,7 +78,7 @@ class Pieces:
     coefficients: Matrix
     resolved: bool
 
-    def taken(self, kept: Vector) -> "Pieces":
+    def taken(self, kept: Indices) -> "Pieces":
         """Return some of the pieces."""
         starts, ends = self.starts[kept], self.ends[kept]
         return Pieces(starts, ends, self.coefficients[:, kept], self.resolved)
@@ -143,19 +143,19 @@ def _values(C: Matrix, w: Vector) -> Matrix:
     return np.asarray(np.einsum("fnk,nk->fn", C, chebyshev.chebvander(w, C.shape[2] - 1)))
 
 
-def _isolated(parts: Pieces) -> tuple[Vector, Vector, Vector, Matrix]:
+def _isolated(parts: Pieces) -> tuple[Indices, Vector, Vector, Matrix]:
     """Return parts with one root at most of each equation, and intervals that are doubtful."""
     C, F = parts.coefficients, _difference(parts.coefficients)
-    rates, rate_F = chebyshev.chebder(C, axis=2), chebyshev.chebder(F, axis=2)
-    bends = np.abs(chebyshev.chebder(C, 2, axis=2)).sum(axis=2)
+    rates, rate_F = _derivative(C, 1), _derivative(F, 1)
+    bends = np.abs(_derivative(C, 2)).sum(axis=2)
     bend_D, bend_R = bends[0], np.hypot(bends[1], bends[2])
-    bend_F = np.abs(chebyshev.chebder(F, 2, axis=2)).sum(axis=2)[0]
+    bend_F = np.abs(_derivative(F, 2)).sum(axis=2)[0]
     error = FACTOR * np.abs(C[:, :, -LAST:]).max(axis=(0, 2))
     error_F = error * np.abs(C).sum(axis=2).max(axis=0)
     count = C.shape[1]
     which, middle, half = np.arange(count), np.zeros(count), np.ones(count)
-    single: list[tuple[Vector, Vector, Vector]] = []
-    given_up: list[tuple[Vector, Vector, Vector]] = []
+    single: list[tuple[Indices, Vector, Vector]] = []
+    given_up: list[tuple[Indices, Vector, Vector]] = []
     for _ in range(DEEPEST):
         (D, P, Q), (dD, dP, dQ) = _values(C[:, which], middle), _values(rates[:, which], middle)
         value, rate = (abs(_values(each[:, which], middle)[0]) for each in (F, rate_F))
@@ -183,6 +183,10 @@ def _isolated(parts: Pieces) -> tuple[Vector, Vector, Vector, Matrix]:
     return found, low, high, _joined(_place(where, middle - half), _place(where, middle + half))
 
 
+def _derivative(C: Matrix, times: int) -> Matrix:
+    return np.asarray(chebyshev.chebder(C, times, axis=2), dtype=float)
+
+
 def _difference(C: Matrix) -> Matrix:
     """Return the coefficients of ``D**2 - P**2 - Q**2``, of twice the degree."""
     count = 2 * DEGREE + 1
@@ -206,7 +210,9 @@ def _place(parts: Pieces, w: Vector) -> Vector:
     return np.asarray(parts.starts + (parts.ends - parts.starts) * (1 + w) / 2)
 
 
-def _bisected(parts: Pieces, which: Vector, low: Vector, high: Vector) -> tuple[Vector, Vector]:
+def _bisected(
+    parts: Pieces, which: Indices, low: Vector, high: Vector
+) -> tuple[Vector, Vector]:
     """Return the roots of ``D = R`` and ``D = -R`` in parts where these change their sign."""
     places, signs = [], []
     for sign in (1.0, -1.0):

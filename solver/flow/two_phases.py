@@ -8,7 +8,7 @@ with three determinants, smooth functions of s, and what is left is one equation
     D(s)^2 = P(s)^2 + Q(s)^2,     0 < s < duration of the cell.
 
 No guess of a duration or of the phase of the forcing is needed, and nothing depends on where an
-iteration leads.  Where nothing but the forcing is in the conditions, as at a gap of 0, P and Q
+iteration leads.  Where all conditions are homogeneous but for the forcing, P and Q
 vanish: then the roots are those of D, and C and S are what the conditions leave free there.
 
 All roots are found if every phase lasts longer than `SHORTEST` of the cell, the determinants

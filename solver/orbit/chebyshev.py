@@ -81,7 +81,8 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
         need not be resolved below the rounding errors of that.
     """
     nodes, matrix = _nodes()
-    found, waiting = [], [(0.0, 1.0, math.inf)]
+    found: list[Piece] = []
+    waiting = [(0.0, 1.0, math.inf)]
     while waiting:
         start, end, before = waiting.pop()
         values = function(start + (end - start) * (1 + nodes) / 2)

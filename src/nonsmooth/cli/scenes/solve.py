@@ -75,7 +75,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         check_target(output, SUFFIXES)
         seconds = None if budget is None else parse_seconds(budget)
         wanted = Wanted(
-            tuple(split_methods(method)), order, functions, tol, seconds, every, json_, output
+            tuple(split_methods(method)), order, functions, tol, seconds, json_, output
         )
         found = case_from(scene, case, flags)
         if every:

@@ -28,7 +28,6 @@ class Wanted:
     functions: int | None = None
     tol: float | None = None
     budget: float | None = None
-    every: bool = False
     json: bool = False
     output: Path | None = None
 
