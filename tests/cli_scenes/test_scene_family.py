@@ -36,7 +36,7 @@ def test_each_orbit_is_what_solve_gives(along) -> None:
         )
         assert row.estimate.times == pytest.approx(orbit.estimate.times, rel=0.01)
     assert [row.followed for row in along.rows] == [False, True, True, False]
-    assert all(row.iterations < along.rows[0].iterations for row in along.rows[1:3])
+    assert all(0 < row.iterations < 6 for row in along.rows[1:3])
 
 
 def test_numbers_that_no_row_has_are_refused(along) -> None:
