@@ -8,8 +8,7 @@ import math
 
 import numpy as np
 
-from ..arrays import Vector
-from ..flow.exact_system import exact_kernel
+from ..flow.exact_system import exact_kernel, unknowns_of
 from ..orbit.motion import SceneMotion
 
 
@@ -34,7 +33,7 @@ def condition(motion: SceneMotion) -> float:
     5.3
     """
     cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
-    z = _unknowns(motion)
+    z = unknowns_of(motion)
     J = np.empty((len(z), len(z)))
     kernel.jacobian(cell, z, J)
     J /= np.abs(J).max(axis=1, keepdims=True)
@@ -48,11 +47,3 @@ def condition(motion: SceneMotion) -> float:
     if cell.forced:
         moved[-1] /= cell.omega
     return float(moved.max() / np.sum(motion.cell_durations)) / cell.cells
-
-
-def _unknowns(motion: SceneMotion) -> Vector:
-    """Return the unknowns of the exact equations as a motion has them."""
-    start, phases = np.zeros(1), range(len(motion.case.cell.phases))
-    states = [float(motion.part(p, start, j)[0]) for p in phases for j in (0, 1)]
-    turn = [motion.angle] if motion.case.cell.forced else []
-    return np.array([*states, *motion.memory_values, *motion.cell_durations, *turn])

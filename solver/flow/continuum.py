@@ -7,7 +7,7 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..case.cell import Cell, Form, Memory, Phase
-from .exact_system import exact_kernel
+from .exact_system import exact_kernel, unknowns_of
 
 if TYPE_CHECKING:
     from ..orbit.motion import SceneMotion
@@ -80,16 +80,14 @@ def whole_period(cell: Cell) -> Cell | None:
 
 def _unknowns(motion: "SceneMotion") -> Vector:
     """Return the unknowns of the exact equations of a whole period, as a motion has them."""
-    cell = motion.case.cell
-    start = np.zeros(1)
-    phases = range(len(cell.phases))
-    states = [float(motion.part(p, start, j)[0]) for p in phases for j in (0, 1)]
-    memory, durations = [*motion.memory_values], [*map(float, motion.cell_durations)]
-    if cell.sign < 0:
-        states += [-q for q in states]
-        memory += [-q for q in memory]
-        durations += durations
-    return np.array([*states, *memory, *durations, *([motion.angle] if cell.forced else [])])
+    cell, z = motion.case.cell, unknowns_of(motion)
+    if cell.sign > 0:
+        return z
+    count, more = len(cell.phases), len(cell.memory)
+    states, memory, times = np.split(z, [2 * count, 2 * count + more])
+    durations, turn = times[:count], times[count:]
+    parts = (states, -states, memory, -memory, durations, durations, turn)
+    return np.concatenate(parts)
 
 
 def _jacobian(cell: Cell, z: Vector) -> Matrix:

@@ -9,6 +9,7 @@ linear in all but the times.
 
 import math
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,6 +18,9 @@ from ..case.cell import Cell
 from ..case.kernel import SceneKernel
 from ..case.linking import linked
 from . import flow
+
+if TYPE_CHECKING:
+    from ..orbit.motion import SceneMotion
 
 
 def exact_kernel(cell: Cell) -> SceneKernel:
@@ -34,6 +38,14 @@ def exact_kernel(cell: Cell) -> SceneKernel:
         coefficients=lambda z: {"states": (z[: 2 * count], 0)},
         iterate=linked(residual, jacobian, count, cell.forced),
     )
+
+
+def unknowns_of(motion: "SceneMotion") -> Vector:
+    """Return the unknowns of the exact equations of a cell, as a motion has them."""
+    start, phases = np.zeros(1), range(len(motion.case.cell.phases))
+    states = [float(motion.part(p, start, j)[0]) for p in phases for j in (0, 1)]
+    turn = [motion.angle] if motion.case.cell.forced else []
+    return np.array([*states, *motion.memory_values, *motion.cell_durations, *turn])
 
 
 def _unpacked(cell: Cell, z: Vector) -> tuple[Cell, Matrix, Vector, Vector]:

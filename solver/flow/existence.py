@@ -83,8 +83,8 @@ def not_decided(case: Case) -> Iterator[str]:
             f"; as {' or '.join(names)} lasts no time they hold to rounding" if names else ""
         )
         yield (
-            "a scan of the exact equations found no orbit, and rounding leaves open whether "
-            f"there is one{limit}"
+            "a scan of the exact equations found none, and cannot decide whether there is one"
+            f"{limit}"
         )
 
 
