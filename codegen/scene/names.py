@@ -9,7 +9,17 @@ from .error import SceneError
 #: Names that flags of the command line have.
 TAKEN = frozenset(
     (
-        *("budget", "c1_terms", "case", "cycles", "digits", "expand", "format", "fragment"),
+        *(
+            "all",
+            "budget",
+            "c1_terms",
+            "case",
+            "cycles",
+            "digits",
+            "expand",
+            "format",
+            "fragment",
+        ),
         *("forcing_phase", "functions", "help", "json", "log", "method", "methods", "motion"),
         *("no_shortcuts", "order", "orders", "output", "quick", "shortcuts", "state", "time"),
         *("tol", "tol_acceleration", "vary", "verbose", "version"),

@@ -14,7 +14,7 @@ from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip
 SLOW = StickSlip(mass=3, stiffness=50, belt_speed=2, mu_s=0.4, mu_k=0.3, normal_force=80)
 
 #: Keys of the generic document that the paper's has not: it has the count of its functions.
-NOT_OF_THE_PAPER = {"functions"}
+NOT_OF_THE_PAPER = {"functions", "others"}
 
 
 def keys(document: dict, prefix: str = "") -> set[str]:

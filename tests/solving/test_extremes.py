@@ -195,7 +195,7 @@ def test_any_parameters_are_refused_or_survived() -> None:
         warnings.simplefilter("error")
         run()
     assert ends["orbit"] >= 75
-    assert min(ends.values()) >= 3
+    assert min(ends.values()) >= 1
 
 
 @pytest.mark.parametrize("power", range(-12, 13, 4))
