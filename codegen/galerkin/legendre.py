@@ -63,7 +63,8 @@ class PhaseSeries:
 
     def a(self, l: sp.Expr) -> sp.Expr:
         """Return the coefficient of ``P_l*`` in the acceleration."""
-        return sp.Integer(0) if self.acceleration is None else self.acceleration[l]
+        beyond = self.acceleration is None or sp.expand(l - self.count).is_nonnegative
+        return sp.Integer(0) if beyond else self.acceleration[l]
 
     def v(self, l: sp.Expr) -> sp.Expr:
         """Return the coefficient of ``P_l*`` in the velocity."""
