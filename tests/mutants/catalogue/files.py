@@ -2,10 +2,6 @@
 
 from ..mutant import Mutant
 
-WHOLE = "src/nonsmooth/files/whole.py"
-JSON = "src/nonsmooth/files/json_text.py"
-RESTORED = "src/nonsmooth/files/scenes/restored.py"
-
 CHANGED = "tests/files/test_changed_files.py"
 SCENES = ("tests/files/test_files_of_scenes.py",)
 MODES = ("tests/space/test_space_files.py",)
@@ -16,7 +12,7 @@ USERS = "tests/cli_scenes/test_user_scenes.py"
 MUTANTS = (
     Mutant(
         "a digest that nobody looks at",
-        JSON,
+        "src/nonsmooth/files/json_text.py",
         "elif found != digest(document):",
         "elif found is False:",
         (CHANGED,),
@@ -30,22 +26,15 @@ MUTANTS = (
     ),
     Mutant(
         "a failed save leaves a part of a file",
-        WHOLE,
+        "src/nonsmooth/files/whole.py",
         "        temporary.unlink(missing_ok=True)\n",
         "        pass\n",
         ("tests/files/test_files.py::test_a_failed_save_leaves_the_old_file",),
     ),
     Mutant(
         "the equations of a loaded orbit are not checked",
-        RESTORED,
+        "src/nonsmooth/files/scenes/restored.py",
         "    checks.residual(R, z)\n",
-        "",
-        SCENES,
-    ),
-    Mutant(
-        "durations of a file need not be its period",
-        "src/nonsmooth/files/checks.py",
-        '    same("period", row["period"], math.fsum(parts), "its durations")\n',
         "",
         SCENES,
     ),
@@ -83,20 +72,6 @@ MUTANTS = (
         "if owners - trusted - {os.getuid()}:",
         "if False:",
         (f"{KEPT}::test_another_user_does_not_run_what_this_one_kept",),
-    ),
-    Mutant(
-        "a link is as good as what it leads to",
-        "solver/ownership.py",
-        "owners = {there.st_uid, path.lstat().st_uid}",
-        "owners = {there.st_uid}",
-        (f"{KEPT}::test_a_link_that_another_user_made_is_not_followed",),
-    ),
-    Mutant(
-        "the group of a file may change it",
-        "solver/ownership.py",
-        "OTHERS = stat.S_IWGRP | stat.S_IWOTH",
-        "OTHERS = stat.S_IWOTH",
-        (f"{CACHE}::test_what_is_kept_is_writable_by_its_user_alone",),
     ),
     Mutant(
         "compiled code is run whatever its hash",

@@ -8,8 +8,6 @@ NONE = ("tests/scenes/test_existence.py",)
 ITERATION = "tests/scenes/test_iteration_scenes.py"
 WRONG = ("tests/scenes/test_never_wrong.py",)
 SINGLE = ("tests/scenes/test_single_unknown.py",)
-ADMISSIBLE = ("tests/scenes/test_admissible_scenes.py",)
-CROSSED = ("tests/scenes/test_crossings.py",)
 ORBITS = "tests/scenes/test_orbit_scenes.py"
 MULTIPLIERS = ("tests/stability/test_multipliers.py",)
 BALLS = ("tests/precision/test_balls.py",)
@@ -73,24 +71,10 @@ MUTANTS = (
         SCAN,
     ),
     Mutant(
-        "scan: where the forcing is free it is taken from the conditions",
-        "solver/flow/two_phases.py",
-        "if nothing.any():",
-        "if False:",
-        SCAN,
-    ),
-    Mutant(
         "roots: parts in which two functions may meet are left out",
         "solver/flow/enclosure.py",
-        "far = np.abs(np.abs(D) - np.hypot(P, Q)) > change",
-        "far = change > change",
-        SCAN,
-    ),
-    Mutant(
-        "roots: of the two beside a zero one is looked for",
-        "solver/flow/enclosure.py",
-        "for sign in (1.0, -1.0):",
-        "for sign in (1.0,):",
+        "far = np.abs(np.abs(D) - np.hypot(P, Q)) > change + error[which]",
+        "far = np.abs(np.abs(D) - np.hypot(P, Q)) > 0.1 * change",
         SCAN,
     ),
     Mutant(
@@ -115,13 +99,6 @@ MUTANTS = (
         (f"{WRONG[0]}::test_of_two_orbits_the_stable_one_is_returned_and_the_other_named",),
     ),
     Mutant(
-        "the mirror image keeps the sign of its constant force",
-        "solver/flow/continuum.py",
-        "phase, f=-phase.f, speed=-phase.speed",
-        "phase, f=phase.f, speed=-phase.speed",
-        ("tests/stability/test_continuum.py",),
-    ),
-    Mutant(
         "linear systems without exchanges of rows",
         "solver/iteration/linear.py",
         "if abs(A[i, k]) > abs(A[pivot, k]):",
@@ -133,10 +110,7 @@ MUTANTS = (
         "solver/iteration/iteration.py",
         "add(z, 1.0, following, z)",
         "add(z, 0.0 if converged else 1.0, following, z)",
-        (
-            f"{ITERATION}::test_converges_quadratically_to_the_last_digit",
-            f"{ITERATION}::test_coefficients_converge_where_the_times_have_long_done_so",
-        ),
+        (f"{ITERATION}::test_a_jacobian_is_not_used_where_corrections_shrink_slowly",),
     ),
     Mutant(
         "one unknown: factors of the product keep their sign",
@@ -192,13 +166,6 @@ MUTANTS = (
         "solver/stability/monodromy.py",
         "sign = cell.sign if after == 0 else 1",
         "sign = 1",
-        MULTIPLIERS,
-    ),
-    Mutant(
-        "an event that is touched has multipliers",
-        "solver/stability/monodromy.py",
-        "if not abs(switch.approach) > TOUCH * switch.size:",
-        "if False:",
         MULTIPLIERS,
     ),
     Mutant(

@@ -52,13 +52,6 @@ MUTANTS = (
         CHATTER,
     ),
     Mutant(
-        "switches accumulate where the last phase begins",
-        "solver/simulation/chatter.py",
-        "t + last * last / (before - last) if 0 < last < before else t",
-        "float(segments[-1].t)",
-        CHATTER,
-    ),
-    Mutant(
         "the polynomial is raised by the bound in place of lowered",
         "solver/simulation/locate.py",
         "powers[TERMS] = -bound(at, form, most) * scale",
