@@ -1,4 +1,4 @@
-"""Mistakes by which bad input passes, or a solution that is no orbit, or a proof that is none."""
+"""Mistakes by which bad input passes, or what is no orbit, or a proof that is none."""
 
 from ..mutant import Mutant
 
