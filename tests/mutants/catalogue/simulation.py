@@ -31,6 +31,13 @@ MUTANTS = (
         SURFACES,
     ),
     Mutant(
+        "a switch that its event forbids is taken",
+        "solver/simulation/machine.py",
+        "                if q is not refused\n                and (q is declared",
+        "                if (q is declared",
+        (f"{SETTLE}::test_a_switch_that_its_event_forbids_is_not_taken",),
+    ),
+    Mutant(
         "the event of a mirrored phase is not mirrored",
         "solver/simulation/nodes.py",
         "        event=_mirrored(phase.event),\n",
