@@ -97,18 +97,33 @@ class Machine:
         known = surface if ev == 0 or (rho, d) == (1, 0) else None
         return replace(end, x=x, v=rho * v + d, surface=known, placed=placed)
 
-    def next(self, node: Node, surface: int, state: State) -> Node | None:
-        """Return the phase that follows on a surface, the law of the switch done."""
+    def next(self, node: Node, surface: int, before: State, state: State) -> Node | None:
+        """Return the phase that follows on a surface, from the state behind the switch.
+
+        The one that the scene declares does not follow where the state `before` the switch is
+        not one that the event demands.
+        """
         declared = self._beside(node, 1) if surface == node.event else None
+        refused = declared if declared and not self._switches(node, before) else None
         return next(
             (
                 q
                 for q in self._held_first(declared)
-                if (q is declared or not self.sets(q))
+                if q is not refused
+                and (q is declared or not self.sets(q))
                 and self.admits(q, self.entered(q, state))
             ),
             None,
         )
+
+    def _switches(self, node: Node, before: State) -> bool:
+        """Whether a state is one that the event of a phase demands, but for rounding."""
+        terms = before.x, before.v, math.cos(before.angle), 1.0
+        for _, form in node.at(before).switch_demands:
+            parts = [factor * term for factor, term in zip(form, terms, strict=True)]
+            if sum(parts) < -NOISE * sum(map(abs, parts)):
+                return False
+        return True
 
     def rest(self, node: Node, surface: int, state: State) -> Node | None:
         """Return the rest at a place that takes a state whose jumps have died away there."""

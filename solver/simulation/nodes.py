@@ -90,6 +90,7 @@ def mirror(phase: Phase) -> Phase:
         event=_mirrored(phase.event),
         d=-phase.d,
         demands=tuple((words, _mirrored(form)) for words, form in phase.demands),
+        switch_demands=tuple((words, _mirrored(form)) for words, form in phase.switch_demands),
     )
 
 

@@ -174,7 +174,7 @@ def walk(
         clock = clock.later(end.s)
         before = State(end.x, end.v, clock.angle, memory=state.memory)
         surface, state = on[0], machine.crossed(node, *on, before)
-        after = machine.next(node, surface, state)
+        after = machine.next(node, surface, before, state)
         if after is None:
             when = f"at t = {float(clock.t) * case.units.time:.6g} s"
             words = (

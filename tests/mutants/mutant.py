@@ -19,8 +19,6 @@ class Mutant:
         The test modules or tests concerned, as pytest takes them.
     regenerate : bool
         Whether ``generated/`` is to be written anew with the mistake.
-    equivalent : str
-        Why no test can see it, if it changes nothing; empty for a real mistake.
     """
 
     what: str
@@ -29,4 +27,3 @@ class Mutant:
     new: str
     tests: tuple[str, ...]
     regenerate: bool = False
-    equivalent: str = ""

@@ -54,7 +54,9 @@ class Workplace:
             if "__pycache__" not in path.parts and not _listed(path, self.folder, names):
                 path.unlink()
 
-    def _run(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+    def _run(
+        self, *arguments: str, patience: float | None = PATIENCE
+    ) -> subprocess.CompletedProcess[str]:
         environment = os.environ | {
             "PYTHONPATH": str(self.folder / "src"),
             "PYTHONDONTWRITEBYTECODE": "1",  # a mistake of the same size and second is read
@@ -65,22 +67,24 @@ class Workplace:
             env=environment,
             capture_output=True,
             text=True,
-            timeout=PATIENCE,
+            timeout=patience,
             check=False,
         )
 
-    def pytest(self, tests: tuple[str, ...]) -> tuple[int, str]:
+    def pytest(
+        self, tests: tuple[str, ...], patience: float | None = PATIENCE
+    ) -> tuple[int, str]:
         """Run tests up to the first failure and return pytest's status and its output.
 
         As `make test` does, without those that are long: nothing that catches a mistake is
         left to them.
         """
         options = ("-x", "-rfE", "-p", "no:cacheprovider", "-m", "not long")
-        done = self._run("-m", "pytest", *options, *tests)
+        done = self._run("-m", "pytest", *options, *tests, patience=patience)
         return done.returncode, done.stdout + done.stderr
 
-    def survives(self, mutant: Mutant) -> tuple[bool, str]:
-        """Make the mistake, run its tests, take it back; whether all passed, and by what not.
+    def caught_by(self, mutant: Mutant) -> str:
+        """Make the mistake, run its tests, take it back; what failed, or nothing.
 
         Raises
         ------
@@ -101,20 +105,22 @@ class Workplace:
             if mutant.regenerate:
                 done = self._run("-m", "nonsmooth", "generate")
                 if done.returncode:
-                    return False, "nonsmooth generate: " + done.stderr.strip()[-200:]
+                    return "nonsmooth generate: " + done.stderr.strip()[-200:]
             status, output = self.pytest(mutant.tests)
         except subprocess.TimeoutExpired:
-            return False, "hangs"
+            return "hangs"
         finally:
             for name, (old, stat) in before.items():
                 name.write_text(old, "utf-8")
                 os.utime(name, ns=(stat.st_atime_ns, stat.st_mtime_ns))
         if status == COLLECTION and "during collection" in output:
-            return False, "cannot be imported"
+            return "cannot be imported"
         if status not in {0, 1}:
             raise CatalogueError(f"pytest ended with {status}: {output[-600:]}")
+        if status == 0:
+            return ""
         failed = [line for line in output.splitlines() if line.startswith(("FAILED", "ERROR"))]
-        return status == 0, failed[0].split(" - ")[0] if failed else ""
+        return failed[0].split(" - ")[0] if failed else "a test"
 
 
 def _listed(path: Path, folder: Path, names: set[str]) -> bool:

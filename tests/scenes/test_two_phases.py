@@ -150,11 +150,18 @@ def test_roots_that_rounding_cannot_tell_apart_decide_nothing():
         assert (roots.complete, len(roots.places)) == (True, count)
 
 
-def test_functions_that_are_not_resolved_decide_nothing():
-    def rough(s):
-        return np.array([np.sin(1e5 * s) + 2, np.ones_like(s), np.zeros_like(s)])
+@pytest.mark.parametrize(
+    "rough",
+    [lambda s: np.sin(1e5 * s), lambda s: np.abs(s - 0.3) ** 0.25],
+    ids=["waves", "a cusp"],
+)
+def test_functions_that_are_not_resolved_decide_nothing(rough):
+    """Not even where no part of them is doubtful, as beside the cusp."""
 
-    assert not enclosure.roots(rough, np.array([0.0, 1.0])).complete
+    def function(s):
+        return np.array([rough(s) + 2, np.ones_like(s), np.zeros_like(s)])
+
+    assert not enclosure.roots(function, np.array([0.0, 1.0])).complete
 
 
 @pytest.mark.parametrize("case", CASES, ids=repr)

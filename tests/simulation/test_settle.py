@@ -16,7 +16,7 @@ from nonsmooth.solver.flow.exact import exact_orbit
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts
-from nonsmooth.solver.simulation.machine import Machine
+from nonsmooth.solver.simulation.machine import Machine, State
 from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settled
 from nonsmooth.solver.simulation.simulate import at_rest, cycle, follow
 from nonsmooth.solver.solve import solve_case
@@ -186,6 +186,18 @@ def test_what_was_repeated_before_is_not_what_a_motion_settles_on() -> None:
     assert (
         settled(case.cell, replace(motion, segments=(*done[:-1], changed, last))).times is None
     )
+
+
+@pytest.mark.parametrize("velocity", [1.0, -1.0])  # the phase itself, and its mirror image
+def test_a_switch_that_its_event_forbids_is_not_taken(velocity) -> None:
+    """Where the load is below the static limit a mass that comes to rest does not slide on."""
+    values = {"mu_s": 0.7, "mu_k": 0.137, "force": 0.876, "frequency": 1.8, "stiffness": 0.21}
+    slides = registry.load("dry-friction")(mass=3.6, damping=0, normal_force=2.06, **values)
+    case = slides.of_motion("sliding")
+    start = State(0.0, velocity, 0.0)
+    motion = follow(case, Machine.of(case.cell), start, 100 * cycle(case.cell))
+    assert len(motion.segments) == 1
+    assert "no phase of the scene takes the state" in motion.ended
 
 
 def some_motions(count: int, seed: int):

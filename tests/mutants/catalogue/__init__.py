@@ -1,4 +1,4 @@
-"""The mistakes, a module an area: printing, pictures, files, numbers, ..."""
+"""The mistakes, a module for each of what they break."""
 
 import importlib
 import pkgutil

@@ -1,143 +1,146 @@
-"""Mistakes in the derivation: the closed forms and what is shown of them."""
+"""Mistakes in what is derived: scenes, conditions, expansions, and the text of kernels."""
 
 from ..mutant import Mutant
 
-SHOWN = ("tests/shown/test_equations_shown.py",)
-KERNELS = ("tests/derivation/test_closed_forms.py",)
-HALVED = ("tests/derivation/test_solved_equations.py",)
-SECTION_2 = ("tests/shown/test_section2_shown.py",)
-
-
-def _derived(what: str, file: str, old: str, new: str, tests: tuple[str, ...]) -> Mutant:
-    """Return a mistake that is written into ``generated/``, if the derivation lets it pass."""
-    return Mutant(what, f"codegen/shortcuts/{file}.py", old, new, tests, regenerate=True)
-
+ROWS = (
+    "tests/galerkin/test_rows.py::test_the_residual_is_the_quadrature_of_the_equation_of_motion"
+)
+RATES = "tests/galerkin/test_rows.py::test_the_jacobian_is_the_derivative_of_the_residual"
+CLASSES = ("tests/scene/test_smoothness.py",)
+NUMBERS = ("tests/scene/test_scene_numbers.py",)
+SALTATION = ("tests/scene/test_saltation.py",)
+SERIES = ("tests/galerkin/test_phase_series.py",)
+RUNTIME = "tests/galerkin/test_runtime.py"
+CONDENSED = ("tests/galerkin/test_condensed.py",)
 
 MUTANTS = (
-    _derived(
-        "(4): the friction force with the other sign",
-        "paper/hb",
-        "fourier.a0 * constant + phase.residual(sp.Integer(0))",
-        "fourier.a0 * constant - phase.residual(sp.Integer(0))",
-        SHOWN,
+    Mutant(
+        "the friction force with the other sign",
+        "codegen/scenes/dry_friction.py",
+        "- mu_k * F_N - F * forcing",
+        "+ mu_k * F_N - F * forcing",
+        (
+            "tests/scenes/test_shipped_scenes.py::test_amplitude_of_sliding_is_that_of_den_hartog",
+        ),
+        regenerate=True,
     ),
-    _derived(
-        "(8): the integral over stick is that over the period and slip",
-        "paper/inner_product",
-        "(_full_period(function, index) - _table(function, index))",
-        "(_full_period(function, index) + _table(function, index))",
-        KERNELS,
+    Mutant(
+        "the law of an impact with constant and factor exchanged",
+        "codegen/emission/scene_functions.py",
+        "return row.v, row.constant",
+        "return row.constant, row.v",
+        NUMBERS,
     ),
-    _derived(
-        "(8): the constant has no integral over the period",
-        "paper/inner_product",
-        "return T if index == 0 and function is sp.cos else sp.Integer(0)",
-        "return sp.Integer(0)",
-        KERNELS,
+    Mutant(
+        "the class forgets that a mirrored force is mirrored",
+        "codegen/scene/smoothness.py",
+        "sign * q.f / q.m",
+        "q.f / q.m",
+        CLASSES,
     ),
-    _derived(
-        "(10): the velocity of a sine with the other sign",
-        "paper/fourier",
-        "return SINE.diff(t).subs(t, 0)",
-        "return -SINE.diff(t).subs(t, 0)",
-        KERNELS,
+    Mutant(
+        "the memory of the cell before without its sign",
+        "codegen/scene/data.py",
+        "= self.sign * memory.symbol",
+        "= memory.symbol",
+        ("tests/scene/test_scene_motions.py",),
     ),
-    _derived(
-        "(14): the mean of g1 without its part in stick",
-        "paper/g1",
-        "(in_stick + slip_integral(g_in_slip()))",
-        "slip_integral(g_in_slip())",
-        KERNELS,
+    Mutant(
+        "the delay of a perturbed event with the other sign",
+        "codegen/scene/saltation.py",
+        "behind = law.jacobian(state) * moved - rates_after * delay",
+        "behind = law.jacobian(state) * moved + rates_after * delay",
+        SALTATION,
     ),
-    _derived(
-        "(14): the inner product of g1 with the residual of another function",
-        "paper/g1",
-        "return slip_integral(through_motion() * g_in_slip())",
-        "return slip_integral(through_motion() * SMOOTHSTEP)",
-        KERNELS,
+    Mutant(
+        "half a period as long as one of the forcing",
+        "codegen/galerkin/times.py",
+        "turns = sp.pi if self.sign == -1 else 2 * sp.pi",
+        "turns = 2 * sp.pi",
+        (f"{ROWS}[S3b-ck_tau]",),
     ),
-    _derived(
-        "(14): the forcing with the other sign",
-        "paper/hb_c1",
-        "+ series + c1 * Hg - x_s * H0",
-        "+ series + c1 * Hg + x_s * H0",
-        SHOWN,
+    Mutant(
+        "the forcing is the first harmonic whatever the cycles",
+        "codegen/galerkin/harmonics.py",
+        "turned = cycles * angle",
+        "turned = angle",
+        (f"{ROWS}[S1n2-hb]",),
     ),
-    _derived(
-        "slip moments: sine and cosine of degree 1 and 3 exchanged",
-        "paper/slip_moments",
-        "return -sine * integral, cosine * integral",
-        "return cosine * integral, -sine * integral",
-        KERNELS,
+    Mutant(
+        "closure: displacement continuous without the sign of half a period",
+        "codegen/galerkin/closure.py",
+        "start(p, 0) - sign * end(left, 0)",
+        "start(p, 0) - end(left, 0)",
+        (f"{ROWS}[S6-ck_tau]",),
     ),
-    _derived(
-        "slip moments: the derivative by T forgets the half angle",
-        "paper/slip_moments",
-        "for name in TIMES)",
-        "for name in (s,))",
-        ("tests/shown/test_jacobian_shown.py",),
+    Mutant(
+        "closure: one derivative less is continuous",
+        "codegen/galerkin/closure.py",
+        "range(2, switch.k + 1 if not held else 2)",
+        "range(2, switch.k if not held else 2)",
+        (f"{ROWS}[S4a-ck]",),
     ),
-    _derived(
-        "(18): the line taken before slip instead of in it",
-        "paper/c1",
-        "load = _over_slip(rest.subs(t, t1 + tau)",
-        "load = _over_slip(rest.subs(t, tau)",
-        SHOWN,
+    Mutant(
+        "a break that jumps down",
+        "codegen/galerkin/breaks.py",
+        "return -sp.bernoulli(n, u)",
+        "return sp.bernoulli(n, u)",
+        (f"{ROWS}[S2b-hb_ck_1]",),
     ),
-    _derived(
-        "(19): the belt moves for the time of stick alone",
-        "paper/c1",
-        "trial().subs(tau, s), START[e0] * T)",
-        "trial().subs(tau, s), START[e0] * t1)",
-        SHOWN,
+    Mutant(
+        "the test functions of a phase are not normalised",
+        "codegen/galerkin/polynomials.py",
+        " / (2 * degree + 1)\n",
+        "\n",
+        (f"{ROWS}[S1-ck]",),
     ),
-    _derived(
-        "Legendre polynomials: the norm of another degree",
-        "paper/c1_legendre",
-        "(1 / (2 * l + 1),)",
-        "(1 / (2 * l + 3),)",
-        KERNELS,
+    Mutant(
+        "for class C^1 the second highest coefficient vanishes, not the highest",
+        "codegen/galerkin/polynomials.py",
+        "q.count - 1 - (found[p].k - order)",
+        "q.count - 1 - order + 1",
+        ("tests/galerkin/test_class_one.py",),
     ),
-    _derived(
-        "symmetric equations: harmonics of a C1 function with the other sign",
-        "symmetric/symmetric_equations",
-        "harmonic = -2 / T * sp.Sum",
-        "harmonic = 2 / T * sp.Sum",
-        HALVED,
+    Mutant(
+        "the integral of the constant begins with the other sign",
+        "codegen/galerkin/legendre.py",
+        "below = -series(sp.Integer(0)) if l == 0",
+        "below = series(sp.Integer(0)) if l == 0",
+        SERIES,
     ),
-    _derived(
-        "symmetric equations: (9) with the sign of t = 0",
-        "symmetric/symmetric_equations",
-        "_series(WAVE_AT_END, phi[i]), -displacement)",
-        "_series(WAVE_AT_END, phi[i]), displacement)",
-        HALVED,
+    Mutant(
+        "derivatives of the moments without their neighbours above",
+        "codegen/galerkin/tables.py",
+        "near = (degree + 1) * other[(degree + 1, *rest)]",
+        "near = degree * other[(degree + 1, *rest)]",
+        (f"{RATES}[S1-ck_tau]",),
     ),
-    _derived(
-        "symmetric equations: sum and difference of the indices exchanged",
-        "symmetric/symmetry",
-        "SINE_BY_SINE = (C[j - n] - C[j + n]) / 2",
-        "SINE_BY_SINE = (C[j + n] - C[j - n]) / 2",
-        HALVED,
+    Mutant(
+        "an impulse with the other sign",
+        "codegen/expansions/hb.py",
+        "expression -= mass * jump(found, p) * at",
+        "expression += mass * jump(found, p) * at",
+        (f"{ROWS}[S1-hb]",),
     ),
-    _derived(
-        "reduced: the series at u = 0 with the signs of u = 1",
-        "reduced/c1_reduced",
-        "return -_ratio(AT_0)",
-        "return _ratio(AT_0)",
-        HALVED,
+    Mutant(
+        "the jump of a derivative with the force, not with its derivative",
+        "codegen/expansions/hb_ck.py",
+        "phase.f if order == 2 else sp.Integer(0)",
+        "phase.f",
+        (f"{ROWS}[S5a-hb_ck_2]",),
     ),
-    _derived(
-        "(2): friction along the motion",
-        "paper/section2",
-        "sliding = -mu_k * F_N",
-        "sliding = mu_k * F_N",
-        SECTION_2,
+    Mutant(
+        "the ratios of Bessel functions begin too low",
+        "codegen/emission/runtime/moments.py",
+        "while left > 1e-18:",
+        "while left > 1e-2:",
+        (f"{RUNTIME}::test_few_and_many_spherical_bessel_functions",),
     ),
-    _derived(
-        "Section 2: the exact slip is as long as that of the other branch",
-        "paper/oscillator",
-        "sp.pi + 2 * sp.atan",
-        "sp.pi - 2 * sp.atan",
-        SECTION_2,
+    Mutant(
+        "a solved unknown with the other sign",
+        "codegen/emission/condensed/order.py",
+        "factored(-rest / slope)",
+        "factored(rest / slope)",
+        CONDENSED,
     ),
 )

@@ -1,282 +1,112 @@
-"""Files and families: units, modes, ends of a range, chunks, what is damaged."""
+"""Mistakes with files and caches: damage, hashes, permissions, what is read back."""
 
 from ..mutant import Mutant
 
-FILES = "src/nonsmooth/files"
-CLI = "src/nonsmooth/cli"
+CHANGED = "tests/files/test_changed_files.py"
+SCENES = ("tests/files/test_files_of_scenes.py",)
+MODES = ("tests/space/test_space_files.py",)
+KEPT = "tests/cli_scenes/test_kept_kernels.py"
+CACHE = "tests/solving/test_cache_that_fails.py"
+USERS = "tests/cli_scenes/test_user_scenes.py"
 
-UNITS = ("tests/files/test_units.py", "tests/files/test_other_units.py")
-UNITS_OF_FILES = ("tests/files/test_units.py", "tests/files/test_files_in_other_units.py")
-MODES = ("tests/files/test_file_modes.py",)
-FAMILY = ("tests/families/test_family.py",)
-VARY = ("tests/families/test_vary.py",)
-LOADED = ("tests/files/test_files.py",)
-
-MUTANTS: tuple[Mutant, ...] = (
-    Mutant(
-        "a family loses its last part chunk",
-        "solver/shortcuts/search/family.py",
-        "for i in range(0, len(numbers), CHUNK)",
-        "for i in range(0, len(numbers) // CHUNK * CHUNK or len(numbers), CHUNK)",
-        FAMILY,
-    ),
-    Mutant(
-        "chunks of a family overlap by a point",
-        "solver/shortcuts/search/family.py",
-        "numbers[i : i + CHUNK]",
-        "numbers[i : i + CHUNK + 1]",
-        FAMILY,
-    ),
-    Mutant(
-        "the amplitude of a family in mm",
-        "solver/shortcuts/search/family_points.py",
-        'found["amplitude"] *= given["belt_speed"] * time_unit',
-        'found["amplitude"] *= 1000 * given["belt_speed"] * time_unit',
-        UNITS,
-    ),
-    Mutant(
-        "the amplitude of a family in s",
-        "solver/shortcuts/search/family_points.py",
-        'found["amplitude"] *= given["belt_speed"] * time_unit',
-        'found["amplitude"] *= time_unit',
-        UNITS,
-    ),
-    Mutant(
-        "the end of stick of a family without its unit",
-        "solver/shortcuts/search/family_points.py",
-        '    found["t1"] *= time_unit\n',
-        "",
-        UNITS,
-    ),
-    Mutant(
-        "the amplitude of an orbit in mm",
-        "solver/shortcuts/orbit/orbit.py",
-        "return belt.length_unit * amplitude(",
-        "return 1000 * belt.length_unit * amplitude(",
-        UNITS,
-    ),
-    Mutant(
-        "the velocity in m",
-        "solver/shortcuts/orbit/motion.py",
-        "unit = (belt.length_unit, belt.belt_speed, belt.acceleration_unit)[derivative]",
-        "unit = (belt.length_unit, belt.length_unit, belt.acceleration_unit)[derivative]",
-        UNITS_OF_FILES,
-    ),
-    Mutant(
-        "the velocity is said to be in m",
-        "solver/results/motion.py",
-        '"velocity": "m/s", "acc',
-        '"velocity": "m", "acc',
-        UNITS_OF_FILES,
-    ),
-    Mutant(
-        "a family of stiffness is said to be in N",
-        "solver/shortcuts/orbit/oscillator.py",
-        '"stiffness": ("N/m", "a positive number"),',
-        '"stiffness": ("N", "a positive number"),',
-        UNITS,
-    ),
-    Mutant(
-        "the amplitude is said to be in mm",
-        f"{FILES}/shortcuts/origin.py",
-        '"seconds": "s", "amplitude": "m"}',
-        '"seconds": "s", "amplitude": "mm"}',
-        UNITS,
-    ),
-    Mutant(
-        "the column of amplitudes is said to be in mm",
-        "solver/shortcuts/search/family_points.py",
-        '"amplitude": "m",',
-        '"amplitude": "mm",',
-        UNITS,
-    ),
-    Mutant(
-        "c1 is said to be in m/s**3",
-        f"{FILES}/shortcuts/origin.py",
-        '"c1": "m/s**4"',
-        '"c1": "m/s**3"',
-        UNITS,
-    ),
-    Mutant(
-        "d is said to be in m/s**(n + 1)",
-        f"{FILES}/shortcuts/origin.py",
-        '"m/s**(n + 2)"',
-        '"m/s**(n + 1)"',
-        UNITS,
-    ),
-    Mutant(
-        "c1 in m/s**3",
-        "solver/shortcuts/series/fourier.py",
-        "(belt.time_unit, -3)",
-        "(belt.time_unit, -2)",
-        UNITS,
-    ),
-    Mutant(
-        "further c in m/s",
-        "solver/shortcuts/series/fourier.py",
-        "(belt.acceleration_unit * further).tolist()",
-        "(belt.belt_speed * further).tolist()",
-        UNITS,
-    ),
-    Mutant(
-        "d in m/s**(n + 1)",
-        "solver/shortcuts/polynomials/polynomial.py",
-        "(belt.time_unit, -1 - k)",
-        "(belt.time_unit, -k)",
-        UNITS,
-    ),
-    Mutant(
-        "the value of a family without its unit in JSON",
-        f"{FILES}/shortcuts/texts.py",
-        'units() | {"value": units()[head.parameter]}',
-        "units()",
-        UNITS,
-    ),
-    Mutant(
-        "the table says that the amplitude is in mm",
-        f"{CLI}/shortcuts/tables.py",
-        '"amp. [m]"',
-        '"amp. [mm]"',
-        UNITS,
-    ),
-    Mutant(
-        "the help says that M is in g",
-        f"{CLI}/shortcuts/parameters.py",
-        '"mass": "M in kg"',
-        '"mass": "M in g"',
-        UNITS,
-    ),
-    Mutant(
-        "the slip of a root without its unit",
-        f"{CLI}/shortcuts/roots.py",
-        '{"slip": T - t1,',
-        '{"slip": float(z[-1] - z[-2]),',
-        UNITS,
-    ),
-    Mutant(
-        "two columns of the motion change places",
-        f"{FILES}/shortcuts/tables.py",
-        "(orbit.displacement(t), orbit.velocity(t), orbit.acceleration(t))",
-        "(orbit.displacement(t), orbit.acceleration(t), orbit.velocity(t))",
-        UNITS_OF_FILES,
-    ),
-    Mutant(
-        "files that their owner alone can read",
-        f"{FILES}/whole.py",
-        "        os.chmod(temporary, _mode(path))\n",
-        "",
-        MODES,
-    ),
-    Mutant(
-        "files that all can write, whatever the umask",
-        f"{FILES}/whole.py",
-        "return 0o666 & ~mask",
-        "0o666",
-        MODES,
-    ),
-    Mutant(
-        "the umask is left at zero",
-        f"{FILES}/whole.py",
-        "    os.umask(mask)\n",
-        "    pass\n",
-        MODES,
-    ),
-    Mutant(
-        "a folder that its owner alone can read",
-        f"{CLI}/folders.py",
-        "made.mkdir(mode=0o777)",
-        "made.mkdir(mode=0o700)",
-        MODES,
-    ),
-    Mutant(
-        "the points of a sweep that their owner alone can read",
-        f"{CLI}/shortcuts/families/family_store.py",
-        "os.O_RDWR | os.O_CREAT | only, 0o666",
-        "os.O_RDWR | os.O_CREAT | only, 0o600",
-        MODES,
-    ),
-    Mutant(
-        "the last value of --vary is left to rounding",
-        f"{CLI}/values/vary.py",
-        "        found[numbers == steps] = self.last\n",
-        "",
-        VARY,
-    ),
-    Mutant(
-        "the last value of --vary is set in its place in a chunk",
-        f"{CLI}/values/vary.py",
-        "found[numbers == steps] = self.last",
-        "found[-1:] = self.last",
-        VARY,
-    ),
-    Mutant(
-        "a netCDF file of its first chunk",
-        f"{FILES}/shortcuts/netcdf.py",
-        "part = slice(start, start + len(chunk))",
-        "part = slice(0, len(chunk))",
-        ("tests/families/test_resume.py",),
-    ),
-    Mutant(
-        "files lose the last part chunk",
-        f"{FILES}/shortcuts/points.py",
-        "for start in range(0, count, CHUNK):",
-        "for start in range(0, count // CHUNK * CHUNK or count, CHUNK):",
-        ("tests/families/test_resume.py",),
-    ),
-    Mutant(
-        "the points of the first method stand for all",
-        f"{FILES}/shortcuts/points.py",
-        "self.read(i * count + start, i * count + stop)",
-        "self.read(start, stop)",
-        ("tests/families/test_resume.py",),
-    ),
+MUTANTS = (
     Mutant(
         "a digest that nobody looks at",
-        f"{FILES}/json_text.py",
+        "src/nonsmooth/files/json_text.py",
         "elif found != digest(document):",
         "elif found is False:",
-        ("tests/files/test_changed_files.py",),
+        (CHANGED,),
     ),
     Mutant(
         "a seal of which only the name is looked at",
-        f"{FILES}/netcdf_seal.py",
+        "src/nonsmooth/files/netcdf_seal.py",
         "if found != seal_of(path, size):",
         "if found[:9] != seal_of(path, size)[:9]:",
-        LOADED,
-    ),
-    Mutant(
-        "an orbit of other equations is loaded",
-        f"{FILES}/shortcuts/origin.py",
-        "    if found != here:\n",
-        "    if found is None:\n",
-        LOADED,
-    ),
-    Mutant(
-        "a newer schema is read",
-        f"{FILES}/schema.py",
-        "if isinstance(schema, int) and schema > SCHEMA:",
-        "if isinstance(schema, int) and schema > SCHEMA + 1:",
-        LOADED,
-    ),
-    Mutant(
-        "a row of a CSV may be missing",
-        f"{FILES}/shortcuts/tables.py",
-        'if len(rows) != int(rows[0]["rows"]):',
-        'if len(rows) > int(rows[0]["rows"]):',
-        LOADED,
+        ("tests/files/test_files.py::test_every_byte_that_is_changed_is_noticed",),
     ),
     Mutant(
         "a failed save leaves a part of a file",
-        f"{FILES}/whole.py",
+        "src/nonsmooth/files/whole.py",
         "        temporary.unlink(missing_ok=True)\n",
         "        pass\n",
-        LOADED,
+        ("tests/files/test_files.py::test_a_failed_save_leaves_the_old_file",),
     ),
     Mutant(
-        "a link is replaced by a file",
-        f"{FILES}/whole.py",
-        "path = Path(os.path.realpath(path))",
-        "path = Path(path)",
-        ("tests/files/test_surroundings.py",),
+        "the equations of a loaded orbit are not checked",
+        "src/nonsmooth/files/scenes/restored.py",
+        "    checks.residual(R, z)\n",
+        "",
+        SCENES,
+    ),
+    Mutant(
+        "modes of other equations are loaded",
+        "src/nonsmooth/files/space/restored.py",
+        "if found != mathematics(structure):",
+        "if False:",
+        MODES,
+    ),
+    Mutant(
+        "a folder of kernels is read whatever its seal",
+        "solver/case/sealed.py",
+        "if found.pop(SEAL, None) != _seal(folder.name, found):",
+        "if found.pop(SEAL, None) is None:",
+        (f"{KEPT}::test_one_digit_that_was_changed",),
+    ),
+    Mutant(
+        "the kernels of one scene are those of another",
+        "solver/case/sealed.py",
+        "digest = hashlib.sha256(name.encode())",
+        "digest = hashlib.sha256()",
+        (f"{KEPT}::test_the_folder_of_another_scene_is_not_taken",),
+    ),
+    Mutant(
+        "a kernel that others may write to is read",
+        "solver/case/sealed.py",
+        "        check_status(path, os.fstat(file.fileno()))\n",
+        "",
+        (f"{KEPT}::test_what_others_could_have_written_is_not_run",),
+    ),
+    Mutant(
+        "a folder of another user is trusted",
+        "solver/ownership.py",
+        "if owners - trusted - {os.getuid()}:",
+        "if False:",
+        (f"{KEPT}::test_another_user_does_not_run_what_this_one_kept",),
+    ),
+    Mutant(
+        "compiled code is run whatever its hash",
+        "solver/numba_cache.py",
+        "if found != hash_of(content):",
+        "if False:",
+        (f"{CACHE}::test_damaged_files_are_compiled_anew",),
+    ),
+    Mutant(
+        "compiled code of one function is run for another",
+        "solver/numba_cache.py",
+        'f"{name}\\0{types}\\0".encode() + content',
+        "content",
+        (f"{CACHE}::test_code_in_the_place_of_another_is_not_run",),
+    ),
+    Mutant(
+        "a damaged cache ends the command",
+        "solver/numba_cache.py",
+        "    except Exception:  # pickle raises any, of bytes that are not its own\n"
+        "        cached.flush()\n",
+        "    except ZeroDivisionError:\n        cached.flush()\n",
+        (f"{CACHE}::test_damaged_files_are_compiled_anew",),
+    ),
+    Mutant(
+        "a cache that others could have written is used",
+        "solver/numba_cache.py",
+        "    check_private(folder, source)\n",
+        "",
+        (f"{CACHE}::test_what_others_could_have_written_is_not_run",),
+    ),
+    Mutant(
+        "the hash of a scene leaves out the program",
+        "src/nonsmooth/scene_files/content.py",
+        "digest = hashlib.sha256(_generator())",
+        "digest = hashlib.sha256()",
+        (f"{USERS}::test_a_file_is_derived_again_when_it_or_the_program_changes",),
     ),
 )

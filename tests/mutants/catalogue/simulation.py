@@ -1,153 +1,105 @@
-"""Mistakes in simulated motion: events, what follows them, records, the command."""
+"""Mistakes in simulated motion: when an event happens, what follows it, where it settles."""
 
 from ..mutant import Mutant
 
 LOCATE = ("tests/simulation/test_locate.py",)
+CHATTER = ("tests/simulation/test_chatter.py",)
+SURFACES = ("tests/simulation/test_integrated.py::test_two_surfaces_are_two_however_near",)
 MOTION = ("tests/simulation/test_simulate.py",)
-INTEGRATED = ("tests/simulation/test_integrated.py",)
-SETTLE = ("tests/simulation/test_settle.py",)
-COMMAND = ("tests/cli_scenes/test_simulate_command.py",)
+SETTLE = "tests/simulation/test_settle.py"
 
-
-def mistake(what: str, file: str, old: str, new: str, tests: tuple[str, ...]) -> Mutant:
-    """Return a mistake in the simulation."""
-    return Mutant(what, f"solver/simulation/{file}", old, new, tests)
-
-
-MUTANTS: tuple[Mutant, ...] = (
-    mistake(
+MUTANTS = (
+    Mutant(
+        "times are sums in float64",
+        "solver/simulation/clock.py",
+        "t=self.t + Fraction(s))",
+        "t=Fraction(float(self.t) + s))",
+        MOTION,
+    ),
+    Mutant(
+        "the angle of the forcing is not reduced by whole turns",
+        "solver/simulation/clock.py",
+        "return float((self.first + self.omega * self.t) % TURN)",
+        "return float(self.first + self.omega * self.t)",
+        MOTION,
+    ),
+    Mutant(
         "two surfaces near each other are taken for one",
-        "nodes.py",
+        "solver/simulation/nodes.py",
         "<= ROUNDING * np.abs(ratios[0])).all()",
         "<= ROUNDING * np.abs(ratios[0])).any()",
-        INTEGRATED,
+        SURFACES,
     ),
-    mistake(
-        "what only touches zero is an event",
-        "locate.py",
-        "return risen if touches else 0.0",
-        "return 0.0",
-        LOCATE,
+    Mutant(
+        "a switch that its event forbids is taken",
+        "solver/simulation/machine.py",
+        "                if q is not refused\n                and (q is declared",
+        "                if (q is declared",
+        (f"{SETTLE}::test_a_switch_that_its_event_forbids_is_not_taken",),
     ),
-    mistake(
-        "the bound is for a window of half the length",
-        "bounds.py",
-        "largest = (norm + forced * s)",
-        "largest = 0.5 * norm",
-        LOCATE,
+    Mutant(
+        "the event of a mirrored phase is not mirrored",
+        "solver/simulation/nodes.py",
+        "        event=_mirrored(phase.event),\n",
+        "        event=phase.event,\n",
+        MOTION,
     ),
-    mistake(
-        "negative damping is not bounded",
-        "bounds.py",
-        "growth = (-damping + math.hypot(damping, (kappa - stiffness) / math.sqrt(kappa))) / 2",
-        "growth = 0.0",
-        LOCATE,
+    Mutant(
+        "the jumps that are left take the time of a mass that gains by them",
+        "solver/simulation/chatter.py",
+        "left = -2 * v / (a * (1 + rho))",
+        "left = -2 * v / (a * (1 - rho))",
+        CHATTER,
     ),
-    mistake(
-        "the polynomial is not lowered by the bound",
-        "locate.py",
+    Mutant(
+        "short phases are chatter whether they get shorter or not",
+        "solver/simulation/chatter.py",
+        "return second <= 0.999 * first",
+        "return True",
+        CHATTER,
+    ),
+    Mutant(
+        "the polynomial is raised by the bound in place of lowered",
+        "solver/simulation/locate.py",
         "powers[TERMS] = -bound(at, form, most) * scale",
         "powers[TERMS] = bound(at, form, most) * scale",
         LOCATE,
     ),
-    mistake(
+    Mutant(
+        "negative damping is not bounded",
+        "solver/simulation/bounds.py",
+        "growth = (-damping + math.hypot(damping, (kappa - stiffness) / math.sqrt(kappa))) / 2",
+        "growth = 0.0",
+        LOCATE,
+    ),
+    Mutant(
         "the second half of an interval is looked at first",
-        "zeros.py",
+        "solver/simulation/zeros.py",
         "        waiting.append((right @ coefficients, start + half, half, depth + 1))\n"
         "        waiting.append((left @ coefficients, start, half, depth + 1))\n",
         "        waiting.append((left @ coefficients, start, half, depth + 1))\n"
         "        waiting.append((right @ coefficients, start + half, half, depth + 1))\n",
         LOCATE,
     ),
-    mistake(
-        "any of two events is taken",
-        "locate.py",
-        "        if safe < step:\n",
-        "        if safe < step and nearest is None:\n",
-        LOCATE,
-    ),
-    mistake(
-        "a form that begins at zero is its own event",
-        "locate.py",
-        "leading = _leading(values, sizes, zero)\n    if leading == TERMS or",
-        "leading = 0\n    if leading == TERMS or",
-        LOCATE,
-    ),
-    mistake(
-        "the impulse is not mirrored",
-        "nodes.py",
-        "        event=_mirrored(phase.event),\n",
-        "        event=phase.event,\n",
-        MOTION,
-    ),
-    mistake(
-        "a constraint does not come first",
-        "machine.py",
-        "yield from (q for q in turn if q.phase.held and q.phase.demands)",
-        "yield from ()",
-        MOTION,
-    ),
-    mistake(
-        "a phase may be entered with any velocity",
-        "machine.py",
-        "return abs(state.v - speed) <= NEAR * max(1.0, abs(speed))",
-        "return True",
-        MOTION,
-    ),
-    mistake(
-        "the law of a stop on the other side is not that of its event",
-        "machine.py",
-        "for other in (node, *self.nodes):",
-        "for other in (node,):",
-        MOTION,
-    ),
-    mistake(
-        "chatter goes on",
-        "simulate.py",
-        "elif accumulates(segments) and",
-        "elif False and",
-        MOTION,
-    ),
-    mistake(
+    Mutant(
         "the velocity does not jump",
-        "machine.py",
+        "solver/simulation/machine.py",
         "v=rho * v + d, surface=known",
         "v=v + d, surface=known",
         MOTION,
     ),
-    mistake(
-        "the velocity in units of length",
-        "simulate.py",
-        "speed / units.of_motion(1), angle)",
-        "speed / units.length, angle)",
-        MOTION,
+    Mutant(
+        "a phase lasts for ever whatever its transient does",
+        "solver/simulation/lasting.py",
+        " - turning - abs(ex) * far - abs(ev) * fast",
+        " - turning",
+        (f"{SETTLE}::test_whether_a_phase_lasts_is_decided_at_the_edge",),
     ),
-    mistake(
-        "times of a cell of another duration",
-        "settle.py",
-        "whole = not cell.forced or abs(sum(q.s for q in own) - cell.duration) <= NEAR",
-        "whole = True",
-        SETTLE,
-    ),
-    mistake(
+    Mutant(
         "what has not settled is a start",
-        "settle.py",
+        "solver/simulation/settle.py",
         "max(abs(one.x - two.x), abs(one.v - two.v)) <= max(near * size, ROUNDING)",
         "True",
-        SETTLE,
-    ),
-    Mutant(
-        "a motion that ended early is status 0",
-        "src/nonsmooth/cli/scenes/simulate.py",
-        "return 1 if motion.ended else 0",
-        "return 0",
-        COMMAND,
-    ),
-    Mutant(
-        "displacement and velocity swapped in a picture",
-        "src/nonsmooth/plots/simulations.py",
-        "zip(HISTORIES, values, strict=True)",
-        'zip(("velocity", "displacement", "acceleration"), values, strict=True)',
-        COMMAND,
+        (f"{SETTLE}::test_what_still_decays_has_not_settled",),
     ),
 )

@@ -1,0 +1,185 @@
+"""Mistakes in orbits: exact flow, scan, iteration, what is an orbit, estimates, stability."""
+
+from ..mutant import Mutant
+
+FLOW = ("tests/scenes/test_flow.py",)
+SCAN = ("tests/scenes/test_two_phases.py",)
+NONE = ("tests/scenes/test_existence.py",)
+ITERATION = "tests/scenes/test_iteration_scenes.py"
+WRONG = ("tests/scenes/test_never_wrong.py",)
+SINGLE = ("tests/scenes/test_single_unknown.py",)
+ORBITS = "tests/scenes/test_orbit_scenes.py"
+MULTIPLIERS = ("tests/stability/test_multipliers.py",)
+BALLS = ("tests/precision/test_balls.py",)
+DIGITS = "tests/precision/test_digits_of_scenes.py"
+
+MUTANTS = (
+    Mutant(
+        "the end of a phase moves with the forcing the other way",
+        "solver/flow/flow.py",
+        "by_angle = -forced.imag",
+        "by_angle = forced.imag",
+        FLOW,
+    ),
+    Mutant(
+        "divided differences of near nodes without their odd terms",
+        "solver/flow/divided.py",
+        "product * before - pairs * last",
+        "-pairs * last",
+        FLOW,
+    ),
+    Mutant(
+        "the change of the velocity without its own digits",
+        "solver/flow/flow.py",
+        "v = (np.expm1(large * t) + small * impulse).real * start[1]",
+        "v = (np.exp(large * t) + small * impulse - 1).real * start[1]",
+        (f"{DIGITS}::test_a_slip_that_ends_where_it_began_keeps_its_end",),
+    ),
+    Mutant(
+        "the exact event does not move with the memory",
+        "solver/flow/exact_system.py",
+        "enumerate(cell.phases[p].event[4:])",
+        "enumerate(())",
+        (f"{WRONG[0]}::test_the_jacobian_of_the_exact_equations_with_a_memory",),
+    ),
+    Mutant(
+        "one phase: both solutions on the circle are the same",
+        "solver/flow/one_phase.py",
+        "at = (large / a, c / large if large else 0.0)",
+        "at = (large / a, large / a)",
+        NONE,
+    ),
+    Mutant(
+        "scan: the second phase begins where the first does",
+        "solver/flow/two_phases.py",
+        "np.exp(1j * omega * begin)",
+        "np.exp(0j * omega * begin)",
+        SCAN,
+    ),
+    Mutant(
+        "scan: half a period is not mirrored",
+        "solver/flow/two_phases.py",
+        "law = (cell.sign if after == 0 else 1)",
+        "law = 1",
+        SCAN,
+    ),
+    Mutant(
+        "scan: the memory does not move the events",
+        "solver/flow/two_phases.py",
+        "A[:, row, 4 : 4 + more] += np.array(factors)",
+        "pass",
+        SCAN,
+    ),
+    Mutant(
+        "roots: parts in which two functions may meet are left out",
+        "solver/flow/enclosure.py",
+        "far = np.abs(np.abs(D) - np.hypot(P, Q)) > change + error[which]",
+        "far = np.abs(np.abs(D) - np.hypot(P, Q)) > 0.1 * change",
+        SCAN,
+    ),
+    Mutant(
+        "roots: the list is complete though rounding hides some",
+        "solver/flow/enclosure.py",
+        "return self.resolved and not len(self.doubtful)",
+        "return self.resolved",
+        SCAN,
+    ),
+    Mutant(
+        "roots: the list is complete though a function is not resolved",
+        "solver/flow/enclosure.py",
+        "resolved, fine = bool(fine.all()), np.ones_like(fine)",
+        "fine = np.ones_like(fine)",
+        SCAN,
+    ),
+    Mutant(
+        "of two orbits the unstable one is returned",
+        "solver/flow/known.py",
+        "key=lambda q: is_stable(q) is not True",
+        "key=lambda q: is_stable(q) is True",
+        (f"{WRONG[0]}::test_of_two_orbits_the_stable_one_is_returned_and_the_other_named",),
+    ),
+    Mutant(
+        "linear systems without exchanges of rows",
+        "solver/iteration/linear.py",
+        "if abs(A[i, k]) > abs(A[pivot, k]):",
+        "if False:",
+        ("tests/solving/test_linear.py",),
+    ),
+    Mutant(
+        "the last correction is not taken",
+        "solver/iteration/iteration.py",
+        "add(z, 1.0, following, z)",
+        "add(z, 0.0 if converged else 1.0, following, z)",
+        (f"{ITERATION}::test_a_jacobian_is_not_used_where_corrections_shrink_slowly",),
+    ),
+    Mutant(
+        "one unknown: factors of the product keep their sign",
+        "solver/iteration/single.py",
+        "product *= -points",
+        "product *= points",
+        SINGLE,
+    ),
+    Mutant(
+        "the phase of the forcing goes the long way round",
+        "solver/accuracy/errors.py",
+        "turn = math.remainder(found.angle - reference.angle, 2 * math.pi)",
+        "turn = found.angle - reference.angle",
+        (f"{ORBITS}::test_errors_of_the_forcing_phase_go_the_short_way_round",),
+    ),
+    Mutant(
+        "any better solution is taken for an orbit",
+        "solver/accuracy/estimate.py",
+        "return change.times <= SAME and change.discontinuous <= SAME_DERIVATIVE",
+        "return True",
+        (f"{ORBITS}::test_a_far_better_solution_has_to_be_an_orbit",),
+    ),
+    Mutant(
+        "an estimate leaves out what rounding of the exact equations does",
+        "solver/accuracy/estimate.py",
+        "EPSILON * condition(better[0])",
+        "EPSILON",
+        ("tests/accuracy/test_estimate.py::test_near_a_fold_the_estimate_holds",),
+    ),
+    Mutant(
+        "the exact equations in balls without the damping",
+        "solver/precision/exact_balls.py",
+        "-arb(phase.c) / m",
+        "arb(0) / m",
+        BALLS,
+    ),
+    Mutant(
+        "a wide ball counts as digits",
+        "solver/precision/refine.py",
+        "if not rounding < goal / 10:",
+        "if False:",
+        BALLS,
+    ),
+    Mutant(
+        "the saltation of an impact with the other sign",
+        "solver/stability/linear_maps.py",
+        "np.asarray(self.rates_after - self.law @ self.rates_before - self.turning)",
+        "np.asarray(self.rates_after + self.law @ self.rates_before - self.turning)",
+        MULTIPLIERS,
+    ),
+    Mutant(
+        "the mirror image is forgotten at the end of the cell",
+        "solver/stability/monodromy.py",
+        "sign = cell.sign if after == 0 else 1",
+        "sign = 1",
+        MULTIPLIERS,
+    ),
+    Mutant(
+        "the multipliers of half a period for those of a whole",
+        "solver/stability/stability.py",
+        "values, errors = values**2, 2 * np.abs(values) * errors + errors**2",
+        "pass",
+        MULTIPLIERS,
+    ),
+    Mutant(
+        "at the boundary an orbit is called stable",
+        "solver/stability/stability.py",
+        "None if abs(self.margin) <= self.rounding else self.margin > 0",
+        "self.margin > -1e-9",
+        MULTIPLIERS,
+    ),
+)

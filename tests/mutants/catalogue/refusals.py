@@ -1,0 +1,111 @@
+"""Mistakes by which bad input passes, or what is no orbit, or a proof that is none."""
+
+from ..mutant import Mutant
+
+INPUT = ("tests/scenes/test_bad_scene_input.py",)
+NONE = ("tests/scenes/test_existence.py",)
+SCAN = ("tests/scenes/test_two_phases.py",)
+WRONG = ("tests/scenes/test_never_wrong.py",)
+ADMISSIBLE = ("tests/scenes/test_admissible_scenes.py",)
+CROSSED = ("tests/scenes/test_crossings.py",)
+
+MUTANTS = (
+    Mutant(
+        "terms of different units may be added",
+        "codegen/scene/units.py",
+        "        if found != expected:",
+        "        if not found:",
+        ("tests/scene/test_scene_units.py",),
+    ),
+    Mutant(
+        "a parameter may be out of its bounds",
+        "solver/case/case.py",
+        "if is_number(value) and parameter.allows(float(value)):",
+        "if is_number(value):",
+        INPUT,
+    ),
+    Mutant(
+        "a parameter may be infinite",
+        "solver/case/parameters.py",
+        "return math.isfinite(float(value))",
+        "return float(value) == float(value)",
+        INPUT,
+    ),
+    Mutant(
+        "what a scene requires of its parameters is not looked at",
+        "solver/case/case.py",
+        "        if not value >= 0:\n",
+        "        if False:\n",
+        ("tests/scenes/test_case.py::test_what_the_scene_requires_is_checked_with_numbers",),
+    ),
+    Mutant(
+        "a scene file that leaves takes the command along",
+        "src/nonsmooth/scene_files/read.py",
+        "except (Exception, SystemExit) as error:",
+        "except Exception as error:",
+        ("tests/cli_scenes/test_broken_scene_files.py",),
+    ),
+    Mutant(
+        "an event may be crossed in the wrong direction",
+        "solver/orbit/admissible.py",
+        "        if not slope < 0:\n",
+        "        if False:\n",
+        ADMISSIBLE,
+    ),
+    Mutant(
+        "an expansion may violate its demands by any amount",
+        "solver/orbit/allowance.py",
+        "return min(MOST, max(",
+        "return max(1e9, max(",
+        ADMISSIBLE,
+    ),
+    Mutant(
+        "an event may be met before the end",
+        "solver/orbit/admissible.py",
+        "    if u is None:\n",
+        "    if True:\n",
+        CROSSED,
+    ),
+    Mutant(
+        "what is demanded at a switch is not looked at",
+        "solver/orbit/admissible.py",
+        "if value >= -ROUNDING * scale or value >= -allowed(p, form) * scale:",
+        "if True:",
+        WRONG,
+    ),
+    Mutant(
+        "an orbit is returned that the exact equations disprove",
+        "solver/orbit/orbit.py",
+        "or self._disproof",
+        "",
+        WRONG,
+    ),
+    Mutant(
+        "there is said to be no orbit though one is listed",
+        "solver/flow/known.py",
+        "return self.complete and not self.orbits",
+        "return self.complete",
+        SCAN,
+    ),
+    Mutant(
+        "there is said to be no orbit though a root led nowhere",
+        "solver/flow/known.py",
+        "            complete = False",
+        "            pass",
+        SCAN,
+    ),
+    Mutant(
+        "infinitely many solutions are taken for none",
+        "solver/flow/known.py",
+        "infinite = not (closed.none or closed.found)",
+        "infinite = False",
+        NONE,
+    ),
+    Mutant(
+        "a motion that leaves its phase is one without switches",
+        "solver/flow/existence.py",
+        "if not phase.demands or min(least(form) for _, form in phase.demands) < 0:",
+        "if not phase.demands:",
+        NONE,
+    ),
+)

@@ -1,0 +1,74 @@
+"""Mistakes in the modes of beams and strings: derivation, expansions, bounds, eigenvalues."""
+
+from ..mutant import Mutant
+
+DERIVED = ("tests/space/test_space_derivation.py",)
+MATRICES = ("tests/space/test_space_matrices.py",)
+SUMS = ("tests/space/test_space_matrices.py::test_sums_over_the_modes_beyond_the_first",)
+REFERENCES = ("tests/space/test_space_references.py",)
+
+MUTANTS = (
+    Mutant(
+        "an inertia pulls the wrong way",
+        "codegen/space/data.py",
+        '"inertia": s * lam, "compliance": s}',
+        '"inertia": -s * lam, "compliance": s}',
+        DERIVED,
+    ),
+    Mutant(
+        "the hyperbolic part of a beam with the other sign",
+        "codegen/space/green.py",
+        "    return string(beta) * half, -hyperbolic * half",
+        "    return string(beta) * half, hyperbolic * half",
+        DERIVED,
+    ),
+    Mutant(
+        "the smooth part of a sum beyond the modes is left out",
+        "solver/space/expansions/beyond.py",
+        " + np.exp(turned) * smooth",
+        "",
+        SUMS,
+    ),
+    Mutant(
+        "the exponential integral is that of the order below",
+        "solver/space/expansions/beyond.py",
+        "for q in range(1, p):",
+        "for q in range(1, p - 1):",
+        SUMS,
+    ),
+    Mutant(
+        "the right piece of a forced mode is not mirrored",
+        "solver/space/expansions/forced.py",
+        "        right = (-1) ** (structure.felt + derivative) * right",
+        "        right = (-1) ** structure.felt * right",
+        MATRICES,
+    ),
+    Mutant(
+        "the pieces of a C2 series may jump in the second derivative",
+        "solver/space/expansions/pieces.py",
+        "    for derivative in range(k - m + 1):",
+        "    for derivative in range(k - m):",
+        REFERENCES,
+    ),
+    Mutant(
+        "bounds from below are given beyond the first sine left out",
+        "solver/space/eigenvalues/bounds.py",
+        "    valid = (roots.values < attached.bare(np.array([N + 1]))[0]) & (low > 0)",
+        "    valid = low > 0",
+        MATRICES,
+    ),
+    Mutant(
+        "sines of a fraction are not reduced in whole numbers",
+        "solver/space/position.py",
+        "    found = [_exact(int(k) * P % (2 * Q), Q) for k in n.ravel()]",
+        "    found = [(np.sin(np.pi * k * P / Q), np.cos(np.pi * k * P / Q)) for k in n.ravel()]",
+        REFERENCES,
+    ),
+    Mutant(
+        "the jump of a mode is not that of its shape",
+        "solver/space/modes.py",
+        "found = jump_mismatch(attached, shape, eigenvalue)",
+        "found = jump_mismatch(attached, shape, 2 * eigenvalue)",
+        ("tests/space/test_space_claims.py::test_the_mismatch_of_a_jump_is_that_of_its_shape",),
+    ),
+)
