@@ -32,4 +32,4 @@ def rest(m: sp.Expr, l: sp.Expr, k: int) -> sp.Expr:
 
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
-    return polynomials.derive(scene, METHOD, TITLE, rest)
+    return polynomials.derive(scene, METHOD, TITLE, test, rest)

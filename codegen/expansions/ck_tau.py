@@ -23,4 +23,4 @@ def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:
 
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
-    return polynomials.derive(scene, METHOD, TITLE)
+    return polynomials.derive(scene, METHOD, TITLE, test)

@@ -10,6 +10,7 @@ residual is that of this combination: rows of few entries, whatever the test fun
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
 
 import sympy as sp
 
@@ -27,6 +28,9 @@ Test = Callable[[sp.Expr, int], Mapping[sp.Expr, sp.Expr]]
 #: ``rest(m, l, k)``: the weight of ``P_l*``, l at most m, in the polynomial of degree m that is
 #: orthogonal to all test functions of index below m.
 Rest = Callable[[sp.Expr, sp.Expr, int], sp.Expr]
+
+#: Highest degree of what is checked to be orthogonal to the tests.
+CHECKED = 4
 
 #: Degrees of the residual that have terms of their own: the state in which a phase begins.
 STATE = 2
@@ -88,18 +92,57 @@ def rows_of(q: PhaseSeries, switch: Switch) -> sp.Expr:
     return q.count + 1 - max(1, switch.k)
 
 
-def rest_of(phase: Phase, switch: Switch) -> tuple[sp.Symbol, ...]:
-    """Return what multiplies the polynomials that are left of the residual of a phase."""
-    return tuple(sp.Symbol(f"tau{i}_{phase.name}", real=True) for i in range(switch.k + 1))
+def rest_of(phase: Phase, switch: Switch, test: Test) -> tuple[sp.Symbol, ...]:
+    """Return what multiplies the polynomials that no test of a phase sees.
+
+    There are as many as the tests reach beyond their own index; of polynomials of a higher
+    degree than that of any test nothing need be said.
+    """
+    count = reach(test, switch.k)
+    return tuple(sp.Symbol(f"tau{i}_{phase.name}", real=True) for i in range(count))
+
+
+def reach(test: Test, k: int) -> int:
+    """Return by how much the degree of a test is above its index."""
+    return max(int(degree - l) for degree in test(l, k))
+
+
+def check_rest(test: Test, rest: Rest | None, k: int) -> None:
+    """Check that what is said to be orthogonal to the tests is, up to degree `CHECKED`.
+
+    Raises
+    ------
+    ValueError
+        If not, or if nothing is said though the tests reach beyond their index.
+    """
+    if rest is None:
+        if reach(test, k):
+            raise ValueError(f"rest: got none, and a test of C^{k} reaches beyond its index")
+        return
+    for m, index in combinations(map(sp.Integer, reversed(range(CHECKED + 1))), 2):
+        seen = sp.Add(
+            *(
+                weight * rest(m, degree, k) / (2 * degree + 1)
+                for degree, weight in test(index, k).items()
+                if degree <= m
+            )
+        )
+        if seen != 0:
+            raise ValueError(f"test {index} sees the polynomial of degree {m} at class C^{k}")
 
 
 def orthogonality(
-    phase: Phase, q: PhaseSeries, switch: Switch, found: tuple[Table, ...], rest: Rest | None
+    phase: Phase,
+    q: PhaseSeries,
+    switch: Switch,
+    found: tuple[Table, ...],
+    test: Test,
+    rest: Rest | None,
 ) -> Iterator[Condition]:
     """Yield that what is left of the residual of a phase is what the tests do not see."""
     equation = linear_phase(phase)
     rows = rows_of(q, switch)
-    left = rest_of(phase, switch) if rest else ()
+    left = rest_of(phase, switch, test) if rest else ()
 
     def row(index: sp.Expr, first: int = 0) -> sp.Expr:
         residual = q.residual(equation, index, moment(found, phase, index))
@@ -160,12 +203,12 @@ def motion(phase: Phase, duration: sp.Symbol) -> str:
 
 
 def _events(
-    scene: Scene, times: Times, start: closure.End, end: closure.End, same: bool
+    scene: Scene, times: Times, start: closure.End, end: closure.End, symmetric: bool
 ) -> Iterator[Condition]:
     """Yield the events: where nothing forces, of the state after them, which they then give.
 
-    Where the functions are not the `same` forwards and backwards in time, what the scene says
-    of its start comes in place of the first.
+    Where the tests are not `symmetric` in time, what the scene says of its start comes in the
+    place of the first.
 
     A forced motion is searched for from rough times, one after the other, at which the states
     are fitted to the conditions first.  With events at the ends of the phases that finds an
@@ -174,13 +217,13 @@ def _events(
     if times.frequency is not None:
         yield from closure.events(scene, times, end)
         return
-    begins = () if same else tuple(closure.begins(scene, start))
+    begins = () if symmetric else tuple(closure.begins(scene, start))
     yield from begins
     yield from tuple(closure.events_after(scene, times, start, end))[len(begins) :]
 
 
 def derive(
-    scene: Scene, method: str, title: str, rest: Rest | None = None
+    scene: Scene, method: str, title: str, test: Test, rest: Rest | None = None
 ) -> GalerkinConditions:
     """Return the conditions of a scene in an expansion.
 
@@ -189,11 +232,19 @@ def derive(
     scene : Scene
     method, title : str
         Of the expansion.
+    test : callable
+        The functions that the residual is tested with.
     rest : callable, optional
-        What is left of the residual where the tests depend on the class of the switch; without
-        it they are all polynomials of low degree, and nothing needs be said of the others.
+        The polynomials that these do not see; without it they are those of high degree.
+
+    Raises
+    ------
+    ValueError
+        If the tests see them.
     """
     times, found = Times.of(scene), switches(scene)
+    for switch in found:
+        check_rest(test, rest, switch.k)
     trial = series(scene, times, found)
     highest = max(switch.k for switch in found)
     looked_up = tables(scene, times, 2 * highest + 5)
@@ -201,7 +252,7 @@ def derive(
         condition
         for phase, q, switch in zip(scene.cell, trial, found, strict=True)
         if phase.held is None
-        for condition in orthogonality(phase, q, switch, looked_up, rest)
+        for condition in orthogonality(phase, q, switch, looked_up, test, rest)
     ]
 
     def start(p: int, order: int) -> sp.Expr:
@@ -210,11 +261,12 @@ def derive(
     def end(p: int, order: int) -> sp.Expr:
         return trial[p].at_end(order)
 
-    once = class_one(scene, found, trial, same=rest is None)
+    same = all(test(l, switch.k) == test(l, 1) for switch in found)
+    once = class_one(scene, found, trial, same)
     free = [p for p in zip(scene.phases, found, strict=True) if p[0].held is None]
-    left = {phase.name: rest_of(phase, switch) for phase, switch in free} if rest else {}
+    left = {phase.name: rest_of(phase, switch, test) for phase, switch in free if rest}
     joined = closure.joints(scene, found, start, end, once)
-    events = _events(scene, times, start, end, same=rest is None)
+    events = _events(scene, times, start, end, symmetric=rest is None)
     memory = closure.memory(scene, times, start)
     system = GalerkinConditions(
         scene,

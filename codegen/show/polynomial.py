@@ -163,7 +163,7 @@ class Polynomial:
         )
         yield Equation("", words, (member(f"J_{name}", m, u), one))
         mass = linear_phase(phase).m
-        taus = map(self._unseen().get, polynomials.rest_of(phase, switch))
+        taus = map(self._unseen().get, polynomials.rest_of(phase, switch, self.test))
         parts = (tau * member(f"J_{name}", rows + i, u) for i, tau in enumerate(taus))
         words = f"what no test in {name} sees, of degree up to `{rows + switch.k}`"
         yield Equation("", words, (S, mass * sp.Add(*parts)), self.notation.during(p))
@@ -175,7 +175,7 @@ class Polynomial:
             self.conditions.scene.phases, self.notation.found, strict=True
         ):
             base = sp.IndexedBase(f"tau_{phase.name}", real=True)
-            for i, tau in enumerate(polynomials.rest_of(phase, switch)):
+            for i, tau in enumerate(polynomials.rest_of(phase, switch, self.test)):
                 found[tau] = base[i]
         return found
 

@@ -14,8 +14,10 @@ from numpy.polynomial import Legendre, Polynomial
 from numpy.polynomial.legendre import leggauss
 from scipy.special import eval_sh_legendre, sh_legendre
 
+#: On three panels: NumPy's weights for as many nodes on one are right to 1e-14 only.
 NODES, WEIGHTS = leggauss(24)
-NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2
+NODES = np.concatenate([(panel + (NODES + 1) / 2) / 3 for panel in range(3)])
+WEIGHTS = np.tile(WEIGHTS / 6, 3)
 
 #: ``motion(p, u, order)``: a derivative by time on phase p, at local times from 0 to 1.
 Motion = Callable[[int, np.ndarray, int], np.ndarray]
@@ -62,6 +64,12 @@ class Oscillator:
 
 
 OSCILLATORS = {
+    "S0": Oscillator(
+        ((1, 0, 0, 0, 0), (1, 0, 1, 0, 0)),
+        ((-1, 0, 0, 1), (0, 1, 0, -1)),
+        *((1, 1), (True, False)),
+        start=-1.0,
+    ),
     "S1n2": Oscillator(
         ((1, 0.1, 1, 0, 1),), ((1, 0, 0, -0.1),), (0,), (False,), -0.6, 3.6, cycles=2
     ),
@@ -91,7 +99,6 @@ OSCILLATORS = {
         ((1, 0, 0, 0, 0), (1, 0.1, 1, 1, 0)),
         ((-1, 0, 0, 2.9), (0, 1, 0, -1)),
         *((1, 1), (True, False)),
-        start=-0.9,
     ),
     "S6": Oscillator(
         ((1, 0.1, 1, 0, 1),), ((1, 0, 0, 0.8),), (0,), (False,), -0.6, 1.2, sign=-1

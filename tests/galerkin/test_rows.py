@@ -17,7 +17,9 @@ from nonsmooth.codegen.expansions import ck
 
 #: Scenes on which each kernel is tried in every run; the others have phases of the same kinds.
 TRIED = {
-    "ck": ("S1n2", "S1", "S4a", "S5a"),
+    "ck": ("S0", "S1n2", "S1", "S4a"),
+    "ck_tau": ("S1n2", "S1", "S2b", "S3b", "S4a", "S5a", "S6", "S7"),
+    "hb": ("S1n2", "S1", "S2b", "S3b", "S4a", "S5a", "S6", "S7"),
     "hb_ck_1": ("S1n2", "S1", "S2b", "S3b", "S4a"),
     "hb_ck_2": ("S1", "S5a"),
 }
