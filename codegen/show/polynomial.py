@@ -156,12 +156,11 @@ class Polynomial:
         tested = (Inner(R, member(f"W_{name}", l, u)), sp.Integer(0))
         where = f"`l = 0, ..., {rows - 1}`"
         yield Equation("18", f"residual of {name}, orthogonal to its tests", tested, where)
-        m = sp.Symbol("m", integer=True, nonnegative=True)
-        one = sp.Sum(rest(m, l, switch.k) * ShiftedLegendre(l, u), (l, 0, m))
+        one = sp.Sum(rest(n, l, switch.k) * ShiftedLegendre(l, u), (l, 0, n))
         words = (
             f"polynomial in {name} that is orthogonal to the tests of index below its degree"
         )
-        yield Equation("", words, (member(f"J_{name}", m, u), one))
+        yield Equation("", words, (member(f"J_{name}", n, u), one))
         mass = linear_phase(phase).m
         taus = map(self._unseen().get, polynomials.rest_of(phase, switch, self.test))
         parts = (tau * member(f"J_{name}", rows + i, u) for i, tau in enumerate(taus))
