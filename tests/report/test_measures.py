@@ -86,6 +86,23 @@ def test_the_ripple_of_many_harmonics_is_that_of_gibbs() -> None:
     assert Case(DEFAULT).measured("overshoot", "hb", 160) == pytest.approx(constant, rel=0.02)
 
 
+@pytest.mark.parametrize(("proven", "words"), [(True, "has"), (False, "leads to")])
+def test_an_orbit_that_is_not_found_is_looked_for_once(proven, words, monkeypatch) -> None:
+    asked = []
+
+    def nothing(*arguments: object) -> None:
+        asked.append(arguments)
+        raise ns.NoOrbit("none", proven, ())
+
+    monkeypatch.setattr(ns, "solve", nothing)
+    case = Case(DEFAULT)
+    for _ in range(2):
+        with pytest.raises(ns.NoOrbit, match=f"^c1 {words} no orbit at N = 3$"):
+            case.measured("period", "c1", 3)
+    assert not case.has("c1", 3)
+    assert asked == [(DEFAULT, "c1", 3)]
+
+
 def test_errors_rates_and_who_is_behind_are_those_of_a_sweep() -> None:
     rates = swept().rates()
     for method in METHODS:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
+from typing import Any
 
 import nonsmooth as ns
 
@@ -67,19 +68,15 @@ def reading(case: Case, order: int, methods: Iterable[str] = ("hb",)) -> str:
     return f"(22) is over normalised time t/T, our reading of (21){other if both else ''}."
 
 
-def _oscillator(case: Case) -> dict[str, str]:
+def _oscillator(case: Case) -> dict[str, Any]:
     belt = case.belt
-    return {
-        "mass": f"{belt.mass:g}",
-        "stiffness": f"{belt.stiffness:g}",
-        "speed": f"{belt.belt_speed:g}",
-        "force": f"{belt.normal_force:g}",
-        "static": number(belt.mu_s * belt.normal_force),
-        "kinetic": number(belt.mu_k * belt.normal_force),
+    friction = {"static": belt.mu_s, "kinetic": belt.mu_k}
+    return asdict(belt) | {
+        name: number(mu * belt.normal_force) for name, mu in friction.items()
     }
 
 
-def _orbit(case: Case) -> dict[str, str]:
+def _orbit(case: Case) -> dict[str, Any]:
     exact = case.exact
     return {
         "t1": number(exact.t1),
@@ -89,7 +86,7 @@ def _orbit(case: Case) -> dict[str, str]:
     }
 
 
-def _many_harmonics(case: Case) -> dict[str, str]:
+def _many_harmonics(case: Case) -> dict[str, Any]:
     orbit = case.orbit("hb", MOST)
     time, size = peak(orbit)
     return {
@@ -100,18 +97,13 @@ def _many_harmonics(case: Case) -> dict[str, str]:
     }
 
 
-def _first_inside(case: Case, method: str) -> int:
-    """Return from which order on the period is in the band of Fig. 4; past `MOST` if never."""
-    errors = {N: abs(case.measured("period", method, N)) for N in case.orders(method)}
-    outside = [N for N in range(1, MOST + 1) if N not in errors or errors[N] > BAND]
-    return max(outside, default=0) + 1
-
-
 def _inside(case: Case) -> str:
-    """Return which methods stay in the band, from which orders on, and which do not."""
+    """Return which methods stay in the band of Fig. 4, from which orders on, and which not."""
     by_order: dict[int, list[str]] = {}
     for method in METHODS:
-        by_order.setdefault(_first_inside(case, method), []).append(method)
+        errors = {N: abs(case.measured("period", method, N)) for N in case.orders(method)}
+        outside = [N for N in range(1, MOST + 1) if N not in errors or errors[N] > BAND]
+        by_order.setdefault(max(outside, default=0) + 1, []).append(method)
     never = by_order.pop(MOST + 1, [])
     band = f"{percent(BAND, 1)} of the exact period (grey band)"
     out = f"{listed(never)} {'is' if len(never) == 1 else 'are'} still outside"
@@ -134,13 +126,13 @@ def _overtaking(case: Case) -> str:
     return f"The C¹ series stays ahead from N = {behind[-1] + 1} on"
 
 
-def _period(case: Case) -> dict[str, str]:
+def _period(case: Case) -> dict[str, Any]:
     digits = case.rate("period", "c1")
     gain = f", and it gains {number(digits, 2)} digits with each order" if digits else ""
     return {"inside": _inside(case), "overtaking": _overtaking(case), "gain": gain}
 
 
-def _three_methods(case: Case) -> dict[str, str]:
+def _three_methods(case: Case) -> dict[str, Any]:
     errors = [
         f"{method} {percent(case.measured('acceleration', method, THREE))}"
         for method in METHODS
@@ -149,7 +141,7 @@ def _three_methods(case: Case) -> dict[str, str]:
     return {"errors": listed(errors), "reading": reading(case, THREE, METHODS)}
 
 
-def _acceleration(case: Case) -> dict[str, str]:
+def _acceleration(case: Case) -> dict[str, Any]:
     rates = [(method, case.rate("acceleration", method)) for method in ("hb", "hb-c1")]
     fall = [f"{method} like {power_of_order(rate)}" for method, rate in rates if rate]
     rise = [f"{method} {len(rising(case, method))}" for method in METHODS]
@@ -161,7 +153,7 @@ def _acceleration(case: Case) -> dict[str, str]:
 
 
 #: What is put into the words of each figure.
-NUMBERS: dict[int, Callable[[Case], dict[str, str]]] = {
+NUMBERS: dict[int, Callable[[Case], dict[str, Any]]] = {
     1: _oscillator,
     2: _orbit,
     3: _many_harmonics,

@@ -35,16 +35,9 @@ def prose(words: str) -> Markup:
 
 
 def inline(svg: str, name: str, words: str) -> str:
-    """Return a picture as an element of the page: no prologue, and names of its own.
+    """Return a picture of matplotlib as an element of the page, with words for what it shows.
 
-    Parameters
-    ----------
-    svg : str
-        A picture as matplotlib writes it.
-    name : str
-        What its names begin with, so that no two on the page are the same.
-    words : str
-        What it shows.
+    Its names begin with `name`, so that no two on the page are the same.
     """
     body = svg[svg.index("<svg") :]
     body = re.sub(

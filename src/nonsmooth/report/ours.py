@@ -31,19 +31,15 @@ LEAST = 1e-15
 
 def other_tests(case: Case) -> str:
     """Return how far the period is off with the paper's tests, and with Legendre's."""
-    try:
-        theirs = abs(case.measured("period", "c1", EIGHT))
-    except ns.NoOrbit as missing:
-        return f"In this case {missing.reason}."
-    try:
-        orbit = ns.solve(case.belt, "c1-tau", EIGHT)
-    except ns.NoOrbit:
-        return f"In this case c1-tau leads to no orbit at N = {EIGHT}."
-    ours = abs(orbit.period / case.exact.period - 1)
-    return (
-        f"At N = {EIGHT} the period is {percent(theirs)} off with its tests and "
-        f"{percent(ours)} with these."
-    )
+    errors = []
+    for method in ("c1", "c1-tau"):
+        try:
+            orbit = case.orbit(method, EIGHT)
+        except ns.NoOrbit as missing:
+            return f"In this case {missing.reason}."
+        errors.append(percent(abs(orbit.period / case.exact.period - 1)))
+    theirs, ours = errors
+    return f"At N = {EIGHT} the period is {theirs} off with its tests and {ours} with these."
 
 
 def in_space() -> dict[str, tuple[str, int, list[str]]]:
