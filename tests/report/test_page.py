@@ -3,7 +3,6 @@
 import math
 import re
 import shlex
-from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ pytest.importorskip("jinja2")
 
 from computed import acceleration_errors, period_errors
 from computed import case as shared
-from written import value
+from written import Elements, value
 
 import nonsmooth as ns
 from nonsmooth.cli import folders
@@ -45,27 +44,6 @@ def folder(tmp_path_factory, found: Intervals) -> Path:
 @pytest.fixture(scope="module")
 def text(folder: Path) -> str:
     return (folder / "index.html").read_text("utf-8")
-
-
-class Elements(HTMLParser):
-    """Every element of a page with its attributes, and those that are not closed."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.found: list[tuple[str, dict[str, str | None]]] = []
-        self.open: list[str] = []
-        self.feed(text)
-
-    def handle_starttag(self, tag, attributes) -> None:
-        self.handle_startendtag(tag, attributes)
-        if tag not in {"meta", "br", "wbr", "hr", "img"}:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attributes) -> None:
-        self.found.append((tag, dict(attributes)))
-
-    def handle_endtag(self, tag) -> None:
-        assert self.open.pop() == tag
 
 
 @pytest.fixture(scope="module")
