@@ -98,6 +98,15 @@ def from_order(first: float, of: str = "period") -> Fake:
     return Fake(ours)
 
 
+def at_rounding() -> Fake:
+    """Return a case where one error is as good as the other, or there is no other."""
+    errors = {
+        ("period", "c1"): lambda N: 1e-13 if N < 40 else 1.0,
+        ("period", "hb-c1"): lambda N: 1e-14,
+    }
+    return Fake(errors, missing=[("hb-c1", 40)])
+
+
 def only_at(bad: int, ours: float = 2e-2) -> Fake:
     """Return a case where the C1 series has this error at one order, and is else better."""
     errors = {"hb-c1": lambda N: -1e-2, "c1": lambda N: ours if bad == N else 1e-3}
@@ -214,7 +223,7 @@ CASES = {
         [sticking(0.0), sticking(0.0, 3)],
         [sticking(1e-300), sticking(-1e-300), sticking(1e-300, 3)],
     ),
-    "overtakes 0": ([from_order(1)], [from_order(41)]),
+    "overtakes 0": ([from_order(1), at_rounding()], [from_order(41)]),
     "overtakes 1": ([only_at(3), only_at(1)], [only_at(4), only_at(40)]),
     "overtakes 2": ([], [only_at(4)]),
     "band 0": ([in_band(3, 0.5)], []),

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from fakes import Fake
+from paper import Problem
 
 import nonsmooth as ns
 from nonsmooth.report.case import Case
@@ -93,6 +94,12 @@ def test_g1_is_that_of_an_orbit() -> None:
     size = own["c1"] * orbit.period * (orbit.period - orbit.t1) ** 3
     found = own["a0"] / 2 + beside + size * motion.g1(orbit.t1, orbit.period, t, 0)
     np.testing.assert_allclose(found, orbit.displacement(t), rtol=1e-9, atol=1e-12)
+
+
+def test_the_jump_of_the_acceleration_of_g1_is_that_of_the_printed_one() -> None:
+    t1, T = Fake().exact.t1, Fake().exact.period
+    jump = Problem(t1, T).g1_acceleration(np.array(t1)) / (T * (T - t1) ** 3) * T**2
+    assert f"jumps by {jump:.1f} h/T²" in motion.g1_is_c1(Fake()).numbers
 
 
 @pytest.mark.parametrize(("last", "holds"), [(40, True), (41, False)])

@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.solver.no_orbit import NoOrbit
+import nonsmooth as ns
 
 from .case import Case
 from .checks import Finding
@@ -30,7 +30,7 @@ class Part:
         """Return the finding; an orbit that is missing counts against the statement."""
         try:
             return self.check(case)
-        except NoOrbit as missing:
+        except ns.NoOrbit as missing:
             return Finding(False, missing.reason)
 
 

@@ -1,7 +1,8 @@
 """What only the paper's own rooms have: the one door through which the report reaches them."""
 
+import nonsmooth as ns
 from nonsmooth.codegen.shortcuts.document import equations_html
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT, StickSlip
+from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 from nonsmooth.solver.shortcuts.polynomials import c1_roots
 from nonsmooth.solver.shortcuts.search.kernels import module
 
@@ -15,7 +16,7 @@ METHODS = {
 }
 
 
-def all_times(belt: StickSlip, order: int) -> list[tuple[float, float]]:
+def all_times(belt: ns.StickSlip, order: int) -> list[tuple[float, float]]:
     """Return ``t1`` and ``T`` in s of all real solutions of (18) to (20), orbits or not."""
     found = c1_roots.solutions(order, belt.alpha)
     return [(float(z[-2]) * belt.time_unit, float(z[-1]) * belt.time_unit) for z in found]
