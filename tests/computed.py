@@ -6,8 +6,7 @@ import numpy as np
 
 import nonsmooth as ns
 from nonsmooth.report.case import MOST, Case
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
-from nonsmooth.solver.shortcuts.search.sweep import Row, Sweep
+from nonsmooth.report.paper import DEFAULT
 
 #: No two of its scales are the same, nor 1: a wrong unit or a missing factor is seen.
 ODD = ns.StickSlip(
@@ -54,12 +53,12 @@ def case(belt: ns.StickSlip = DEFAULT) -> Case:
 
 
 @cache
-def swept(belt: ns.StickSlip = DEFAULT, orders: int = MOST) -> Sweep:
+def swept(belt: ns.StickSlip = DEFAULT, orders: int = MOST) -> ns.Sweep:
     """Return a sweep over all orders of the report."""
     return ns.sweep(belt, orders=range(1, orders + 1))
 
 
-def rows(belt: ns.StickSlip, method: str, last: int = MOST) -> list[Row]:
+def rows(belt: ns.StickSlip, method: str, last: int = MOST) -> list[ns.Row]:
     """Return the rows of a method that have an orbit, up to an order."""
     return [r for r in swept(belt).of(method) if r.errors is not None and r.order <= last]
 

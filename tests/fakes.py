@@ -1,16 +1,12 @@
 """A case of the report whose measurements are made up, so that a check can be shown false."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from types import SimpleNamespace
 from typing import Any
 
+import nonsmooth as ns
 from nonsmooth.report.case import Case, at_alpha
-from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.shortcuts.accuracy.errors import Errors
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
-
-#: What is measured of a method, by the order.
-Measure = Mapping[str, Callable[[int], float]]
+from nonsmooth.report.paper import DEFAULT
 
 
 class Fake(Case):
@@ -18,54 +14,40 @@ class Fake(Case):
 
     Parameters
     ----------
+    measured : mapping of (str, str) to callable
+        From what is measured, and of which method, to its value by the order.
     alpha : float
         The parameter of the oscillator, the default but for its normal force.
-    missing : iterable of (str, int)
+    missing : collection of (str, int)
         Methods and orders without an orbit.
     orbit : callable, optional
         From method and order to an orbit.
-    measured : mapping of str to mapping
-        Of ``period``, ``acceleration``, ``overshoot``, ``largest``, ``inside``.
+    exact : object, optional
+        In the place of the exact orbit.
     """
 
     def __init__(
         self,
+        measured: Mapping[tuple[str, str], Callable[[int], float]] = {},
         alpha: float = 1.0,
-        missing: Iterable[tuple[str, int]] = (),
-        orbit: Callable[[str, int], Any] | None = None,
-        **measured: Any,
+        missing: Collection[tuple[str, int]] = (),
+        orbit: Callable[[str, int], Any] = lambda method, order: SimpleNamespace(),
+        exact: Any = None,
     ) -> None:
         super().__init__(at_alpha(DEFAULT, alpha).belt)
-        own = {"missing": set(missing), "made": orbit, "measured": measured}
+        own = {"made": orbit, "values": measured, "missing": missing, "other": exact}
         for name, value in own.items():
             object.__setattr__(self, name, value)
 
-    def _of(self, name: str, method: str, order: int) -> float:
-        if (method, order) in self.missing:
-            raise NoOrbit(f"{method} has no orbit at N = {order}", True, ())
-        return self.measured[name][method](order)
+    @property
+    def exact(self) -> Any:
+        return super().exact if self.other is None else self.other
 
     def orbit(self, method: str, order: int) -> Any:
         if (method, order) in self.missing:
-            raise NoOrbit(f"{method} has no orbit at N = {order}", True, ())
-        if self.made is not None:
-            return self.made(method, order)
-        known = [self.measured.get(name, {}).get(method) for name in ("period", "acceleration")]
-        period, acceleration = (measure(order) if measure else 0.0 for measure in known)
-        return SimpleNamespace(errors=Errors(period, period, acceleration, acceleration))
+            raise ns.NoOrbit(f"{method} has no orbit at N = {order}", True, ())
+        return self.made(method, order)
 
-    def period_error(self, method: str, order: int) -> float:
-        return self._of("period", method, order)
-
-    def acceleration_error(self, method: str, order: int) -> float:
-        return self._of("acceleration", method, order)
-
-    def overshoot(self, method: str, order: int) -> float:
-        return self._of("overshoot", method, order)
-
-    def largest_error(self, method: str, order: int, derivative: int = 2) -> float:
-        measured = self.measured["largest"][method]
-        return measured(order) if derivative == 2 else measured(order, derivative)
-
-    def error_inside(self, method: str, order: int) -> float:
-        return self._of("inside", method, order)
+    def measured(self, of: str, method: str, order: int) -> float:
+        self.orbit(method, order)
+        return self.values[of, method](order)

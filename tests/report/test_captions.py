@@ -4,6 +4,7 @@ import math
 import re
 from dataclasses import asdict
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,27 +12,15 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("jinja2")
 
-from computed import (
-    LIGHT,
-    ODD,
-    Exact,
-    acceleration_errors,
-    case,
-    period_errors,
-    swept,
-)
+from computed import LIGHT, ODD, Exact, acceleration_errors, case, period_errors, swept
 from fakes import Fake
 from paper import METHODS
 from written import value
 
 import nonsmooth as ns
-from nonsmooth.report.captions import PLATES
-from nonsmooth.report.ours import remark
-from nonsmooth.report.reading import error_at_equal_times, reading
-from nonsmooth.solver import solve as scenes_solve
-from nonsmooth.solver.case.registry import load
-from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.report.captions import PLATES, reading
+from nonsmooth.report.ours import other_tests
+from nonsmooth.report.paper import DEFAULT
 
 BELTS = pytest.mark.parametrize("belt", [DEFAULT, ODD, LIGHT], ids=["default", "odd", "light"])
 
@@ -55,15 +44,8 @@ def at_equal_times(belt: ns.StickSlip, method: str, order: int) -> float:
     return float(np.linalg.norm(found - expected) / np.linalg.norm(expected))
 
 
-def test_the_other_reading_of_the_measure_is_that_of_the_accuracy_page() -> None:
-    assert error_at_equal_times(case(), "hb", 40) == pytest.approx(0.0643, abs=5e-5)
-    assert case().acceleration_error("hb", 40) == pytest.approx(0.0586, abs=5e-5)
-    assert reading(Fake(missing=[("hb", 40)]), 40) == f"{READING.partition(';')[0]}."
-
-
-def numbers(belt: ns.StickSlip, plate: int, sentence: str) -> list[float]:
-    """Return the numbers in a caption, which is this sentence with a # for each of them."""
-    text = PLATES[plate - 1].text(case(belt))
+def numbers(text: str, sentence: str) -> list[float]:
+    """Return the numbers in a text, which is this sentence with a # for each of them."""
     pattern = re.escape(sentence).replace(r"\#", r"(\S+?)").replace("#", r"(\S+?)")
     found = re.fullmatch(pattern, text)
     assert found, text
@@ -80,32 +62,23 @@ def percent(part: float) -> float:
 
 
 @BELTS
-def test_the_oscillator_is_described(belt: ns.StickSlip) -> None:
+def test_the_oscillator_and_its_exact_orbit_are_described(belt: ns.StickSlip) -> None:
     sentence = (
         "A mass M = # kg on a spring K = # N/m lies on a belt that moves at V = # m/s, and is "
         "pressed to it by F_N = # N. It sticks until the spring pulls with μ_s F_N = # N; "
         "then it slips back, held by no more than μ_k F_N = # N, until it is as fast as the "
         "belt again."
     )
-    assert numbers(belt, 1, sentence) == close(
-        belt.mass,
-        belt.stiffness,
-        belt.belt_speed,
-        belt.normal_force,
-        belt.mu_s * belt.normal_force,
-        belt.mu_k * belt.normal_force,
-    )
-
-
-@BELTS
-def test_the_exact_orbit_is_described(belt: ns.StickSlip) -> None:
+    parameters = (belt.mass, belt.stiffness, belt.belt_speed, belt.normal_force)
+    static, kinetic = belt.mu_s * belt.normal_force, belt.mu_k * belt.normal_force
+    assert numbers(PLATES[0].text(case(belt)), sentence) == close(*parameters, static, kinetic)
     sentence = (
         "From A to B the mass sticks, for # s, # % of the period of # s; from B back to A it "
         "slips. The displacement is smooth, the velocity has two kinks, and the acceleration "
         "jumps there, by # m/s². That is what a series of smooth functions cannot do."
     )
     orbit = Exact(belt)
-    t1, share, period, jump = numbers(belt, 2, sentence)
+    t1, share, period, jump = numbers(PLATES[1].text(case(belt)), sentence)
     assert (t1, period, jump) == close(orbit.t1, orbit.period, orbit.jump)
     assert share == pytest.approx(percent(orbit.t1 / orbit.period), rel=0.05)  # two digits
 
@@ -121,15 +94,14 @@ def test_the_overshoot_of_many_harmonics_is_described(belt: ns.StickSlip) -> Non
     orbit = ns.solve(belt, "hb", 40)
     times = np.linspace(orbit.t1 / 2, orbit.t1, 4_001)
     ripple = orbit.acceleration(times)
-    over, before, error, other, same = numbers(belt, 3, sentence)
+    over, before, error, other, same = numbers(PLATES[2].text(case(belt)), sentence)
+    expected = ripple.max() / Exact(belt).jump, at_equal_times(belt, "hb", 40)
+    known = acceleration_errors(belt, "hb")[40]
+    assert (over, other, error) == close(*map(percent, (*expected, known)))
     assert same == error
-    assert other == pytest.approx(percent(at_equal_times(belt, "hb", 40)), rel=SHOWN)
-    assert over == pytest.approx(percent(ripple.max() / Exact(belt).jump), rel=SHOWN)
     # the report takes it from half as many times
-    assert before == pytest.approx(
-        orbit.t1 - times[ripple.argmax()], rel=SHOWN, abs=orbit.t1 / 4000
-    )
-    assert error == pytest.approx(percent(acceleration_errors(belt, "hb")[40]), rel=SHOWN)
+    ended = orbit.t1 - times[ripple.argmax()]
+    assert before == pytest.approx(ended, rel=SHOWN, abs=orbit.t1 / 4000)
 
 
 #: From which order on each method is within 0.1 % (41: not by 40), and how that is said.
@@ -164,27 +136,27 @@ def test_the_convergence_of_the_period_is_described(belt: ns.StickSlip) -> None:
         "gains # digits with each order, until rounding stops it. The second picture (not in "
         "the paper) has a logarithmic scale: on a linear one all three look converged."
     )
-    (gain,) = numbers(belt, 4, sentence)
-    rate = swept(belt).rates()["c1"].period
-    assert rate is not None
-    assert gain == pytest.approx(rate, rel=0.05)  # two digits
+    (gain,) = numbers(PLATES[3].text(case(belt)), sentence)
+    assert gain == pytest.approx(swept(belt).rates()["c1"].period, rel=0.05)  # two digits
     assert gain == pytest.approx(math.log10(abs(ours[7] / ours[11])) / 4, rel=0.2)
 
 
 def test_a_period_that_stays_behind_or_ahead_is_said_to() -> None:
-    slow = {"hb": lambda N: 0.1, "hb-c1": lambda N: 0.01}
-    text = PLATES[3].text(Fake(period=slow | {"c1": lambda N: 0.02}))
+    def text(error: float) -> str:
+        errors = {"hb": 0.1, "hb-c1": 0.01, "c1": error}
+        made = {("period", method): lambda N, e=e: e for method, e in errors.items()}
+        return PLATES[3].text(Fake(made))
+
     outside = "are still outside 0.1 % of the exact period (grey band) at N = 40. "
-    assert f"hb, hb-c1 and c1 {outside}" in text
-    assert "The C¹ series does not overtake" in text
-    text = PLATES[3].text(Fake(period=slow | {"c1": lambda N: 0.001}))
-    assert f"c1 stays {BAND} from N = 1 on; hb and hb-c1 are still outside at N = 40. " in text
-    assert "The C¹ series is ahead at every order" in text
+    assert f"hb, hb-c1 and c1 {outside}The C¹ series does not overtake" in text(0.02)
+    ahead = f"c1 stays {BAND} from N = 1 on; hb and hb-c1 are still outside at N = 40. "
+    assert f"{ahead}The C¹ series is ahead at every order" in text(0.001)
 
 
 def test_an_orbit_that_is_missing_is_said_to_be() -> None:
-    text = PLATES[2].text(Fake(missing=[("hb", 40)]))
-    assert text == "In this case hb has no orbit at N = 40."
+    without = Fake(missing=[("hb", 40)])
+    assert PLATES[2].text(without) == "In this case hb has no orbit at N = 40."
+    assert reading(without, 40) == f"{READING.partition(';')[0]}."
 
 
 @BELTS
@@ -192,26 +164,24 @@ def test_the_errors_of_the_three_methods_at_one_order_are_described(
     belt: ns.StickSlip,
 ) -> None:
     errors = {m: acceleration_errors(belt, m).get(3) for m in METHODS}
-    shown = [f"{m} # %" for m in METHODS if errors[m] is not None]
+    *first, last = [f"{m} # %" for m in METHODS if errors[m] is not None]
+    other = ", ".join(f"{text} instead of # %" for text in first)
     sentence = (
         "At the same order N = 3 the harmonics alone cannot jump at all; those with one C¹ "
         "function can, and so can the C¹ series, whose stick is exact. Error (22): "
-        f"{', '.join(shown[:-1])} and {shown[-1]}. {READING} 3, "
-        + ", ".join(f"{text} instead of # %" for text in shown[:-1])
-        + f" and {shown[-1]} instead of # %."
+        f"{', '.join(first)} and {last}. {READING} 3, {other} and {last} instead of # %."
     )
     expected = [percent(error) for error in errors.values() if error is not None]
     for method, error in errors.items():
         if error is not None:
             expected += [percent(at_equal_times(belt, method, 3)), percent(error)]
-    assert numbers(belt, 5, sentence) == close(*expected)
+    assert numbers(PLATES[4].text(case(belt)), sentence) == close(*expected)
 
 
 def rises(belt: ns.StickSlip, method: str) -> int:
     """Return how often (22) is larger than at the order before, and not by rounding."""
     errors = acceleration_errors(belt, method)
-    up = [N for N in errors if errors[N] > max(errors.get(N - 1, math.inf), 1e-6)]
-    return len(up)
+    return sum(errors[N] > max(errors.get(N - 1, math.inf), 1e-6) for N in errors)
 
 
 @BELTS
@@ -223,14 +193,12 @@ def test_the_convergence_of_the_acceleration_is_described(belt: ns.StickSlip) ->
         "40 at which it is larger than at the order before: "
         f"{up[0]}, {up[1]} and {up[2]}. {READING} 40, hb # % instead of # %."
     )
-    *fall, other, same = numbers(belt, 6, sentence)
+    *fall, other, same = numbers(PLATES[5].text(case(belt)), sentence)
     assert (other, same) == close(
         percent(at_equal_times(belt, "hb", 40)), percent(acceleration_errors(belt, "hb")[40])
     )
-    for method, rate in zip(("hb", "hb-c1"), fall, strict=True):
-        fitted = swept(belt).rates()[method].acceleration
-        assert fitted is not None
-        assert rate == pytest.approx(-fitted, abs=0.00501)
+    rates = [-swept(belt).rates()[method].acceleration for method in ("hb", "hb-c1")]
+    assert fall == pytest.approx(rates, abs=0.00501)
 
 
 @BELTS
@@ -248,26 +216,15 @@ def test_the_command_of_a_plate_draws_this_oscillator(belt: ns.StickSlip) -> Non
 
 @BELTS
 def test_the_series_that_is_ours_is_told_from_the_papers(belt: ns.StickSlip) -> None:
-    text = remark(case(belt))
-    found = re.search(
-        r" At N = 8 the period is (\S+) % off with its tests and (\S+) % with these\. ", text
-    )
-    assert found, text
-    period = scenes_solve.solve_case(load("stick-slip")(**asdict(belt)), "ck-tau", 8).period
-    assert [value(shown) for shown in found.groups()] == close(
-        percent(abs(period_errors(belt, "c1")[8])),
-        percent(abs(period / Exact(belt).period - 1)),
-    )
-    assert "is ours, and not in the paper" in text
+    sentence = "At N = 8 the period is # % off with its tests and # % with these."
+    generic = ns.solve(ns.scene("stick-slip")(**asdict(belt)), "ck-tau", 8)
+    errors = period_errors(belt, "c1")[8], generic.period / Exact(belt).period - 1
+    expected = [percent(abs(error)) for error in errors]
+    assert numbers(other_tests(case(belt)), sentence) == close(*expected)
 
 
 @pytest.mark.parametrize("missing", ["c1", "c1-tau"])
-def test_a_series_without_an_orbit_is_told_instead(missing: str, monkeypatch) -> None:
-    def nothing(*arguments: object) -> None:
-        raise NoOrbit("none", False, ())
-
-    monkeypatch.setattr(scenes_solve, "solve_case", nothing)
-    kept = [("c1", 8)] if missing == "c1" else []
-    text = remark(Fake(missing=kept, period={"c1": lambda N: 0.1}))
-    words = "has no orbit" if missing == "c1" else "leads to no orbit"
-    assert f" In this case {missing} {words} at N = 8. " in text
+def test_a_series_without_an_orbit_is_told_instead(missing: str) -> None:
+    orbit = SimpleNamespace(period=0.6)
+    text = other_tests(Fake(orbit=lambda method, N: orbit, missing=[(missing, 8)]))
+    assert text == f"In this case {missing} has no orbit at N = 8."

@@ -1,12 +1,12 @@
 """The page on one oscillator: its numbers, its figures, and that it stands by itself."""
 
 import re
-from html.parser import HTMLParser
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from written import Elements
 
 import nonsmooth as ns
 from nonsmooth.report.scenes import collected, figures, gallery, multipliers
@@ -30,21 +30,6 @@ def found() -> Collected:
     patch.undo()
     assert len(told) == collected.steps(CASE)
     return result
-
-
-class Balanced(HTMLParser):
-    """Keeps the elements that are open."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.open: list[str] = []
-
-    def handle_starttag(self, tag: str, attrs) -> None:
-        if tag not in {"meta", "br", "wbr", "hr"}:
-            self.open.append(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self.open.pop() == tag
 
 
 def test_the_errors_are_those_of_the_orbits(found: Collected) -> None:
@@ -110,9 +95,7 @@ def test_the_derivative_that_jumps_is_drawn_with_its_jump(found: Collected) -> N
 def test_the_page_says_the_numbers(found: Collected) -> None:
     pictures = dict.fromkeys(figures.figures_of(found), '<svg viewBox="0 0 1 1"></svg>')
     text = page(found, pictures, "<h3>equations</h3>")
-    parser = Balanced()
-    parser.feed(text)
-    assert parser.open == []
+    assert Elements(text).open == []
     assert not re.search(r'(?:src|href)="(?!#)', text)
     assert f"{found.exact.period:.12g}" in text
     assert f"{found.exact.forcing_phase:.12g}" in text

@@ -19,6 +19,9 @@ FEW, MANY, BLOCKS = 16, 100, 20
 #: Simulations from random states, and their cycles; in every run, and in the long one.
 SHORT, LONG = (1, 40), (12, 100)
 
+#: Orders of the expansion; the second is for phases of ten waves.
+ORDERS = (24, 60)
+
 #: Phases of one of them, at most.
 PHASES = 1000
 
@@ -88,17 +91,28 @@ def settles(case, random, simulations, cycles) -> bool:
     return False
 
 
+def solved(case):
+    """Return the orbit at the lowest order that has it, or that there is none."""
+    for order in ORDERS:
+        try:
+            return ns.solve(case, method="ck-tau", order=order)
+        except ns.NoOrbit as finding:
+            found = finding
+            if found.status == "no-orbit":
+                break
+    return found
+
+
 def check(seed, simulations, cycles) -> str:
     """Return what is wrong with what is found of one oscillator, if something is."""
     random = np.random.default_rng(seed)
     case = drawn(random)
     if case is None:
         return ""
-    try:
-        orbit = ns.solve(case, method="ck-tau", order=24)
-    except ns.NoOrbit as finding:
+    orbit = solved(case)
+    if isinstance(orbit, ns.NoOrbit):
         if settles(case, random, simulations, cycles):
-            return f"{case!r}: a simulation settles where there is {finding.status}"
+            return f"{case!r}: a simulation settles where there is {orbit.status}"
         return ""
     assert math.isfinite(orbit.estimate.times)
     exact = orbit.exact

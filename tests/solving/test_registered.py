@@ -13,7 +13,7 @@ from nonsmooth import codegen, style
 from nonsmooth.cli.shortcuts import equations
 from nonsmooth.codegen.shortcuts import emit
 from nonsmooth.files.shortcuts import origin
-from nonsmooth.report import figures, page
+from nonsmooth.report import paper
 from nonsmooth.shortcuts import tradeoff
 from nonsmooth.solver.shortcuts.choice import budget
 from nonsmooth.solver.shortcuts.orbit import methods
@@ -30,8 +30,7 @@ LISTS: dict[str, Iterable[str]] = {
     "src/nonsmooth/cli/shortcuts/equations.py: METHODS": equations.METHODS,
     "src/nonsmooth/style.py: STYLES": style.STYLES,
     "src/nonsmooth/style.py: LABELS": style.LABELS,
-    "src/nonsmooth/report/figures.py: NAMES": figures.NAMES,
-    "src/nonsmooth/report/page.py: GENERATED": page.GENERATED,
+    "src/nonsmooth/report/paper.py: METHODS": paper.METHODS,
     "src/nonsmooth/files/shortcuts/origin.py: COEFFICIENTS": origin.COEFFICIENTS,
     "tests/paper.py: METHODS": METHODS,
 }

@@ -7,18 +7,16 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
+import nonsmooth as ns
 from nonsmooth.style import save
 
 from .captions import PLATES
 from .case import Case
 from .claim_map import claim_map
-from .claims import CLAIMS
+from .claims import CLAIMS, PARTS
 from .figures import FIGURES, LOOK, SIZE, figure
 from .intervals import SCANNED, Intervals, scan
 from .page import page
-
-PARTS = [part for claim in CLAIMS for part in claim.parts]
 
 #: Vector formats of every picture; the page has the SVG inside.
 SUFFIXES = (".svg", ".pdf")
@@ -46,17 +44,9 @@ def draw(case: Case, intervals: Intervals, folder: Path, done: Callable[[str], N
         done(name)
 
 
-def plate(belt: StickSlip, number: int) -> Figure:
-    """Return one figure of the paper, its pictures beside and below each other.
-
-    Parameters
-    ----------
-    belt : StickSlip
-        The oscillator.
-    number : int
-        Of the figure, from 1 to 6.
-    """
-    (names,) = (tuple(plate.pictures) for plate in PLATES if plate.number == number)
+def plate(belt: ns.StickSlip, number: int) -> Figure:
+    """Return one figure of the paper, from 1 to 6: its pictures beside and below each other."""
+    (names,) = (list(plate.pictures) for plate in PLATES if plate.number == number)
     columns = min(len(names), 2)
     rows = math.ceil(len(names) / columns)
     made = Figure(figsize=(columns * SIZE[0], rows * SIZE[1]), layout="constrained")
@@ -69,13 +59,13 @@ def plate(belt: StickSlip, number: int) -> Figure:
     return made
 
 
-def write_plate(belt: StickSlip, number: int, target: Path) -> None:
+def write_plate(belt: ns.StickSlip, number: int, target: Path) -> None:
     """Write one figure of the paper as a picture, in the format that its ending names."""
     with mpl.rc_context(LOOK):
         save(plate(belt, number), target)
 
 
-def build(belt: StickSlip, folder: Path, done: Callable[[str], None]) -> None:
+def build(belt: ns.StickSlip, folder: Path, done: Callable[[str], None]) -> None:
     """Write the report on an oscillator into an empty folder.
 
     Parameters

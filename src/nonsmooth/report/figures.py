@@ -10,14 +10,15 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.plots.axes import LEAST
+from nonsmooth.plots.axes import draw_errors
 from nonsmooth.plots.orbits import draw as draw_motion
-from nonsmooth.solver.shortcuts.orbit.motion import ExactOrbit, exact
 from nonsmooth.style import EXACT, SETTINGS, STYLES, above_floor, draw_floor, line
 
 from .case import MOST, Case
-from .checks.fourier import BAND
-from .sketch import friction, oscillator
+from .checks import BAND, THREE
+from .measures import jump, peak
+from .paper import METHODS
+from .scenes.sketches import sketch
 from .words import percent
 
 #: Inches, and the text in points: on a telephone both are shown at two thirds.
@@ -25,13 +26,21 @@ SIZE = (4.8, 3.2)
 LOOK: Any = SETTINGS | {"font.size": 10, "legend.fontsize": 9}
 
 #: Short names, for legends.
-NAMES = {"hb": "hb (3.1)", "hb-c1": "hb-c1 (3.2)", "c1": "c1 (3.3)"}
+NAMES = {name: f"{name} ({section})" for name, (section, _) in METHODS.items()}
 
-#: Order of Fig. 5, and the last one in Fig. 4, where the curves can still be told apart.
-SMALL, LAST = 3, 12
+#: The last order in Fig. 4, where the curves can still be told apart.
+LAST_ORDER = 12
 
 #: Periods of Fig. 2(b) to (d): past the first, so that both ends of slip are inside.
 PERIODS = 1.2
+
+#: What marks a level or points at a place.
+THIN: Any = {"color": "0.5", "linewidth": 0.8, "linestyle": "--"}
+POINTING: Any = {
+    "textcoords": "axes fraction",
+    "fontsize": 9,
+    "arrowprops": {"arrowstyle": "->", "color": "0.3"},
+}
 
 
 def figure(draw: Callable[[Any, Case], None], case: Case) -> Figure:
@@ -42,51 +51,56 @@ def figure(draw: Callable[[Any, Case], None], case: Case) -> Figure:
 
 
 def _legend(axes: Any, columns: int) -> None:
-    axes.legend(
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=columns,
-        frameon=False,
-        columnspacing=1.2,
-    )
+    place: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}
+    axes.legend(ncols=columns, frameon=False, columnspacing=1.2, **place)
 
 
-def _ends(motion: ExactOrbit) -> tuple[Any, Any]:
-    """Return displacement and velocity in A, where stick begins, and B, where it ends."""
-    times = [0.0, motion.t1]
-    return motion.displacement(times), motion.velocity(times)
+def _beside(axes: Any, words: str, place: tuple[float, float], **style: Any) -> None:
+    axes.annotate(words, place, textcoords="offset points", **style)
+
+
+def friction(axes: Any, case: Case) -> None:
+    """Draw Fig. 1(b), Coulomb's law: friction against the velocity relative to the belt."""
+    belt, ink = case.belt, {"color": "0.2", "linewidth": 1.6}
+    static, kinetic = belt.mu_s * belt.normal_force, belt.mu_k * belt.normal_force
+    for sign in (1, -1):
+        axes.plot([0, -sign * belt.belt_speed], [sign * kinetic] * 2, **ink)
+    axes.plot([0, 0], [-static, static], **ink)
+    for level, name in ((static, r"$\mu_s F_N$"), (kinetic, r"$\mu_k F_N$")):
+        axes.plot([0, belt.belt_speed], [level] * 2, **THIN)
+        _beside(axes, name, (belt.belt_speed, level), xytext=(0, 3), ha="right")
+    axes.margins(y=0.12)
+    axes.locator_params(axis="x", nbins=5)
+    axes.set(xlabel="velocity relative to the belt [m/s]", ylabel="friction [N]")
 
 
 def plane(axes: Any, case: Case) -> None:
-    """Draw Fig. 2(a): the limit cycle in the phase plane."""
-    motion = exact(case.belt)
-    draw_motion(motion, axes, linewidth=1.6)
-    for name, x, v in zip("AB", *_ends(motion), strict=True):
-        axes.plot(x, v, "o", color="black", markersize=5)
-        axes.annotate(name, (x, v), xytext=(0, 6), textcoords="offset points", ha="center")
+    """Draw Fig. 2(a), the phase plane: stick begins in A and ends in B."""
+    exact = case.exact
+    draw_motion(exact, axes, linewidth=1.6)
+    for name, time in (("A", 0.0), ("B", exact.t1)):
+        place = float(exact.displacement(time)), float(exact.velocity(time))
+        axes.plot(*place, "o", color="black", markersize=5)
+        _beside(axes, name, place, xytext=(0, 6), ha="center")
     axes.set(xlabel="displacement x [m]", ylabel="velocity [m/s]")
     axes.margins(0.08, 0.12)
 
 
-def history(derivative: int) -> Callable[[Any, Case], None]:
+def history(quantity: str) -> Callable[[Any, Case], None]:
     """Return what draws Fig. 2(b), (c) or (d): displacement, velocity or acceleration."""
-    name = ("displacement", "velocity", "acceleration")[derivative]
 
     def draw(axes: Any, case: Case) -> None:
-        motion = exact(case.belt)
-        if derivative == 0:
+        exact = case.exact
+        if quantity == "displacement":
             centre = case.belt.slip_centre
-            axes.axhline(centre, color="0.5", linewidth=0.8, linestyle="--")
-            axes.annotate(
-                "$x_s$",
-                (1, centre),
-                xytext=(-3, 3),
-                textcoords="offset points",
-                ha="right",
-            )
-        draw_motion(motion, axes, name, linewidth=1.6)
-        _go_on(axes.lines[-1])
-        share = motion.t1 / motion.period
+            axes.axhline(centre, **THIN)
+            _beside(axes, "$x_s$", (1, centre), xytext=(-3, 3), ha="right")
+        draw_motion(exact, axes, quantity, linewidth=1.6)
+        curve = axes.lines[-1]
+        part, values = curve.get_data()
+        again = part <= PERIODS - 1
+        curve.set_data(np.append(part, 1 + part[again]), np.append(values, values[again]))
+        share = exact.t1 / exact.period
         axes.axvspan(0, share, color="0.9", zorder=0)
         axes.axvspan(1, min(1 + share, PERIODS), color="0.9", zorder=0)
         where = {"xycoords": ("data", "axes fraction"), "ha": "center", "fontsize": 9}
@@ -97,129 +111,103 @@ def history(derivative: int) -> Callable[[Any, Case], None]:
     return draw
 
 
-def _go_on(curve: Any) -> None:
-    """Draw a curve over one period, in periods, on to `PERIODS`."""
-    part, values = curve.get_data()
-    again = part <= PERIODS - 1
-    curve.set_data(np.append(part, 1 + part[again]), np.append(values, values[again]))
+def accelerations(methods: tuple[str, ...], order: int) -> Callable[[Any, Case], None]:
+    """Return what draws Fig. 3 or 5: the acceleration over a period by some methods."""
+
+    def draw(axes: Any, case: Case) -> None:
+        draw_motion(case.exact, axes, "acceleration", linewidth=1.6)
+        for method in methods:
+            if case.has(method, order):
+                orbit = case.orbit(method, order)
+                draw_motion(orbit, axes, "acceleration", label=NAMES[method])
+            else:
+                axes.plot([], [], label=f"{NAMES[method]}: no orbit", **line(method))
+        axes.set(xlim=(0, 1))
+        _legend(axes, 2)
+
+    return draw
 
 
-def _accelerations(axes: Any, case: Case, methods: tuple[str, ...], order: int) -> None:
-    motion = exact(case.belt)
-    draw_motion(motion, axes, "acceleration", linewidth=1.6)
-    for method in methods:
-        if not case.has(method, order):
-            axes.plot([], [], label=f"{NAMES[method]}: no orbit", **line(method))
-            continue
-        orbit = case.orbit(method, order)
-        draw_motion(orbit, axes, "acceleration", label=NAMES[method])
-    axes.set(xlim=(0, 1))
-
-
-def many_harmonics(axes: Any, case: Case) -> None:
-    """Draw Fig. 3: the acceleration of classical harmonic balance with N = 40."""
-    _accelerations(axes, case, ("hb",), MOST)
-    _legend(axes, 2)
+many_harmonics = accelerations(("hb",), MOST)
 
 
 def overshoot(axes: Any, case: Case) -> None:
     """Draw the end of stick in Fig. 3, with the ripple measured and the mean marked."""
-    _accelerations(axes, case, ("hb",), MOST)
-    _legend(axes, 2)
-    motion, jump = exact(case.belt), case.alpha * case.belt.acceleration_unit
-    end = motion.t1 / motion.period
-    width = 4 / MOST
-    axes.set(xlim=(max(0, end - width), min(1, end + width)), ylim=(-1.9 * jump, 0.45 * jump))
+    many_harmonics(axes, case)
+    end, width, falls = case.exact.t1 / case.exact.period, 4 / MOST, jump(case.belt)
+    left, right = max(0, end - width), min(1, end + width)
+    axes.set(xlim=(left, right), ylim=(-1.9 * falls, 0.45 * falls))
     if not case.has("hb", MOST):
         return
     orbit = case.orbit("hb", MOST)
-    time, size = case.peak("hb", MOST)
-    axes.axhline(size, color="0.5", linewidth=0.8, linestyle="--")
-    words = f"overshoot {percent(size / jump)} of the jump"
-    axes.annotate(
-        words, (time / orbit.period, size), xytext=(0.03, 0.93), textcoords="axes fraction",
-        fontsize=9, va="center", arrowprops={"arrowstyle": "->", "color": "0.3"},
-    )  # fmt: skip
-    own = orbit.t1 / orbit.period
-    level = float(orbit.acceleration(orbit.t1))
-    axes.plot(own, level, "o", color=STYLES["hb"]["color"], markersize=6)
-    axes.annotate(
-        "where stick ends\nin the series", (own, level), xytext=(0.03, 0.3),
-        textcoords="axes fraction", fontsize=9, arrowprops={"arrowstyle": "->", "color": "0.3"},
-    )  # fmt: skip
+    time, size = peak(orbit)
+    axes.axhline(size, **THIN)
+    words = f"overshoot {percent(size / falls)} of the jump"
+    top = time / orbit.period, size
+    axes.annotate(words, top, xytext=(0.03, 0.93), va="center", **POINTING)
+    own = orbit.t1 / orbit.period, float(orbit.acceleration(orbit.t1))
+    axes.plot(*own, "o", color=STYLES["hb"]["color"], markersize=6)
+    axes.annotate("where stick ends\nin the series", own, xytext=(0.03, 0.3), **POINTING)
 
 
-def _against_order(
-    axes: Any, case: Case, measure: Callable[[str, int], float], most: int
-) -> None:
-    for method, style in STYLES.items():
-        orders = [N for N in case.orders(method) if most >= N]
-        values = [measure(method, N) for N in orders]
-        look = style | {"markersize": 4.5, "linewidth": 0.9}
-        axes.plot(orders, values, label=NAMES[method], **look)
-    axes.set(xlabel="order N")
-    axes.xaxis.get_major_locator().set_params(integer=True)
+def _marked(method: str) -> dict[str, Any]:
+    return STYLES[method] | {"markersize": 4.5, "linewidth": 0.9, "label": NAMES[method]}
 
 
 def period(axes: Any, case: Case) -> None:
     """Draw Fig. 4: the period against the order, in exact periods."""
     axes.axhspan(1 - BAND, 1 + BAND, color="0.85", zorder=0)
     axes.axhline(1, **EXACT)
-    _against_order(axes, case, lambda method, N: 1 + case.period_error(method, N), LAST)
-    errors = [
-        abs(case.period_error(method, N))
-        for method in ("hb", "hb-c1")
-        for N in case.orders(method)
-        if N <= LAST
-    ]
-    reach = 1.2 * max([2 * BAND, *errors])
-    axes.set(ylabel="T / T exact", ylim=(1 - reach, 1 + reach))
+    reach = 2 * BAND
+    for method in METHODS:
+        orders = [N for N in case.orders(method) if N <= LAST_ORDER]
+        errors = [case.measured("period", method, N) for N in orders]
+        axes.plot(orders, [1 + error for error in errors], **_marked(method))
+        if method != "c1":
+            reach = max([reach, *(abs(error) for error in errors)])
+    axes.set(xlabel="order N", ylabel="T / T exact", ylim=(1 - 1.2 * reach, 1 + 1.2 * reach))
+    axes.xaxis.get_major_locator().set_params(integer=True)
     axes.ticklabel_format(axis="y", useOffset=False)
+    _legend(axes, 3)
+
+
+def _errors(axes: Any, case: Case, of: str) -> None:
+    for method in METHODS:
+        orders = case.orders(method)
+        errors = [case.measured(of, method, N) for N in orders]
+        shown = map(above_floor, errors) if of == "acceleration" else errors
+        draw_errors(axes, orders, shown, **_marked(method))
     _legend(axes, 3)
 
 
 def period_error(axes: Any, case: Case) -> None:
     """Draw the errors of Fig. 4 on a log scale, where they do not end in one line."""
-    axes.axhline(BAND, color="0.5", linewidth=0.8, linestyle=(0, (5, 5)))
-    axes.annotate(
-        "0.1 %", (0.99, BAND), xycoords=("axes fraction", "data"), xytext=(0, -3),
-        textcoords="offset points", fontsize=8, color="0.4", ha="right", va="top",
-    )  # fmt: skip
-    _against_order(
-        axes, case, lambda method, N: max(abs(case.period_error(method, N)), LEAST), MOST
-    )
-    axes.set(yscale="log", ylabel="|T / T exact − 1|")
-    _legend(axes, 3)
-
-
-def three_methods(axes: Any, case: Case) -> None:
-    """Draw Fig. 5: the acceleration at N = 3 by the three methods."""
-    _accelerations(axes, case, tuple(STYLES), SMALL)
-    _legend(axes, 2)
+    axes.axhline(BAND, **THIN | {"linestyle": (0, (5, 5))})
+    where: Any = {"xycoords": ("axes fraction", "data"), "ha": "right", "va": "top"}
+    _beside(axes, "0.1 %", (0.99, BAND), xytext=(0, -3), fontsize=8, color="0.4", **where)
+    _errors(axes, case, "period")
+    axes.set(ylabel="|T / T exact − 1|")
 
 
 def acceleration_error(axes: Any, case: Case) -> None:
     """Draw Fig. 6: the error (22) of the acceleration against the order."""
-    _against_order(
-        axes, case, lambda method, N: above_floor(case.acceleration_error(method, N)), MOST
-    )
-    axes.set(yscale="log", ylabel="error (22) of the acceleration")
+    _errors(axes, case, "acceleration")
+    axes.set(ylabel="error (22) of the acceleration")
     draw_floor(axes)
-    _legend(axes, 3)
 
 
 #: What draws each figure, by the name of its file.
 FIGURES: dict[str, Callable[[Any, Case], None]] = {
-    "fig-1a": oscillator,
+    "fig-1a": lambda axes, case: sketch(axes, "stick-slip"),
     "fig-1b": friction,
     "fig-2a": plane,
-    "fig-2b": history(0),
-    "fig-2c": history(1),
-    "fig-2d": history(2),
+    "fig-2b": history("displacement"),
+    "fig-2c": history("velocity"),
+    "fig-2d": history("acceleration"),
     "fig-3": many_harmonics,
     "fig-3-detail": overshoot,
     "fig-4": period,
     "fig-4-errors": period_error,
-    "fig-5": three_methods,
+    "fig-5": accelerations(tuple(METHODS), THREE),
     "fig-6": acceleration_error,
 }

@@ -4,16 +4,16 @@ With the other parameters fixed, `F_N` is proportional to alpha, and alpha alone
 for the direction of friction in stick: that depends on ``mu_k/mu_s``, whatever `F_N`.
 """
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
-from nonsmooth.solver.shortcuts.orbit.oscillator import StickSlip
+import nonsmooth as ns
 
 from .case import at_alpha
-from .finding import Part
+from .claims import Claim, Part
 from .words import listed, number
 
 #: Values of alpha that are looked at, from the first to the last.
@@ -22,27 +22,9 @@ FIRST, LAST, SCANNED = 0.01, 10.0, 97
 #: An end of an interval is known to this factor.
 CLOSE = 1.005
 
-
-@dataclass(frozen=True)
-class Interval:
-    """Values of alpha between which a statement holds.
-
-    Parameters
-    ----------
-    low, high : float or None
-        None where it holds to that end of the scan.
-    """
-
-    low: float | None
-    high: float | None
-
-    def contains(self, alpha: float) -> bool:
-        """Return whether this `alpha` of the scan is inside."""
-        return (self.low or FIRST) <= alpha <= (self.high or LAST)
-
-
-#: Where each part of the claims holds.
-Intervals = dict[Part, list[Interval]]
+#: Where each part of the claims holds: from alpha to alpha, and from 0 or to infinity where it
+#: does so to that end of the scan.
+Intervals = dict[Part, list[tuple[float, float]]]
 
 
 def grid() -> list[float]:
@@ -51,9 +33,11 @@ def grid() -> list[float]:
 
 
 def scan(
-    belt: StickSlip, parts: list[Part], progress: Callable[[str], None] = lambda done: None
+    belt: ns.StickSlip, parts: list[Part], progress: Callable[[str], None] = lambda done: None
 ) -> Intervals:
     """Return the intervals of alpha in which each part holds.
+
+    What is narrower than a step of the scan, 7.5 %, can be missed.
 
     Parameters
     ----------
@@ -63,10 +47,6 @@ def scan(
         The statements.
     progress : callable, optional
         Called in words, `SCANNED` times and once a part.
-
-    Notes
-    -----
-    What is narrower than a step of the scan, 7.5 %, can be missed.
     """
     holds: dict[Part, list[bool]] = {part: [] for part in parts}
     for alpha in grid():
@@ -81,53 +61,58 @@ def scan(
     return found
 
 
-def _intervals(belt: StickSlip, part: Part, holds: list[bool]) -> list[Interval]:
-    ends: list[float | None] = [None] if holds[0] else []
+def _intervals(belt: ns.StickSlip, part: Part, holds: list[bool]) -> list[tuple[float, float]]:
+    ends = [0.0] if holds[0] else []
     for (left, before), (right, after) in pairwise(zip(grid(), holds, strict=True)):
         if before != after:
             ends.append(_bisect(lambda a: part.of(at_alpha(belt, a)).holds, left, right, after))
-    if holds[-1]:
-        ends.append(None)
-    return [Interval(low, high) for low, high in zip(ends[::2], ends[1::2], strict=True)]
+    ends += [math.inf] if holds[-1] else []
+    return list(zip(ends[::2], ends[1::2], strict=True))
 
 
 def _bisect(holds: Callable[[float], bool], left: float, right: float, after: bool) -> float:
     """Return where a statement becomes `after` between two values, to a factor `CLOSE`."""
     while right / left > CLOSE:
-        middle = float(np.sqrt(left * right))
-        if holds(middle) == after:
-            right = middle
-        else:
-            left = middle
-    return float(np.sqrt(left * right))
+        middle = math.sqrt(left * right)
+        left, right = (left, middle) if holds(middle) == after else (middle, right)
+    return math.sqrt(left * right)
 
 
-def in_words(belt: StickSlip, found: list[Interval]) -> str:
+def segments(claim: Claim, intervals: Intervals) -> list[tuple[float, float, str]]:
+    """Return where which verdict holds: from alpha, to alpha, and the verdict."""
+    ends = {end for part in claim.parts for ends in intervals[part] for end in ends}
+    edges = [FIRST, *sorted(end for end in ends if FIRST < end < LAST), LAST]
+    found: list[tuple[float, float, str]] = []
+    for low, high in pairwise(edges):
+        middle = math.sqrt(low * high)
+        inside = [any(a < middle < b for a, b in intervals[part]) for part in claim.parts]
+        verdict = claim.verdict(inside)
+        start = found.pop()[0] if found and found[-1][2] == verdict else low
+        found.append((start, high, verdict))
+    return found
+
+
+def force(belt: ns.StickSlip, alpha: float) -> float:
+    """Return the normal force in N that gives this `alpha`."""
+    return belt.normal_force * alpha / belt.alpha
+
+
+def in_words(belt: ns.StickSlip, found: list[tuple[float, float]]) -> str:
     """Return the normal forces of some intervals.
 
     Examples
     --------
-    >>> from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
-    >>> in_words(DEFAULT, [Interval(None, 0.1), Interval(1, None)])
-    'up to 40.0 N and from 400 N up'
-    >>> in_words(DEFAULT, [Interval(None, None)]), in_words(DEFAULT, [])
+    >>> from nonsmooth.report.paper import DEFAULT
+    >>> in_words(DEFAULT, [(0, 0.1), (0.2, 0.3), (1, math.inf)])
+    'up to 40.0 N, from 80.0 to 120 N and from 400 N up'
+    >>> in_words(DEFAULT, [(0, math.inf)]), in_words(DEFAULT, [])
     ('everywhere', 'nowhere')
     """
-    if found == [Interval(None, None)]:
-        return "everywhere"
-    return listed([_words(belt, interval) for interval in found]) if found else "nowhere"
+    return listed([_words(belt, low, high) for low, high in found]) or "nowhere"
 
 
-def _words(belt: StickSlip, interval: Interval) -> str:
-    ends = [
-        number(force(belt, end)) if end is not None else None
-        for end in (interval.low, interval.high)
-    ]
-    if ends[0] is None:
-        return f"up to {ends[1]} N"
-    return f"from {ends[0]} N up" if ends[1] is None else f"from {ends[0]} to {ends[1]} N"
-
-
-def force(belt: StickSlip, alpha: float) -> float:
-    """Return the normal force in N that gives this `alpha`."""
-    return belt.normal_force * alpha / belt.alpha
+def _words(belt: ns.StickSlip, low: float, high: float) -> str:
+    start, end = (number(force(belt, alpha)) for alpha in (low, high))
+    if low == 0:
+        return "everywhere" if high == math.inf else f"up to {end} N"
+    return f"from {start} N up" if high == math.inf else f"from {start} to {end} N"

@@ -39,9 +39,7 @@ def percent(part: float, digits: int = 3) -> str:
     >>> percent(0.0852), percent(-0.022), percent(3e-15)
     ('8.52 %', '−2.20 %', 'rounding')
     """
-    if 0 < abs(part) < ROUNDING:
-        return "rounding"
-    return f"{number(100 * part, digits)} %"
+    return "rounding" if 0 < abs(part) < ROUNDING else f"{number(100 * part, digits)} %"
 
 
 def power_of_order(rate: float) -> str:
@@ -53,17 +51,6 @@ def power_of_order(rate: float) -> str:
     'N⁻⁰·⁹⁵'
     """
     return "N" + f"{-rate:.2f}".translate(_RAISED).replace(".", "·")
-
-
-def times(count: int) -> str:
-    """Return how often.
-
-    Examples
-    --------
-    >>> times(0), times(1), times(5)
-    ('never', 'once', '5 times')
-    """
-    return {0: "never", 1: "once"}.get(count, f"{count} times")
 
 
 def listed(words: list[str]) -> str:

@@ -1,1 +1,38 @@
 """What each claim of the paper is held against: numbers, each with what it decides."""
+
+from dataclasses import dataclass
+
+from ..words import listed, percent
+
+#: The band of the period that the paper names in Fig. 4.
+BAND = 1e-3
+
+#: Overshoot, in jumps, that nobody sees in a figure.
+UNSEEN = 0.01
+
+#: The order after which the paper says things of the C1 series.
+THREE = 3
+
+#: Orders at which it is seen whether something falls, or stays.
+DOUBLED = (10, 20, 40)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Whether something holds, and the numbers that say so.
+
+    Parameters
+    ----------
+    holds : bool
+    numbers : str
+        What was measured, in words.
+    """
+
+    holds: bool
+    numbers: str
+
+
+def over_doubled(values: list[float], of: str) -> str:
+    """Return three measurements at N = 10, 20 and 40, in words."""
+    unit = "" if of == "acceleration" else " of the jump"
+    return f"{listed([percent(value, 2) for value in values])}{unit} at N = 10, 20 and 40"

@@ -2,136 +2,94 @@
 
 from itertools import pairwise
 
-from nonsmooth.solver.shortcuts.accuracy.convergence import FLOORS
-from nonsmooth.solver.shortcuts.orbit import exact
-
-from ..case import MOST, Case
-from ..finding import Finding
-from ..words import listed, number, percent, power_of_order, times
+from ..case import FLOORS, MOST, Case
+from ..measures import jump
+from ..words import number, percent, power_of_order
+from . import BAND, DOUBLED, THREE, UNSEEN, Finding, over_doubled
 
 #: Gibbs' constant: the overshoot of a Fourier series, in jumps.
 GIBBS = 0.0894898722360836
 
-#: The band of the period that the paper names in Fig. 4.
-BAND = 1e-3
-
-#: Overshoot, in jumps, that nobody sees in a figure.
-UNSEEN = 0.01
-
-ORDERS = range(1, MOST + 1)
-DOUBLED = (10, 20, 40)
+TOO_FEW = Finding(False, "too few orders have an orbit")
 
 
-def over_doubled(values: list[float], of: str = "") -> str:
-    """Return three measurements at N = 10, 20 and 40, in words."""
-    return f"{listed([percent(value, 2) for value in values])}{of} at N = 10, 20 and 40"
+def falls(case: Case, of: str, method: str, factor: float) -> Finding:
+    """Return whether something falls to a part of itself each time N is doubled."""
+    values = [case.measured(of, method, N) for N in DOUBLED]
+    holds = all(fine < factor * coarse for coarse, fine in pairwise(values))
+    return Finding(holds, over_doubled(values, of))
 
 
-def mean_square(case: Case) -> Finding:
-    """Return whether (22) goes to zero, and no slower than ``N**-0.4``."""
-    errors = [case.acceleration_error("hb", N) for N in DOUBLED]
-    falls = all(fine < coarse * 2**-0.4 for coarse, fine in pairwise(errors))
-    return Finding(falls, over_doubled(errors))
+def never_below(case: Case, of: str, least: float) -> Finding:
+    """Return whether something of harmonics alone stays large as N is doubled."""
+    values = [case.measured(of, "hb", N) for N in DOUBLED]
+    return Finding(min(values) >= least, over_doubled(values, of))
 
 
-def not_uniform(case: Case) -> Finding:
-    """Return whether the largest error of the acceleration stays a part of the jump."""
-    errors = [case.largest_error("hb", N) for N in DOUBLED]
-    return Finding(min(errors) >= 0.4, over_doubled(errors, " of the jump"))
-
-
-def nowhere(case: Case) -> Finding:
-    """Return whether the error stays as large away from the jumps."""
-    errors = [case.error_inside("hb", N) for N in DOUBLED]
-    return Finding(errors[2] > errors[0] / 2, over_doubled(errors, " of the jump"))
+def does_not_halve(case: Case, of: str, since: int, least: float = 0.0) -> Finding:
+    """Return whether something is more than half of what it was at a lower order."""
+    values = {N: case.measured(of, "hb", N) for N in DOUBLED}
+    holds = values[MOST] > max(values[since] / 2, least)
+    return Finding(holds, over_doubled(list(values.values()), of))
 
 
 def gibbs(case: Case) -> Finding:
     """Return whether the ripple before the jump is what Gibbs' constant says."""
-    over = case.overshoot("hb", MOST)
+    over = case.measured("overshoot", "hb", MOST)
     words = f"{percent(over)} of the jump; Gibbs' limit is {percent(GIBBS)}"
     return Finding(abs(over / GIBBS - 1) < 1 / 3, words)
 
 
-def ripple_stays(case: Case) -> Finding:
-    """Return whether the ripple does not shrink with N."""
-    over = [case.overshoot("hb", N) for N in DOUBLED]
-    return Finding(over[2] > max(over[1] / 2, UNSEEN), over_doubled(over, " of the jump"))
+def half_way(case: Case, end: str) -> Finding:
+    """Return whether the acceleration is half-way down its jump where stick ends.
 
-
-def _level(case: Case, part: float) -> Finding:
-    """Return whether the acceleration is half-way down its jump at `part` of the period."""
+    In the series, or on normalised time in the exact orbit.
+    """
     orbit = case.orbit("hb", MOST)
-    jump = case.alpha * case.belt.acceleration_unit
-    level = -float(orbit.acceleration(part * orbit.period)) / jump
+    motion = {"series": orbit, "exact": case.exact}[end]
+    place = motion.t1 / motion.period * orbit.period
+    level = -float(orbit.acceleration(place)) / jump(case.belt)
     return Finding(abs(level - 0.5) < 0.1, f"{percent(level)} of the jump at N = {MOST}")
 
 
-def half_way_at_own_end(case: Case) -> Finding:
-    """Return whether the series takes the mean where its own stick ends."""
-    orbit = case.orbit("hb", MOST)
-    return _level(case, orbit.t1 / orbit.period)
-
-
-def half_way_at_exact_end(case: Case) -> Finding:
-    """Return whether it takes the mean where the exact stick ends, on normalised time."""
-    t1, T = exact.times(case.alpha)
-    return _level(case, t1 / T)
-
-
-def slow(case: Case) -> Finding:
-    """Return whether the period error falls about like 1/N."""
-    rate = case.rates("hb").period
+def falls_like(case: Case, of: str, low: float, high: float) -> Finding:
+    """Return whether an error of harmonics alone falls by a power of N between two."""
+    rate = case.rate(of, "hb")
     if rate is None:
-        return Finding(False, "too few orders have an orbit")
-    error = abs(case.period_error("hb", MOST))
-    words = f"like {power_of_order(rate)}; {percent(error)} off at N = {MOST}"
-    return Finding(0.8 <= rate <= 1.2, words)
+        return TOO_FEW
+    words = f"like {power_of_order(rate)}"
+    if of == "period":
+        words += f"; {percent(abs(case.measured(of, 'hb', MOST)))} off at N = {MOST}"
+    return Finding(low <= rate <= high, words)
 
 
-def visible(case: Case) -> Finding:
+def outside_the_band(case: Case) -> Finding:
     """Return whether the period stays outside the band of Fig. 4."""
-    errors = {N: abs(case.period_error("hb", N)) for N in case.orders("hb")}
-    inside = min((N for N in errors if errors[N] <= BAND), default=0)
-    words = f"inside from N = {inside}" if inside else "outside at each"
-    return Finding(bool(errors) and not inside, words)
+    errors = {N: abs(case.measured("period", "hb", N)) for N in case.orders("hb")}
+    first = min((N for N in errors if errors[N] <= BAND), default=0)
+    words = f"inside from N = {first}" if first else "outside at each"
+    return Finding(bool(errors) and not first, words)
 
 
-def slow_acceleration(case: Case) -> Finding:
-    """Return whether (22) falls about like the square root of 1/N."""
-    rate = case.rates("hb").acceleration
-    if rate is None:
-        return Finding(False, "too few orders have an orbit")
-    return Finding(0.3 <= rate <= 0.7, f"like {power_of_order(rate)}")
-
-
-def rises(case: Case, method: str) -> list[int]:
+def rising(case: Case, method: str) -> list[int]:
     """Return the orders at which (22) is larger than at the order before, not by rounding."""
-    errors = {N: case.acceleration_error(method, N) for N in case.orders(method)}
+    errors = {N: case.measured("acceleration", method, N) for N in case.orders(method)}
     above = [N for N in errors if N - 1 in errors and errors[N] > FLOORS["acceleration"]]
     return [N for N in above if errors[N] > errors[N - 1]]
 
 
-def _in_words(case: Case, method: str, orders: list[int]) -> str:
+def rises(case: Case, method: str, somewhere: bool) -> Finding:
+    """Return whether (22) rises somewhere, or whether it does so nowhere."""
+    orders = rising(case, method)
+    holds = bool(orders) == somewhere and bool(case.orders(method))
     if not orders:
-        return "it never rises"
-    pair = [case.acceleration_error(method, N) for N in (orders[0] - 1, orders[0])]
+        return Finding(holds, "it never rises")
+    first, *more = orders
+    pair = [case.measured("acceleration", method, N) for N in (first - 1, first)]
     digits = next(d for d in range(5, 18) if number(pair[0], d) != number(pair[1], d))
     before, after = (number(error, digits) for error in pair)
-    words = f"it rises at N = {orders[0]}, from {before} to {after}"
-    return words + (f", and {times(len(orders) - 1)} more" if orders[1:] else "")
-
-
-def monotone(case: Case) -> Finding:
-    """Return whether (22) of the harmonics falls at every order."""
-    found = rises(case, "hb")
-    return Finding(bool(case.orders("hb")) and not found, _in_words(case, "hb", found))
-
-
-def not_monotone(case: Case) -> Finding:
-    """Return whether (22) with one C1 function rises somewhere."""
-    found = rises(case, "hb-c1")
-    return Finding(bool(found), _in_words(case, "hb-c1", found))
+    again = f", and {'once' if len(more) == 1 else f'{len(more)} times'} more" if more else ""
+    return Finding(holds, f"it rises at N = {first}, from {before} to {after}{again}")
 
 
 def better_period(case: Case) -> Finding:
@@ -139,43 +97,30 @@ def better_period(case: Case) -> Finding:
     behind = case.behind("period", "hb-c1", "hb")
     if behind:
         return Finding(False, f"not at {len(behind)} of them, N = {behind[0]} the first")
-    errors = [percent(abs(case.period_error(m, MOST))) for m in ("hb-c1", "hb")]
+    errors = [percent(abs(case.measured("period", m, MOST))) for m in ("hb-c1", "hb")]
     return Finding(True, f"{' against '.join(errors)} at N = {MOST}")
 
 
-def _two_rates(case: Case, name: str, least: float) -> Finding:
-    rates = [getattr(case.rates(method), name) for method in ("hb", "hb-c1")]
-    if None in rates:
-        return Finding(False, "too few orders have an orbit")
-    words = " against ".join(power_of_order(rate) for rate in reversed(rates))
-    return Finding(rates[1] - rates[0] >= least, words)
-
-
-def faster_period(case: Case) -> Finding:
-    """Return whether the period gains an order of convergence."""
-    return _two_rates(case, "period", 1.0)
-
-
-def faster_acceleration(case: Case) -> Finding:
-    """Return whether (22) gains half an order of convergence."""
-    return _two_rates(case, "acceleration", 0.5)
+def falls_faster(case: Case, of: str, powers: float) -> Finding:
+    """Return whether one C1 function makes an error fall by so many more powers of N."""
+    ours, theirs = (case.rate(of, method) for method in ("hb-c1", "hb"))
+    if ours is None or theirs is None:
+        return TOO_FEW
+    words = f"{power_of_order(ours)} against {power_of_order(theirs)}"
+    return Finding(ours - theirs >= powers, words)
 
 
 def ripple_vanishes(case: Case) -> Finding:
     """Return whether one C1 function makes the ripple go away with N."""
-    over, without = [case.overshoot("hb-c1", N) for N in DOUBLED], case.overshoot("hb", MOST)
-    return Finding(over[2] < UNSEEN < without, over_doubled(over, " of the jump"))
+    over = [case.measured("overshoot", "hb-c1", N) for N in DOUBLED]
+    holds = over[-1] < UNSEEN < case.measured("overshoot", "hb", MOST)
+    return Finding(holds, over_doubled(over, "overshoot"))
 
 
 def no_ripple_at_3(case: Case) -> Finding:
     """Return whether it is gone already at the order of Fig. 5."""
-    over, without = (max(case.overshoot(method, 3), 0.0) for method in ("hb-c1", "hb"))
+    over, without = (
+        max(case.measured("overshoot", method, THREE), 0.0) for method in ("hb-c1", "hb")
+    )
     words = f"{percent(over, 2)} of the jump; without g₁ {percent(without, 2)}"
     return Finding(over < UNSEEN, words)
-
-
-def uniform(case: Case) -> Finding:
-    """Return whether the largest error goes to zero, the phases laid over each other."""
-    errors = [case.largest_error("hb-c1", N) for N in DOUBLED]
-    falls = all(fine < 0.7 * coarse for coarse, fine in pairwise(errors))
-    return Finding(falls, over_doubled(errors, " of the jump"))

@@ -3,7 +3,7 @@
 from nonsmooth.codegen import show
 from nonsmooth.codegen.printing.html import fragment_of
 
-from ..page import folded
+from ..html import folded
 
 
 def equations_of(source: str) -> str:

@@ -4,15 +4,13 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 from nonsmooth.cli.scenes.shown.described import document
 from nonsmooth.codegen.printing.html import STYLE
 from nonsmooth.solver.accuracy.rates import rate
 from nonsmooth.solver.case.methods import about
 from nonsmooth.solver.case.registry import mathematics, methods
 
-from ..page import inline, prose
+from ..html import inline, template
 from .collected import Collected, overshoot
 from .figures import FIGURES, theory
 from .multipliers import multipliers
@@ -33,16 +31,8 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
     equations : str
         The derived equations, as a fragment.
     """
-    environment = Environment(
-        loader=PackageLoader("nonsmooth.report", "."),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["prose"] = prose
     case, scene = found.case, found.case.scene
-    return environment.get_template("scenes/page.html.jinja").render(
+    return template("scenes/page.html.jinja").render(
         version=version("nonsmooth"),
         scene=document(scene),
         values=case.values,

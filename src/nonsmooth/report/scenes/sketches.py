@@ -47,12 +47,19 @@ def damper(axes: Any, start: float, end: float, y: float, name: str) -> None:
     axes.text(start + 0.2 * (end - start), y + 0.08, name, ha="center", va="bottom")
 
 
-def mass(axes: Any, left: float, right: float, bottom: float = 0.2, top: float = 2.4) -> None:
+def mass(
+    axes: Any,
+    left: float,
+    right: float,
+    bottom: float = 0.2,
+    top: float = 2.4,
+    name: str = "$m$",
+) -> None:
     """Draw the mass and the direction in which its displacement is counted."""
     axes.add_patch(
         Rectangle((left, bottom), right - left, top - bottom, facecolor=FILL, edgecolor=INK)
     )
-    axes.text((left + right) / 2, (bottom + top) / 2, "$m$", ha="center", va="center")
+    axes.text((left + right) / 2, (bottom + top) / 2, name, ha="center", va="center")
     _arrow(axes, (left, top + 0.3), (left + 1.0, top + 0.3), "$x$")
 
 
@@ -184,7 +191,7 @@ def damped_belt(axes: Any) -> None:
 
 
 def _on_a_belt(axes: Any) -> None:
-    mass(axes, 3.6, 5.6)
+    mass(axes, 3.6, 5.6, name="$M$")
     for x in (3.2, 8.2):
         axes.add_patch(Circle((x, -0.65), 0.75, facecolor="none", edgecolor=INK))
     for y in (0.1, -1.4):

@@ -1,0 +1,86 @@
+"""The claims of `claims.toml`, each with its parts, and the verdict on it."""
+
+import tomllib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import nonsmooth as ns
+
+from .case import Case
+from .checks import Finding
+
+#: From all parts that count to none.
+VERDICTS = ("holds", "holds in part", "does not hold")
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """One statement that is true or false of an oscillator; see `claims.toml`."""
+
+    words: str
+    check: Callable[[Case], Finding]
+    counts: bool = True
+    ours: str = ""
+
+    def of(self, case: Case) -> Finding:
+        """Return the finding; an orbit that is missing counts against the statement."""
+        try:
+            return self.check(case)
+        except ns.NoOrbit as missing:
+            return Finding(False, missing.reason)
+
+
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """A claim of the paper; see `claims.toml`."""
+
+    name: str
+    title: str
+    words: str
+    where: str
+    quoted: str
+    source: str
+    parts: tuple[Part, ...]
+    note: str = ""
+
+    def verdict(self, holds: Sequence[bool]) -> str:
+        """Return the verdict, where it is known of each part whether it holds."""
+        counted = [yes for part, yes in zip(self.parts, holds, strict=True) if part.counts]
+        return VERDICTS[0] if all(counted) else VERDICTS[1] if any(counted) else VERDICTS[2]
+
+
+def table(name: str) -> Any:
+    """Return a table of this folder; a line break within a text is a space."""
+    return _joined(tomllib.loads(Path(__file__).with_name(name).read_text("utf-8")))
+
+
+def _joined(found: Any) -> Any:
+    if isinstance(found, dict):
+        return {key: _joined(value) for key, value in found.items()}
+    if isinstance(found, list):
+        return [_joined(value) for value in found]
+    return " ".join(found.split()) if isinstance(found, str) else found
+
+
+def _claim(part: list[dict[str, Any]], **text: str) -> Claim:
+    return Claim(**text, parts=tuple(_part(**row) for row in part))
+
+
+def _part(check: str, given: dict[str, Any] | None = None, **told: Any) -> Part:
+    module, name = check.split(".")
+    function = getattr(import_module(f".checks.{module}", __package__), name)
+    return Part(check=partial(function, **(given or {})), **told)
+
+
+#: The claims by their headings, in the order of the paper's methods.
+GROUPS: dict[str, list[Claim]] = {
+    group["title"]: [_claim(**row) for row in group["claim"]]
+    for group in table("claims.toml")["group"]
+}
+
+CLAIMS = [claim for group in GROUPS.values() for claim in group]
+PARTS = [part for claim in CLAIMS for part in claim.parts]

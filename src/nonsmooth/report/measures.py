@@ -1,0 +1,108 @@
+"""What is measured of an orbit: errors against the exact one, and the ripple beside a jump."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.polynomial import Legendre
+
+import nonsmooth as ns
+from nonsmooth.solver.accuracy.quadrature import panels
+from nonsmooth.solver.arrays import Vector
+
+#: Samples of each phase where a largest value is looked for.
+SAMPLES = 2000
+
+
+def jump(belt: ns.StickSlip) -> float:
+    """Return by how much the exact acceleration falls at the end of stick, in m/s**2."""
+    return belt.alpha * belt.acceleration_unit
+
+
+def peak(orbit: ns.Orbit) -> tuple[float, float]:
+    """Return time and size, in SI units, of the highest ripple before the end of stick."""
+    times = np.linspace(orbit.t1 / 2, orbit.t1, SAMPLES, endpoint=False)
+    values = orbit.acceleration(times)
+    best = int(np.argmax(values))
+    return float(times[best]), float(values[best])
+
+
+def overshoot(orbit: ns.Orbit, exact: ns.ExactOrbit) -> float:
+    """Return how far the acceleration swings beyond 0 before its jump, in jumps.
+
+    At the end of stick the exact one falls from 0; what is above 0 in the second half of
+    stick is the ripple that Gibbs' phenomenon leaves there.
+    """
+    return peak(orbit)[1] / jump(exact.belt)
+
+
+def differences(orbit: ns.Orbit, exact: ns.ExactOrbit, quantity: str) -> Vector:
+    """Return the errors of stick and of slip, each laid over the exact phase.
+
+    Of the acceleration in jumps; of displacement, velocity and jerk in the exact amplitude.
+    """
+    omega = exact.belt.omega_n
+    size = {
+        "displacement": exact.amplitude,
+        "velocity": exact.amplitude * omega,
+        "acceleration": jump(exact.belt),
+        "jerk": exact.amplitude * omega**3,
+    }[quantity]
+    there, here = (_by_phases(motion, quantity) for motion in (exact, orbit))
+    return np.abs(here - there) / size
+
+
+def _by_phases(motion: ns.Orbit | ns.ExactOrbit, quantity: str) -> Vector:
+    """Return a quantity in stick and in slip; the jerk in slip only.
+
+    There the acceleration of a C1 series is a polynomial of the degree of its order, and the
+    exact jerk is ``-omega_n**2`` times the velocity.
+    """
+    u = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    slip = motion.period - motion.t1
+    times = np.array([motion.t1 * u, motion.t1 + slip * u])
+    if quantity != "jerk":
+        return np.asarray(getattr(motion, quantity)(times))
+    if isinstance(motion, ns.ExactOrbit):
+        return -(motion.belt.omega_n**2) * motion.velocity(times[1])
+    fitted = Legendre.fit(u, motion.acceleration(times[1]), motion.order, domain=[0, 1])
+    return np.asarray(fitted.deriv()(u)) / slip
+
+
+def largest(quantity: str) -> Callable[[ns.Orbit, ns.ExactOrbit], float]:
+    """Return what measures the largest of the `differences`."""
+    return lambda orbit, exact: float(differences(orbit, exact, quantity).max())
+
+
+def inside(orbit: ns.Orbit, exact: ns.ExactOrbit) -> float:
+    """Return the largest error of the acceleration in the middle half of each phase."""
+    quarter = SAMPLES // 4
+    return float(differences(orbit, exact, "acceleration")[:, quarter:-quarter].max())
+
+
+def error_at_equal_times(orbit: ns.Orbit, exact: ns.ExactOrbit) -> float:
+    """Return (22) with both accelerations at the same t, from 0 to the exact T.
+
+    The other reading of (21): the paper integrates from 0 to T and does not say whose T that
+    is, nor how motions of different periods are laid over each other.
+    """
+    T = exact.period
+    jumps = [time / T for time in (exact.t1, orbit.t1, orbit.period) if time < T]
+    part, weights = panels(jumps, max(orbit.order, 2))
+    reference = exact.acceleration(T * part)
+    difference = orbit.acceleration(T * part) - reference
+    return math.sqrt(float(weights @ difference**2) / float(weights @ reference**2))
+
+
+#: By the names that the checks of the claims have for them.
+MEASURES: dict[str, Callable[[ns.Orbit, ns.ExactOrbit], float]] = {
+    "period": lambda orbit, exact: orbit.errors.period,
+    "acceleration": lambda orbit, exact: orbit.errors.acceleration,
+    "acceleration at equal times": error_at_equal_times,
+    "largest displacement": largest("displacement"),
+    "largest velocity": largest("velocity"),
+    "largest acceleration": largest("acceleration"),
+    "largest jerk": largest("jerk"),
+    "inside": inside,
+    "overshoot": overshoot,
+}
