@@ -10,7 +10,7 @@ residual is that of this combination: rows of few entries, whatever the test fun
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from itertools import combinations
+from itertools import combinations, islice
 
 import sympy as sp
 
@@ -146,9 +146,10 @@ def orthogonality(
 
     def row(index: sp.Expr, first: int = 0) -> sp.Expr:
         residual = q.residual(equation, index, moment(found, phase, index))
-        return residual - equation.m * sp.Add(
-            *(tau * rest(rows + i, index, switch.k) for i, tau in enumerate(left) if i >= first)
-        )
+        if rest is None:
+            return residual
+        unseen = (tau * rest(rows + i, index, switch.k) for i, tau in enumerate(left))
+        return residual - equation.m * sp.Add(*islice(unseen, first, None))
 
     part = "less what no test sees, degree" if left else "orthogonal to its test function"
     title = f"residual of {phase.name}, {part}"

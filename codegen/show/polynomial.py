@@ -197,7 +197,7 @@ class Polynomial:
 
     def _tested(self, condition: Condition) -> sp.Expr:
         """Return the left side of an orthogonality condition."""
-        name, kind, index = re.fullmatch(r"(.+)_(by|rest)_(\w+)", condition.name).groups()
+        name, kind, index = re.findall(r"(.+)_(by|rest)_(\w+)", condition.name)[0]
         p = [phase.name for phase in self.conditions.scene.phases].index(name)
         degree = sp.Integer(index) if condition.index is None else condition.index
         if kind == "rest":
