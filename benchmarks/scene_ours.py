@@ -39,18 +39,17 @@ def newton(scene: str, method: str, functions: int | None = None) -> Solve:
         See `registry.kernel`.
     """
     own = kernel(scene, method, functions)
+    before = _as_given if method == "ck-tau" else newton(scene, "ck-tau")
     if own.condensed:
-        return _from_times(own)
+        return _from_times(own, before)
     residual, jacobian, iterate, size = own.residual, own.jacobian, own.iterate, own.size
     names = getattr(iterate, "py_func", iterate).__globals__  # plain where numba is disabled
     factorise, solve_factorised = names["factorise"], names["solve_factorised"]
-    times, coarse = own.durations + own.forced, method != "ck-tau"
-    before = newton(scene, "ck-tau") if coarse else _as_given
+    times = own.durations + own.forced
 
     @njit
     def solve(case, order, a, b):
-        if coarse:
-            a, b = before(case, COARSE[0], a, b)
+        a, b = before(case, COARSE[0], a, b)
         n = size(order)
         count = n - times
         z, R, J = np.zeros(n), np.empty(n), np.empty((n, n))
@@ -73,14 +72,14 @@ def newton(scene: str, method: str, functions: int | None = None) -> Solve:
     return solve
 
 
-def _from_times(kernel: SceneKernel) -> Solve:
+def _from_times(kernel: SceneKernel, before: Solve) -> Solve:
     """Return the iteration of a kernel that starts from times alone, as the solver has it."""
     iterate, size = kernel.iterate, kernel.size
 
     @njit
     def solve(case, order, a, b):
         z = np.zeros(size(order))
-        z[-2], z[-1] = a, b
+        z[-2], z[-1] = before(case, COARSE[0], a, b)
         status, _, _, _ = iterate(case, z, LIMIT)
         return (z[-2], z[-1]) if status == 0 else (math.nan, math.nan)
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from ..galerkin import GalerkinConditions, breaks
+from ..galerkin import GalerkinConditions, breaks, closure
 from . import class_one, condensed
 from .expressions import math_names, python
 from .functions import function, prologue
@@ -94,12 +94,14 @@ def mathematics(system: GalerkinConditions) -> str:
 
 
 def _constants(system: GalerkinConditions, body: str) -> str:
+    starts = any(condition.name == closure.START for condition in system.conditions)
     return (
         f'SCENE = "{system.scene.name}"\n'
         f'METHOD = "{system.method}"\n'
         f"DURATIONS = {len(system.times.durations)}\n"
         f"FORCED = {system.times.frequency is not None}\n"
         f"LOWEST = {system.lowest}  # order\n"
+        f"STARTS = {starts}  # in the state of the scene, in place of the first event\n"
         f'MATHEMATICS = "{mathematics(system)}"  # of the conditions, by srepr\n'
         f'BODY = "{digest(body)}"  # of the text below\n'
     )

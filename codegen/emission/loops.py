@@ -189,6 +189,8 @@ def _within(term: Term, condition: Condition) -> str:
     below = f"number_{term.block.name} > {_index_text(index)}"
     if index.is_Integer:
         return "" if int(index) < 2 else below
+    if condition.index is None:  # near the end of the family, counted from its beginning
+        return "" if index.is_nonnegative else f"{_index_text(index)} >= 0"
     last = condition.first + condition.count - 1
     low, high = (index.subs(condition.index, end) for end in (condition.first, last))
     if not sp.expand(low).is_nonnegative:

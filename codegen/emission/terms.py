@@ -7,6 +7,7 @@ from functools import cache
 import sympy as sp
 
 from ..galerkin import Block, Condition, GalerkinConditions, Table
+from ..galerkin.condition import N
 from ..galerkin.tables import by_time
 from ..galerkin.weights import weights
 from .expressions import python
@@ -154,4 +155,4 @@ def rates(
 def known(system: GalerkinConditions) -> list[sp.Expr]:
     """Return what closed forms may take, in the sequence of their arguments."""
     bases: list[sp.Expr] = [table.base for table in system.tables]
-    return [*system.parameters, *system.times.unknown, *bases]
+    return [N, *system.parameters, *system.times.unknown, *bases]

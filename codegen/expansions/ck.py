@@ -1,7 +1,9 @@
 """Functions of class C^k, tested with themselves: Section 3.3 for any class (`ck`).
 
 On a phase that begins at a switch of class C^k, the functions that begin there are ``P_l*``
-integrated k + 1 times from the switch: (18) has them for k = 1.
+integrated k + 1 times from the switch: (18) has them for k = 1.  They are ``u^(k + 1)`` times
+all polynomials of low degree, so what is orthogonal to them are the polynomials of Jacobi that
+belong to this weight.
 """
 
 import sympy as sp
@@ -21,6 +23,13 @@ def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:
     return repeated_integral(l, k + 1)
 
 
+def rest(m: sp.Expr, l: sp.Expr, k: int) -> sp.Expr:
+    """Return the weight of ``P_l*``, l at most m, in Jacobi's ``P_m^(0, k + 1)(2 u - 1)``."""
+    rising = (sp.Mul(*(q + i for i in range(k))) for q in (m - l + 1, m + l + 2))
+    norm = sp.factorial(k) * sp.Mul(*(m + i for i in range(1, k + 2)))
+    return (-1) ** (m - l) * (2 * l + 1) * sp.Mul(*rising) / norm
+
+
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
-    return polynomials.derive(scene, METHOD, TITLE, test)
+    return polynomials.derive(scene, METHOD, TITLE, test, rest)

@@ -15,6 +15,9 @@ from .times import Times
 #: ``(phase, order)``: a derivative of the displacement at an end of a phase.
 End = Callable[[int, int], sp.Expr]
 
+#: The name of the condition that stands in the place of the first event.
+START = "start"
+
 #: ``(phase, order)``: the unknown that vanishes where this derivative need not be continuous.
 Once = Callable[[int, int], sp.Expr | None]
 
@@ -96,6 +99,16 @@ def _event(scene: Scene, times: Times, p: int, state: End, name: str, words: str
         f"the event that ends {phase.name}{words}",
         one_sum(phase.ends.zero.subs(at, simultaneous=True)),
     )
+
+
+def begins(scene: Scene, start: End) -> Iterator[Condition]:
+    """Yield the state in which the first phase begins, where the scene says it: (9)."""
+    for symbol, value in scene.start.items():
+        order = (x, v).index(symbol)
+        what = ("displacement", "velocity")[order]
+        name = scene.phases[0].name
+        title = f"the {what} where {name} begins is that of the exact orbit"
+        yield Condition(START, title, start(0, order) - sp.sympify(value), number="9")
 
 
 def period(times: Times) -> Iterator[Condition]:

@@ -63,7 +63,9 @@ class PhaseSeries:
 
     def a(self, l: sp.Expr) -> sp.Expr:
         """Return the coefficient of ``P_l*`` in the acceleration."""
-        return sp.Integer(0) if self.acceleration is None else self.acceleration[l]
+        if self.acceleration is None or sp.expand(l - self.count).is_nonnegative:
+            return sp.Integer(0)
+        return self.acceleration[l]
 
     def v(self, l: sp.Expr) -> sp.Expr:
         """Return the coefficient of ``P_l*`` in the velocity."""

@@ -1,11 +1,16 @@
 """A motion that is a polynomial on each phase, of class C^k at the switches.
 
-Input: a scene, and the functions that an expansion tests the residual with.
+Input: a scene, and what an expansion leaves of the residual of a phase.
 Output: `derive`, the conditions.  The acceleration of a phase is a series of shifted Legendre
 polynomials, so the derivative of order k + 1 has degree N, as in (15) of the paper.
+
+A residual that is orthogonal to some polynomials is a combination of the others that are
+orthogonal to them (the tau method of Lanczos).  So a condition is that a coefficient of the
+residual is that of this combination: rows of few entries, whatever the test functions.
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations, islice
 
 import sympy as sp
 
@@ -19,6 +24,13 @@ from .times import Times
 #: ``test(l, k)``: the test function of index l on a phase that begins C^k, as weights of
 #: shifted Legendre polynomials by their degree.
 Test = Callable[[sp.Expr, int], Mapping[sp.Expr, sp.Expr]]
+
+#: ``rest(m, l, k)``: the weight of ``P_l*``, l at most m, in the polynomial of degree m that is
+#: orthogonal to all test functions of index below m.
+Rest = Callable[[sp.Expr, sp.Expr, int], sp.Expr]
+
+#: Highest degree of what is checked to be orthogonal to the tests.
+CHECKED = 4
 
 #: Degrees of the residual that have terms of their own: the state in which a phase begins.
 STATE = 2
@@ -41,8 +53,10 @@ def series(scene: Scene, times: Times, found: tuple[Switch, ...]) -> tuple[Phase
     return tuple(made)
 
 
-def blocks(scene: Scene, trial: tuple[PhaseSeries, ...]) -> Iterator[Block]:
-    """Yield the unknowns of each phase: the state in which it begins, its acceleration."""
+def blocks(
+    scene: Scene, trial: tuple[PhaseSeries, ...], left: Mapping[str, tuple[sp.Symbol, ...]]
+) -> Iterator[Block]:
+    """Yield the unknowns of each phase: where it begins, its acceleration, what is left."""
     one = sp.Integer(1)
     for phase, q in zip(scene.phases, trial, strict=True):
         yield Block(q.displacement, one, 0, f"displacement where {phase.name} begins")
@@ -50,6 +64,8 @@ def blocks(scene: Scene, trial: tuple[PhaseSeries, ...]) -> Iterator[Block]:
         if q.acceleration is not None:
             what = f"acceleration of {phase.name} in Legendre polynomials"
             yield Block(q.acceleration, q.count, 2, what)
+        for tau in left.get(phase.name, ()):
+            yield Block(tau, one, 2, f"of what no test sees of the residual of {phase.name}")
 
 
 def tables(scene: Scene, times: Times, extra: int) -> tuple[Table, ...]:
@@ -71,52 +87,97 @@ def moment(found: tuple[Table, ...], phase: Phase, degree: sp.Expr) -> sp.Expr:
     return base[degree] if any(table.base == base for table in found) else sp.Integer(0)
 
 
+def rows_of(q: PhaseSeries, switch: Switch) -> sp.Expr:
+    """Return the number of test functions of a phase."""
+    return q.count + 1 - max(1, switch.k)
+
+
+def rest_of(phase: Phase, switch: Switch, test: Test) -> tuple[sp.Symbol, ...]:
+    """Return what multiplies the polynomials that no test of a phase sees.
+
+    There are as many as the tests reach beyond their own index; of polynomials of a higher
+    degree than that of any test nothing need be said.
+    """
+    count = reach(test, switch.k)
+    return tuple(sp.Symbol(f"tau{i}_{phase.name}", real=True) for i in range(count))
+
+
+def reach(test: Test, k: int) -> int:
+    """Return by how much the degree of a test is above its index."""
+    return max(int(degree - l) for degree in test(l, k))
+
+
+def check_rest(test: Test, rest: Rest | None, k: int) -> None:
+    """Check that what is said to be orthogonal to the tests is, up to degree `CHECKED`.
+
+    Raises
+    ------
+    ValueError
+        If not, or if nothing is said though the tests reach beyond their index.
+    """
+    if rest is None:
+        if reach(test, k):
+            raise ValueError(f"rest: got none, and a test of C^{k} reaches beyond its index")
+        return
+    for m, index in combinations(map(sp.Integer, reversed(range(CHECKED + 1))), 2):
+        seen = sp.Add(
+            *(
+                weight * rest(m, degree, k) / (2 * degree + 1)
+                for degree, weight in test(index, k).items()
+                if degree <= m
+            )
+        )
+        if seen != 0:
+            raise ValueError(f"test {index} sees the polynomial of degree {m} at class C^{k}")
+
+
 def orthogonality(
-    phase: Phase, q: PhaseSeries, switch: Switch, found: tuple[Table, ...], test: Test
+    phase: Phase,
+    q: PhaseSeries,
+    switch: Switch,
+    found: tuple[Table, ...],
+    test: Test,
+    rest: Rest | None,
 ) -> Iterator[Condition]:
-    """Yield that the residual of a phase is orthogonal to the test functions."""
+    """Yield that what is left of the residual of a phase is what the tests do not see."""
     equation = linear_phase(phase)
-    rows = q.count + 1 - max(1, switch.k)
-    reach = l - min(test(l, switch.k), key=lambda degree: degree - l)
-    first = STATE + int(reach)
+    rows = rows_of(q, switch)
+    left = rest_of(phase, switch, test) if rest else ()
 
-    def row(index: sp.Expr) -> sp.Expr:
-        parts = (
-            weight
-            * q.residual(equation, degree, moment(found, phase, degree))
-            / (2 * degree + 1)
-            for degree, weight in test(index, switch.k).items()
-        )
-        return sp.Add(*parts)
+    def row(index: sp.Expr, first: int = 0) -> sp.Expr:
+        residual = q.residual(equation, index, moment(found, phase, index))
+        if rest is None:
+            return residual
+        unseen = (tau * rest(rows + i, index, switch.k) for i, tau in enumerate(left))
+        return residual - equation.m * sp.Add(*islice(unseen, first, None))
 
-    for index in range(first):
-        yield Condition(
-            f"{phase.name}_by_{index}",
-            f"residual of {phase.name}, orthogonal to its test function {index}",
-            row(sp.Integer(index)),
-        )
+    part = "less what no test sees, degree" if left else "orthogonal to its test function"
+    title = f"residual of {phase.name}, {part}"
+    for index in range(STATE):
+        yield Condition(f"{phase.name}_by_{index}", f"{title} {index}", row(sp.Integer(index)))
     yield Condition(
         f"{phase.name}_by_l",
-        f"residual of {phase.name}, orthogonal to its test function l",
+        f"{title} l",
         row(l),
         index=l,
-        first=sp.Integer(first),
-        count=rows - first,
-        where=f"l = {first}, ..., {rows - 1}",
+        first=sp.Integer(STATE),
+        count=rows - STATE,
+        where=f"l = {STATE}, ..., {rows - 1}",
     )
+    for i in range(len(left)):
+        yield Condition(f"{phase.name}_rest_{i}", f"{title} {rows + i}", row(rows + i, i))
 
 
 def class_one(
-    scene: Scene, found: tuple[Switch, ...], trial: tuple[PhaseSeries, ...], test: Test
+    scene: Scene, found: tuple[Switch, ...], trial: tuple[PhaseSeries, ...], same: bool
 ) -> closure.Once:
     """Return which unknown vanishes in place of continuity beyond the velocity.
 
     At order N the accelerations of functions of class C^1 are of degree N, tested to degree N.
     Those of a smoother scene have ``k - 1`` coefficients more and as many tests: so the
-    highest of them vanish instead.  That holds if the tests are the same for any class.
+    highest of them vanish instead.  That holds if the tests are the `same` for any class.
     """
     smoother = min(switch.k for switch in found) > 1
-    same = all(test(l, switch.k) == test(l, 1) for switch in found)
 
     def once(p: int, order: int) -> sp.Expr | None:
         q = trial[p]
@@ -143,22 +204,48 @@ def motion(phase: Phase, duration: sp.Symbol) -> str:
 
 
 def _events(
-    scene: Scene, times: Times, start: closure.End, end: closure.End
+    scene: Scene, times: Times, start: closure.End, end: closure.End, symmetric: bool
 ) -> Iterator[Condition]:
     """Yield the events: where nothing forces, of the state after them, which they then give.
+
+    Where the tests are not `symmetric` in time, what the scene says of its start comes in the
+    place of the first.
 
     A forced motion is searched for from rough times, one after the other, at which the states
     are fitted to the conditions first.  With events at the ends of the phases that finds an
     orbit in half the iterations.
     """
-    if times.frequency is None:
-        return closure.events_after(scene, times, start, end)
-    return closure.events(scene, times, end)
+    if times.frequency is not None:
+        yield from closure.events(scene, times, end)
+        return
+    begins = () if symmetric else tuple(closure.begins(scene, start))
+    yield from begins
+    yield from tuple(closure.events_after(scene, times, start, end))[len(begins) :]
 
 
-def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditions:
-    """Return the conditions of a scene in this expansion."""
+def derive(
+    scene: Scene, method: str, title: str, test: Test, rest: Rest | None = None
+) -> GalerkinConditions:
+    """Return the conditions of a scene in an expansion.
+
+    Parameters
+    ----------
+    scene : Scene
+    method, title : str
+        Of the expansion.
+    test : callable
+        The functions that the residual is tested with.
+    rest : callable, optional
+        The polynomials that these do not see; without it they are those of high degree.
+
+    Raises
+    ------
+    ValueError
+        If the tests see them.
+    """
     times, found = Times.of(scene), switches(scene)
+    for switch in found:
+        check_rest(test, rest, switch.k)
     trial = series(scene, times, found)
     highest = max(switch.k for switch in found)
     looked_up = tables(scene, times, 2 * highest + 5)
@@ -166,7 +253,7 @@ def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditi
         condition
         for phase, q, switch in zip(scene.cell, trial, found, strict=True)
         if phase.held is None
-        for condition in orthogonality(phase, q, switch, looked_up, test)
+        for condition in orthogonality(phase, q, switch, looked_up, test, rest)
     ]
 
     def start(p: int, order: int) -> sp.Expr:
@@ -175,15 +262,18 @@ def derive(scene: Scene, method: str, title: str, test: Test) -> GalerkinConditi
     def end(p: int, order: int) -> sp.Expr:
         return trial[p].at_end(order)
 
-    once = class_one(scene, found, trial, test)
+    same = all(test(l, switch.k) == test(l, 1) for switch in found)
+    once = class_one(scene, found, trial, same)
+    free = [p for p in zip(scene.phases, found, strict=True) if p[0].held is None]
+    left = {phase.name: rest_of(phase, switch, test) for phase, switch in free if rest}
     joined = closure.joints(scene, found, start, end, once)
-    events = _events(scene, times, start, end)
+    events = _events(scene, times, start, end, symmetric=rest is None)
     memory = closure.memory(scene, times, start)
     system = GalerkinConditions(
         scene,
         method,
         title,
-        (*blocks(scene, trial), *closure.memory_blocks(scene)),
+        (*blocks(scene, trial, left), *closure.memory_blocks(scene)),
         times,
         (*rows, *joined, *events, *memory, *closure.period(times)),
         looked_up,

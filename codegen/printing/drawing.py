@@ -17,7 +17,7 @@ from ..system import Inner
 from .order import factors, in_given_order, terms
 
 SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")
-SUPERSCRIPTS = str.maketrans("0123456789+-()cijklmns", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᶜⁱʲᵏˡᵐⁿˢ")
+SUPERSCRIPTS = str.maketrans("0123456789+-()cijklmnsN", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᶜⁱʲᵏˡᵐⁿˢᴺ")
 
 #: Words that are set high; Unicode has no q.
 RAISED = str.maketrans("abcdefghijklmnoprstuvwxyz", "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ")

@@ -14,7 +14,7 @@ from .parameters import check_parameters
 from .phases import Units, check_neighbours, check_phase, check_same_units
 from .scales import scales
 from .smoothness import switches
-from .symbols import STATE_UNITS, forcing
+from .symbols import STATE_UNITS, forcing, v, x
 from .units import balance, dimension_of, spelled
 
 #: The units that a scene may say, and what they are in SI.
@@ -58,6 +58,7 @@ def _check_motion(scene: Scene) -> None:
     check_neighbours(scene.phases[-1], scene.phases[0], scene.sign)
     check_same_units(scene.phases, units)
     _check_whole(scene, units)
+    _check_start(scene, units)
     scales(scene)
     switches(scene)
 
@@ -138,6 +139,20 @@ def _check_whole(scene: Scene, units: Units) -> None:
         with named("guess"):
             _check_dimension(duration, units, "s")
             _check_free(duration, known)
+
+
+def _check_start(scene: Scene, units: Units) -> None:
+    if not scene.start:
+        return
+    if scene.frequency is not None:
+        raise SceneError("start: the phase of the forcing is not known, expected no frequency")
+    if len(scene.start) > 1 or not scene.start.keys() <= {x, v}:
+        found = ", ".join(map(str, scene.start))
+        raise SceneError(f"start: got {found}, expected either x or v")
+    for symbol, value in scene.start.items():
+        with named("start"):
+            _check_dimension(value, units, STATE_UNITS[symbol])
+            _check_free(value, set(scene.symbols))
 
 
 def _check_used(scene: Scene) -> None:

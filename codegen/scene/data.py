@@ -136,6 +136,10 @@ class Scene:
         Several orders of phases, by name, in place of `phases`; any of them may occur.
     memory : tuple of Memory
         Constants that switches set.
+    start : mapping of Symbol to Expr
+        ``{x: ...}`` or ``{v: ...}``: what the state in which the first phase begins is on the
+        exact orbit, if that is known.  Functions that begin at switches impose it in place of
+        the event that ends the first phase, as the paper does in (9).
     extremes : mapping of str to mapping of Symbol to Expr
         Where digits are easily lost, by words: the parameters that differ there from those of
         a case, in its parameters or as numbers in SI units.  ``nonsmooth digits`` goes there.
@@ -160,6 +164,7 @@ class Scene:
     guess: tuple[sp.Expr, ...] | Mapping[str, tuple[sp.Expr, ...]] = ()
     motions: Mapping[str, tuple[Phase, ...]] = field(default_factory=dict)
     memory: tuple[Memory, ...] = ()
+    start: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     extremes: Mapping[str, Mapping[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     motion: str = ""
 

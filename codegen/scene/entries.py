@@ -47,6 +47,7 @@ def check_entries(scene: Scene) -> None:
         _check_memory(memory)
     for name in ("requires", "scales"):
         _check_mapping(name, getattr(scene, name))
+    _check_mapping("start", scene.start, texts=False)
     if scene.frequency is not None and not isinstance(scene.frequency, sp.Symbol):
         raise SceneError(f"frequency: got {scene.frequency!r}, expected one symbol")
     guesses = scene.guess if isinstance(scene.guess, Mapping) else {"": scene.guess}

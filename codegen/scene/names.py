@@ -55,7 +55,7 @@ _RESERVED = re.compile(
 )
 
 #: What stands before or behind the name of a phase in the names of its unknowns.
-_OF_A_PHASE = r"(s|x|v|d|J|c\d+|mu|nu|beta|G\d+)_{0}(_\w+)?|{0}_by_\w+"
+_OF_A_PHASE = r"(s|x|v|d|J|c\d+|tau\d+|mu|nu|beta|G\d+)_{0}(_\w+)?|{0}_(by|rest)_\w+"
 
 
 def check_name(field: str, name: str) -> None:

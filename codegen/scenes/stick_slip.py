@@ -38,6 +38,7 @@ SCENE = Scene(
     ),
     phases=(STICK, SLIP),
     requires={"mu_k is at most mu_s": mu_s - mu_k},
+    start={x: (2 * mu_k - mu_s) * F_N / K},
     extremes={
         f"alpha = {alpha}": {F_N: sp.sympify(alpha, rational=True) * UNIT}
         for alpha in ("1e-6", "1e-4", "1e-2", "1e2", "1e4", "1e6")

@@ -2,7 +2,9 @@
 
 import sympy as sp
 
+from ..galerkin.closure import START
 from ..galerkin.harmonics import equations
+from ..scene import v, x
 from .functions import state
 from .notation import Notation
 from .switching import event, event_after, law, set_to
@@ -29,6 +31,8 @@ def statements(notation: Notation) -> Statements:
     for p, phase in enumerate(notation.scene.phases):
         found[f"event_{phase.name}"] = event(notation, p)
         found[f"event_{phase.name}_after"] = event_after(notation, p)
+    for symbol, value in notation.scene.start.items():
+        found[START] = notation.start(0, (x, v).index(symbol)) - value
     for memory in notation.scene.memory:
         found[f"memory_{memory.symbol}"] = memory.symbol - set_to(notation, memory)
     return found

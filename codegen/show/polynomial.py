@@ -1,14 +1,15 @@
 """Conditions on a motion that is a polynomial on each phase, for the reader."""
 
+import re
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 
 import sympy as sp
 
 from ..functions import ShiftedLegendre, TwiceIntegrated
-from ..galerkin import Condition, GalerkinConditions
+from ..galerkin import Condition, GalerkinConditions, polynomials
 from ..galerkin.legendre import n, repeated_integral
-from ..galerkin.polynomials import Test, series
+from ..galerkin.polynomials import Rest, Test, series
 from ..galerkin.tables import Table, by_time, l
 from ..scene import linear_phase
 from ..system import Equation, Inner
@@ -20,6 +21,9 @@ from .tidy import by_entries, by_unknown
 SECTION = "3.3"
 
 TIMES = {1: "once", 2: "twice"}
+
+#: What no test sees of the residual.
+S = sp.Function("S")(t)
 
 
 class Polynomial:
@@ -39,6 +43,7 @@ class Polynomial:
         name = conditions.method.replace("-", "_")
         expansion = import_module(f"..expansions.{name}", __package__)
         self.test: Test = expansion.test
+        self.rest: Rest | None = getattr(expansion, "rest", None)
 
     @staticmethod
     def fits(conditions: GalerkinConditions) -> bool:
@@ -141,6 +146,37 @@ class Polynomial:
                 words = f"test function in {name}, `P_n` integrated {times} from the switch"
                 sides = (member(f"W_{name}", n, u), _combined(weights))
                 yield Equation("", words, sides)
+            if self.trial[p].acceleration is not None and self.rest is not None:
+                yield from self._left(p, self.rest)
+
+    def _left(self, p: int, rest: Rest) -> Iterator[Equation]:
+        """Yield orthogonality to all tests of a phase, and what it leaves of the residual."""
+        phase, switch = self.conditions.scene.phases[p], self.notation.found[p]
+        name, rows = phase.name, polynomials.rows_of(self.trial[p], switch)
+        tested = (Inner(R, member(f"W_{name}", l, u)), sp.Integer(0))
+        where = f"`l = 0, ..., {rows - 1}`"
+        yield Equation("18", f"residual of {name}, orthogonal to its tests", tested, where)
+        one = sp.Sum(rest(n, l, switch.k) * ShiftedLegendre(l, u), (l, 0, n))
+        words = (
+            f"polynomial in {name} that is orthogonal to the tests of index below its degree"
+        )
+        yield Equation("", words, (member(f"J_{name}", n, u), one))
+        mass = linear_phase(phase).m
+        taus = map(self._unseen().get, polynomials.rest_of(phase, switch, self.test))
+        parts = (tau * member(f"J_{name}", rows + i, u) for i, tau in enumerate(taus))
+        words = f"what no test in {name} sees, of degree up to `{rows + switch.k}`"
+        yield Equation("", words, (S, mass * sp.Add(*parts)), self.notation.during(p))
+
+    def _unseen(self) -> dict[sp.Symbol, sp.Indexed]:
+        """Return what multiplies the polynomials that no test sees, as it is shown."""
+        found = {}
+        for phase, switch in zip(
+            self.conditions.scene.phases, self.notation.found, strict=True
+        ):
+            base = sp.IndexedBase(f"tau_{phase.name}", real=True)
+            for i, tau in enumerate(polynomials.rest_of(phase, switch, self.test)):
+                found[tau] = base[i]
+        return found
 
     def _conditions(self) -> Iterator[Equation]:
         known = statements(self.notation)
@@ -150,15 +186,10 @@ class Polynomial:
             blocks, symbols = self.conditions.blocks, self.conditions.parameters
             closed = by_unknown(condition, blocks, symbols, lambda factor: factor)
             left = known.get(condition.name)
-            tested = left is None
-            sides = (
-                left if left is not None else self._tested(condition),
-                closed,
-                sp.Integer(0),
-            )
+            left = left if left is not None else self._tested(condition)
+            sides = (left, closed.xreplace(self._unseen()), sp.Integer(0))
             where = f"`{condition.where}`" if condition.where else ""
-            number = "18" if tested and self.conditions.method == "ck" else condition.number
-            yield Equation(number, self._title(condition), sides, where)
+            yield Equation(condition.number, self._title(condition), sides, where)
 
     def _title(self, condition: Condition) -> str:
         head, _, index = condition.title.rpartition(" ")
@@ -166,12 +197,14 @@ class Polynomial:
 
     def _tested(self, condition: Condition) -> sp.Expr:
         """Return the left side of an orthogonality condition."""
-        name, _, index = condition.name.rpartition("_by_")
-        degree = sp.Integer(index) if condition.index is None else condition.index
+        name, kind, index = re.findall(r"(.+)_(by|rest)_(\w+)", condition.name)[0]
         p = [phase.name for phase in self.conditions.scene.phases].index(name)
-        weights = self.test(degree, self.notation.found[p].k)
-        one = len(self.test(n, self.notation.found[p].k)) == 1
-        return Inner(R, _combined(weights) if one else member(f"W_{name}", degree, u))
+        degree = sp.Integer(index) if condition.index is None else condition.index
+        if kind == "rest":
+            degree += polynomials.rows_of(self.trial[p], self.notation.found[p])
+        if self.rest is not None:
+            return (2 * degree + 1) * Inner(R - S, ShiftedLegendre(degree, u))
+        return Inner(R, _combined(self.test(degree, self.notation.found[p].k)))
 
 
 def _moment(table: Table) -> Equation:

@@ -7,9 +7,15 @@ Unknowns ``z`` at order N, in this sequence:
     x_engaged: displacement where engaged begins
     v_engaged: velocity where engaged begins
     d_engaged[0..N + 1]: acceleration of engaged in Legendre polynomials
+    tau0_engaged: of what no test sees of the residual of engaged
+    tau1_engaged: of what no test sees of the residual of engaged
+    tau2_engaged: of what no test sees of the residual of engaged
     x_loose: displacement where loose begins
     v_loose: velocity where loose begins
     d_loose[0..N + 1]: acceleration of loose in Legendre polynomials
+    tau0_loose: of what no test sees of the residual of loose
+    tau1_loose: of what no test sees of the residual of loose
+    tau2_loose: of what no test sees of the residual of loose
     s_engaged: duration
     s_loose: duration
     phi: phase of the forcing
@@ -31,9 +37,10 @@ SCENE = "backlash"
 METHOD = "ck"
 DURATIONS = 2
 FORCED = True
-LOWEST = 4  # order
-MATHEMATICS = "bb28150666ad2bb15ef52ffa0fc0b41e0c16b18957cfc4392ececeb5bb1b3a35"  # of the conditions, by srepr
-BODY = "3908d3864c2a6434adf23fd6d3c9af7890b39735b9028c2bcf95164aadfba151"  # of the text below
+LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "bccbd01f5f4942d0ed4befad79a4ce4e91cafa49ac4401155c05bc91338c95e9"  # of the conditions, by srepr
+BODY = "cb017af8d7badb374704d91bd5be1a8520b5b829785e643d6d36caf4d4dae04b"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -90,6 +97,12 @@ def legendre_moments(count, kappa, theta):
     return moments
 
 
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
@@ -124,494 +137,374 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged):
-    """Coefficients: residual of engaged, orthogonal to its test function 0."""
+def engaged_by_0(N, m, c, k, k_0, g, F, s_engaged, mu_engaged):
+    """Coefficients: residual of engaged, less what no test sees, degree 0."""
     return (
-        k/24,
-        (5*c + 4*k*s_engaged)/120,
-        (12*c*s_engaged + 5*k*(s_engaged*s_engaged) + 15*m)/360,
-        (-14*c*s_engaged - 15*k*(s_engaged*s_engaged) + 63*m)/2520,
-        (-24*c*s_engaged + 5*k*(s_engaged*s_engaged) + 84*m)/10080,
-        (-18*c*s_engaged + 5*k*(s_engaged*s_engaged) + 36*m)/30240,
-        -(s_engaged*(2*c - k*s_engaged))/30240,
-        (k*(s_engaged*s_engaged))/332640,
-        -(F*mu_engaged[0])/24 - (3*F*mu_engaged[1])/40 - (F*mu_engaged[2])/24 - (F*mu_engaged[3])/120 - (g*(k - k_0))/24,
+        k,
+        (2*c + k*s_engaged)/2,
+        (3*c*s_engaged + k*(s_engaged*s_engaged) + 6*m)/6,
+        -(s_engaged*(2*c + k*s_engaged))/12,
+        (k*(s_engaged*s_engaged))/60,
+        -((-1)**(N + 1)*m*(N + 3))/2,
+        -((-1)**(N + 2)*m*(N + 4))/2,
+        -((-1)**(N + 3)*m*(N + 5))/2,
+        -F*mu_engaged[0] - g*(k - k_0),
     )
 
 
 def engaged_by_0_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
     return (
-        k/30,
-        (6*c + 5*k*s_engaged)/180,
-        (-7*c - 15*k*s_engaged)/1260,
-        (-12*c + 5*k*s_engaged)/5040,
-        (-9*c + 5*k*s_engaged)/15120,
-        (-c + k*s_engaged)/15120,
-        (k*s_engaged)/166320,
-        -(F*Omega*nu_engaged[0])/30 - (F*Omega*nu_engaged[1])/15 - (F*Omega*nu_engaged[2])/21 - (F*Omega*nu_engaged[3])/60 - (F*Omega*nu_engaged[4])/420,
+        k/2,
+        (3*c + 2*k*s_engaged)/6,
+        (-c - k*s_engaged)/6,
+        (k*s_engaged)/30,
+        -(F*Omega*nu_engaged[0])/2 - (F*Omega*nu_engaged[1])/2,
     )
 
 
 def engaged_by_0_by_phi(F, nu_engaged):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_engaged[0])/24 - (3*F*nu_engaged[1])/40 - (F*nu_engaged[2])/24 - (F*nu_engaged[3])/120
+    return -F*nu_engaged[0]
 
 
-def engaged_by_1(m, c, k, k_0, g, F, s_engaged, mu_engaged):
-    """Coefficients: residual of engaged, orthogonal to its test function 1."""
+def engaged_by_1(N, m, c, k, F, s_engaged, mu_engaged):
+    """Coefficients: residual of engaged, less what no test sees, degree 1."""
     return (
-        -k/40,
-        (-9*c - 7*k*s_engaged)/360,
-        (-49*c*s_engaged - 20*k*(s_engaged*s_engaged) - 63*m)/2520,
-        (36*c*s_engaged + 35*k*(s_engaged*s_engaged) - 140*m)/10080,
-        (21*c*s_engaged - 5*k*(s_engaged*s_engaged) - 54*m)/15120,
-        (s_engaged*(8*c - 3*k*s_engaged))/30240,
-        (-5*k*(s_engaged*s_engaged) + 44*m)/332640,
-        -(c*s_engaged)/166320,
-        (k*(s_engaged*s_engaged))/4324320,
-        (F*mu_engaged[0])/40 + (F*mu_engaged[1])/24 + (F*mu_engaged[2])/56 - (F*mu_engaged[4])/840 + (g*(k - k_0))/40,
+        (k*s_engaged)/2,
+        (s_engaged*(2*c + k*s_engaged))/4,
+        (-k*(s_engaged*s_engaged) + 10*m)/10,
+        -(c*s_engaged)/10,
+        (k*(s_engaged*s_engaged))/140,
+        -(3*(-1)**N*m*(N + 1)*(N + 5))/(2*N + 6),
+        -(3*(-1)**(N + 1)*m*(N + 2)*(N + 6))/(2*N + 8),
+        -(3*(-1)**(N + 2)*m*(N + 3)*(N + 7))/(2*N + 10),
+        -3*F*mu_engaged[1],
     )
 
 
 def engaged_by_1_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
     return (
-        -(7*k)/360,
-        (-49*c - 40*k*s_engaged)/2520,
-        (18*c + 35*k*s_engaged)/5040,
-        (21*c - 10*k*s_engaged)/15120,
-        (4*c - 3*k*s_engaged)/15120,
-        -(k*s_engaged)/33264,
-        -c/166320,
-        (k*s_engaged)/2162160,
-        (7*F*Omega*nu_engaged[0])/360 + (31*F*Omega*nu_engaged[1])/840 + (23*F*Omega*nu_engaged[2])/1008 + (11*F*Omega*nu_engaged[3])/2160 - (F*Omega*nu_engaged[4])/1680 - (F*Omega*nu_engaged[5])/3024,
+        k/2,
+        (c + k*s_engaged)/2,
+        -(k*s_engaged)/5,
+        -c/10,
+        (k*s_engaged)/70,
+        -(F*Omega*nu_engaged[0])/2 - (3*F*Omega*nu_engaged[1])/2 - F*Omega*nu_engaged[2],
     )
 
 
 def engaged_by_1_by_phi(F, nu_engaged):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_engaged[0])/40 + (F*nu_engaged[1])/24 + (F*nu_engaged[2])/56 - (F*nu_engaged[4])/840
+    return -3*F*nu_engaged[1]
 
 
-def engaged_by_2(m, c, k, k_0, g, F, s_engaged, mu_engaged):
-    """Coefficients: residual of engaged, orthogonal to its test function 2."""
+def engaged_by_l(l, N, m, c, k, F, s_engaged, mu_engaged):
+    """Coefficients: residual of engaged, less what no test sees, degree l."""
     return (
-        k/120,
-        (7*c + 5*k*s_engaged)/840,
-        (60*c*s_engaged + 23*k*(s_engaged*s_engaged) + 84*m)/10080,
-        (-21*c*s_engaged - 16*k*(s_engaged*s_engaged) + 54*m)/15120,
-        -(s_engaged*(20*c - 7*k*s_engaged))/50400,
-        (5*k*(s_engaged*s_engaged) - 66*m)/166320,
-        (c*s_engaged)/41580,
-        (-5*k*(s_engaged*s_engaged) + 156*m)/4324320,
-        -(c*s_engaged)/720720,
-        (k*(s_engaged*s_engaged))/21621600,
-        -(F*mu_engaged[0])/120 - (3*F*mu_engaged[1])/280 + (F*mu_engaged[3])/360 - (F*mu_engaged[5])/2520 - (g*(k - k_0))/120,
-    )
-
-
-def engaged_by_2_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged):
-    """Their derivatives by s_engaged, of those that depend on it."""
-    return (
-        k/168,
-        (30*c + 23*k*s_engaged)/5040,
-        (-21*c - 32*k*s_engaged)/15120,
-        (-10*c + 7*k*s_engaged)/25200,
-        (k*s_engaged)/16632,
-        c/41580,
-        -(k*s_engaged)/432432,
-        -c/720720,
-        (k*s_engaged)/10810800,
-        -(F*Omega*nu_engaged[0])/168 - (F*Omega*nu_engaged[1])/105 - (F*Omega*nu_engaged[2])/336 + (F*Omega*nu_engaged[3])/720 + (13*F*Omega*nu_engaged[4])/18480 - (F*Omega*nu_engaged[5])/5040 - (F*Omega*nu_engaged[6])/9240,
-    )
-
-
-def engaged_by_2_by_phi(F, nu_engaged):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_engaged[0])/120 - (3*F*nu_engaged[1])/280 + (F*nu_engaged[3])/360 - (F*nu_engaged[5])/2520
-
-
-def engaged_by_3(m, c, k, k_0, g, F, s_engaged, mu_engaged):
-    """Coefficients: residual of engaged, orthogonal to its test function 3."""
-    return (
-        -k/840,
-        (-2*c - k*s_engaged)/1680,
-        (-18*c*s_engaged - 5*k*(s_engaged*s_engaged) - 36*m)/30240,
-        (s_engaged*(8*c + 3*k*s_engaged))/30240,
-        (-5*k*(s_engaged*s_engaged) + 66*m)/166320,
-        -(c*s_engaged)/27720,
-        (5*k*(s_engaged*s_engaged) - 234*m)/2162160,
-        (c*s_engaged)/180180,
-        (-k*(s_engaged*s_engaged) + 60*m)/4324320,
-        -(c*s_engaged)/2162160,
-        (k*(s_engaged*s_engaged))/73513440,
-        (F*mu_engaged[0])/840 - (F*mu_engaged[2])/504 + (3*F*mu_engaged[4])/3080 - (F*mu_engaged[6])/5544 + (g*(k - k_0))/840,
-    )
-
-
-def engaged_by_3_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged):
-    """Their derivatives by s_engaged, of those that depend on it."""
-    return (
-        -k/1680,
-        (-9*c - 5*k*s_engaged)/15120,
-        (4*c + 3*k*s_engaged)/15120,
-        -(k*s_engaged)/16632,
-        -c/27720,
-        (k*s_engaged)/216216,
-        c/180180,
-        -(k*s_engaged)/2162160,
-        -c/2162160,
-        (k*s_engaged)/36756720,
-        (F*Omega*nu_engaged[0])/1680 + (F*Omega*nu_engaged[1])/5040 - (F*Omega*nu_engaged[2])/1008 - (F*Omega*nu_engaged[3])/2640 + (3*F*Omega*nu_engaged[4])/6160 + (F*Omega*nu_engaged[5])/4368 - (F*Omega*nu_engaged[6])/11088 - (F*Omega*nu_engaged[7])/20592,
-    )
-
-
-def engaged_by_3_by_phi(F, nu_engaged):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_engaged[0])/840 - (F*nu_engaged[2])/504 + (3*F*nu_engaged[4])/3080 - (F*nu_engaged[6])/5544
-
-
-def engaged_by_4(m, c, k, F, s_engaged, mu_engaged):
-    """Coefficients: residual of engaged, orthogonal to its test function 4."""
-    return (
-        -(k*s_engaged)/15120,
-        -(s_engaged*(2*c + k*s_engaged))/30240,
-        (5*k*(s_engaged*s_engaged) - 44*m)/332640,
-        (c*s_engaged)/41580,
-        (-5*k*(s_engaged*s_engaged) + 234*m)/2162160,
-        -(c*s_engaged)/120120,
-        (k*(s_engaged*s_engaged) - 90*m)/2162160,
-        (c*s_engaged)/540540,
-        (-5*k*(s_engaged*s_engaged) + 476*m)/73513440,
-        -(c*s_engaged)/5250960,
-        (k*(s_engaged*s_engaged))/199536480,
-        (F*mu_engaged[1])/2520 - (F*mu_engaged[3])/1320 + (F*mu_engaged[5])/2184 - (F*mu_engaged[7])/10296,
-    )
-
-
-def engaged_by_4_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged):
-    """Their derivatives by s_engaged, of those that depend on it."""
-    return (
-        -k/15120,
-        (-c - k*s_engaged)/15120,
-        (k*s_engaged)/33264,
-        c/41580,
-        -(k*s_engaged)/216216,
-        -c/120120,
-        (k*s_engaged)/1081080,
-        c/540540,
-        -(k*s_engaged)/7351344,
-        -c/5250960,
-        (k*s_engaged)/99768240,
-        (F*Omega*nu_engaged[0])/15120 + (F*Omega*nu_engaged[1])/5040 - (F*Omega*nu_engaged[2])/33264 - (F*Omega*nu_engaged[3])/2640 - (9*F*Omega*nu_engaged[4])/80080 + (F*Omega*nu_engaged[5])/4368 + (17*F*Omega*nu_engaged[6])/166320 - (F*Omega*nu_engaged[7])/20592 - (F*Omega*nu_engaged[8])/38610,
-    )
-
-
-def engaged_by_4_by_phi(F, nu_engaged):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_engaged[1])/2520 - (F*nu_engaged[3])/1320 + (F*nu_engaged[5])/2184 - (F*nu_engaged[7])/10296
-
-
-def engaged_by_l(l, m, c, k, F, s_engaged, mu_engaged):
-    """Coefficients: residual of engaged, orthogonal to its test function l."""
-    return (
-        -(3*c*s_engaged)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k*(s_engaged*s_engaged))/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_engaged)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k*(s_engaged*s_engaged) - 16*(l*l)*m + 32*l*m + 84*m)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (c*s_engaged)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-5*k*(s_engaged*s_engaged) + 24*(l*l)*m - 150*m)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k*(s_engaged*s_engaged) - 24*(l*l)*m - 48*l*m + 126*m)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (c*s_engaged)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (-5*k*(s_engaged*s_engaged) + 16*(l*l)*m + 64*l*m - 36*m)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(c*s_engaged)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k*(s_engaged*s_engaged))/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -(F*mu_engaged[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*mu_engaged[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*mu_engaged[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*mu_engaged[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        (-k*(s_engaged*s_engaged) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (k*(s_engaged*s_engaged))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_engaged)/(4*l - 2),
+        -(c*s_engaged)/(4*l + 6),
+        (k*(s_engaged*s_engaged))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 3)*(-N + l - 2)*(N + l + 3)*(N + l + 4))/(2*(N + 2)*(N + 3)*(N + 4)),
+        -((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 4)*(-N + l - 3)*(N + l + 4)*(N + l + 5))/(2*(N + 3)*(N + 4)*(N + 5)),
+        -((-1)**(N - l + 3)*m*(2*l + 1)*(-N + l - 5)*(-N + l - 4)*(N + l + 5)*(N + l + 6))/(2*(N + 4)*(N + 5)*(N + 6)),
+        -F*(2*l + 1)*mu_engaged[l],
     )
 
 
 def engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged):
     """Their derivatives by s_engaged, of those that depend on it."""
     return (
-        -(3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k*s_engaged)/(16*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k*s_engaged)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        c/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*k*s_engaged)/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k*s_engaged)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        c/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(5*k*s_engaged)/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -c/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k*s_engaged)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        (F*Omega*(l - 3)*nu_engaged[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 4)*nu_engaged[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) - (F*Omega*(2*l - 7)*nu_engaged[l - 2])/(16*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_engaged[l + 3])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_engaged[l + 1])/(16*(2*l - 1)*(2*l + 1)*(2*l + 5)) + (F*Omega*(2*l + 9)*nu_engaged[l + 2])/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*Omega*nu_engaged[l - 1])/(16*(2*l - 3)*(2*l + 1)*(2*l + 3)) - (9*F*Omega*nu_engaged[l])/(16*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*nu_engaged[l - 3])/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        -(k*s_engaged)/((2*l - 1)*(2*l + 3)),
+        (k*s_engaged)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (k*s_engaged)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_engaged[l - 1])/2 - (F*Omega*(l + 1)*nu_engaged[l + 1])/2 - (F*Omega*(2*l + 1)*nu_engaged[l])/2,
     )
 
 
 def engaged_by_l_by_phi(l, F, nu_engaged):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_engaged[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*nu_engaged[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*nu_engaged[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*nu_engaged[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_engaged[l]
 
 
-def loose_by_0(m, c, k_0, F, s_loose, mu_loose):
-    """Coefficients: residual of loose, orthogonal to its test function 0."""
+def engaged_rest_0(N, m, c, k, F, s_engaged, mu_engaged):
+    """Coefficients: residual of engaged, less what no test sees, degree N + 1."""
     return (
-        k_0/24,
-        (5*c + 4*k_0*s_loose)/120,
-        (12*c*s_loose + 5*k_0*(s_loose*s_loose) + 15*m)/360,
-        (-14*c*s_loose - 15*k_0*(s_loose*s_loose) + 63*m)/2520,
-        (-24*c*s_loose + 5*k_0*(s_loose*s_loose) + 84*m)/10080,
-        (-18*c*s_loose + 5*k_0*(s_loose*s_loose) + 36*m)/30240,
-        -(s_loose*(2*c - k_0*s_loose))/30240,
-        (k_0*(s_loose*s_loose))/332640,
-        -(F*mu_loose[0])/24 - (3*F*mu_loose[1])/40 - (F*mu_loose[2])/24 - (F*mu_loose[3])/120,
+        (c*s_engaged)/(4*N + 2),
+        (k*(s_engaged*s_engaged))/(4*(2*N - 1)*(2*N + 1)),
+        (8*(N*N)*m + 24*N*m - k*(s_engaged*s_engaged) + 10*m)/(2*(2*N + 1)*(2*N + 5)),
+        -(2*m*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+        (6*m*(2*N + 3)*(2*N + 5))/((N + 4)*(N + 5)),
+        -(12*m*(N + 3)*(2*N + 3)*(2*N + 7))/((N + 4)*(N + 5)*(N + 6)),
+        -F*(2*N + 3)*mu_engaged[N + 1],
+    )
+
+
+def engaged_rest_0_by_s_engaged(N, c, k, F, Omega, s_engaged, nu_engaged):
+    """Their derivatives by s_engaged, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (k*s_engaged)/(2*(2*N - 1)*(2*N + 1)),
+        -(k*s_engaged)/((2*N + 1)*(2*N + 5)),
+        -(F*Omega*(N + 1)*nu_engaged[N])/2 - (F*Omega*(N + 2)*nu_engaged[N + 2])/2 - (F*Omega*(2*N + 3)*nu_engaged[N + 1])/2,
+    )
+
+
+def engaged_rest_0_by_phi(N, F, nu_engaged):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_engaged[N + 1]
+
+
+def engaged_rest_1(N, m, c, k, F, s_engaged, mu_engaged):
+    """Coefficients: residual of engaged, less what no test sees, degree N + 2."""
+    return (
+        (k*(s_engaged*s_engaged))/(4*(2*N + 1)*(2*N + 3)),
+        (c*s_engaged)/(4*N + 6),
+        -(2*m*(2*N + 5)*(2*N + 7))/((N + 4)*(N + 5)),
+        (6*m*(2*N + 5)*(2*N + 7))/((N + 5)*(N + 6)),
+        -F*(2*N + 5)*mu_engaged[N + 2],
+    )
+
+
+def engaged_rest_1_by_s_engaged(N, c, k, F, Omega, s_engaged, nu_engaged):
+    """Their derivatives by s_engaged, of those that depend on it."""
+    return (
+        (k*s_engaged)/(2*(2*N + 1)*(2*N + 3)),
+        c/(4*N + 6),
+        -(F*Omega*(N + 2)*nu_engaged[N + 1])/2 - (F*Omega*(N + 3)*nu_engaged[N + 3])/2 - (F*Omega*(2*N + 5)*nu_engaged[N + 2])/2,
+    )
+
+
+def engaged_rest_1_by_phi(N, F, nu_engaged):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_engaged[N + 2]
+
+
+def engaged_rest_2(N, m, k, F, s_engaged, mu_engaged):
+    """Coefficients: residual of engaged, less what no test sees, degree N + 3."""
+    return (
+        (k*(s_engaged*s_engaged))/(4*(2*N + 3)*(2*N + 5)),
+        -(2*m*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)),
+        -F*(2*N + 7)*mu_engaged[N + 3],
+    )
+
+
+def engaged_rest_2_by_s_engaged(N, k, F, Omega, s_engaged, nu_engaged):
+    """Their derivatives by s_engaged, of those that depend on it."""
+    return (
+        (k*s_engaged)/(2*(2*N + 3)*(2*N + 5)),
+        -(F*Omega*(N + 3)*nu_engaged[N + 2])/2 - (F*Omega*(N + 4)*nu_engaged[N + 4])/2 - (F*Omega*(2*N + 7)*nu_engaged[N + 3])/2,
+    )
+
+
+def engaged_rest_2_by_phi(N, F, nu_engaged):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 7)*nu_engaged[N + 3]
+
+
+def loose_by_0(N, m, c, k_0, F, s_loose, mu_loose):
+    """Coefficients: residual of loose, less what no test sees, degree 0."""
+    return (
+        k_0,
+        (2*c + k_0*s_loose)/2,
+        (3*c*s_loose + k_0*(s_loose*s_loose) + 6*m)/6,
+        -(s_loose*(2*c + k_0*s_loose))/12,
+        (k_0*(s_loose*s_loose))/60,
+        -((-1)**(N + 1)*m*(N + 3))/2,
+        -((-1)**(N + 2)*m*(N + 4))/2,
+        -((-1)**(N + 3)*m*(N + 5))/2,
+        -F*mu_loose[0],
     )
 
 
 def loose_by_0_by_s_engaged(F, Omega, nu_loose):
     """Their derivatives by s_engaged, of those that depend on it."""
-    return -(F*Omega*nu_loose[0])/24 - (3*F*Omega*nu_loose[1])/40 - (F*Omega*nu_loose[2])/24 - (F*Omega*nu_loose[3])/120
+    return -F*Omega*nu_loose[0]
 
 
 def loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose):
     """Their derivatives by s_loose, of those that depend on it."""
     return (
-        k_0/30,
-        (6*c + 5*k_0*s_loose)/180,
-        (-7*c - 15*k_0*s_loose)/1260,
-        (-12*c + 5*k_0*s_loose)/5040,
-        (-9*c + 5*k_0*s_loose)/15120,
-        (-c + k_0*s_loose)/15120,
-        (k_0*s_loose)/166320,
-        -(F*Omega*nu_loose[0])/30 - (F*Omega*nu_loose[1])/15 - (F*Omega*nu_loose[2])/21 - (F*Omega*nu_loose[3])/60 - (F*Omega*nu_loose[4])/420,
+        k_0/2,
+        (3*c + 2*k_0*s_loose)/6,
+        (-c - k_0*s_loose)/6,
+        (k_0*s_loose)/30,
+        -(F*Omega*nu_loose[0])/2 - (F*Omega*nu_loose[1])/2,
     )
 
 
 def loose_by_0_by_phi(F, nu_loose):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_loose[0])/24 - (3*F*nu_loose[1])/40 - (F*nu_loose[2])/24 - (F*nu_loose[3])/120
+    return -F*nu_loose[0]
 
 
-def loose_by_1(m, c, k_0, F, s_loose, mu_loose):
-    """Coefficients: residual of loose, orthogonal to its test function 1."""
+def loose_by_1(N, m, c, k_0, F, s_loose, mu_loose):
+    """Coefficients: residual of loose, less what no test sees, degree 1."""
     return (
-        -k_0/40,
-        (-9*c - 7*k_0*s_loose)/360,
-        (-49*c*s_loose - 20*k_0*(s_loose*s_loose) - 63*m)/2520,
-        (36*c*s_loose + 35*k_0*(s_loose*s_loose) - 140*m)/10080,
-        (21*c*s_loose - 5*k_0*(s_loose*s_loose) - 54*m)/15120,
-        (s_loose*(8*c - 3*k_0*s_loose))/30240,
-        (-5*k_0*(s_loose*s_loose) + 44*m)/332640,
-        -(c*s_loose)/166320,
-        (k_0*(s_loose*s_loose))/4324320,
-        (F*mu_loose[0])/40 + (F*mu_loose[1])/24 + (F*mu_loose[2])/56 - (F*mu_loose[4])/840,
+        (k_0*s_loose)/2,
+        (s_loose*(2*c + k_0*s_loose))/4,
+        (-k_0*(s_loose*s_loose) + 10*m)/10,
+        -(c*s_loose)/10,
+        (k_0*(s_loose*s_loose))/140,
+        -(3*(-1)**N*m*(N + 1)*(N + 5))/(2*N + 6),
+        -(3*(-1)**(N + 1)*m*(N + 2)*(N + 6))/(2*N + 8),
+        -(3*(-1)**(N + 2)*m*(N + 3)*(N + 7))/(2*N + 10),
+        -3*F*mu_loose[1],
     )
 
 
 def loose_by_1_by_s_engaged(F, Omega, nu_loose):
     """Their derivatives by s_engaged, of those that depend on it."""
-    return (F*Omega*nu_loose[0])/40 + (F*Omega*nu_loose[1])/24 + (F*Omega*nu_loose[2])/56 - (F*Omega*nu_loose[4])/840
+    return -3*F*Omega*nu_loose[1]
 
 
 def loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose):
     """Their derivatives by s_loose, of those that depend on it."""
     return (
-        -(7*k_0)/360,
-        (-49*c - 40*k_0*s_loose)/2520,
-        (18*c + 35*k_0*s_loose)/5040,
-        (21*c - 10*k_0*s_loose)/15120,
-        (4*c - 3*k_0*s_loose)/15120,
-        -(k_0*s_loose)/33264,
-        -c/166320,
-        (k_0*s_loose)/2162160,
-        (7*F*Omega*nu_loose[0])/360 + (31*F*Omega*nu_loose[1])/840 + (23*F*Omega*nu_loose[2])/1008 + (11*F*Omega*nu_loose[3])/2160 - (F*Omega*nu_loose[4])/1680 - (F*Omega*nu_loose[5])/3024,
+        k_0/2,
+        (c + k_0*s_loose)/2,
+        -(k_0*s_loose)/5,
+        -c/10,
+        (k_0*s_loose)/70,
+        -(F*Omega*nu_loose[0])/2 - (3*F*Omega*nu_loose[1])/2 - F*Omega*nu_loose[2],
     )
 
 
 def loose_by_1_by_phi(F, nu_loose):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_loose[0])/40 + (F*nu_loose[1])/24 + (F*nu_loose[2])/56 - (F*nu_loose[4])/840
+    return -3*F*nu_loose[1]
 
 
-def loose_by_2(m, c, k_0, F, s_loose, mu_loose):
-    """Coefficients: residual of loose, orthogonal to its test function 2."""
+def loose_by_l(l, N, m, c, k_0, F, s_loose, mu_loose):
+    """Coefficients: residual of loose, less what no test sees, degree l."""
     return (
-        k_0/120,
-        (7*c + 5*k_0*s_loose)/840,
-        (60*c*s_loose + 23*k_0*(s_loose*s_loose) + 84*m)/10080,
-        (-21*c*s_loose - 16*k_0*(s_loose*s_loose) + 54*m)/15120,
-        -(s_loose*(20*c - 7*k_0*s_loose))/50400,
-        (5*k_0*(s_loose*s_loose) - 66*m)/166320,
-        (c*s_loose)/41580,
-        (-5*k_0*(s_loose*s_loose) + 156*m)/4324320,
-        -(c*s_loose)/720720,
-        (k_0*(s_loose*s_loose))/21621600,
-        -(F*mu_loose[0])/120 - (3*F*mu_loose[1])/280 + (F*mu_loose[3])/360 - (F*mu_loose[5])/2520,
-    )
-
-
-def loose_by_2_by_s_engaged(F, Omega, nu_loose):
-    """Their derivatives by s_engaged, of those that depend on it."""
-    return -(F*Omega*nu_loose[0])/120 - (3*F*Omega*nu_loose[1])/280 + (F*Omega*nu_loose[3])/360 - (F*Omega*nu_loose[5])/2520
-
-
-def loose_by_2_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose):
-    """Their derivatives by s_loose, of those that depend on it."""
-    return (
-        k_0/168,
-        (30*c + 23*k_0*s_loose)/5040,
-        (-21*c - 32*k_0*s_loose)/15120,
-        (-10*c + 7*k_0*s_loose)/25200,
-        (k_0*s_loose)/16632,
-        c/41580,
-        -(k_0*s_loose)/432432,
-        -c/720720,
-        (k_0*s_loose)/10810800,
-        -(F*Omega*nu_loose[0])/168 - (F*Omega*nu_loose[1])/105 - (F*Omega*nu_loose[2])/336 + (F*Omega*nu_loose[3])/720 + (13*F*Omega*nu_loose[4])/18480 - (F*Omega*nu_loose[5])/5040 - (F*Omega*nu_loose[6])/9240,
-    )
-
-
-def loose_by_2_by_phi(F, nu_loose):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_loose[0])/120 - (3*F*nu_loose[1])/280 + (F*nu_loose[3])/360 - (F*nu_loose[5])/2520
-
-
-def loose_by_3(m, c, k_0, F, s_loose, mu_loose):
-    """Coefficients: residual of loose, orthogonal to its test function 3."""
-    return (
-        -k_0/840,
-        (-2*c - k_0*s_loose)/1680,
-        (-18*c*s_loose - 5*k_0*(s_loose*s_loose) - 36*m)/30240,
-        (s_loose*(8*c + 3*k_0*s_loose))/30240,
-        (-5*k_0*(s_loose*s_loose) + 66*m)/166320,
-        -(c*s_loose)/27720,
-        (5*k_0*(s_loose*s_loose) - 234*m)/2162160,
-        (c*s_loose)/180180,
-        (-k_0*(s_loose*s_loose) + 60*m)/4324320,
-        -(c*s_loose)/2162160,
-        (k_0*(s_loose*s_loose))/73513440,
-        (F*mu_loose[0])/840 - (F*mu_loose[2])/504 + (3*F*mu_loose[4])/3080 - (F*mu_loose[6])/5544,
-    )
-
-
-def loose_by_3_by_s_engaged(F, Omega, nu_loose):
-    """Their derivatives by s_engaged, of those that depend on it."""
-    return (F*Omega*nu_loose[0])/840 - (F*Omega*nu_loose[2])/504 + (3*F*Omega*nu_loose[4])/3080 - (F*Omega*nu_loose[6])/5544
-
-
-def loose_by_3_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose):
-    """Their derivatives by s_loose, of those that depend on it."""
-    return (
-        -k_0/1680,
-        (-9*c - 5*k_0*s_loose)/15120,
-        (4*c + 3*k_0*s_loose)/15120,
-        -(k_0*s_loose)/16632,
-        -c/27720,
-        (k_0*s_loose)/216216,
-        c/180180,
-        -(k_0*s_loose)/2162160,
-        -c/2162160,
-        (k_0*s_loose)/36756720,
-        (F*Omega*nu_loose[0])/1680 + (F*Omega*nu_loose[1])/5040 - (F*Omega*nu_loose[2])/1008 - (F*Omega*nu_loose[3])/2640 + (3*F*Omega*nu_loose[4])/6160 + (F*Omega*nu_loose[5])/4368 - (F*Omega*nu_loose[6])/11088 - (F*Omega*nu_loose[7])/20592,
-    )
-
-
-def loose_by_3_by_phi(F, nu_loose):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_loose[0])/840 - (F*nu_loose[2])/504 + (3*F*nu_loose[4])/3080 - (F*nu_loose[6])/5544
-
-
-def loose_by_4(m, c, k_0, F, s_loose, mu_loose):
-    """Coefficients: residual of loose, orthogonal to its test function 4."""
-    return (
-        -(k_0*s_loose)/15120,
-        -(s_loose*(2*c + k_0*s_loose))/30240,
-        (5*k_0*(s_loose*s_loose) - 44*m)/332640,
-        (c*s_loose)/41580,
-        (-5*k_0*(s_loose*s_loose) + 234*m)/2162160,
-        -(c*s_loose)/120120,
-        (k_0*(s_loose*s_loose) - 90*m)/2162160,
-        (c*s_loose)/540540,
-        (-5*k_0*(s_loose*s_loose) + 476*m)/73513440,
-        -(c*s_loose)/5250960,
-        (k_0*(s_loose*s_loose))/199536480,
-        (F*mu_loose[1])/2520 - (F*mu_loose[3])/1320 + (F*mu_loose[5])/2184 - (F*mu_loose[7])/10296,
-    )
-
-
-def loose_by_4_by_s_engaged(F, Omega, nu_loose):
-    """Their derivatives by s_engaged, of those that depend on it."""
-    return (F*Omega*nu_loose[1])/2520 - (F*Omega*nu_loose[3])/1320 + (F*Omega*nu_loose[5])/2184 - (F*Omega*nu_loose[7])/10296
-
-
-def loose_by_4_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose):
-    """Their derivatives by s_loose, of those that depend on it."""
-    return (
-        -k_0/15120,
-        (-c - k_0*s_loose)/15120,
-        (k_0*s_loose)/33264,
-        c/41580,
-        -(k_0*s_loose)/216216,
-        -c/120120,
-        (k_0*s_loose)/1081080,
-        c/540540,
-        -(k_0*s_loose)/7351344,
-        -c/5250960,
-        (k_0*s_loose)/99768240,
-        (F*Omega*nu_loose[0])/15120 + (F*Omega*nu_loose[1])/5040 - (F*Omega*nu_loose[2])/33264 - (F*Omega*nu_loose[3])/2640 - (9*F*Omega*nu_loose[4])/80080 + (F*Omega*nu_loose[5])/4368 + (17*F*Omega*nu_loose[6])/166320 - (F*Omega*nu_loose[7])/20592 - (F*Omega*nu_loose[8])/38610,
-    )
-
-
-def loose_by_4_by_phi(F, nu_loose):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_loose[1])/2520 - (F*nu_loose[3])/1320 + (F*nu_loose[5])/2184 - (F*nu_loose[7])/10296
-
-
-def loose_by_l(l, m, c, k_0, F, s_loose, mu_loose):
-    """Coefficients: residual of loose, orthogonal to its test function l."""
-    return (
-        -(3*c*s_loose)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k_0*(s_loose*s_loose))/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_loose)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k_0*(s_loose*s_loose) - 16*(l*l)*m + 32*l*m + 84*m)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (c*s_loose)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-5*k_0*(s_loose*s_loose) + 24*(l*l)*m - 150*m)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k_0*(s_loose*s_loose) - 24*(l*l)*m - 48*l*m + 126*m)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (c*s_loose)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (-5*k_0*(s_loose*s_loose) + 16*(l*l)*m + 64*l*m - 36*m)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(c*s_loose)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k_0*(s_loose*s_loose))/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -(F*mu_loose[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*mu_loose[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*mu_loose[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*mu_loose[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        (-k_0*(s_loose*s_loose) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (k_0*(s_loose*s_loose))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_loose)/(4*l - 2),
+        -(c*s_loose)/(4*l + 6),
+        (k_0*(s_loose*s_loose))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 3)*(-N + l - 2)*(N + l + 3)*(N + l + 4))/(2*(N + 2)*(N + 3)*(N + 4)),
+        -((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 4)*(-N + l - 3)*(N + l + 4)*(N + l + 5))/(2*(N + 3)*(N + 4)*(N + 5)),
+        -((-1)**(N - l + 3)*m*(2*l + 1)*(-N + l - 5)*(-N + l - 4)*(N + l + 5)*(N + l + 6))/(2*(N + 4)*(N + 5)*(N + 6)),
+        -F*(2*l + 1)*mu_loose[l],
     )
 
 
 def loose_by_l_by_s_engaged(l, F, Omega, nu_loose):
     """Their derivatives by s_engaged, of those that depend on it."""
-    return -(F*Omega*nu_loose[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_loose[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*Omega*nu_loose[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*Omega*nu_loose[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*Omega*(2*l + 1)*nu_loose[l]
 
 
 def loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose):
     """Their derivatives by s_loose, of those that depend on it."""
     return (
-        -(3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k_0*s_loose)/(16*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k_0*s_loose)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        c/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*k_0*s_loose)/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k_0*s_loose)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        c/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(5*k_0*s_loose)/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -c/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k_0*s_loose)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        (F*Omega*(l - 3)*nu_loose[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 4)*nu_loose[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) - (F*Omega*(2*l - 7)*nu_loose[l - 2])/(16*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_loose[l + 3])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_loose[l + 1])/(16*(2*l - 1)*(2*l + 1)*(2*l + 5)) + (F*Omega*(2*l + 9)*nu_loose[l + 2])/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*Omega*nu_loose[l - 1])/(16*(2*l - 3)*(2*l + 1)*(2*l + 3)) - (9*F*Omega*nu_loose[l])/(16*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*nu_loose[l - 3])/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        -(k_0*s_loose)/((2*l - 1)*(2*l + 3)),
+        (k_0*s_loose)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (k_0*s_loose)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_loose[l - 1])/2 - (F*Omega*(l + 1)*nu_loose[l + 1])/2 - (F*Omega*(2*l + 1)*nu_loose[l])/2,
     )
 
 
 def loose_by_l_by_phi(l, F, nu_loose):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_loose[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*nu_loose[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*nu_loose[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*nu_loose[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_loose[l]
+
+
+def loose_rest_0(N, m, c, k_0, F, s_loose, mu_loose):
+    """Coefficients: residual of loose, less what no test sees, degree N + 1."""
+    return (
+        (c*s_loose)/(4*N + 2),
+        (k_0*(s_loose*s_loose))/(4*(2*N - 1)*(2*N + 1)),
+        (8*(N*N)*m + 24*N*m - k_0*(s_loose*s_loose) + 10*m)/(2*(2*N + 1)*(2*N + 5)),
+        -(2*m*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+        (6*m*(2*N + 3)*(2*N + 5))/((N + 4)*(N + 5)),
+        -(12*m*(N + 3)*(2*N + 3)*(2*N + 7))/((N + 4)*(N + 5)*(N + 6)),
+        -F*(2*N + 3)*mu_loose[N + 1],
+    )
+
+
+def loose_rest_0_by_s_engaged(N, F, Omega, nu_loose):
+    """Their derivatives by s_engaged, of those that depend on it."""
+    return -F*Omega*(2*N + 3)*nu_loose[N + 1]
+
+
+def loose_rest_0_by_s_loose(N, c, k_0, F, Omega, s_loose, nu_loose):
+    """Their derivatives by s_loose, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (k_0*s_loose)/(2*(2*N - 1)*(2*N + 1)),
+        -(k_0*s_loose)/((2*N + 1)*(2*N + 5)),
+        -(F*Omega*(N + 1)*nu_loose[N])/2 - (F*Omega*(N + 2)*nu_loose[N + 2])/2 - (F*Omega*(2*N + 3)*nu_loose[N + 1])/2,
+    )
+
+
+def loose_rest_0_by_phi(N, F, nu_loose):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_loose[N + 1]
+
+
+def loose_rest_1(N, m, c, k_0, F, s_loose, mu_loose):
+    """Coefficients: residual of loose, less what no test sees, degree N + 2."""
+    return (
+        (k_0*(s_loose*s_loose))/(4*(2*N + 1)*(2*N + 3)),
+        (c*s_loose)/(4*N + 6),
+        -(2*m*(2*N + 5)*(2*N + 7))/((N + 4)*(N + 5)),
+        (6*m*(2*N + 5)*(2*N + 7))/((N + 5)*(N + 6)),
+        -F*(2*N + 5)*mu_loose[N + 2],
+    )
+
+
+def loose_rest_1_by_s_engaged(N, F, Omega, nu_loose):
+    """Their derivatives by s_engaged, of those that depend on it."""
+    return -F*Omega*(2*N + 5)*nu_loose[N + 2]
+
+
+def loose_rest_1_by_s_loose(N, c, k_0, F, Omega, s_loose, nu_loose):
+    """Their derivatives by s_loose, of those that depend on it."""
+    return (
+        (k_0*s_loose)/(2*(2*N + 1)*(2*N + 3)),
+        c/(4*N + 6),
+        -(F*Omega*(N + 2)*nu_loose[N + 1])/2 - (F*Omega*(N + 3)*nu_loose[N + 3])/2 - (F*Omega*(2*N + 5)*nu_loose[N + 2])/2,
+    )
+
+
+def loose_rest_1_by_phi(N, F, nu_loose):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_loose[N + 2]
+
+
+def loose_rest_2(N, m, k_0, F, s_loose, mu_loose):
+    """Coefficients: residual of loose, less what no test sees, degree N + 3."""
+    return (
+        (k_0*(s_loose*s_loose))/(4*(2*N + 3)*(2*N + 5)),
+        -(2*m*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)),
+        -F*(2*N + 7)*mu_loose[N + 3],
+    )
+
+
+def loose_rest_2_by_s_engaged(N, F, Omega, nu_loose):
+    """Their derivatives by s_engaged, of those that depend on it."""
+    return -F*Omega*(2*N + 7)*nu_loose[N + 3]
+
+
+def loose_rest_2_by_s_loose(N, k_0, F, Omega, s_loose, nu_loose):
+    """Their derivatives by s_loose, of those that depend on it."""
+    return (
+        (k_0*s_loose)/(2*(2*N + 3)*(2*N + 5)),
+        -(F*Omega*(N + 3)*nu_loose[N + 2])/2 - (F*Omega*(N + 4)*nu_loose[N + 4])/2 - (F*Omega*(2*N + 7)*nu_loose[N + 3])/2,
+    )
+
+
+def loose_rest_2_by_phi(N, F, nu_loose):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 7)*nu_loose[N + 3]
 
 
 def displacement_engaged(s_loose):
@@ -755,24 +648,30 @@ def cell_by_s_loose():
 
 def size(N):
     """Return the number of unknowns."""
-    return 2*N + 11
+    return 2*N + 17
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     m, c, k, k_0, g, F, Omega, cycles = case
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_engaged = 0
     at_v_engaged = 1
     at_d_engaged = 2
     number_d_engaged = N + 2
-    at_x_loose = N + 4
-    at_v_loose = N + 5
-    at_d_loose = N + 6
+    at_tau0_engaged = N + 4
+    at_tau1_engaged = N + 5
+    at_tau2_engaged = N + 6
+    at_x_loose = N + 7
+    at_v_loose = N + 8
+    at_d_loose = N + 9
     number_d_loose = N + 2
-    at_s_engaged = 2*N + 8
-    at_s_loose = 2*N + 9
-    at_phi = 2*N + 10
+    at_tau0_loose = 2*N + 11
+    at_tau1_loose = 2*N + 12
+    at_tau2_loose = 2*N + 13
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
+    at_phi = 2*N + 16
     s_engaged = z[at_s_engaged]
     s_loose = z[at_s_loose]
     phi = z[at_phi]
@@ -781,44 +680,44 @@ def residual(case, z, R):
     over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
     mu_loose = over_loose[0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_0(N, m, c, k, k_0, g, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*z[at_tau0_engaged] + q6*z[at_tau1_engaged] + q7*z[at_tau2_engaged] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = engaged_by_1(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q9
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_1(N, m, c, k, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*z[at_tau0_engaged] + q6*z[at_tau1_engaged] + q7*z[at_tau2_engaged] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = engaged_by_2(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q9*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q10
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_3(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q5*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q6*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q7*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q8*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q9*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q10*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q11
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_4(m, c, k, F, s_engaged, mu_engaged)
-    R[row] = q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q10*(z[at_d_engaged + 9] if number_d_engaged > 9 else 0.0) + q11
-    row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_l(l, m, c, k, F, s_engaged, mu_engaged)
-        R[row] = q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-5] + q2*z[at_d_engaged + l-4] + q3*z[at_d_engaged + l-3] + q4*z[at_d_engaged + l-2] + q5*z[at_d_engaged + l-1] + q6*z[at_d_engaged + l+1] + q7*(z[at_d_engaged + l+2] if number_d_engaged > l+2 else 0.0) + q8*(z[at_d_engaged + l+3] if number_d_engaged > l+3 else 0.0) + q9*(z[at_d_engaged + l+4] if number_d_engaged > l+4 else 0.0) + q10*(z[at_d_engaged + l+5] if number_d_engaged > l+5 else 0.0) + q11
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_l(l, N, m, c, k, F, s_engaged, mu_engaged)
+        R[row] = q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-2] + q2*z[at_d_engaged + l-1] + q3*z[at_d_engaged + l+1] + q4*(z[at_d_engaged + l+2] if number_d_engaged > l+2 else 0.0) + q5*z[at_tau0_engaged] + q6*z[at_tau1_engaged] + q7*z[at_tau2_engaged] + q8
         row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6 = engaged_rest_0(N, m, c, k, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N-1] + q2*z[at_d_engaged + N+1] + q3*z[at_tau0_engaged] + q4*z[at_tau1_engaged] + q5*z[at_tau2_engaged] + q6
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = loose_by_1(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q9
+    q0, q1, q2, q3, q4 = engaged_rest_1(N, m, c, k, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N+1] + q2*z[at_tau1_engaged] + q3*z[at_tau2_engaged] + q4
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = loose_by_2(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q9*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q10
+    q0, q1, q2 = engaged_rest_2(N, m, k, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_d_engaged + N+1] + q1*z[at_tau2_engaged] + q2
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_3(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q6*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q7*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q8*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q9*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q10*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q11
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_0(N, m, c, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q5*z[at_tau0_loose] + q6*z[at_tau1_loose] + q7*z[at_tau2_loose] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_4(m, c, k_0, F, s_loose, mu_loose)
-    R[row] = q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q10*(z[at_d_loose + 9] if number_d_loose > 9 else 0.0) + q11
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_1(N, m, c, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*z[at_tau0_loose] + q6*z[at_tau1_loose] + q7*z[at_tau2_loose] + q8
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_l(l, m, c, k_0, F, s_loose, mu_loose)
-        R[row] = q0*z[at_d_loose + l] + q1*z[at_d_loose + l-5] + q2*z[at_d_loose + l-4] + q3*z[at_d_loose + l-3] + q4*z[at_d_loose + l-2] + q5*z[at_d_loose + l-1] + q6*z[at_d_loose + l+1] + q7*(z[at_d_loose + l+2] if number_d_loose > l+2 else 0.0) + q8*(z[at_d_loose + l+3] if number_d_loose > l+3 else 0.0) + q9*(z[at_d_loose + l+4] if number_d_loose > l+4 else 0.0) + q10*(z[at_d_loose + l+5] if number_d_loose > l+5 else 0.0) + q11
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_l(l, N, m, c, k_0, F, s_loose, mu_loose)
+        R[row] = q0*z[at_d_loose + l] + q1*z[at_d_loose + l-2] + q2*z[at_d_loose + l-1] + q3*z[at_d_loose + l+1] + q4*(z[at_d_loose + l+2] if number_d_loose > l+2 else 0.0) + q5*z[at_tau0_loose] + q6*z[at_tau1_loose] + q7*z[at_tau2_loose] + q8
         row += 1
+    q0, q1, q2, q3, q4, q5, q6 = loose_rest_0(N, m, c, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_d_loose + N] + q1*z[at_d_loose + N-1] + q2*z[at_d_loose + N+1] + q3*z[at_tau0_loose] + q4*z[at_tau1_loose] + q5*z[at_tau2_loose] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = loose_rest_1(N, m, c, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_d_loose + N] + q1*z[at_d_loose + N+1] + q2*z[at_tau1_loose] + q3*z[at_tau2_loose] + q4
+    row += 1
+    q0, q1, q2 = loose_rest_2(N, m, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_d_loose + N+1] + q1*z[at_tau2_loose] + q2
+    row += 1
     q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
     R[row] = q0*z[at_x_engaged] + q1*z[at_x_loose] + q2*z[at_v_loose] + q3*z[at_d_loose] + q4*z[at_d_loose + 1]
     row += 1
@@ -855,18 +754,24 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     m, c, k, k_0, g, F, Omega, cycles = case
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_engaged = 0
     at_v_engaged = 1
     at_d_engaged = 2
     number_d_engaged = N + 2
-    at_x_loose = N + 4
-    at_v_loose = N + 5
-    at_d_loose = N + 6
+    at_tau0_engaged = N + 4
+    at_tau1_engaged = N + 5
+    at_tau2_engaged = N + 6
+    at_x_loose = N + 7
+    at_v_loose = N + 8
+    at_d_loose = N + 9
     number_d_loose = N + 2
-    at_s_engaged = 2*N + 8
-    at_s_loose = 2*N + 9
-    at_phi = 2*N + 10
+    at_tau0_loose = 2*N + 11
+    at_tau1_loose = 2*N + 12
+    at_tau2_loose = 2*N + 13
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
+    at_phi = 2*N + 16
     s_engaged = z[at_s_engaged]
     s_loose = z[at_s_loose]
     phi = z[at_phi]
@@ -878,91 +783,22 @@ def jacobian(case, z, J):
     nu_loose = over_loose[1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = engaged_by_0(m, c, k, k_0, g, F, s_engaged, mu_engaged)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = engaged_by_0(N, m, c, k, k_0, g, F, s_engaged, mu_engaged)
     J[row, at_x_engaged] += q0
     J[row, at_v_engaged] += q1
     J[row, at_d_engaged] += q2
     J[row, at_d_engaged + 1] += q3
     if number_d_engaged > 2:
         J[row, at_d_engaged + 2] += q4
-    if number_d_engaged > 3:
-        J[row, at_d_engaged + 3] += q5
-    if number_d_engaged > 4:
-        J[row, at_d_engaged + 4] += q6
-    if number_d_engaged > 5:
-        J[row, at_d_engaged + 5] += q7
-    q0, q1, q2, q3, q4, q5, q6, q7 = engaged_by_0_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7
+    J[row, at_tau0_engaged] += q5
+    J[row, at_tau1_engaged] += q6
+    J[row, at_tau2_engaged] += q7
+    q0, q1, q2, q3, q4 = engaged_by_0_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4
     q0 = engaged_by_0_by_phi(F, nu_engaged)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = engaged_by_1(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    J[row, at_x_engaged] += q0
-    J[row, at_v_engaged] += q1
-    J[row, at_d_engaged] += q2
-    J[row, at_d_engaged + 1] += q3
-    if number_d_engaged > 2:
-        J[row, at_d_engaged + 2] += q4
-    if number_d_engaged > 3:
-        J[row, at_d_engaged + 3] += q5
-    if number_d_engaged > 4:
-        J[row, at_d_engaged + 4] += q6
-    if number_d_engaged > 5:
-        J[row, at_d_engaged + 5] += q7
-    if number_d_engaged > 6:
-        J[row, at_d_engaged + 6] += q8
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_1_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8
-    q0 = engaged_by_1_by_phi(F, nu_engaged)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = engaged_by_2(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    J[row, at_x_engaged] += q0
-    J[row, at_v_engaged] += q1
-    J[row, at_d_engaged] += q2
-    J[row, at_d_engaged + 1] += q3
-    if number_d_engaged > 2:
-        J[row, at_d_engaged + 2] += q4
-    if number_d_engaged > 3:
-        J[row, at_d_engaged + 3] += q5
-    if number_d_engaged > 4:
-        J[row, at_d_engaged + 4] += q6
-    if number_d_engaged > 5:
-        J[row, at_d_engaged + 5] += q7
-    if number_d_engaged > 6:
-        J[row, at_d_engaged + 6] += q8
-    if number_d_engaged > 7:
-        J[row, at_d_engaged + 7] += q9
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = engaged_by_2_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9
-    q0 = engaged_by_2_by_phi(F, nu_engaged)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = engaged_by_3(m, c, k, k_0, g, F, s_engaged, mu_engaged)
-    J[row, at_x_engaged] += q0
-    J[row, at_v_engaged] += q1
-    J[row, at_d_engaged] += q2
-    J[row, at_d_engaged + 1] += q3
-    if number_d_engaged > 2:
-        J[row, at_d_engaged + 2] += q4
-    if number_d_engaged > 3:
-        J[row, at_d_engaged + 3] += q5
-    if number_d_engaged > 4:
-        J[row, at_d_engaged + 4] += q6
-    if number_d_engaged > 5:
-        J[row, at_d_engaged + 5] += q7
-    if number_d_engaged > 6:
-        J[row, at_d_engaged + 6] += q8
-    if number_d_engaged > 7:
-        J[row, at_d_engaged + 7] += q9
-    if number_d_engaged > 8:
-        J[row, at_d_engaged + 8] += q10
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = engaged_by_3_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q10
-    q0 = engaged_by_3_by_phi(F, nu_engaged)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = engaged_by_4(m, c, k, F, s_engaged, mu_engaged)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = engaged_by_1(N, m, c, k, F, s_engaged, mu_engaged)
     J[row, at_v_engaged] += q0
     J[row, at_d_engaged] += q1
     J[row, at_d_engaged + 1] += q2
@@ -970,138 +806,78 @@ def jacobian(case, z, J):
         J[row, at_d_engaged + 2] += q3
     if number_d_engaged > 3:
         J[row, at_d_engaged + 3] += q4
-    if number_d_engaged > 4:
-        J[row, at_d_engaged + 4] += q5
-    if number_d_engaged > 5:
-        J[row, at_d_engaged + 5] += q6
-    if number_d_engaged > 6:
-        J[row, at_d_engaged + 6] += q7
-    if number_d_engaged > 7:
-        J[row, at_d_engaged + 7] += q8
-    if number_d_engaged > 8:
-        J[row, at_d_engaged + 8] += q9
-    if number_d_engaged > 9:
-        J[row, at_d_engaged + 9] += q10
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_4_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
-    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5*(z[at_d_engaged + 4] if number_d_engaged > 4 else 0.0) + q6*(z[at_d_engaged + 5] if number_d_engaged > 5 else 0.0) + q7*(z[at_d_engaged + 6] if number_d_engaged > 6 else 0.0) + q8*(z[at_d_engaged + 7] if number_d_engaged > 7 else 0.0) + q9*(z[at_d_engaged + 8] if number_d_engaged > 8 else 0.0) + q10*(z[at_d_engaged + 9] if number_d_engaged > 9 else 0.0) + q11
-    q0 = engaged_by_4_by_phi(F, nu_engaged)
+    J[row, at_tau0_engaged] += q5
+    J[row, at_tau1_engaged] += q6
+    J[row, at_tau2_engaged] += q7
+    q0, q1, q2, q3, q4, q5 = engaged_by_1_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
+    J[row, at_s_engaged] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1] + q3*(z[at_d_engaged + 2] if number_d_engaged > 2 else 0.0) + q4*(z[at_d_engaged + 3] if number_d_engaged > 3 else 0.0) + q5
+    q0 = engaged_by_1_by_phi(F, nu_engaged)
     J[row, at_phi] += q0
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = engaged_by_l(l, m, c, k, F, s_engaged, mu_engaged)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = engaged_by_l(l, N, m, c, k, F, s_engaged, mu_engaged)
         J[row, at_d_engaged + l] += q0
-        J[row, at_d_engaged + l-5] += q1
-        J[row, at_d_engaged + l-4] += q2
-        J[row, at_d_engaged + l-3] += q3
-        J[row, at_d_engaged + l-2] += q4
-        J[row, at_d_engaged + l-1] += q5
-        J[row, at_d_engaged + l+1] += q6
+        J[row, at_d_engaged + l-2] += q1
+        J[row, at_d_engaged + l-1] += q2
+        J[row, at_d_engaged + l+1] += q3
         if number_d_engaged > l+2:
-            J[row, at_d_engaged + l+2] += q7
-        if number_d_engaged > l+3:
-            J[row, at_d_engaged + l+3] += q8
-        if number_d_engaged > l+4:
-            J[row, at_d_engaged + l+4] += q9
-        if number_d_engaged > l+5:
-            J[row, at_d_engaged + l+5] += q10
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged)
-        J[row, at_s_engaged] += q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-5] + q2*z[at_d_engaged + l-4] + q3*z[at_d_engaged + l-3] + q4*z[at_d_engaged + l-2] + q5*z[at_d_engaged + l-1] + q6*z[at_d_engaged + l+1] + q7*(z[at_d_engaged + l+2] if number_d_engaged > l+2 else 0.0) + q8*(z[at_d_engaged + l+3] if number_d_engaged > l+3 else 0.0) + q9*(z[at_d_engaged + l+4] if number_d_engaged > l+4 else 0.0) + q10*(z[at_d_engaged + l+5] if number_d_engaged > l+5 else 0.0) + q11
+            J[row, at_d_engaged + l+2] += q4
+        J[row, at_tau0_engaged] += q5
+        J[row, at_tau1_engaged] += q6
+        J[row, at_tau2_engaged] += q7
+        q0, q1, q2, q3, q4, q5 = engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged)
+        J[row, at_s_engaged] += q0*z[at_d_engaged + l] + q1*z[at_d_engaged + l-2] + q2*z[at_d_engaged + l-1] + q3*z[at_d_engaged + l+1] + q4*(z[at_d_engaged + l+2] if number_d_engaged > l+2 else 0.0) + q5
         q0 = engaged_by_l_by_phi(l, F, nu_engaged)
         J[row, at_phi] += q0
         row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = loose_by_0(m, c, k_0, F, s_loose, mu_loose)
+    q0, q1, q2, q3, q4, q5, _ = engaged_rest_0(N, m, c, k, F, s_engaged, mu_engaged)
+    J[row, at_d_engaged + N] += q0
+    J[row, at_d_engaged + N-1] += q1
+    J[row, at_d_engaged + N+1] += q2
+    J[row, at_tau0_engaged] += q3
+    J[row, at_tau1_engaged] += q4
+    J[row, at_tau2_engaged] += q5
+    q0, q1, q2, q3 = engaged_rest_0_by_s_engaged(N, c, k, F, Omega, s_engaged, nu_engaged)
+    J[row, at_s_engaged] += q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N-1] + q2*z[at_d_engaged + N+1] + q3
+    q0 = engaged_rest_0_by_phi(N, F, nu_engaged)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, _ = engaged_rest_1(N, m, c, k, F, s_engaged, mu_engaged)
+    J[row, at_d_engaged + N] += q0
+    J[row, at_d_engaged + N+1] += q1
+    J[row, at_tau1_engaged] += q2
+    J[row, at_tau2_engaged] += q3
+    q0, q1, q2 = engaged_rest_1_by_s_engaged(N, c, k, F, Omega, s_engaged, nu_engaged)
+    J[row, at_s_engaged] += q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N+1] + q2
+    q0 = engaged_rest_1_by_phi(N, F, nu_engaged)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = engaged_rest_2(N, m, k, F, s_engaged, mu_engaged)
+    J[row, at_d_engaged + N+1] += q0
+    J[row, at_tau2_engaged] += q1
+    q0, q1 = engaged_rest_2_by_s_engaged(N, k, F, Omega, s_engaged, nu_engaged)
+    J[row, at_s_engaged] += q0*z[at_d_engaged + N+1] + q1
+    q0 = engaged_rest_2_by_phi(N, F, nu_engaged)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = loose_by_0(N, m, c, k_0, F, s_loose, mu_loose)
     J[row, at_x_loose] += q0
     J[row, at_v_loose] += q1
     J[row, at_d_loose] += q2
     J[row, at_d_loose + 1] += q3
     if number_d_loose > 2:
         J[row, at_d_loose + 2] += q4
-    if number_d_loose > 3:
-        J[row, at_d_loose + 3] += q5
-    if number_d_loose > 4:
-        J[row, at_d_loose + 4] += q6
-    if number_d_loose > 5:
-        J[row, at_d_loose + 5] += q7
+    J[row, at_tau0_loose] += q5
+    J[row, at_tau1_loose] += q6
+    J[row, at_tau2_loose] += q7
     q0 = loose_by_0_by_s_engaged(F, Omega, nu_loose)
     J[row, at_s_engaged] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7 = loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7
+    q0, q1, q2, q3, q4 = loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4
     q0 = loose_by_0_by_phi(F, nu_loose)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = loose_by_1(m, c, k_0, F, s_loose, mu_loose)
-    J[row, at_x_loose] += q0
-    J[row, at_v_loose] += q1
-    J[row, at_d_loose] += q2
-    J[row, at_d_loose + 1] += q3
-    if number_d_loose > 2:
-        J[row, at_d_loose + 2] += q4
-    if number_d_loose > 3:
-        J[row, at_d_loose + 3] += q5
-    if number_d_loose > 4:
-        J[row, at_d_loose + 4] += q6
-    if number_d_loose > 5:
-        J[row, at_d_loose + 5] += q7
-    if number_d_loose > 6:
-        J[row, at_d_loose + 6] += q8
-    q0 = loose_by_1_by_s_engaged(F, Omega, nu_loose)
-    J[row, at_s_engaged] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8
-    q0 = loose_by_1_by_phi(F, nu_loose)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = loose_by_2(m, c, k_0, F, s_loose, mu_loose)
-    J[row, at_x_loose] += q0
-    J[row, at_v_loose] += q1
-    J[row, at_d_loose] += q2
-    J[row, at_d_loose + 1] += q3
-    if number_d_loose > 2:
-        J[row, at_d_loose + 2] += q4
-    if number_d_loose > 3:
-        J[row, at_d_loose + 3] += q5
-    if number_d_loose > 4:
-        J[row, at_d_loose + 4] += q6
-    if number_d_loose > 5:
-        J[row, at_d_loose + 5] += q7
-    if number_d_loose > 6:
-        J[row, at_d_loose + 6] += q8
-    if number_d_loose > 7:
-        J[row, at_d_loose + 7] += q9
-    q0 = loose_by_2_by_s_engaged(F, Omega, nu_loose)
-    J[row, at_s_engaged] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = loose_by_2_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9
-    q0 = loose_by_2_by_phi(F, nu_loose)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = loose_by_3(m, c, k_0, F, s_loose, mu_loose)
-    J[row, at_x_loose] += q0
-    J[row, at_v_loose] += q1
-    J[row, at_d_loose] += q2
-    J[row, at_d_loose + 1] += q3
-    if number_d_loose > 2:
-        J[row, at_d_loose + 2] += q4
-    if number_d_loose > 3:
-        J[row, at_d_loose + 3] += q5
-    if number_d_loose > 4:
-        J[row, at_d_loose + 4] += q6
-    if number_d_loose > 5:
-        J[row, at_d_loose + 5] += q7
-    if number_d_loose > 6:
-        J[row, at_d_loose + 6] += q8
-    if number_d_loose > 7:
-        J[row, at_d_loose + 7] += q9
-    if number_d_loose > 8:
-        J[row, at_d_loose + 8] += q10
-    q0 = loose_by_3_by_s_engaged(F, Omega, nu_loose)
-    J[row, at_s_engaged] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = loose_by_3_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q10
-    q0 = loose_by_3_by_phi(F, nu_loose)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = loose_by_4(m, c, k_0, F, s_loose, mu_loose)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = loose_by_1(N, m, c, k_0, F, s_loose, mu_loose)
     J[row, at_v_loose] += q0
     J[row, at_d_loose] += q1
     J[row, at_d_loose + 1] += q2
@@ -1109,49 +885,70 @@ def jacobian(case, z, J):
         J[row, at_d_loose + 2] += q3
     if number_d_loose > 3:
         J[row, at_d_loose + 3] += q4
-    if number_d_loose > 4:
-        J[row, at_d_loose + 4] += q5
-    if number_d_loose > 5:
-        J[row, at_d_loose + 5] += q6
-    if number_d_loose > 6:
-        J[row, at_d_loose + 6] += q7
-    if number_d_loose > 7:
-        J[row, at_d_loose + 7] += q8
-    if number_d_loose > 8:
-        J[row, at_d_loose + 8] += q9
-    if number_d_loose > 9:
-        J[row, at_d_loose + 9] += q10
-    q0 = loose_by_4_by_s_engaged(F, Omega, nu_loose)
+    J[row, at_tau0_loose] += q5
+    J[row, at_tau1_loose] += q6
+    J[row, at_tau2_loose] += q7
+    q0 = loose_by_1_by_s_engaged(F, Omega, nu_loose)
     J[row, at_s_engaged] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_4_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
-    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5*(z[at_d_loose + 4] if number_d_loose > 4 else 0.0) + q6*(z[at_d_loose + 5] if number_d_loose > 5 else 0.0) + q7*(z[at_d_loose + 6] if number_d_loose > 6 else 0.0) + q8*(z[at_d_loose + 7] if number_d_loose > 7 else 0.0) + q9*(z[at_d_loose + 8] if number_d_loose > 8 else 0.0) + q10*(z[at_d_loose + 9] if number_d_loose > 9 else 0.0) + q11
-    q0 = loose_by_4_by_phi(F, nu_loose)
+    q0, q1, q2, q3, q4, q5 = loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    J[row, at_s_loose] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1] + q3*(z[at_d_loose + 2] if number_d_loose > 2 else 0.0) + q4*(z[at_d_loose + 3] if number_d_loose > 3 else 0.0) + q5
+    q0 = loose_by_1_by_phi(F, nu_loose)
     J[row, at_phi] += q0
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = loose_by_l(l, m, c, k_0, F, s_loose, mu_loose)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = loose_by_l(l, N, m, c, k_0, F, s_loose, mu_loose)
         J[row, at_d_loose + l] += q0
-        J[row, at_d_loose + l-5] += q1
-        J[row, at_d_loose + l-4] += q2
-        J[row, at_d_loose + l-3] += q3
-        J[row, at_d_loose + l-2] += q4
-        J[row, at_d_loose + l-1] += q5
-        J[row, at_d_loose + l+1] += q6
+        J[row, at_d_loose + l-2] += q1
+        J[row, at_d_loose + l-1] += q2
+        J[row, at_d_loose + l+1] += q3
         if number_d_loose > l+2:
-            J[row, at_d_loose + l+2] += q7
-        if number_d_loose > l+3:
-            J[row, at_d_loose + l+3] += q8
-        if number_d_loose > l+4:
-            J[row, at_d_loose + l+4] += q9
-        if number_d_loose > l+5:
-            J[row, at_d_loose + l+5] += q10
+            J[row, at_d_loose + l+2] += q4
+        J[row, at_tau0_loose] += q5
+        J[row, at_tau1_loose] += q6
+        J[row, at_tau2_loose] += q7
         q0 = loose_by_l_by_s_engaged(l, F, Omega, nu_loose)
         J[row, at_s_engaged] += q0
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
-        J[row, at_s_loose] += q0*z[at_d_loose + l] + q1*z[at_d_loose + l-5] + q2*z[at_d_loose + l-4] + q3*z[at_d_loose + l-3] + q4*z[at_d_loose + l-2] + q5*z[at_d_loose + l-1] + q6*z[at_d_loose + l+1] + q7*(z[at_d_loose + l+2] if number_d_loose > l+2 else 0.0) + q8*(z[at_d_loose + l+3] if number_d_loose > l+3 else 0.0) + q9*(z[at_d_loose + l+4] if number_d_loose > l+4 else 0.0) + q10*(z[at_d_loose + l+5] if number_d_loose > l+5 else 0.0) + q11
+        q0, q1, q2, q3, q4, q5 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
+        J[row, at_s_loose] += q0*z[at_d_loose + l] + q1*z[at_d_loose + l-2] + q2*z[at_d_loose + l-1] + q3*z[at_d_loose + l+1] + q4*(z[at_d_loose + l+2] if number_d_loose > l+2 else 0.0) + q5
         q0 = loose_by_l_by_phi(l, F, nu_loose)
         J[row, at_phi] += q0
         row += 1
+    q0, q1, q2, q3, q4, q5, _ = loose_rest_0(N, m, c, k_0, F, s_loose, mu_loose)
+    J[row, at_d_loose + N] += q0
+    J[row, at_d_loose + N-1] += q1
+    J[row, at_d_loose + N+1] += q2
+    J[row, at_tau0_loose] += q3
+    J[row, at_tau1_loose] += q4
+    J[row, at_tau2_loose] += q5
+    q0 = loose_rest_0_by_s_engaged(N, F, Omega, nu_loose)
+    J[row, at_s_engaged] += q0
+    q0, q1, q2, q3 = loose_rest_0_by_s_loose(N, c, k_0, F, Omega, s_loose, nu_loose)
+    J[row, at_s_loose] += q0*z[at_d_loose + N] + q1*z[at_d_loose + N-1] + q2*z[at_d_loose + N+1] + q3
+    q0 = loose_rest_0_by_phi(N, F, nu_loose)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, _ = loose_rest_1(N, m, c, k_0, F, s_loose, mu_loose)
+    J[row, at_d_loose + N] += q0
+    J[row, at_d_loose + N+1] += q1
+    J[row, at_tau1_loose] += q2
+    J[row, at_tau2_loose] += q3
+    q0 = loose_rest_1_by_s_engaged(N, F, Omega, nu_loose)
+    J[row, at_s_engaged] += q0
+    q0, q1, q2 = loose_rest_1_by_s_loose(N, c, k_0, F, Omega, s_loose, nu_loose)
+    J[row, at_s_loose] += q0*z[at_d_loose + N] + q1*z[at_d_loose + N+1] + q2
+    q0 = loose_rest_1_by_phi(N, F, nu_loose)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = loose_rest_2(N, m, k_0, F, s_loose, mu_loose)
+    J[row, at_d_loose + N+1] += q0
+    J[row, at_tau2_loose] += q1
+    q0 = loose_rest_2_by_s_engaged(N, F, Omega, nu_loose)
+    J[row, at_s_engaged] += q0
+    q0, q1 = loose_rest_2_by_s_loose(N, k_0, F, Omega, s_loose, nu_loose)
+    J[row, at_s_loose] += q0*z[at_d_loose + N+1] + q1
+    q0 = loose_rest_2_by_phi(N, F, nu_loose)
+    J[row, at_phi] += q0
+    row += 1
     q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
     J[row, at_x_engaged] += q0
     J[row, at_x_loose] += q1
@@ -1219,17 +1016,17 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_engaged = 0
     at_v_engaged = 1
     at_d_engaged = 2
     number_d_engaged = N + 2
-    at_x_loose = N + 4
-    at_v_loose = N + 5
-    at_d_loose = N + 6
+    at_x_loose = N + 7
+    at_v_loose = N + 8
+    at_d_loose = N + 9
     number_d_loose = N + 2
-    at_s_engaged = 2*N + 8
-    at_s_loose = 2*N + 9
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
     s_engaged = z[at_s_engaged]
     s_loose = z[at_s_loose]
     if p == 0:
@@ -1241,20 +1038,524 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_engaged = 0
     at_v_engaged = 1
     at_d_engaged = 2
     number_d_engaged = N + 2
-    at_x_loose = N + 4
-    at_v_loose = N + 5
-    at_d_loose = N + 6
+    at_tau0_engaged = N + 4
+    at_tau1_engaged = N + 5
+    at_tau2_engaged = N + 6
+    at_x_loose = N + 7
+    at_v_loose = N + 8
+    at_d_loose = N + 9
     number_d_loose = N + 2
+    at_tau0_loose = 2*N + 11
+    at_tau1_loose = 2*N + 12
+    at_tau2_loose = 2*N + 13
     return {
         "x_engaged": (z[at_x_engaged], 0),
         "v_engaged": (z[at_v_engaged], 1),
         "d_engaged": (z[at_d_engaged:at_d_engaged + number_d_engaged], 2),
+        "tau0_engaged": (z[at_tau0_engaged], 2),
+        "tau1_engaged": (z[at_tau1_engaged], 2),
+        "tau2_engaged": (z[at_tau2_engaged], 2),
         "x_loose": (z[at_x_loose], 0),
         "v_loose": (z[at_v_loose], 1),
         "d_loose": (z[at_d_loose:at_d_loose + number_d_loose], 2),
+        "tau0_loose": (z[at_tau0_loose], 2),
+        "tau1_loose": (z[at_tau1_loose], 2),
+        "tau2_loose": (z[at_tau2_loose], 2),
     }
+
+
+KEPT = 15  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    pass
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = (len(z) - 17)//2
+    at_x_engaged = 0
+    at_v_engaged = 1
+    at_d_engaged = 2
+    at_tau0_engaged = N + 4
+    at_tau1_engaged = N + 5
+    at_tau2_engaged = N + 6
+    at_x_loose = N + 7
+    at_v_loose = N + 8
+    at_d_loose = N + 9
+    at_tau0_loose = 2*N + 11
+    at_tau1_loose = 2*N + 12
+    at_tau2_loose = 2*N + 13
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
+    at_phi = 2*N + 16
+    return at_x_engaged, at_v_engaged, at_d_engaged + N + 1, at_tau0_engaged, at_tau1_engaged, at_tau2_engaged, at_x_loose, at_v_loose, at_d_loose + N + 1, at_tau0_loose, at_tau1_loose, at_tau2_loose, at_s_engaged, at_s_loose, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = (len(z) - 17)//2
+    at_d_engaged = 2
+    at_d_loose = N + 9
+    return ((at_d_engaged, N + 1, 2, 1, N + 1), (at_d_loose, N + 1, 8, 1, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_x_engaged = 0
+    at_v_engaged = 1
+    at_tau0_engaged = N + 4
+    at_tau1_engaged = N + 5
+    at_tau2_engaged = N + 6
+    at_x_loose = N + 7
+    at_v_loose = N + 8
+    at_tau0_loose = 2*N + 11
+    at_tau1_loose = 2*N + 12
+    at_tau2_loose = 2*N + 13
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
+    at_phi = 2*N + 16
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    phi = z[at_phi]
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_0(N, m, c, k, k_0, g, F, s_engaged, mu_engaged)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_engaged] + q1*z[at_v_engaged] + q5*z[at_tau0_engaged] + q6*z[at_tau1_engaged] + q7*z[at_tau2_engaged] + q8)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_1(N, m, c, k, F, s_engaged, mu_engaged)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_engaged] + q5*z[at_tau0_engaged] + q6*z[at_tau1_engaged] + q7*z[at_tau2_engaged] + q8)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = engaged_by_l(l, N, m, c, k, F, s_engaged, mu_engaged)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_engaged] + q6*z[at_tau1_engaged] + q7*z[at_tau2_engaged] + q8)
+        row += 1
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_0(N, m, c, k_0, F, s_loose, mu_loose)
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_x_loose] + q1*z[at_v_loose] + q5*z[at_tau0_loose] + q6*z[at_tau1_loose] + q7*z[at_tau2_loose] + q8)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_1(N, m, c, k_0, F, s_loose, mu_loose)
+    diagonals[1, row, 3] = q1
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_v_loose] + q5*z[at_tau0_loose] + q6*z[at_tau1_loose] + q7*z[at_tau2_loose] + q8)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = loose_by_l(l, N, m, c, k_0, F, s_loose, mu_loose)
+        diagonals[1, row, 4] = q0
+        diagonals[1, row, 2] = q1
+        diagonals[1, row, 3] = q2
+        diagonals[1, row, 5] = q3
+        diagonals[1, row, 6] = q4
+        right[1, row] = -(q5*z[at_tau0_loose] + q6*z[at_tau1_loose] + q7*z[at_tau2_loose] + q8)
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_v_engaged = 1
+    at_v_loose = N + 8
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
+    at_phi = 2*N + 16
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    phi = z[at_phi]
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    nu_engaged = over_engaged[1]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
+    nu_loose = over_loose[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, q5, q6, q7, _ = engaged_by_0(N, m, c, k, k_0, g, F, s_engaged, mu_engaged)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 3] = -q5
+    slopes[0, row, 4] = -q6
+    slopes[0, row, 5] = -q7
+    q0, q1, q2, q3, q4 = engaged_by_0_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
+    slopes[0, row, 12] = -(q0*z[at_v_engaged] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    q0 = engaged_by_0_by_phi(F, nu_engaged)
+    slopes[0, row, 14] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, q6, q7, _ = engaged_by_1(N, m, c, k, F, s_engaged, mu_engaged)
+    slopes[0, row, 1] = -q0
+    slopes[0, row, 3] = -q5
+    slopes[0, row, 4] = -q6
+    slopes[0, row, 5] = -q7
+    q0, q1, q2, q3, q4, q5 = engaged_by_1_by_s_engaged(c, k, F, Omega, s_engaged, nu_engaged)
+    slopes[0, row, 12] = -(q0*z[at_v_engaged] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    q0 = engaged_by_1_by_phi(F, nu_engaged)
+    slopes[0, row, 14] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, q7, _ = engaged_by_l(l, N, m, c, k, F, s_engaged, mu_engaged)
+        slopes[0, row, 3] = -q5
+        slopes[0, row, 4] = -q6
+        slopes[0, row, 5] = -q7
+        q0, q1, q2, q3, q4, q5 = engaged_by_l_by_s_engaged(l, c, k, F, Omega, s_engaged, nu_engaged)
+        slopes[0, row, 12] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        q0 = engaged_by_l_by_phi(l, F, nu_engaged)
+        slopes[0, row, 14] = -(q0)
+        row += 1
+    row = 4
+    q0, q1, _, _, _, q5, q6, q7, _ = loose_by_0(N, m, c, k_0, F, s_loose, mu_loose)
+    slopes[1, row, 6] = -q0
+    slopes[1, row, 7] = -q1
+    slopes[1, row, 9] = -q5
+    slopes[1, row, 10] = -q6
+    slopes[1, row, 11] = -q7
+    q0 = loose_by_0_by_s_engaged(F, Omega, nu_loose)
+    slopes[1, row, 12] = -(q0)
+    q0, q1, q2, q3, q4 = loose_by_0_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    slopes[1, row, 13] = -(q0*z[at_v_loose] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
+    q0 = loose_by_0_by_phi(F, nu_loose)
+    slopes[1, row, 14] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, q6, q7, _ = loose_by_1(N, m, c, k_0, F, s_loose, mu_loose)
+    slopes[1, row, 7] = -q0
+    slopes[1, row, 9] = -q5
+    slopes[1, row, 10] = -q6
+    slopes[1, row, 11] = -q7
+    q0 = loose_by_1_by_s_engaged(F, Omega, nu_loose)
+    slopes[1, row, 12] = -(q0)
+    q0, q1, q2, q3, q4, q5 = loose_by_1_by_s_loose(c, k_0, F, Omega, s_loose, nu_loose)
+    slopes[1, row, 13] = -(q0*z[at_v_loose] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+    q0 = loose_by_1_by_phi(F, nu_loose)
+    slopes[1, row, 14] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, q7, _ = loose_by_l(l, N, m, c, k_0, F, s_loose, mu_loose)
+        slopes[1, row, 9] = -q5
+        slopes[1, row, 10] = -q6
+        slopes[1, row, 11] = -q7
+        q0 = loose_by_l_by_s_engaged(l, F, Omega, nu_loose)
+        slopes[1, row, 12] = -(q0)
+        q0, q1, q2, q3, q4, q5 = loose_by_l_by_s_loose(l, c, k_0, F, Omega, s_loose, nu_loose)
+        slopes[1, row, 13] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+        q0 = loose_by_l_by_phi(l, F, nu_loose)
+        slopes[1, row, 14] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_x_engaged = 0
+    at_v_engaged = 1
+    at_d_engaged = 2
+    at_tau0_engaged = N + 4
+    at_tau1_engaged = N + 5
+    at_tau2_engaged = N + 6
+    at_x_loose = N + 7
+    at_v_loose = N + 8
+    at_d_loose = N + 9
+    at_tau0_loose = 2*N + 11
+    at_tau1_loose = 2*N + 12
+    at_tau2_loose = 2*N + 13
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
+    at_phi = 2*N + 16
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    phi = z[at_phi]
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
+    row = 0
+    q0, q1, q2, q3, q4, q5, q6 = engaged_rest_0(N, m, c, k, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N-1] + q2*z[at_d_engaged + N+1] + q3*z[at_tau0_engaged] + q4*z[at_tau1_engaged] + q5*z[at_tau2_engaged] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = engaged_rest_1(N, m, c, k, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N+1] + q2*z[at_tau1_engaged] + q3*z[at_tau2_engaged] + q4
+    row += 1
+    q0, q1, q2 = engaged_rest_2(N, m, k, F, s_engaged, mu_engaged)
+    R[row] = q0*z[at_d_engaged + N+1] + q1*z[at_tau2_engaged] + q2
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6 = loose_rest_0(N, m, c, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_d_loose + N] + q1*z[at_d_loose + N-1] + q2*z[at_d_loose + N+1] + q3*z[at_tau0_loose] + q4*z[at_tau1_loose] + q5*z[at_tau2_loose] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = loose_rest_1(N, m, c, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_d_loose + N] + q1*z[at_d_loose + N+1] + q2*z[at_tau1_loose] + q3*z[at_tau2_loose] + q4
+    row += 1
+    q0, q1, q2 = loose_rest_2(N, m, k_0, F, s_loose, mu_loose)
+    R[row] = q0*z[at_d_loose + N+1] + q1*z[at_tau2_loose] + q2
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_x_loose] + q2*z[at_v_loose] + q3*z[at_d_loose] + q4*z[at_d_loose + 1]
+    row += 1
+    q0, q1, q2 = velocity_engaged(s_loose)
+    R[row] = q0*z[at_v_engaged] + q1*z[at_v_loose] + q2*z[at_d_loose]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_engaged_sum(n)
+        R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_loose(s_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4*z[at_x_loose]
+    row += 1
+    q0, q1, q2 = velocity_loose(s_engaged)
+    R[row] = q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_v_loose]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_loose_sum(n)
+        R[row] += q0*z[at_d_engaged + n] + q1*z[at_d_loose + n]
+    row += 1
+    q0, q1, q2, q3, q4 = event_engaged(g, s_engaged)
+    R[row] = q0*z[at_x_engaged] + q1*z[at_v_engaged] + q2*z[at_d_engaged] + q3*z[at_d_engaged + 1] + q4
+    row += 1
+    q0, q1, q2, q3, q4 = event_loose(g, s_loose)
+    R[row] = q0*z[at_x_loose] + q1*z[at_v_loose] + q2*z[at_d_loose] + q3*z[at_d_loose + 1] + q4
+    row += 1
+    q0 = cell(Omega, cycles, s_engaged, s_loose)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, k_0, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_v_engaged = 1
+    at_d_engaged = 2
+    at_v_loose = N + 8
+    at_d_loose = N + 9
+    at_s_engaged = 2*N + 14
+    at_s_loose = 2*N + 15
+    at_phi = 2*N + 16
+    s_engaged = z[at_s_engaged]
+    s_loose = z[at_s_loose]
+    phi = z[at_phi]
+    over_engaged = legendre_moments(N + 9, Omega*s_engaged, phi)
+    mu_engaged = over_engaged[0]
+    nu_engaged = over_engaged[1]
+    over_loose = legendre_moments(N + 9, Omega*s_loose, Omega*s_engaged + phi)
+    mu_loose = over_loose[0]
+    nu_loose = over_loose[1]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4, q5, _ = engaged_rest_0(N, m, c, k, F, s_engaged, mu_engaged)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 1] += q0
+    if N - 1 < N + 1:
+        follow(J, row, slopes, 0, N + 3, q1)
+    else:
+        J[row, 0] += q1
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q2)
+    else:
+        J[row, 2] += q2
+    J[row, 3] += q3
+    J[row, 4] += q4
+    J[row, 5] += q5
+    q0, q1, q2, q3 = engaged_rest_0_by_s_engaged(N, c, k, F, Omega, s_engaged, nu_engaged)
+    J[row, 12] += q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N-1] + q2*z[at_d_engaged + N+1] + q3
+    q0 = engaged_rest_0_by_phi(N, F, nu_engaged)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, _ = engaged_rest_1(N, m, c, k, F, s_engaged, mu_engaged)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 1] += q0
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q1)
+    else:
+        J[row, 2] += q1
+    J[row, 4] += q2
+    J[row, 5] += q3
+    q0, q1, q2 = engaged_rest_1_by_s_engaged(N, c, k, F, Omega, s_engaged, nu_engaged)
+    J[row, 12] += q0*z[at_d_engaged + N] + q1*z[at_d_engaged + N+1] + q2
+    q0 = engaged_rest_1_by_phi(N, F, nu_engaged)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, _ = engaged_rest_2(N, m, k, F, s_engaged, mu_engaged)
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q0)
+    else:
+        J[row, 2] += q0
+    J[row, 5] += q1
+    q0, q1 = engaged_rest_2_by_s_engaged(N, k, F, Omega, s_engaged, nu_engaged)
+    J[row, 12] += q0*z[at_d_engaged + N+1] + q1
+    q0 = engaged_rest_2_by_phi(N, F, nu_engaged)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, _ = loose_rest_0(N, m, c, k_0, F, s_loose, mu_loose)
+    if N < N + 1:
+        follow(J, row, slopes, 1, N + 4, q0)
+    else:
+        J[row, 7] += q0
+    if N - 1 < N + 1:
+        follow(J, row, slopes, 1, N + 3, q1)
+    else:
+        J[row, 6] += q1
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q2)
+    else:
+        J[row, 8] += q2
+    J[row, 9] += q3
+    J[row, 10] += q4
+    J[row, 11] += q5
+    q0 = loose_rest_0_by_s_engaged(N, F, Omega, nu_loose)
+    J[row, 12] += q0
+    q0, q1, q2, q3 = loose_rest_0_by_s_loose(N, c, k_0, F, Omega, s_loose, nu_loose)
+    J[row, 13] += q0*z[at_d_loose + N] + q1*z[at_d_loose + N-1] + q2*z[at_d_loose + N+1] + q3
+    q0 = loose_rest_0_by_phi(N, F, nu_loose)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, _ = loose_rest_1(N, m, c, k_0, F, s_loose, mu_loose)
+    if N < N + 1:
+        follow(J, row, slopes, 1, N + 4, q0)
+    else:
+        J[row, 7] += q0
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q1)
+    else:
+        J[row, 8] += q1
+    J[row, 10] += q2
+    J[row, 11] += q3
+    q0 = loose_rest_1_by_s_engaged(N, F, Omega, nu_loose)
+    J[row, 12] += q0
+    q0, q1, q2 = loose_rest_1_by_s_loose(N, c, k_0, F, Omega, s_loose, nu_loose)
+    J[row, 13] += q0*z[at_d_loose + N] + q1*z[at_d_loose + N+1] + q2
+    q0 = loose_rest_1_by_phi(N, F, nu_loose)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, _ = loose_rest_2(N, m, k_0, F, s_loose, mu_loose)
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q0)
+    else:
+        J[row, 8] += q0
+    J[row, 11] += q1
+    q0 = loose_rest_2_by_s_engaged(N, F, Omega, nu_loose)
+    J[row, 12] += q0
+    q0, q1 = loose_rest_2_by_s_loose(N, k_0, F, Omega, s_loose, nu_loose)
+    J[row, 13] += q0*z[at_d_loose + N+1] + q1
+    q0 = loose_rest_2_by_phi(N, F, nu_loose)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_engaged(s_loose)
+    J[row, 0] += q0
+    J[row, 6] += q1
+    J[row, 7] += q2
+    follow(J, row, slopes, 1, 4, q3)
+    follow(J, row, slopes, 1, 5, q4)
+    q0, q1, q2 = displacement_engaged_by_s_loose(s_loose)
+    J[row, 13] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
+    row += 1
+    q0, q1, q2 = velocity_engaged(s_loose)
+    J[row, 1] += q0
+    J[row, 7] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    q0 = velocity_engaged_by_s_loose()
+    J[row, 13] += q0*z[at_d_loose]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_engaged_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 7] += q1
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_loose(s_engaged)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 6] += q4
+    q0, q1, q2 = displacement_loose_by_s_engaged(s_engaged)
+    J[row, 12] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    row += 1
+    q0, q1, q2 = velocity_loose(s_engaged)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    J[row, 7] += q2
+    q0 = velocity_loose_by_s_engaged()
+    J[row, 12] += q0*z[at_d_engaged]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_loose_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 7] += q1
+    row += 1
+    q0, q1, q2, q3, _ = event_engaged(g, s_engaged)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_engaged_by_s_engaged(s_engaged)
+    J[row, 12] += q0*z[at_v_engaged] + q1*z[at_d_engaged] + q2*z[at_d_engaged + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_loose(g, s_loose)
+    J[row, 6] += q0
+    J[row, 7] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    follow(J, row, slopes, 1, 5, q3)
+    q0, q1, q2 = event_loose_by_s_loose(s_loose)
+    J[row, 13] += q0*z[at_v_loose] + q1*z[at_d_loose] + q2*z[at_d_loose + 1]
+    row += 1
+    q0 = cell_by_s_engaged()
+    J[row, 12] += q0
+    q0 = cell_by_s_loose()
+    J[row, 13] += q0
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

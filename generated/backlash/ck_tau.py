@@ -32,6 +32,7 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "c7cabc1652b6a88c836268b6c089375fc15abd5f6e3b74af49338f7561ce10a6"  # of the conditions, by srepr
 BODY = "f8dea8b8987593dbeb18099719c1cc37ebf64b9b2885316699a6042cfc2ce871"  # of the text below
 

@@ -27,6 +27,7 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "fb3416b0233f47ebe83dc73495b7711fc2e8a8e5e76c3ca004ac73d7bef5ca74"  # of the conditions, by srepr
 BODY = "5233df6fe871ca85a7b1d6b57de8d4b0d4d149d20bba693930dfc88d8e4afacc"  # of the text below
 

@@ -30,6 +30,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "17e79c988a99f221dac10e3b5171e7f58c9791f22f0b69a644b1582bc0b94b83"  # of the conditions, by srepr
 BODY = "e780702f091ffb87adbfe82724f11214a7deedbee4dbe5e1a7f9684ed849a5ef"  # of the text below
 

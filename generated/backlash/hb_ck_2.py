@@ -32,6 +32,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "8275970e7de9ec027f9f3a35e20aadedabfa7a4f5fdd8abc2af1478c0cac93b1"  # of the conditions, by srepr
 BODY = "ec87eefc7ad6a24341e1bb7d596eff13482115fab8bd8478c180760ebdedb7a6"  # of the text below
 

@@ -34,6 +34,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "4dbcf60517180f8783ea7cc1909ca5d4de40a8ee3351b72d4774d03e62ed4c3d"  # of the conditions, by srepr
 BODY = "acc76eb9336a6ece826c27b2029608918b4d94a2366b78836816dd3f8c7b0bea"  # of the text below
 

@@ -7,9 +7,15 @@ Unknowns ``z`` at order N, in this sequence:
     x_contact: displacement where contact begins
     v_contact: velocity where contact begins
     d_contact[0..N + 1]: acceleration of contact in Legendre polynomials
+    tau0_contact: of what no test sees of the residual of contact
+    tau1_contact: of what no test sees of the residual of contact
+    tau2_contact: of what no test sees of the residual of contact
     x_separated: displacement where separated begins
     v_separated: velocity where separated begins
     d_separated[0..N + 1]: acceleration of separated in Legendre polynomials
+    tau0_separated: of what no test sees of the residual of separated
+    tau1_separated: of what no test sees of the residual of separated
+    tau2_separated: of what no test sees of the residual of separated
     s_contact: duration
     s_separated: duration
     phi: phase of the forcing
@@ -31,9 +37,10 @@ SCENE = "clearance"
 METHOD = "ck"
 DURATIONS = 2
 FORCED = True
-LOWEST = 4  # order
-MATHEMATICS = "e58017b889f6fe75bf3e993eb675a3ac0b59fdb3b142e75e37cc56413eb4513b"  # of the conditions, by srepr
-BODY = "61f725809f25df7d0cf7785622385ec1f1e3e99b0b76284b75ba7a1eaa965a2e"  # of the text below
+LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "c7ec718d6bd29dffa27f04848caf539555dc55a920fa3be49133b763d407ead4"  # of the conditions, by srepr
+BODY = "f7dceb95e41b037a0b7b56403d207956b8057e8c603691c6aa0b167b3be5aa88"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -90,6 +97,12 @@ def legendre_moments(count, kappa, theta):
     return moments
 
 
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
@@ -124,494 +137,374 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact):
-    """Coefficients: residual of contact, orthogonal to its test function 0."""
+def contact_by_0(N, m, c, k, k_c, g, F, s_contact, mu_contact):
+    """Coefficients: residual of contact, less what no test sees, degree 0."""
     return (
-        (k + k_c)/24,
-        (5*c + 4*k*s_contact + 4*k_c*s_contact)/120,
-        (12*c*s_contact + 5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) + 15*m)/360,
-        (-14*c*s_contact - 15*k*(s_contact*s_contact) - 15*k_c*(s_contact*s_contact) + 63*m)/2520,
-        (-24*c*s_contact + 5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) + 84*m)/10080,
-        (-18*c*s_contact + 5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) + 36*m)/30240,
-        -(s_contact*(2*c - k*s_contact - k_c*s_contact))/30240,
-        ((s_contact*s_contact)*(k + k_c))/332640,
-        -(F*mu_contact[0])/24 - (3*F*mu_contact[1])/40 - (F*mu_contact[2])/24 - (F*mu_contact[3])/120 - (g*k_c)/24,
+        k + k_c,
+        (2*c + k*s_contact + k_c*s_contact)/2,
+        (3*c*s_contact + k*(s_contact*s_contact) + k_c*(s_contact*s_contact) + 6*m)/6,
+        -(s_contact*(2*c + k*s_contact + k_c*s_contact))/12,
+        ((s_contact*s_contact)*(k + k_c))/60,
+        -((-1)**(N + 1)*m*(N + 3))/2,
+        -((-1)**(N + 2)*m*(N + 4))/2,
+        -((-1)**(N + 3)*m*(N + 5))/2,
+        -F*mu_contact[0] - g*k_c,
     )
 
 
 def contact_by_0_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
-        (k + k_c)/30,
-        (6*c + 5*k*s_contact + 5*k_c*s_contact)/180,
-        (-7*c - 15*k*s_contact - 15*k_c*s_contact)/1260,
-        (-12*c + 5*k*s_contact + 5*k_c*s_contact)/5040,
-        (-9*c + 5*k*s_contact + 5*k_c*s_contact)/15120,
-        (-c + k*s_contact + k_c*s_contact)/15120,
-        (s_contact*(k + k_c))/166320,
-        -(F*Omega*nu_contact[0])/30 - (F*Omega*nu_contact[1])/15 - (F*Omega*nu_contact[2])/21 - (F*Omega*nu_contact[3])/60 - (F*Omega*nu_contact[4])/420,
+        (k + k_c)/2,
+        (3*c + 2*k*s_contact + 2*k_c*s_contact)/6,
+        (-c - k*s_contact - k_c*s_contact)/6,
+        (s_contact*(k + k_c))/30,
+        -(F*Omega*nu_contact[0])/2 - (F*Omega*nu_contact[1])/2,
     )
 
 
 def contact_by_0_by_phi(F, nu_contact):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_contact[0])/24 - (3*F*nu_contact[1])/40 - (F*nu_contact[2])/24 - (F*nu_contact[3])/120
+    return -F*nu_contact[0]
 
 
-def contact_by_1(m, c, k, k_c, g, F, s_contact, mu_contact):
-    """Coefficients: residual of contact, orthogonal to its test function 1."""
+def contact_by_1(N, m, c, k, k_c, F, s_contact, mu_contact):
+    """Coefficients: residual of contact, less what no test sees, degree 1."""
     return (
-        (-k - k_c)/40,
-        (-9*c - 7*k*s_contact - 7*k_c*s_contact)/360,
-        (-49*c*s_contact - 20*k*(s_contact*s_contact) - 20*k_c*(s_contact*s_contact) - 63*m)/2520,
-        (36*c*s_contact + 35*k*(s_contact*s_contact) + 35*k_c*(s_contact*s_contact) - 140*m)/10080,
-        (21*c*s_contact - 5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) - 54*m)/15120,
-        (s_contact*(8*c - 3*k*s_contact - 3*k_c*s_contact))/30240,
-        (-5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) + 44*m)/332640,
-        -(c*s_contact)/166320,
-        ((s_contact*s_contact)*(k + k_c))/4324320,
-        (F*mu_contact[0])/40 + (F*mu_contact[1])/24 + (F*mu_contact[2])/56 - (F*mu_contact[4])/840 + (g*k_c)/40,
+        (s_contact*(k + k_c))/2,
+        (s_contact*(2*c + k*s_contact + k_c*s_contact))/4,
+        (-k*(s_contact*s_contact) - k_c*(s_contact*s_contact) + 10*m)/10,
+        -(c*s_contact)/10,
+        ((s_contact*s_contact)*(k + k_c))/140,
+        -(3*(-1)**N*m*(N + 1)*(N + 5))/(2*N + 6),
+        -(3*(-1)**(N + 1)*m*(N + 2)*(N + 6))/(2*N + 8),
+        -(3*(-1)**(N + 2)*m*(N + 3)*(N + 7))/(2*N + 10),
+        -3*F*mu_contact[1],
     )
 
 
 def contact_by_1_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
-        (-7*k - 7*k_c)/360,
-        (-49*c - 40*k*s_contact - 40*k_c*s_contact)/2520,
-        (18*c + 35*k*s_contact + 35*k_c*s_contact)/5040,
-        (21*c - 10*k*s_contact - 10*k_c*s_contact)/15120,
-        (4*c - 3*k*s_contact - 3*k_c*s_contact)/15120,
-        -(s_contact*(k + k_c))/33264,
-        -c/166320,
-        (s_contact*(k + k_c))/2162160,
-        (7*F*Omega*nu_contact[0])/360 + (31*F*Omega*nu_contact[1])/840 + (23*F*Omega*nu_contact[2])/1008 + (11*F*Omega*nu_contact[3])/2160 - (F*Omega*nu_contact[4])/1680 - (F*Omega*nu_contact[5])/3024,
+        (k + k_c)/2,
+        (c + k*s_contact + k_c*s_contact)/2,
+        -(s_contact*(k + k_c))/5,
+        -c/10,
+        (s_contact*(k + k_c))/70,
+        -(F*Omega*nu_contact[0])/2 - (3*F*Omega*nu_contact[1])/2 - F*Omega*nu_contact[2],
     )
 
 
 def contact_by_1_by_phi(F, nu_contact):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_contact[0])/40 + (F*nu_contact[1])/24 + (F*nu_contact[2])/56 - (F*nu_contact[4])/840
+    return -3*F*nu_contact[1]
 
 
-def contact_by_2(m, c, k, k_c, g, F, s_contact, mu_contact):
-    """Coefficients: residual of contact, orthogonal to its test function 2."""
+def contact_by_l(l, N, m, c, k, k_c, F, s_contact, mu_contact):
+    """Coefficients: residual of contact, less what no test sees, degree l."""
     return (
-        (k + k_c)/120,
-        (7*c + 5*k*s_contact + 5*k_c*s_contact)/840,
-        (60*c*s_contact + 23*k*(s_contact*s_contact) + 23*k_c*(s_contact*s_contact) + 84*m)/10080,
-        (-21*c*s_contact - 16*k*(s_contact*s_contact) - 16*k_c*(s_contact*s_contact) + 54*m)/15120,
-        -(s_contact*(20*c - 7*k*s_contact - 7*k_c*s_contact))/50400,
-        (5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) - 66*m)/166320,
-        (c*s_contact)/41580,
-        (-5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) + 156*m)/4324320,
-        -(c*s_contact)/720720,
-        ((s_contact*s_contact)*(k + k_c))/21621600,
-        -(F*mu_contact[0])/120 - (3*F*mu_contact[1])/280 + (F*mu_contact[3])/360 - (F*mu_contact[5])/2520 - (g*k_c)/120,
-    )
-
-
-def contact_by_2_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact):
-    """Their derivatives by s_contact, of those that depend on it."""
-    return (
-        (k + k_c)/168,
-        (30*c + 23*k*s_contact + 23*k_c*s_contact)/5040,
-        (-21*c - 32*k*s_contact - 32*k_c*s_contact)/15120,
-        (-10*c + 7*k*s_contact + 7*k_c*s_contact)/25200,
-        (s_contact*(k + k_c))/16632,
-        c/41580,
-        -(s_contact*(k + k_c))/432432,
-        -c/720720,
-        (s_contact*(k + k_c))/10810800,
-        -(F*Omega*nu_contact[0])/168 - (F*Omega*nu_contact[1])/105 - (F*Omega*nu_contact[2])/336 + (F*Omega*nu_contact[3])/720 + (13*F*Omega*nu_contact[4])/18480 - (F*Omega*nu_contact[5])/5040 - (F*Omega*nu_contact[6])/9240,
-    )
-
-
-def contact_by_2_by_phi(F, nu_contact):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_contact[0])/120 - (3*F*nu_contact[1])/280 + (F*nu_contact[3])/360 - (F*nu_contact[5])/2520
-
-
-def contact_by_3(m, c, k, k_c, g, F, s_contact, mu_contact):
-    """Coefficients: residual of contact, orthogonal to its test function 3."""
-    return (
-        (-k - k_c)/840,
-        (-2*c - k*s_contact - k_c*s_contact)/1680,
-        (-18*c*s_contact - 5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) - 36*m)/30240,
-        (s_contact*(8*c + 3*k*s_contact + 3*k_c*s_contact))/30240,
-        (-5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) + 66*m)/166320,
-        -(c*s_contact)/27720,
-        (5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) - 234*m)/2162160,
-        (c*s_contact)/180180,
-        (-k*(s_contact*s_contact) - k_c*(s_contact*s_contact) + 60*m)/4324320,
-        -(c*s_contact)/2162160,
-        ((s_contact*s_contact)*(k + k_c))/73513440,
-        (F*mu_contact[0])/840 - (F*mu_contact[2])/504 + (3*F*mu_contact[4])/3080 - (F*mu_contact[6])/5544 + (g*k_c)/840,
-    )
-
-
-def contact_by_3_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact):
-    """Their derivatives by s_contact, of those that depend on it."""
-    return (
-        (-k - k_c)/1680,
-        (-9*c - 5*k*s_contact - 5*k_c*s_contact)/15120,
-        (4*c + 3*k*s_contact + 3*k_c*s_contact)/15120,
-        -(s_contact*(k + k_c))/16632,
-        -c/27720,
-        (s_contact*(k + k_c))/216216,
-        c/180180,
-        -(s_contact*(k + k_c))/2162160,
-        -c/2162160,
-        (s_contact*(k + k_c))/36756720,
-        (F*Omega*nu_contact[0])/1680 + (F*Omega*nu_contact[1])/5040 - (F*Omega*nu_contact[2])/1008 - (F*Omega*nu_contact[3])/2640 + (3*F*Omega*nu_contact[4])/6160 + (F*Omega*nu_contact[5])/4368 - (F*Omega*nu_contact[6])/11088 - (F*Omega*nu_contact[7])/20592,
-    )
-
-
-def contact_by_3_by_phi(F, nu_contact):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_contact[0])/840 - (F*nu_contact[2])/504 + (3*F*nu_contact[4])/3080 - (F*nu_contact[6])/5544
-
-
-def contact_by_4(m, c, k, k_c, F, s_contact, mu_contact):
-    """Coefficients: residual of contact, orthogonal to its test function 4."""
-    return (
-        -(s_contact*(k + k_c))/15120,
-        -(s_contact*(2*c + k*s_contact + k_c*s_contact))/30240,
-        (5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) - 44*m)/332640,
-        (c*s_contact)/41580,
-        (-5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) + 234*m)/2162160,
-        -(c*s_contact)/120120,
-        (k*(s_contact*s_contact) + k_c*(s_contact*s_contact) - 90*m)/2162160,
-        (c*s_contact)/540540,
-        (-5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) + 476*m)/73513440,
-        -(c*s_contact)/5250960,
-        ((s_contact*s_contact)*(k + k_c))/199536480,
-        (F*mu_contact[1])/2520 - (F*mu_contact[3])/1320 + (F*mu_contact[5])/2184 - (F*mu_contact[7])/10296,
-    )
-
-
-def contact_by_4_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact):
-    """Their derivatives by s_contact, of those that depend on it."""
-    return (
-        (-k - k_c)/15120,
-        (-c - k*s_contact - k_c*s_contact)/15120,
-        (s_contact*(k + k_c))/33264,
-        c/41580,
-        -(s_contact*(k + k_c))/216216,
-        -c/120120,
-        (s_contact*(k + k_c))/1081080,
-        c/540540,
-        -(s_contact*(k + k_c))/7351344,
-        -c/5250960,
-        (s_contact*(k + k_c))/99768240,
-        (F*Omega*nu_contact[0])/15120 + (F*Omega*nu_contact[1])/5040 - (F*Omega*nu_contact[2])/33264 - (F*Omega*nu_contact[3])/2640 - (9*F*Omega*nu_contact[4])/80080 + (F*Omega*nu_contact[5])/4368 + (17*F*Omega*nu_contact[6])/166320 - (F*Omega*nu_contact[7])/20592 - (F*Omega*nu_contact[8])/38610,
-    )
-
-
-def contact_by_4_by_phi(F, nu_contact):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_contact[1])/2520 - (F*nu_contact[3])/1320 + (F*nu_contact[5])/2184 - (F*nu_contact[7])/10296
-
-
-def contact_by_l(l, m, c, k, k_c, F, s_contact, mu_contact):
-    """Coefficients: residual of contact, orthogonal to its test function l."""
-    return (
-        -(3*c*s_contact)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -((s_contact*s_contact)*(k + k_c))/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_contact)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) - 16*(l*l)*m + 32*l*m + 84*m)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (c*s_contact)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) + 24*(l*l)*m - 150*m)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k*(s_contact*s_contact) + 5*k_c*(s_contact*s_contact) - 24*(l*l)*m - 48*l*m + 126*m)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (c*s_contact)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (-5*k*(s_contact*s_contact) - 5*k_c*(s_contact*s_contact) + 16*(l*l)*m + 64*l*m - 36*m)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(c*s_contact)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        ((s_contact*s_contact)*(k + k_c))/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -(F*mu_contact[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*mu_contact[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*mu_contact[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*mu_contact[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        (-k*(s_contact*s_contact) - k_c*(s_contact*s_contact) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        ((s_contact*s_contact)*(k + k_c))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_contact)/(4*l - 2),
+        -(c*s_contact)/(4*l + 6),
+        ((s_contact*s_contact)*(k + k_c))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 3)*(-N + l - 2)*(N + l + 3)*(N + l + 4))/(2*(N + 2)*(N + 3)*(N + 4)),
+        -((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 4)*(-N + l - 3)*(N + l + 4)*(N + l + 5))/(2*(N + 3)*(N + 4)*(N + 5)),
+        -((-1)**(N - l + 3)*m*(2*l + 1)*(-N + l - 5)*(-N + l - 4)*(N + l + 5)*(N + l + 6))/(2*(N + 4)*(N + 5)*(N + 6)),
+        -F*(2*l + 1)*mu_contact[l],
     )
 
 
 def contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact):
     """Their derivatives by s_contact, of those that depend on it."""
     return (
-        -(3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(s_contact*(k + k_c))/(16*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*s_contact*(k + k_c))/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        c/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*s_contact*(k + k_c))/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*s_contact*(k + k_c))/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        c/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(5*s_contact*(k + k_c))/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -c/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (s_contact*(k + k_c))/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        (F*Omega*(l - 3)*nu_contact[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 4)*nu_contact[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) - (F*Omega*(2*l - 7)*nu_contact[l - 2])/(16*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_contact[l + 3])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_contact[l + 1])/(16*(2*l - 1)*(2*l + 1)*(2*l + 5)) + (F*Omega*(2*l + 9)*nu_contact[l + 2])/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*Omega*nu_contact[l - 1])/(16*(2*l - 3)*(2*l + 1)*(2*l + 3)) - (9*F*Omega*nu_contact[l])/(16*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*nu_contact[l - 3])/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        -(s_contact*(k + k_c))/((2*l - 1)*(2*l + 3)),
+        (s_contact*(k + k_c))/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (s_contact*(k + k_c))/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_contact[l - 1])/2 - (F*Omega*(l + 1)*nu_contact[l + 1])/2 - (F*Omega*(2*l + 1)*nu_contact[l])/2,
     )
 
 
 def contact_by_l_by_phi(l, F, nu_contact):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_contact[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*nu_contact[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*nu_contact[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*nu_contact[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_contact[l]
 
 
-def separated_by_0(m, c, k, F, s_separated, mu_separated):
-    """Coefficients: residual of separated, orthogonal to its test function 0."""
+def contact_rest_0(N, m, c, k, k_c, F, s_contact, mu_contact):
+    """Coefficients: residual of contact, less what no test sees, degree N + 1."""
     return (
-        k/24,
-        (5*c + 4*k*s_separated)/120,
-        (12*c*s_separated + 5*k*(s_separated*s_separated) + 15*m)/360,
-        (-14*c*s_separated - 15*k*(s_separated*s_separated) + 63*m)/2520,
-        (-24*c*s_separated + 5*k*(s_separated*s_separated) + 84*m)/10080,
-        (-18*c*s_separated + 5*k*(s_separated*s_separated) + 36*m)/30240,
-        -(s_separated*(2*c - k*s_separated))/30240,
-        (k*(s_separated*s_separated))/332640,
-        -(F*mu_separated[0])/24 - (3*F*mu_separated[1])/40 - (F*mu_separated[2])/24 - (F*mu_separated[3])/120,
+        (c*s_contact)/(4*N + 2),
+        ((s_contact*s_contact)*(k + k_c))/(4*(2*N - 1)*(2*N + 1)),
+        (8*(N*N)*m + 24*N*m - k*(s_contact*s_contact) - k_c*(s_contact*s_contact) + 10*m)/(2*(2*N + 1)*(2*N + 5)),
+        -(2*m*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+        (6*m*(2*N + 3)*(2*N + 5))/((N + 4)*(N + 5)),
+        -(12*m*(N + 3)*(2*N + 3)*(2*N + 7))/((N + 4)*(N + 5)*(N + 6)),
+        -F*(2*N + 3)*mu_contact[N + 1],
+    )
+
+
+def contact_rest_0_by_s_contact(N, c, k, k_c, F, Omega, s_contact, nu_contact):
+    """Their derivatives by s_contact, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (s_contact*(k + k_c))/(2*(2*N - 1)*(2*N + 1)),
+        -(s_contact*(k + k_c))/((2*N + 1)*(2*N + 5)),
+        -(F*Omega*(N + 1)*nu_contact[N])/2 - (F*Omega*(N + 2)*nu_contact[N + 2])/2 - (F*Omega*(2*N + 3)*nu_contact[N + 1])/2,
+    )
+
+
+def contact_rest_0_by_phi(N, F, nu_contact):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_contact[N + 1]
+
+
+def contact_rest_1(N, m, c, k, k_c, F, s_contact, mu_contact):
+    """Coefficients: residual of contact, less what no test sees, degree N + 2."""
+    return (
+        ((s_contact*s_contact)*(k + k_c))/(4*(2*N + 1)*(2*N + 3)),
+        (c*s_contact)/(4*N + 6),
+        -(2*m*(2*N + 5)*(2*N + 7))/((N + 4)*(N + 5)),
+        (6*m*(2*N + 5)*(2*N + 7))/((N + 5)*(N + 6)),
+        -F*(2*N + 5)*mu_contact[N + 2],
+    )
+
+
+def contact_rest_1_by_s_contact(N, c, k, k_c, F, Omega, s_contact, nu_contact):
+    """Their derivatives by s_contact, of those that depend on it."""
+    return (
+        (s_contact*(k + k_c))/(2*(2*N + 1)*(2*N + 3)),
+        c/(4*N + 6),
+        -(F*Omega*(N + 2)*nu_contact[N + 1])/2 - (F*Omega*(N + 3)*nu_contact[N + 3])/2 - (F*Omega*(2*N + 5)*nu_contact[N + 2])/2,
+    )
+
+
+def contact_rest_1_by_phi(N, F, nu_contact):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_contact[N + 2]
+
+
+def contact_rest_2(N, m, k, k_c, F, s_contact, mu_contact):
+    """Coefficients: residual of contact, less what no test sees, degree N + 3."""
+    return (
+        ((s_contact*s_contact)*(k + k_c))/(4*(2*N + 3)*(2*N + 5)),
+        -(2*m*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)),
+        -F*(2*N + 7)*mu_contact[N + 3],
+    )
+
+
+def contact_rest_2_by_s_contact(N, k, k_c, F, Omega, s_contact, nu_contact):
+    """Their derivatives by s_contact, of those that depend on it."""
+    return (
+        (s_contact*(k + k_c))/(2*(2*N + 3)*(2*N + 5)),
+        -(F*Omega*(N + 3)*nu_contact[N + 2])/2 - (F*Omega*(N + 4)*nu_contact[N + 4])/2 - (F*Omega*(2*N + 7)*nu_contact[N + 3])/2,
+    )
+
+
+def contact_rest_2_by_phi(N, F, nu_contact):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 7)*nu_contact[N + 3]
+
+
+def separated_by_0(N, m, c, k, F, s_separated, mu_separated):
+    """Coefficients: residual of separated, less what no test sees, degree 0."""
+    return (
+        k,
+        (2*c + k*s_separated)/2,
+        (3*c*s_separated + k*(s_separated*s_separated) + 6*m)/6,
+        -(s_separated*(2*c + k*s_separated))/12,
+        (k*(s_separated*s_separated))/60,
+        -((-1)**(N + 1)*m*(N + 3))/2,
+        -((-1)**(N + 2)*m*(N + 4))/2,
+        -((-1)**(N + 3)*m*(N + 5))/2,
+        -F*mu_separated[0],
     )
 
 
 def separated_by_0_by_s_contact(F, Omega, nu_separated):
     """Their derivatives by s_contact, of those that depend on it."""
-    return -(F*Omega*nu_separated[0])/24 - (3*F*Omega*nu_separated[1])/40 - (F*Omega*nu_separated[2])/24 - (F*Omega*nu_separated[3])/120
+    return -F*Omega*nu_separated[0]
 
 
 def separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
-        k/30,
-        (6*c + 5*k*s_separated)/180,
-        (-7*c - 15*k*s_separated)/1260,
-        (-12*c + 5*k*s_separated)/5040,
-        (-9*c + 5*k*s_separated)/15120,
-        (-c + k*s_separated)/15120,
-        (k*s_separated)/166320,
-        -(F*Omega*nu_separated[0])/30 - (F*Omega*nu_separated[1])/15 - (F*Omega*nu_separated[2])/21 - (F*Omega*nu_separated[3])/60 - (F*Omega*nu_separated[4])/420,
+        k/2,
+        (3*c + 2*k*s_separated)/6,
+        (-c - k*s_separated)/6,
+        (k*s_separated)/30,
+        -(F*Omega*nu_separated[0])/2 - (F*Omega*nu_separated[1])/2,
     )
 
 
 def separated_by_0_by_phi(F, nu_separated):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_separated[0])/24 - (3*F*nu_separated[1])/40 - (F*nu_separated[2])/24 - (F*nu_separated[3])/120
+    return -F*nu_separated[0]
 
 
-def separated_by_1(m, c, k, F, s_separated, mu_separated):
-    """Coefficients: residual of separated, orthogonal to its test function 1."""
+def separated_by_1(N, m, c, k, F, s_separated, mu_separated):
+    """Coefficients: residual of separated, less what no test sees, degree 1."""
     return (
-        -k/40,
-        (-9*c - 7*k*s_separated)/360,
-        (-49*c*s_separated - 20*k*(s_separated*s_separated) - 63*m)/2520,
-        (36*c*s_separated + 35*k*(s_separated*s_separated) - 140*m)/10080,
-        (21*c*s_separated - 5*k*(s_separated*s_separated) - 54*m)/15120,
-        (s_separated*(8*c - 3*k*s_separated))/30240,
-        (-5*k*(s_separated*s_separated) + 44*m)/332640,
-        -(c*s_separated)/166320,
-        (k*(s_separated*s_separated))/4324320,
-        (F*mu_separated[0])/40 + (F*mu_separated[1])/24 + (F*mu_separated[2])/56 - (F*mu_separated[4])/840,
+        (k*s_separated)/2,
+        (s_separated*(2*c + k*s_separated))/4,
+        (-k*(s_separated*s_separated) + 10*m)/10,
+        -(c*s_separated)/10,
+        (k*(s_separated*s_separated))/140,
+        -(3*(-1)**N*m*(N + 1)*(N + 5))/(2*N + 6),
+        -(3*(-1)**(N + 1)*m*(N + 2)*(N + 6))/(2*N + 8),
+        -(3*(-1)**(N + 2)*m*(N + 3)*(N + 7))/(2*N + 10),
+        -3*F*mu_separated[1],
     )
 
 
 def separated_by_1_by_s_contact(F, Omega, nu_separated):
     """Their derivatives by s_contact, of those that depend on it."""
-    return (F*Omega*nu_separated[0])/40 + (F*Omega*nu_separated[1])/24 + (F*Omega*nu_separated[2])/56 - (F*Omega*nu_separated[4])/840
+    return -3*F*Omega*nu_separated[1]
 
 
 def separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
-        -(7*k)/360,
-        (-49*c - 40*k*s_separated)/2520,
-        (18*c + 35*k*s_separated)/5040,
-        (21*c - 10*k*s_separated)/15120,
-        (4*c - 3*k*s_separated)/15120,
-        -(k*s_separated)/33264,
-        -c/166320,
-        (k*s_separated)/2162160,
-        (7*F*Omega*nu_separated[0])/360 + (31*F*Omega*nu_separated[1])/840 + (23*F*Omega*nu_separated[2])/1008 + (11*F*Omega*nu_separated[3])/2160 - (F*Omega*nu_separated[4])/1680 - (F*Omega*nu_separated[5])/3024,
+        k/2,
+        (c + k*s_separated)/2,
+        -(k*s_separated)/5,
+        -c/10,
+        (k*s_separated)/70,
+        -(F*Omega*nu_separated[0])/2 - (3*F*Omega*nu_separated[1])/2 - F*Omega*nu_separated[2],
     )
 
 
 def separated_by_1_by_phi(F, nu_separated):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_separated[0])/40 + (F*nu_separated[1])/24 + (F*nu_separated[2])/56 - (F*nu_separated[4])/840
+    return -3*F*nu_separated[1]
 
 
-def separated_by_2(m, c, k, F, s_separated, mu_separated):
-    """Coefficients: residual of separated, orthogonal to its test function 2."""
+def separated_by_l(l, N, m, c, k, F, s_separated, mu_separated):
+    """Coefficients: residual of separated, less what no test sees, degree l."""
     return (
-        k/120,
-        (7*c + 5*k*s_separated)/840,
-        (60*c*s_separated + 23*k*(s_separated*s_separated) + 84*m)/10080,
-        (-21*c*s_separated - 16*k*(s_separated*s_separated) + 54*m)/15120,
-        -(s_separated*(20*c - 7*k*s_separated))/50400,
-        (5*k*(s_separated*s_separated) - 66*m)/166320,
-        (c*s_separated)/41580,
-        (-5*k*(s_separated*s_separated) + 156*m)/4324320,
-        -(c*s_separated)/720720,
-        (k*(s_separated*s_separated))/21621600,
-        -(F*mu_separated[0])/120 - (3*F*mu_separated[1])/280 + (F*mu_separated[3])/360 - (F*mu_separated[5])/2520,
-    )
-
-
-def separated_by_2_by_s_contact(F, Omega, nu_separated):
-    """Their derivatives by s_contact, of those that depend on it."""
-    return -(F*Omega*nu_separated[0])/120 - (3*F*Omega*nu_separated[1])/280 + (F*Omega*nu_separated[3])/360 - (F*Omega*nu_separated[5])/2520
-
-
-def separated_by_2_by_s_separated(c, k, F, Omega, s_separated, nu_separated):
-    """Their derivatives by s_separated, of those that depend on it."""
-    return (
-        k/168,
-        (30*c + 23*k*s_separated)/5040,
-        (-21*c - 32*k*s_separated)/15120,
-        (-10*c + 7*k*s_separated)/25200,
-        (k*s_separated)/16632,
-        c/41580,
-        -(k*s_separated)/432432,
-        -c/720720,
-        (k*s_separated)/10810800,
-        -(F*Omega*nu_separated[0])/168 - (F*Omega*nu_separated[1])/105 - (F*Omega*nu_separated[2])/336 + (F*Omega*nu_separated[3])/720 + (13*F*Omega*nu_separated[4])/18480 - (F*Omega*nu_separated[5])/5040 - (F*Omega*nu_separated[6])/9240,
-    )
-
-
-def separated_by_2_by_phi(F, nu_separated):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_separated[0])/120 - (3*F*nu_separated[1])/280 + (F*nu_separated[3])/360 - (F*nu_separated[5])/2520
-
-
-def separated_by_3(m, c, k, F, s_separated, mu_separated):
-    """Coefficients: residual of separated, orthogonal to its test function 3."""
-    return (
-        -k/840,
-        (-2*c - k*s_separated)/1680,
-        (-18*c*s_separated - 5*k*(s_separated*s_separated) - 36*m)/30240,
-        (s_separated*(8*c + 3*k*s_separated))/30240,
-        (-5*k*(s_separated*s_separated) + 66*m)/166320,
-        -(c*s_separated)/27720,
-        (5*k*(s_separated*s_separated) - 234*m)/2162160,
-        (c*s_separated)/180180,
-        (-k*(s_separated*s_separated) + 60*m)/4324320,
-        -(c*s_separated)/2162160,
-        (k*(s_separated*s_separated))/73513440,
-        (F*mu_separated[0])/840 - (F*mu_separated[2])/504 + (3*F*mu_separated[4])/3080 - (F*mu_separated[6])/5544,
-    )
-
-
-def separated_by_3_by_s_contact(F, Omega, nu_separated):
-    """Their derivatives by s_contact, of those that depend on it."""
-    return (F*Omega*nu_separated[0])/840 - (F*Omega*nu_separated[2])/504 + (3*F*Omega*nu_separated[4])/3080 - (F*Omega*nu_separated[6])/5544
-
-
-def separated_by_3_by_s_separated(c, k, F, Omega, s_separated, nu_separated):
-    """Their derivatives by s_separated, of those that depend on it."""
-    return (
-        -k/1680,
-        (-9*c - 5*k*s_separated)/15120,
-        (4*c + 3*k*s_separated)/15120,
-        -(k*s_separated)/16632,
-        -c/27720,
-        (k*s_separated)/216216,
-        c/180180,
-        -(k*s_separated)/2162160,
-        -c/2162160,
-        (k*s_separated)/36756720,
-        (F*Omega*nu_separated[0])/1680 + (F*Omega*nu_separated[1])/5040 - (F*Omega*nu_separated[2])/1008 - (F*Omega*nu_separated[3])/2640 + (3*F*Omega*nu_separated[4])/6160 + (F*Omega*nu_separated[5])/4368 - (F*Omega*nu_separated[6])/11088 - (F*Omega*nu_separated[7])/20592,
-    )
-
-
-def separated_by_3_by_phi(F, nu_separated):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_separated[0])/840 - (F*nu_separated[2])/504 + (3*F*nu_separated[4])/3080 - (F*nu_separated[6])/5544
-
-
-def separated_by_4(m, c, k, F, s_separated, mu_separated):
-    """Coefficients: residual of separated, orthogonal to its test function 4."""
-    return (
-        -(k*s_separated)/15120,
-        -(s_separated*(2*c + k*s_separated))/30240,
-        (5*k*(s_separated*s_separated) - 44*m)/332640,
-        (c*s_separated)/41580,
-        (-5*k*(s_separated*s_separated) + 234*m)/2162160,
-        -(c*s_separated)/120120,
-        (k*(s_separated*s_separated) - 90*m)/2162160,
-        (c*s_separated)/540540,
-        (-5*k*(s_separated*s_separated) + 476*m)/73513440,
-        -(c*s_separated)/5250960,
-        (k*(s_separated*s_separated))/199536480,
-        (F*mu_separated[1])/2520 - (F*mu_separated[3])/1320 + (F*mu_separated[5])/2184 - (F*mu_separated[7])/10296,
-    )
-
-
-def separated_by_4_by_s_contact(F, Omega, nu_separated):
-    """Their derivatives by s_contact, of those that depend on it."""
-    return (F*Omega*nu_separated[1])/2520 - (F*Omega*nu_separated[3])/1320 + (F*Omega*nu_separated[5])/2184 - (F*Omega*nu_separated[7])/10296
-
-
-def separated_by_4_by_s_separated(c, k, F, Omega, s_separated, nu_separated):
-    """Their derivatives by s_separated, of those that depend on it."""
-    return (
-        -k/15120,
-        (-c - k*s_separated)/15120,
-        (k*s_separated)/33264,
-        c/41580,
-        -(k*s_separated)/216216,
-        -c/120120,
-        (k*s_separated)/1081080,
-        c/540540,
-        -(k*s_separated)/7351344,
-        -c/5250960,
-        (k*s_separated)/99768240,
-        (F*Omega*nu_separated[0])/15120 + (F*Omega*nu_separated[1])/5040 - (F*Omega*nu_separated[2])/33264 - (F*Omega*nu_separated[3])/2640 - (9*F*Omega*nu_separated[4])/80080 + (F*Omega*nu_separated[5])/4368 + (17*F*Omega*nu_separated[6])/166320 - (F*Omega*nu_separated[7])/20592 - (F*Omega*nu_separated[8])/38610,
-    )
-
-
-def separated_by_4_by_phi(F, nu_separated):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_separated[1])/2520 - (F*nu_separated[3])/1320 + (F*nu_separated[5])/2184 - (F*nu_separated[7])/10296
-
-
-def separated_by_l(l, m, c, k, F, s_separated, mu_separated):
-    """Coefficients: residual of separated, orthogonal to its test function l."""
-    return (
-        -(3*c*s_separated)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k*(s_separated*s_separated))/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_separated)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k*(s_separated*s_separated) - 16*(l*l)*m + 32*l*m + 84*m)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (c*s_separated)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-5*k*(s_separated*s_separated) + 24*(l*l)*m - 150*m)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k*(s_separated*s_separated) - 24*(l*l)*m - 48*l*m + 126*m)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (c*s_separated)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (-5*k*(s_separated*s_separated) + 16*(l*l)*m + 64*l*m - 36*m)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(c*s_separated)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k*(s_separated*s_separated))/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -(F*mu_separated[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*mu_separated[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*mu_separated[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*mu_separated[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        (-k*(s_separated*s_separated) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (k*(s_separated*s_separated))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_separated)/(4*l - 2),
+        -(c*s_separated)/(4*l + 6),
+        (k*(s_separated*s_separated))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 3)*(-N + l - 2)*(N + l + 3)*(N + l + 4))/(2*(N + 2)*(N + 3)*(N + 4)),
+        -((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 4)*(-N + l - 3)*(N + l + 4)*(N + l + 5))/(2*(N + 3)*(N + 4)*(N + 5)),
+        -((-1)**(N - l + 3)*m*(2*l + 1)*(-N + l - 5)*(-N + l - 4)*(N + l + 5)*(N + l + 6))/(2*(N + 4)*(N + 5)*(N + 6)),
+        -F*(2*l + 1)*mu_separated[l],
     )
 
 
 def separated_by_l_by_s_contact(l, F, Omega, nu_separated):
     """Their derivatives by s_contact, of those that depend on it."""
-    return -(F*Omega*nu_separated[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_separated[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*Omega*nu_separated[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*Omega*nu_separated[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*Omega*(2*l + 1)*nu_separated[l]
 
 
 def separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated):
     """Their derivatives by s_separated, of those that depend on it."""
     return (
-        -(3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k*s_separated)/(16*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k*s_separated)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        c/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*k*s_separated)/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k*s_separated)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        c/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(5*k*s_separated)/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -c/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k*s_separated)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        (F*Omega*(l - 3)*nu_separated[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 4)*nu_separated[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) - (F*Omega*(2*l - 7)*nu_separated[l - 2])/(16*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_separated[l + 3])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_separated[l + 1])/(16*(2*l - 1)*(2*l + 1)*(2*l + 5)) + (F*Omega*(2*l + 9)*nu_separated[l + 2])/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*Omega*nu_separated[l - 1])/(16*(2*l - 3)*(2*l + 1)*(2*l + 3)) - (9*F*Omega*nu_separated[l])/(16*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*nu_separated[l - 3])/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        -(k*s_separated)/((2*l - 1)*(2*l + 3)),
+        (k*s_separated)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (k*s_separated)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_separated[l - 1])/2 - (F*Omega*(l + 1)*nu_separated[l + 1])/2 - (F*Omega*(2*l + 1)*nu_separated[l])/2,
     )
 
 
 def separated_by_l_by_phi(l, F, nu_separated):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_separated[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*nu_separated[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*nu_separated[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*nu_separated[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_separated[l]
+
+
+def separated_rest_0(N, m, c, k, F, s_separated, mu_separated):
+    """Coefficients: residual of separated, less what no test sees, degree N + 1."""
+    return (
+        (c*s_separated)/(4*N + 2),
+        (k*(s_separated*s_separated))/(4*(2*N - 1)*(2*N + 1)),
+        (8*(N*N)*m + 24*N*m - k*(s_separated*s_separated) + 10*m)/(2*(2*N + 1)*(2*N + 5)),
+        -(2*m*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+        (6*m*(2*N + 3)*(2*N + 5))/((N + 4)*(N + 5)),
+        -(12*m*(N + 3)*(2*N + 3)*(2*N + 7))/((N + 4)*(N + 5)*(N + 6)),
+        -F*(2*N + 3)*mu_separated[N + 1],
+    )
+
+
+def separated_rest_0_by_s_contact(N, F, Omega, nu_separated):
+    """Their derivatives by s_contact, of those that depend on it."""
+    return -F*Omega*(2*N + 3)*nu_separated[N + 1]
+
+
+def separated_rest_0_by_s_separated(N, c, k, F, Omega, s_separated, nu_separated):
+    """Their derivatives by s_separated, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (k*s_separated)/(2*(2*N - 1)*(2*N + 1)),
+        -(k*s_separated)/((2*N + 1)*(2*N + 5)),
+        -(F*Omega*(N + 1)*nu_separated[N])/2 - (F*Omega*(N + 2)*nu_separated[N + 2])/2 - (F*Omega*(2*N + 3)*nu_separated[N + 1])/2,
+    )
+
+
+def separated_rest_0_by_phi(N, F, nu_separated):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_separated[N + 1]
+
+
+def separated_rest_1(N, m, c, k, F, s_separated, mu_separated):
+    """Coefficients: residual of separated, less what no test sees, degree N + 2."""
+    return (
+        (k*(s_separated*s_separated))/(4*(2*N + 1)*(2*N + 3)),
+        (c*s_separated)/(4*N + 6),
+        -(2*m*(2*N + 5)*(2*N + 7))/((N + 4)*(N + 5)),
+        (6*m*(2*N + 5)*(2*N + 7))/((N + 5)*(N + 6)),
+        -F*(2*N + 5)*mu_separated[N + 2],
+    )
+
+
+def separated_rest_1_by_s_contact(N, F, Omega, nu_separated):
+    """Their derivatives by s_contact, of those that depend on it."""
+    return -F*Omega*(2*N + 5)*nu_separated[N + 2]
+
+
+def separated_rest_1_by_s_separated(N, c, k, F, Omega, s_separated, nu_separated):
+    """Their derivatives by s_separated, of those that depend on it."""
+    return (
+        (k*s_separated)/(2*(2*N + 1)*(2*N + 3)),
+        c/(4*N + 6),
+        -(F*Omega*(N + 2)*nu_separated[N + 1])/2 - (F*Omega*(N + 3)*nu_separated[N + 3])/2 - (F*Omega*(2*N + 5)*nu_separated[N + 2])/2,
+    )
+
+
+def separated_rest_1_by_phi(N, F, nu_separated):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_separated[N + 2]
+
+
+def separated_rest_2(N, m, k, F, s_separated, mu_separated):
+    """Coefficients: residual of separated, less what no test sees, degree N + 3."""
+    return (
+        (k*(s_separated*s_separated))/(4*(2*N + 3)*(2*N + 5)),
+        -(2*m*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)),
+        -F*(2*N + 7)*mu_separated[N + 3],
+    )
+
+
+def separated_rest_2_by_s_contact(N, F, Omega, nu_separated):
+    """Their derivatives by s_contact, of those that depend on it."""
+    return -F*Omega*(2*N + 7)*nu_separated[N + 3]
+
+
+def separated_rest_2_by_s_separated(N, k, F, Omega, s_separated, nu_separated):
+    """Their derivatives by s_separated, of those that depend on it."""
+    return (
+        (k*s_separated)/(2*(2*N + 3)*(2*N + 5)),
+        -(F*Omega*(N + 3)*nu_separated[N + 2])/2 - (F*Omega*(N + 4)*nu_separated[N + 4])/2 - (F*Omega*(2*N + 7)*nu_separated[N + 3])/2,
+    )
+
+
+def separated_rest_2_by_phi(N, F, nu_separated):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 7)*nu_separated[N + 3]
 
 
 def displacement_contact(s_separated):
@@ -755,24 +648,30 @@ def cell_by_s_separated():
 
 def size(N):
     """Return the number of unknowns."""
-    return 2*N + 11
+    return 2*N + 17
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     m, c, k, k_c, g, F, Omega, cycles = case
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_contact = 0
     at_v_contact = 1
     at_d_contact = 2
     number_d_contact = N + 2
-    at_x_separated = N + 4
-    at_v_separated = N + 5
-    at_d_separated = N + 6
+    at_tau0_contact = N + 4
+    at_tau1_contact = N + 5
+    at_tau2_contact = N + 6
+    at_x_separated = N + 7
+    at_v_separated = N + 8
+    at_d_separated = N + 9
     number_d_separated = N + 2
-    at_s_contact = 2*N + 8
-    at_s_separated = 2*N + 9
-    at_phi = 2*N + 10
+    at_tau0_separated = 2*N + 11
+    at_tau1_separated = 2*N + 12
+    at_tau2_separated = 2*N + 13
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
+    at_phi = 2*N + 16
     s_contact = z[at_s_contact]
     s_separated = z[at_s_separated]
     phi = z[at_phi]
@@ -781,44 +680,44 @@ def residual(case, z, R):
     over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
     mu_separated = over_separated[0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_0(N, m, c, k, k_c, g, F, s_contact, mu_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*z[at_tau0_contact] + q6*z[at_tau1_contact] + q7*z[at_tau2_contact] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = contact_by_1(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q9
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_1(N, m, c, k, k_c, F, s_contact, mu_contact)
+    R[row] = q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*z[at_tau0_contact] + q6*z[at_tau1_contact] + q7*z[at_tau2_contact] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = contact_by_2(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q9*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q10
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_3(m, c, k, k_c, g, F, s_contact, mu_contact)
-    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q5*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q6*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q7*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q8*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q9*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q10*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q11
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_4(m, c, k, k_c, F, s_contact, mu_contact)
-    R[row] = q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q10*(z[at_d_contact + 9] if number_d_contact > 9 else 0.0) + q11
-    row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_l(l, m, c, k, k_c, F, s_contact, mu_contact)
-        R[row] = q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*(z[at_d_contact + l+2] if number_d_contact > l+2 else 0.0) + q8*(z[at_d_contact + l+3] if number_d_contact > l+3 else 0.0) + q9*(z[at_d_contact + l+4] if number_d_contact > l+4 else 0.0) + q10*(z[at_d_contact + l+5] if number_d_contact > l+5 else 0.0) + q11
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_l(l, N, m, c, k, k_c, F, s_contact, mu_contact)
+        R[row] = q0*z[at_d_contact + l] + q1*z[at_d_contact + l-2] + q2*z[at_d_contact + l-1] + q3*z[at_d_contact + l+1] + q4*(z[at_d_contact + l+2] if number_d_contact > l+2 else 0.0) + q5*z[at_tau0_contact] + q6*z[at_tau1_contact] + q7*z[at_tau2_contact] + q8
         row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_0(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6 = contact_rest_0(N, m, c, k, k_c, F, s_contact, mu_contact)
+    R[row] = q0*z[at_d_contact + N] + q1*z[at_d_contact + N-1] + q2*z[at_d_contact + N+1] + q3*z[at_tau0_contact] + q4*z[at_tau1_contact] + q5*z[at_tau2_contact] + q6
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = separated_by_1(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q9
+    q0, q1, q2, q3, q4 = contact_rest_1(N, m, c, k, k_c, F, s_contact, mu_contact)
+    R[row] = q0*z[at_d_contact + N] + q1*z[at_d_contact + N+1] + q2*z[at_tau1_contact] + q3*z[at_tau2_contact] + q4
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = separated_by_2(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q9*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q10
+    q0, q1, q2 = contact_rest_2(N, m, k, k_c, F, s_contact, mu_contact)
+    R[row] = q0*z[at_d_contact + N+1] + q1*z[at_tau2_contact] + q2
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_3(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q6*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q7*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q8*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q9*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q10*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q11
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_0(N, m, c, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q5*z[at_tau0_separated] + q6*z[at_tau1_separated] + q7*z[at_tau2_separated] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_4(m, c, k, F, s_separated, mu_separated)
-    R[row] = q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q10*(z[at_d_separated + 9] if number_d_separated > 9 else 0.0) + q11
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_1(N, m, c, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*z[at_tau0_separated] + q6*z[at_tau1_separated] + q7*z[at_tau2_separated] + q8
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_l(l, m, c, k, F, s_separated, mu_separated)
-        R[row] = q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*(z[at_d_separated + l+2] if number_d_separated > l+2 else 0.0) + q8*(z[at_d_separated + l+3] if number_d_separated > l+3 else 0.0) + q9*(z[at_d_separated + l+4] if number_d_separated > l+4 else 0.0) + q10*(z[at_d_separated + l+5] if number_d_separated > l+5 else 0.0) + q11
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_l(l, N, m, c, k, F, s_separated, mu_separated)
+        R[row] = q0*z[at_d_separated + l] + q1*z[at_d_separated + l-2] + q2*z[at_d_separated + l-1] + q3*z[at_d_separated + l+1] + q4*(z[at_d_separated + l+2] if number_d_separated > l+2 else 0.0) + q5*z[at_tau0_separated] + q6*z[at_tau1_separated] + q7*z[at_tau2_separated] + q8
         row += 1
+    q0, q1, q2, q3, q4, q5, q6 = separated_rest_0(N, m, c, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_d_separated + N] + q1*z[at_d_separated + N-1] + q2*z[at_d_separated + N+1] + q3*z[at_tau0_separated] + q4*z[at_tau1_separated] + q5*z[at_tau2_separated] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = separated_rest_1(N, m, c, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_d_separated + N] + q1*z[at_d_separated + N+1] + q2*z[at_tau1_separated] + q3*z[at_tau2_separated] + q4
+    row += 1
+    q0, q1, q2 = separated_rest_2(N, m, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_d_separated + N+1] + q1*z[at_tau2_separated] + q2
+    row += 1
     q0, q1, q2, q3, q4 = displacement_contact(s_separated)
     R[row] = q0*z[at_x_contact] + q1*z[at_x_separated] + q2*z[at_v_separated] + q3*z[at_d_separated] + q4*z[at_d_separated + 1]
     row += 1
@@ -855,18 +754,24 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     m, c, k, k_c, g, F, Omega, cycles = case
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_contact = 0
     at_v_contact = 1
     at_d_contact = 2
     number_d_contact = N + 2
-    at_x_separated = N + 4
-    at_v_separated = N + 5
-    at_d_separated = N + 6
+    at_tau0_contact = N + 4
+    at_tau1_contact = N + 5
+    at_tau2_contact = N + 6
+    at_x_separated = N + 7
+    at_v_separated = N + 8
+    at_d_separated = N + 9
     number_d_separated = N + 2
-    at_s_contact = 2*N + 8
-    at_s_separated = 2*N + 9
-    at_phi = 2*N + 10
+    at_tau0_separated = 2*N + 11
+    at_tau1_separated = 2*N + 12
+    at_tau2_separated = 2*N + 13
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
+    at_phi = 2*N + 16
     s_contact = z[at_s_contact]
     s_separated = z[at_s_separated]
     phi = z[at_phi]
@@ -878,91 +783,22 @@ def jacobian(case, z, J):
     nu_separated = over_separated[1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = contact_by_0(m, c, k, k_c, g, F, s_contact, mu_contact)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = contact_by_0(N, m, c, k, k_c, g, F, s_contact, mu_contact)
     J[row, at_x_contact] += q0
     J[row, at_v_contact] += q1
     J[row, at_d_contact] += q2
     J[row, at_d_contact + 1] += q3
     if number_d_contact > 2:
         J[row, at_d_contact + 2] += q4
-    if number_d_contact > 3:
-        J[row, at_d_contact + 3] += q5
-    if number_d_contact > 4:
-        J[row, at_d_contact + 4] += q6
-    if number_d_contact > 5:
-        J[row, at_d_contact + 5] += q7
-    q0, q1, q2, q3, q4, q5, q6, q7 = contact_by_0_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7
+    J[row, at_tau0_contact] += q5
+    J[row, at_tau1_contact] += q6
+    J[row, at_tau2_contact] += q7
+    q0, q1, q2, q3, q4 = contact_by_0_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4
     q0 = contact_by_0_by_phi(F, nu_contact)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = contact_by_1(m, c, k, k_c, g, F, s_contact, mu_contact)
-    J[row, at_x_contact] += q0
-    J[row, at_v_contact] += q1
-    J[row, at_d_contact] += q2
-    J[row, at_d_contact + 1] += q3
-    if number_d_contact > 2:
-        J[row, at_d_contact + 2] += q4
-    if number_d_contact > 3:
-        J[row, at_d_contact + 3] += q5
-    if number_d_contact > 4:
-        J[row, at_d_contact + 4] += q6
-    if number_d_contact > 5:
-        J[row, at_d_contact + 5] += q7
-    if number_d_contact > 6:
-        J[row, at_d_contact + 6] += q8
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_1_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8
-    q0 = contact_by_1_by_phi(F, nu_contact)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = contact_by_2(m, c, k, k_c, g, F, s_contact, mu_contact)
-    J[row, at_x_contact] += q0
-    J[row, at_v_contact] += q1
-    J[row, at_d_contact] += q2
-    J[row, at_d_contact + 1] += q3
-    if number_d_contact > 2:
-        J[row, at_d_contact + 2] += q4
-    if number_d_contact > 3:
-        J[row, at_d_contact + 3] += q5
-    if number_d_contact > 4:
-        J[row, at_d_contact + 4] += q6
-    if number_d_contact > 5:
-        J[row, at_d_contact + 5] += q7
-    if number_d_contact > 6:
-        J[row, at_d_contact + 6] += q8
-    if number_d_contact > 7:
-        J[row, at_d_contact + 7] += q9
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = contact_by_2_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9
-    q0 = contact_by_2_by_phi(F, nu_contact)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = contact_by_3(m, c, k, k_c, g, F, s_contact, mu_contact)
-    J[row, at_x_contact] += q0
-    J[row, at_v_contact] += q1
-    J[row, at_d_contact] += q2
-    J[row, at_d_contact + 1] += q3
-    if number_d_contact > 2:
-        J[row, at_d_contact + 2] += q4
-    if number_d_contact > 3:
-        J[row, at_d_contact + 3] += q5
-    if number_d_contact > 4:
-        J[row, at_d_contact + 4] += q6
-    if number_d_contact > 5:
-        J[row, at_d_contact + 5] += q7
-    if number_d_contact > 6:
-        J[row, at_d_contact + 6] += q8
-    if number_d_contact > 7:
-        J[row, at_d_contact + 7] += q9
-    if number_d_contact > 8:
-        J[row, at_d_contact + 8] += q10
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = contact_by_3_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q10
-    q0 = contact_by_3_by_phi(F, nu_contact)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = contact_by_4(m, c, k, k_c, F, s_contact, mu_contact)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = contact_by_1(N, m, c, k, k_c, F, s_contact, mu_contact)
     J[row, at_v_contact] += q0
     J[row, at_d_contact] += q1
     J[row, at_d_contact + 1] += q2
@@ -970,138 +806,78 @@ def jacobian(case, z, J):
         J[row, at_d_contact + 2] += q3
     if number_d_contact > 3:
         J[row, at_d_contact + 3] += q4
-    if number_d_contact > 4:
-        J[row, at_d_contact + 4] += q5
-    if number_d_contact > 5:
-        J[row, at_d_contact + 5] += q6
-    if number_d_contact > 6:
-        J[row, at_d_contact + 6] += q7
-    if number_d_contact > 7:
-        J[row, at_d_contact + 7] += q8
-    if number_d_contact > 8:
-        J[row, at_d_contact + 8] += q9
-    if number_d_contact > 9:
-        J[row, at_d_contact + 9] += q10
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_4_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
-    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5*(z[at_d_contact + 4] if number_d_contact > 4 else 0.0) + q6*(z[at_d_contact + 5] if number_d_contact > 5 else 0.0) + q7*(z[at_d_contact + 6] if number_d_contact > 6 else 0.0) + q8*(z[at_d_contact + 7] if number_d_contact > 7 else 0.0) + q9*(z[at_d_contact + 8] if number_d_contact > 8 else 0.0) + q10*(z[at_d_contact + 9] if number_d_contact > 9 else 0.0) + q11
-    q0 = contact_by_4_by_phi(F, nu_contact)
+    J[row, at_tau0_contact] += q5
+    J[row, at_tau1_contact] += q6
+    J[row, at_tau2_contact] += q7
+    q0, q1, q2, q3, q4, q5 = contact_by_1_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, at_s_contact] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1] + q3*(z[at_d_contact + 2] if number_d_contact > 2 else 0.0) + q4*(z[at_d_contact + 3] if number_d_contact > 3 else 0.0) + q5
+    q0 = contact_by_1_by_phi(F, nu_contact)
     J[row, at_phi] += q0
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = contact_by_l(l, m, c, k, k_c, F, s_contact, mu_contact)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = contact_by_l(l, N, m, c, k, k_c, F, s_contact, mu_contact)
         J[row, at_d_contact + l] += q0
-        J[row, at_d_contact + l-5] += q1
-        J[row, at_d_contact + l-4] += q2
-        J[row, at_d_contact + l-3] += q3
-        J[row, at_d_contact + l-2] += q4
-        J[row, at_d_contact + l-1] += q5
-        J[row, at_d_contact + l+1] += q6
+        J[row, at_d_contact + l-2] += q1
+        J[row, at_d_contact + l-1] += q2
+        J[row, at_d_contact + l+1] += q3
         if number_d_contact > l+2:
-            J[row, at_d_contact + l+2] += q7
-        if number_d_contact > l+3:
-            J[row, at_d_contact + l+3] += q8
-        if number_d_contact > l+4:
-            J[row, at_d_contact + l+4] += q9
-        if number_d_contact > l+5:
-            J[row, at_d_contact + l+5] += q10
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact)
-        J[row, at_s_contact] += q0*z[at_d_contact + l] + q1*z[at_d_contact + l-5] + q2*z[at_d_contact + l-4] + q3*z[at_d_contact + l-3] + q4*z[at_d_contact + l-2] + q5*z[at_d_contact + l-1] + q6*z[at_d_contact + l+1] + q7*(z[at_d_contact + l+2] if number_d_contact > l+2 else 0.0) + q8*(z[at_d_contact + l+3] if number_d_contact > l+3 else 0.0) + q9*(z[at_d_contact + l+4] if number_d_contact > l+4 else 0.0) + q10*(z[at_d_contact + l+5] if number_d_contact > l+5 else 0.0) + q11
+            J[row, at_d_contact + l+2] += q4
+        J[row, at_tau0_contact] += q5
+        J[row, at_tau1_contact] += q6
+        J[row, at_tau2_contact] += q7
+        q0, q1, q2, q3, q4, q5 = contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact)
+        J[row, at_s_contact] += q0*z[at_d_contact + l] + q1*z[at_d_contact + l-2] + q2*z[at_d_contact + l-1] + q3*z[at_d_contact + l+1] + q4*(z[at_d_contact + l+2] if number_d_contact > l+2 else 0.0) + q5
         q0 = contact_by_l_by_phi(l, F, nu_contact)
         J[row, at_phi] += q0
         row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = separated_by_0(m, c, k, F, s_separated, mu_separated)
+    q0, q1, q2, q3, q4, q5, _ = contact_rest_0(N, m, c, k, k_c, F, s_contact, mu_contact)
+    J[row, at_d_contact + N] += q0
+    J[row, at_d_contact + N-1] += q1
+    J[row, at_d_contact + N+1] += q2
+    J[row, at_tau0_contact] += q3
+    J[row, at_tau1_contact] += q4
+    J[row, at_tau2_contact] += q5
+    q0, q1, q2, q3 = contact_rest_0_by_s_contact(N, c, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, at_s_contact] += q0*z[at_d_contact + N] + q1*z[at_d_contact + N-1] + q2*z[at_d_contact + N+1] + q3
+    q0 = contact_rest_0_by_phi(N, F, nu_contact)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, _ = contact_rest_1(N, m, c, k, k_c, F, s_contact, mu_contact)
+    J[row, at_d_contact + N] += q0
+    J[row, at_d_contact + N+1] += q1
+    J[row, at_tau1_contact] += q2
+    J[row, at_tau2_contact] += q3
+    q0, q1, q2 = contact_rest_1_by_s_contact(N, c, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, at_s_contact] += q0*z[at_d_contact + N] + q1*z[at_d_contact + N+1] + q2
+    q0 = contact_rest_1_by_phi(N, F, nu_contact)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = contact_rest_2(N, m, k, k_c, F, s_contact, mu_contact)
+    J[row, at_d_contact + N+1] += q0
+    J[row, at_tau2_contact] += q1
+    q0, q1 = contact_rest_2_by_s_contact(N, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, at_s_contact] += q0*z[at_d_contact + N+1] + q1
+    q0 = contact_rest_2_by_phi(N, F, nu_contact)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = separated_by_0(N, m, c, k, F, s_separated, mu_separated)
     J[row, at_x_separated] += q0
     J[row, at_v_separated] += q1
     J[row, at_d_separated] += q2
     J[row, at_d_separated + 1] += q3
     if number_d_separated > 2:
         J[row, at_d_separated + 2] += q4
-    if number_d_separated > 3:
-        J[row, at_d_separated + 3] += q5
-    if number_d_separated > 4:
-        J[row, at_d_separated + 4] += q6
-    if number_d_separated > 5:
-        J[row, at_d_separated + 5] += q7
+    J[row, at_tau0_separated] += q5
+    J[row, at_tau1_separated] += q6
+    J[row, at_tau2_separated] += q7
     q0 = separated_by_0_by_s_contact(F, Omega, nu_separated)
     J[row, at_s_contact] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7 = separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7
+    q0, q1, q2, q3, q4 = separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4
     q0 = separated_by_0_by_phi(F, nu_separated)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = separated_by_1(m, c, k, F, s_separated, mu_separated)
-    J[row, at_x_separated] += q0
-    J[row, at_v_separated] += q1
-    J[row, at_d_separated] += q2
-    J[row, at_d_separated + 1] += q3
-    if number_d_separated > 2:
-        J[row, at_d_separated + 2] += q4
-    if number_d_separated > 3:
-        J[row, at_d_separated + 3] += q5
-    if number_d_separated > 4:
-        J[row, at_d_separated + 4] += q6
-    if number_d_separated > 5:
-        J[row, at_d_separated + 5] += q7
-    if number_d_separated > 6:
-        J[row, at_d_separated + 6] += q8
-    q0 = separated_by_1_by_s_contact(F, Omega, nu_separated)
-    J[row, at_s_contact] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8
-    q0 = separated_by_1_by_phi(F, nu_separated)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = separated_by_2(m, c, k, F, s_separated, mu_separated)
-    J[row, at_x_separated] += q0
-    J[row, at_v_separated] += q1
-    J[row, at_d_separated] += q2
-    J[row, at_d_separated + 1] += q3
-    if number_d_separated > 2:
-        J[row, at_d_separated + 2] += q4
-    if number_d_separated > 3:
-        J[row, at_d_separated + 3] += q5
-    if number_d_separated > 4:
-        J[row, at_d_separated + 4] += q6
-    if number_d_separated > 5:
-        J[row, at_d_separated + 5] += q7
-    if number_d_separated > 6:
-        J[row, at_d_separated + 6] += q8
-    if number_d_separated > 7:
-        J[row, at_d_separated + 7] += q9
-    q0 = separated_by_2_by_s_contact(F, Omega, nu_separated)
-    J[row, at_s_contact] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = separated_by_2_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9
-    q0 = separated_by_2_by_phi(F, nu_separated)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = separated_by_3(m, c, k, F, s_separated, mu_separated)
-    J[row, at_x_separated] += q0
-    J[row, at_v_separated] += q1
-    J[row, at_d_separated] += q2
-    J[row, at_d_separated + 1] += q3
-    if number_d_separated > 2:
-        J[row, at_d_separated + 2] += q4
-    if number_d_separated > 3:
-        J[row, at_d_separated + 3] += q5
-    if number_d_separated > 4:
-        J[row, at_d_separated + 4] += q6
-    if number_d_separated > 5:
-        J[row, at_d_separated + 5] += q7
-    if number_d_separated > 6:
-        J[row, at_d_separated + 6] += q8
-    if number_d_separated > 7:
-        J[row, at_d_separated + 7] += q9
-    if number_d_separated > 8:
-        J[row, at_d_separated + 8] += q10
-    q0 = separated_by_3_by_s_contact(F, Omega, nu_separated)
-    J[row, at_s_contact] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = separated_by_3_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q10
-    q0 = separated_by_3_by_phi(F, nu_separated)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = separated_by_4(m, c, k, F, s_separated, mu_separated)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = separated_by_1(N, m, c, k, F, s_separated, mu_separated)
     J[row, at_v_separated] += q0
     J[row, at_d_separated] += q1
     J[row, at_d_separated + 1] += q2
@@ -1109,49 +885,70 @@ def jacobian(case, z, J):
         J[row, at_d_separated + 2] += q3
     if number_d_separated > 3:
         J[row, at_d_separated + 3] += q4
-    if number_d_separated > 4:
-        J[row, at_d_separated + 4] += q5
-    if number_d_separated > 5:
-        J[row, at_d_separated + 5] += q6
-    if number_d_separated > 6:
-        J[row, at_d_separated + 6] += q7
-    if number_d_separated > 7:
-        J[row, at_d_separated + 7] += q8
-    if number_d_separated > 8:
-        J[row, at_d_separated + 8] += q9
-    if number_d_separated > 9:
-        J[row, at_d_separated + 9] += q10
-    q0 = separated_by_4_by_s_contact(F, Omega, nu_separated)
+    J[row, at_tau0_separated] += q5
+    J[row, at_tau1_separated] += q6
+    J[row, at_tau2_separated] += q7
+    q0 = separated_by_1_by_s_contact(F, Omega, nu_separated)
     J[row, at_s_contact] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_4_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
-    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5*(z[at_d_separated + 4] if number_d_separated > 4 else 0.0) + q6*(z[at_d_separated + 5] if number_d_separated > 5 else 0.0) + q7*(z[at_d_separated + 6] if number_d_separated > 6 else 0.0) + q8*(z[at_d_separated + 7] if number_d_separated > 7 else 0.0) + q9*(z[at_d_separated + 8] if number_d_separated > 8 else 0.0) + q10*(z[at_d_separated + 9] if number_d_separated > 9 else 0.0) + q11
-    q0 = separated_by_4_by_phi(F, nu_separated)
+    q0, q1, q2, q3, q4, q5 = separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    J[row, at_s_separated] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1] + q3*(z[at_d_separated + 2] if number_d_separated > 2 else 0.0) + q4*(z[at_d_separated + 3] if number_d_separated > 3 else 0.0) + q5
+    q0 = separated_by_1_by_phi(F, nu_separated)
     J[row, at_phi] += q0
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = separated_by_l(l, m, c, k, F, s_separated, mu_separated)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = separated_by_l(l, N, m, c, k, F, s_separated, mu_separated)
         J[row, at_d_separated + l] += q0
-        J[row, at_d_separated + l-5] += q1
-        J[row, at_d_separated + l-4] += q2
-        J[row, at_d_separated + l-3] += q3
-        J[row, at_d_separated + l-2] += q4
-        J[row, at_d_separated + l-1] += q5
-        J[row, at_d_separated + l+1] += q6
+        J[row, at_d_separated + l-2] += q1
+        J[row, at_d_separated + l-1] += q2
+        J[row, at_d_separated + l+1] += q3
         if number_d_separated > l+2:
-            J[row, at_d_separated + l+2] += q7
-        if number_d_separated > l+3:
-            J[row, at_d_separated + l+3] += q8
-        if number_d_separated > l+4:
-            J[row, at_d_separated + l+4] += q9
-        if number_d_separated > l+5:
-            J[row, at_d_separated + l+5] += q10
+            J[row, at_d_separated + l+2] += q4
+        J[row, at_tau0_separated] += q5
+        J[row, at_tau1_separated] += q6
+        J[row, at_tau2_separated] += q7
         q0 = separated_by_l_by_s_contact(l, F, Omega, nu_separated)
         J[row, at_s_contact] += q0
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
-        J[row, at_s_separated] += q0*z[at_d_separated + l] + q1*z[at_d_separated + l-5] + q2*z[at_d_separated + l-4] + q3*z[at_d_separated + l-3] + q4*z[at_d_separated + l-2] + q5*z[at_d_separated + l-1] + q6*z[at_d_separated + l+1] + q7*(z[at_d_separated + l+2] if number_d_separated > l+2 else 0.0) + q8*(z[at_d_separated + l+3] if number_d_separated > l+3 else 0.0) + q9*(z[at_d_separated + l+4] if number_d_separated > l+4 else 0.0) + q10*(z[at_d_separated + l+5] if number_d_separated > l+5 else 0.0) + q11
+        q0, q1, q2, q3, q4, q5 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
+        J[row, at_s_separated] += q0*z[at_d_separated + l] + q1*z[at_d_separated + l-2] + q2*z[at_d_separated + l-1] + q3*z[at_d_separated + l+1] + q4*(z[at_d_separated + l+2] if number_d_separated > l+2 else 0.0) + q5
         q0 = separated_by_l_by_phi(l, F, nu_separated)
         J[row, at_phi] += q0
         row += 1
+    q0, q1, q2, q3, q4, q5, _ = separated_rest_0(N, m, c, k, F, s_separated, mu_separated)
+    J[row, at_d_separated + N] += q0
+    J[row, at_d_separated + N-1] += q1
+    J[row, at_d_separated + N+1] += q2
+    J[row, at_tau0_separated] += q3
+    J[row, at_tau1_separated] += q4
+    J[row, at_tau2_separated] += q5
+    q0 = separated_rest_0_by_s_contact(N, F, Omega, nu_separated)
+    J[row, at_s_contact] += q0
+    q0, q1, q2, q3 = separated_rest_0_by_s_separated(N, c, k, F, Omega, s_separated, nu_separated)
+    J[row, at_s_separated] += q0*z[at_d_separated + N] + q1*z[at_d_separated + N-1] + q2*z[at_d_separated + N+1] + q3
+    q0 = separated_rest_0_by_phi(N, F, nu_separated)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, _ = separated_rest_1(N, m, c, k, F, s_separated, mu_separated)
+    J[row, at_d_separated + N] += q0
+    J[row, at_d_separated + N+1] += q1
+    J[row, at_tau1_separated] += q2
+    J[row, at_tau2_separated] += q3
+    q0 = separated_rest_1_by_s_contact(N, F, Omega, nu_separated)
+    J[row, at_s_contact] += q0
+    q0, q1, q2 = separated_rest_1_by_s_separated(N, c, k, F, Omega, s_separated, nu_separated)
+    J[row, at_s_separated] += q0*z[at_d_separated + N] + q1*z[at_d_separated + N+1] + q2
+    q0 = separated_rest_1_by_phi(N, F, nu_separated)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = separated_rest_2(N, m, k, F, s_separated, mu_separated)
+    J[row, at_d_separated + N+1] += q0
+    J[row, at_tau2_separated] += q1
+    q0 = separated_rest_2_by_s_contact(N, F, Omega, nu_separated)
+    J[row, at_s_contact] += q0
+    q0, q1 = separated_rest_2_by_s_separated(N, k, F, Omega, s_separated, nu_separated)
+    J[row, at_s_separated] += q0*z[at_d_separated + N+1] + q1
+    q0 = separated_rest_2_by_phi(N, F, nu_separated)
+    J[row, at_phi] += q0
+    row += 1
     q0, q1, q2, q3, q4 = displacement_contact(s_separated)
     J[row, at_x_contact] += q0
     J[row, at_x_separated] += q1
@@ -1219,17 +1016,17 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_contact = 0
     at_v_contact = 1
     at_d_contact = 2
     number_d_contact = N + 2
-    at_x_separated = N + 4
-    at_v_separated = N + 5
-    at_d_separated = N + 6
+    at_x_separated = N + 7
+    at_v_separated = N + 8
+    at_d_separated = N + 9
     number_d_separated = N + 2
-    at_s_contact = 2*N + 8
-    at_s_separated = 2*N + 9
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
     s_contact = z[at_s_contact]
     s_separated = z[at_s_separated]
     if p == 0:
@@ -1241,20 +1038,524 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = (len(z) - 11)//2
+    N = (len(z) - 17)//2
     at_x_contact = 0
     at_v_contact = 1
     at_d_contact = 2
     number_d_contact = N + 2
-    at_x_separated = N + 4
-    at_v_separated = N + 5
-    at_d_separated = N + 6
+    at_tau0_contact = N + 4
+    at_tau1_contact = N + 5
+    at_tau2_contact = N + 6
+    at_x_separated = N + 7
+    at_v_separated = N + 8
+    at_d_separated = N + 9
     number_d_separated = N + 2
+    at_tau0_separated = 2*N + 11
+    at_tau1_separated = 2*N + 12
+    at_tau2_separated = 2*N + 13
     return {
         "x_contact": (z[at_x_contact], 0),
         "v_contact": (z[at_v_contact], 1),
         "d_contact": (z[at_d_contact:at_d_contact + number_d_contact], 2),
+        "tau0_contact": (z[at_tau0_contact], 2),
+        "tau1_contact": (z[at_tau1_contact], 2),
+        "tau2_contact": (z[at_tau2_contact], 2),
         "x_separated": (z[at_x_separated], 0),
         "v_separated": (z[at_v_separated], 1),
         "d_separated": (z[at_d_separated:at_d_separated + number_d_separated], 2),
+        "tau0_separated": (z[at_tau0_separated], 2),
+        "tau1_separated": (z[at_tau1_separated], 2),
+        "tau2_separated": (z[at_tau2_separated], 2),
     }
+
+
+KEPT = 15  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    pass
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = (len(z) - 17)//2
+    at_x_contact = 0
+    at_v_contact = 1
+    at_d_contact = 2
+    at_tau0_contact = N + 4
+    at_tau1_contact = N + 5
+    at_tau2_contact = N + 6
+    at_x_separated = N + 7
+    at_v_separated = N + 8
+    at_d_separated = N + 9
+    at_tau0_separated = 2*N + 11
+    at_tau1_separated = 2*N + 12
+    at_tau2_separated = 2*N + 13
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
+    at_phi = 2*N + 16
+    return at_x_contact, at_v_contact, at_d_contact + N + 1, at_tau0_contact, at_tau1_contact, at_tau2_contact, at_x_separated, at_v_separated, at_d_separated + N + 1, at_tau0_separated, at_tau1_separated, at_tau2_separated, at_s_contact, at_s_separated, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = (len(z) - 17)//2
+    at_d_contact = 2
+    at_d_separated = N + 9
+    return ((at_d_contact, N + 1, 2, 1, N + 1), (at_d_separated, N + 1, 8, 1, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_x_contact = 0
+    at_v_contact = 1
+    at_tau0_contact = N + 4
+    at_tau1_contact = N + 5
+    at_tau2_contact = N + 6
+    at_x_separated = N + 7
+    at_v_separated = N + 8
+    at_tau0_separated = 2*N + 11
+    at_tau1_separated = 2*N + 12
+    at_tau2_separated = 2*N + 13
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
+    at_phi = 2*N + 16
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    phi = z[at_phi]
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_0(N, m, c, k, k_c, g, F, s_contact, mu_contact)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_contact] + q1*z[at_v_contact] + q5*z[at_tau0_contact] + q6*z[at_tau1_contact] + q7*z[at_tau2_contact] + q8)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_1(N, m, c, k, k_c, F, s_contact, mu_contact)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_contact] + q5*z[at_tau0_contact] + q6*z[at_tau1_contact] + q7*z[at_tau2_contact] + q8)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = contact_by_l(l, N, m, c, k, k_c, F, s_contact, mu_contact)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_contact] + q6*z[at_tau1_contact] + q7*z[at_tau2_contact] + q8)
+        row += 1
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_0(N, m, c, k, F, s_separated, mu_separated)
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_x_separated] + q1*z[at_v_separated] + q5*z[at_tau0_separated] + q6*z[at_tau1_separated] + q7*z[at_tau2_separated] + q8)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_1(N, m, c, k, F, s_separated, mu_separated)
+    diagonals[1, row, 3] = q1
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_v_separated] + q5*z[at_tau0_separated] + q6*z[at_tau1_separated] + q7*z[at_tau2_separated] + q8)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = separated_by_l(l, N, m, c, k, F, s_separated, mu_separated)
+        diagonals[1, row, 4] = q0
+        diagonals[1, row, 2] = q1
+        diagonals[1, row, 3] = q2
+        diagonals[1, row, 5] = q3
+        diagonals[1, row, 6] = q4
+        right[1, row] = -(q5*z[at_tau0_separated] + q6*z[at_tau1_separated] + q7*z[at_tau2_separated] + q8)
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_v_contact = 1
+    at_v_separated = N + 8
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
+    at_phi = 2*N + 16
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    phi = z[at_phi]
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    nu_contact = over_contact[1]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
+    nu_separated = over_separated[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, q5, q6, q7, _ = contact_by_0(N, m, c, k, k_c, g, F, s_contact, mu_contact)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 3] = -q5
+    slopes[0, row, 4] = -q6
+    slopes[0, row, 5] = -q7
+    q0, q1, q2, q3, q4 = contact_by_0_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
+    slopes[0, row, 12] = -(q0*z[at_v_contact] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    q0 = contact_by_0_by_phi(F, nu_contact)
+    slopes[0, row, 14] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, q6, q7, _ = contact_by_1(N, m, c, k, k_c, F, s_contact, mu_contact)
+    slopes[0, row, 1] = -q0
+    slopes[0, row, 3] = -q5
+    slopes[0, row, 4] = -q6
+    slopes[0, row, 5] = -q7
+    q0, q1, q2, q3, q4, q5 = contact_by_1_by_s_contact(c, k, k_c, F, Omega, s_contact, nu_contact)
+    slopes[0, row, 12] = -(q0*z[at_v_contact] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    q0 = contact_by_1_by_phi(F, nu_contact)
+    slopes[0, row, 14] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, q7, _ = contact_by_l(l, N, m, c, k, k_c, F, s_contact, mu_contact)
+        slopes[0, row, 3] = -q5
+        slopes[0, row, 4] = -q6
+        slopes[0, row, 5] = -q7
+        q0, q1, q2, q3, q4, q5 = contact_by_l_by_s_contact(l, c, k, k_c, F, Omega, s_contact, nu_contact)
+        slopes[0, row, 12] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        q0 = contact_by_l_by_phi(l, F, nu_contact)
+        slopes[0, row, 14] = -(q0)
+        row += 1
+    row = 4
+    q0, q1, _, _, _, q5, q6, q7, _ = separated_by_0(N, m, c, k, F, s_separated, mu_separated)
+    slopes[1, row, 6] = -q0
+    slopes[1, row, 7] = -q1
+    slopes[1, row, 9] = -q5
+    slopes[1, row, 10] = -q6
+    slopes[1, row, 11] = -q7
+    q0 = separated_by_0_by_s_contact(F, Omega, nu_separated)
+    slopes[1, row, 12] = -(q0)
+    q0, q1, q2, q3, q4 = separated_by_0_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    slopes[1, row, 13] = -(q0*z[at_v_separated] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
+    q0 = separated_by_0_by_phi(F, nu_separated)
+    slopes[1, row, 14] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, q6, q7, _ = separated_by_1(N, m, c, k, F, s_separated, mu_separated)
+    slopes[1, row, 7] = -q0
+    slopes[1, row, 9] = -q5
+    slopes[1, row, 10] = -q6
+    slopes[1, row, 11] = -q7
+    q0 = separated_by_1_by_s_contact(F, Omega, nu_separated)
+    slopes[1, row, 12] = -(q0)
+    q0, q1, q2, q3, q4, q5 = separated_by_1_by_s_separated(c, k, F, Omega, s_separated, nu_separated)
+    slopes[1, row, 13] = -(q0*z[at_v_separated] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+    q0 = separated_by_1_by_phi(F, nu_separated)
+    slopes[1, row, 14] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, q7, _ = separated_by_l(l, N, m, c, k, F, s_separated, mu_separated)
+        slopes[1, row, 9] = -q5
+        slopes[1, row, 10] = -q6
+        slopes[1, row, 11] = -q7
+        q0 = separated_by_l_by_s_contact(l, F, Omega, nu_separated)
+        slopes[1, row, 12] = -(q0)
+        q0, q1, q2, q3, q4, q5 = separated_by_l_by_s_separated(l, c, k, F, Omega, s_separated, nu_separated)
+        slopes[1, row, 13] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+        q0 = separated_by_l_by_phi(l, F, nu_separated)
+        slopes[1, row, 14] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_x_contact = 0
+    at_v_contact = 1
+    at_d_contact = 2
+    at_tau0_contact = N + 4
+    at_tau1_contact = N + 5
+    at_tau2_contact = N + 6
+    at_x_separated = N + 7
+    at_v_separated = N + 8
+    at_d_separated = N + 9
+    at_tau0_separated = 2*N + 11
+    at_tau1_separated = 2*N + 12
+    at_tau2_separated = 2*N + 13
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
+    at_phi = 2*N + 16
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    phi = z[at_phi]
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
+    row = 0
+    q0, q1, q2, q3, q4, q5, q6 = contact_rest_0(N, m, c, k, k_c, F, s_contact, mu_contact)
+    R[row] = q0*z[at_d_contact + N] + q1*z[at_d_contact + N-1] + q2*z[at_d_contact + N+1] + q3*z[at_tau0_contact] + q4*z[at_tau1_contact] + q5*z[at_tau2_contact] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = contact_rest_1(N, m, c, k, k_c, F, s_contact, mu_contact)
+    R[row] = q0*z[at_d_contact + N] + q1*z[at_d_contact + N+1] + q2*z[at_tau1_contact] + q3*z[at_tau2_contact] + q4
+    row += 1
+    q0, q1, q2 = contact_rest_2(N, m, k, k_c, F, s_contact, mu_contact)
+    R[row] = q0*z[at_d_contact + N+1] + q1*z[at_tau2_contact] + q2
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6 = separated_rest_0(N, m, c, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_d_separated + N] + q1*z[at_d_separated + N-1] + q2*z[at_d_separated + N+1] + q3*z[at_tau0_separated] + q4*z[at_tau1_separated] + q5*z[at_tau2_separated] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = separated_rest_1(N, m, c, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_d_separated + N] + q1*z[at_d_separated + N+1] + q2*z[at_tau1_separated] + q3*z[at_tau2_separated] + q4
+    row += 1
+    q0, q1, q2 = separated_rest_2(N, m, k, F, s_separated, mu_separated)
+    R[row] = q0*z[at_d_separated + N+1] + q1*z[at_tau2_separated] + q2
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_contact(s_separated)
+    R[row] = q0*z[at_x_contact] + q1*z[at_x_separated] + q2*z[at_v_separated] + q3*z[at_d_separated] + q4*z[at_d_separated + 1]
+    row += 1
+    q0, q1, q2 = velocity_contact(s_separated)
+    R[row] = q0*z[at_v_contact] + q1*z[at_v_separated] + q2*z[at_d_separated]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_contact_sum(n)
+        R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_separated(s_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4*z[at_x_separated]
+    row += 1
+    q0, q1, q2 = velocity_separated(s_contact)
+    R[row] = q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_v_separated]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_separated_sum(n)
+        R[row] += q0*z[at_d_contact + n] + q1*z[at_d_separated + n]
+    row += 1
+    q0, q1, q2, q3, q4 = event_contact(g, s_contact)
+    R[row] = q0*z[at_x_contact] + q1*z[at_v_contact] + q2*z[at_d_contact] + q3*z[at_d_contact + 1] + q4
+    row += 1
+    q0, q1, q2, q3, q4 = event_separated(g, s_separated)
+    R[row] = q0*z[at_x_separated] + q1*z[at_v_separated] + q2*z[at_d_separated] + q3*z[at_d_separated + 1] + q4
+    row += 1
+    q0 = cell(Omega, cycles, s_contact, s_separated)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, k_c, g, F, Omega, cycles = case
+    N = (len(z) - 17)//2
+    at_v_contact = 1
+    at_d_contact = 2
+    at_v_separated = N + 8
+    at_d_separated = N + 9
+    at_s_contact = 2*N + 14
+    at_s_separated = 2*N + 15
+    at_phi = 2*N + 16
+    s_contact = z[at_s_contact]
+    s_separated = z[at_s_separated]
+    phi = z[at_phi]
+    over_contact = legendre_moments(N + 9, Omega*s_contact, phi)
+    mu_contact = over_contact[0]
+    nu_contact = over_contact[1]
+    over_separated = legendre_moments(N + 9, Omega*s_separated, Omega*s_contact + phi)
+    mu_separated = over_separated[0]
+    nu_separated = over_separated[1]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4, q5, _ = contact_rest_0(N, m, c, k, k_c, F, s_contact, mu_contact)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 1] += q0
+    if N - 1 < N + 1:
+        follow(J, row, slopes, 0, N + 3, q1)
+    else:
+        J[row, 0] += q1
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q2)
+    else:
+        J[row, 2] += q2
+    J[row, 3] += q3
+    J[row, 4] += q4
+    J[row, 5] += q5
+    q0, q1, q2, q3 = contact_rest_0_by_s_contact(N, c, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, 12] += q0*z[at_d_contact + N] + q1*z[at_d_contact + N-1] + q2*z[at_d_contact + N+1] + q3
+    q0 = contact_rest_0_by_phi(N, F, nu_contact)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, _ = contact_rest_1(N, m, c, k, k_c, F, s_contact, mu_contact)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 1] += q0
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q1)
+    else:
+        J[row, 2] += q1
+    J[row, 4] += q2
+    J[row, 5] += q3
+    q0, q1, q2 = contact_rest_1_by_s_contact(N, c, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, 12] += q0*z[at_d_contact + N] + q1*z[at_d_contact + N+1] + q2
+    q0 = contact_rest_1_by_phi(N, F, nu_contact)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, _ = contact_rest_2(N, m, k, k_c, F, s_contact, mu_contact)
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q0)
+    else:
+        J[row, 2] += q0
+    J[row, 5] += q1
+    q0, q1 = contact_rest_2_by_s_contact(N, k, k_c, F, Omega, s_contact, nu_contact)
+    J[row, 12] += q0*z[at_d_contact + N+1] + q1
+    q0 = contact_rest_2_by_phi(N, F, nu_contact)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, _ = separated_rest_0(N, m, c, k, F, s_separated, mu_separated)
+    if N < N + 1:
+        follow(J, row, slopes, 1, N + 4, q0)
+    else:
+        J[row, 7] += q0
+    if N - 1 < N + 1:
+        follow(J, row, slopes, 1, N + 3, q1)
+    else:
+        J[row, 6] += q1
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q2)
+    else:
+        J[row, 8] += q2
+    J[row, 9] += q3
+    J[row, 10] += q4
+    J[row, 11] += q5
+    q0 = separated_rest_0_by_s_contact(N, F, Omega, nu_separated)
+    J[row, 12] += q0
+    q0, q1, q2, q3 = separated_rest_0_by_s_separated(N, c, k, F, Omega, s_separated, nu_separated)
+    J[row, 13] += q0*z[at_d_separated + N] + q1*z[at_d_separated + N-1] + q2*z[at_d_separated + N+1] + q3
+    q0 = separated_rest_0_by_phi(N, F, nu_separated)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, _ = separated_rest_1(N, m, c, k, F, s_separated, mu_separated)
+    if N < N + 1:
+        follow(J, row, slopes, 1, N + 4, q0)
+    else:
+        J[row, 7] += q0
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q1)
+    else:
+        J[row, 8] += q1
+    J[row, 10] += q2
+    J[row, 11] += q3
+    q0 = separated_rest_1_by_s_contact(N, F, Omega, nu_separated)
+    J[row, 12] += q0
+    q0, q1, q2 = separated_rest_1_by_s_separated(N, c, k, F, Omega, s_separated, nu_separated)
+    J[row, 13] += q0*z[at_d_separated + N] + q1*z[at_d_separated + N+1] + q2
+    q0 = separated_rest_1_by_phi(N, F, nu_separated)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, _ = separated_rest_2(N, m, k, F, s_separated, mu_separated)
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q0)
+    else:
+        J[row, 8] += q0
+    J[row, 11] += q1
+    q0 = separated_rest_2_by_s_contact(N, F, Omega, nu_separated)
+    J[row, 12] += q0
+    q0, q1 = separated_rest_2_by_s_separated(N, k, F, Omega, s_separated, nu_separated)
+    J[row, 13] += q0*z[at_d_separated + N+1] + q1
+    q0 = separated_rest_2_by_phi(N, F, nu_separated)
+    J[row, 14] += q0
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_contact(s_separated)
+    J[row, 0] += q0
+    J[row, 6] += q1
+    J[row, 7] += q2
+    follow(J, row, slopes, 1, 4, q3)
+    follow(J, row, slopes, 1, 5, q4)
+    q0, q1, q2 = displacement_contact_by_s_separated(s_separated)
+    J[row, 13] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
+    row += 1
+    q0, q1, q2 = velocity_contact(s_separated)
+    J[row, 1] += q0
+    J[row, 7] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    q0 = velocity_contact_by_s_separated()
+    J[row, 13] += q0*z[at_d_separated]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_contact_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 7] += q1
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_separated(s_contact)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 6] += q4
+    q0, q1, q2 = displacement_separated_by_s_contact(s_contact)
+    J[row, 12] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    row += 1
+    q0, q1, q2 = velocity_separated(s_contact)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    J[row, 7] += q2
+    q0 = velocity_separated_by_s_contact()
+    J[row, 12] += q0*z[at_d_contact]
+    row += 1
+    for n in range(0, N + 2):
+        q0, q1 = derivative_2_separated_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q1)
+        else:
+            J[row, -N + n + 7] += q1
+    row += 1
+    q0, q1, q2, q3, _ = event_contact(g, s_contact)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_contact_by_s_contact(s_contact)
+    J[row, 12] += q0*z[at_v_contact] + q1*z[at_d_contact] + q2*z[at_d_contact + 1]
+    row += 1
+    q0, q1, q2, q3, _ = event_separated(g, s_separated)
+    J[row, 6] += q0
+    J[row, 7] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    follow(J, row, slopes, 1, 5, q3)
+    q0, q1, q2 = event_separated_by_s_separated(s_separated)
+    J[row, 13] += q0*z[at_v_separated] + q1*z[at_d_separated] + q2*z[at_d_separated + 1]
+    row += 1
+    q0 = cell_by_s_contact()
+    J[row, 12] += q0
+    q0 = cell_by_s_separated()
+    J[row, 13] += q0
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

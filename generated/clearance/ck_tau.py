@@ -32,6 +32,7 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "b312fa0ba4cbc5d15190a5bdb6c7744c50211d78cce5ba2e593802cf5f0885e0"  # of the conditions, by srepr
 BODY = "6356ae5da85387d4eb26154e509243333b726b836d4b6da371d4d02f9ec94b3f"  # of the text below
 

@@ -28,6 +28,7 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "50d5f5c77e0f07d2233b84d9a12b850f6e872e72f23684ed87444ef244680b95"  # of the conditions, by srepr
 BODY = "b11fd493408b7595b8a1da6266fd9e9298c8c343a4e6bd0144b8612347d920a0"  # of the text below
 

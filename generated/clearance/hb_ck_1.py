@@ -31,6 +31,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "752614e4753fcefbb33e2a553428b956b0aac70d29a59051745f0828639abe5a"  # of the conditions, by srepr
 BODY = "24573124a03dc65d4e4049373c20725b7898d29684bd3404ac938f5e0edd3a7a"  # of the text below
 

@@ -33,6 +33,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "c99d1c4e02a07b2c2559e4d85e66ffddde142ca063f3294c2369b0c6125854fa"  # of the conditions, by srepr
 BODY = "8a4f3fae2c066440aa614a456043ce0f71b05ca00063b6d0aa1139e954ea167f"  # of the text below
 

@@ -35,6 +35,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "68a4ba16bdf507f0edec5d2ed216cab6b2507a5b23fc1312fbb562bc488544d6"  # of the conditions, by srepr
 BODY = "b839123967e8df219d0af8eaa37583ca91898fd322daa5c1c7a326ad7f0c2201"  # of the text below
 

@@ -7,9 +7,16 @@ Unknowns ``z`` at order N, in this sequence:
     x_elastic: displacement where elastic begins
     v_elastic: velocity where elastic begins
     d_elastic[0..N + 2]: acceleration of elastic in Legendre polynomials
+    tau0_elastic: of what no test sees of the residual of elastic
+    tau1_elastic: of what no test sees of the residual of elastic
+    tau2_elastic: of what no test sees of the residual of elastic
+    tau3_elastic: of what no test sees of the residual of elastic
     x_plastic: displacement where plastic begins
     v_plastic: velocity where plastic begins
     d_plastic[0..N + 1]: acceleration of plastic in Legendre polynomials
+    tau0_plastic: of what no test sees of the residual of plastic
+    tau1_plastic: of what no test sees of the residual of plastic
+    tau2_plastic: of what no test sees of the residual of plastic
     w: displacement where the motion reverses, set where elastic begins
     s_elastic: duration
     s_plastic: duration
@@ -32,9 +39,10 @@ SCENE = "elastic-plastic"
 METHOD = "ck"
 DURATIONS = 2
 FORCED = True
-LOWEST = 5  # order
-MATHEMATICS = "05e7b7502ab3b8ec46b028155226ee35051f8595409b823bad079db29b4f1cf3"  # of the conditions, by srepr
-BODY = "11ddef537fba779698694300bde9262caaa901226f8560bf549f5c5c55d81329"  # of the text below
+LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "824f39f8cdd4d126e7ec8b4dd99058408e31bc23d0a6fbc8bcec77249547c6b3"  # of the conditions, by srepr
+BODY = "1caebb02639abd9140ecbac340d38afd1d922c736e896cd7683bc78bee12e562"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -91,6 +99,12 @@ def legendre_moments(count, kappa, theta):
     return moments
 
 
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
@@ -125,559 +139,409 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic):
-    """Coefficients: residual of elastic, orthogonal to its test function 0."""
+def elastic_by_0(N, m, c, k, F_y, h, F, s_elastic, mu_elastic):
+    """Coefficients: residual of elastic, less what no test sees, degree 0."""
     return (
-        (h + k)/120,
-        (6*c + 5*h*s_elastic + 5*k*s_elastic)/720,
-        (35*c*s_elastic + 15*h*(s_elastic*s_elastic) + 15*k*(s_elastic*s_elastic) + 42*m)/5040,
-        (-20*c*s_elastic - 25*h*(s_elastic*s_elastic) - 25*k*(s_elastic*s_elastic) + 112*m)/20160,
-        (-30*c*s_elastic + 5*h*(s_elastic*s_elastic) + 5*k*(s_elastic*s_elastic) + 144*m)/60480,
-        (-5*c*s_elastic + h*(s_elastic*s_elastic) + k*(s_elastic*s_elastic) + 18*m)/30240,
-        (-11*c*s_elastic + 3*h*(s_elastic*s_elastic) + 3*k*(s_elastic*s_elastic) + 22*m)/332640,
-        -(s_elastic*(2*c - h*s_elastic - k*s_elastic))/665280,
-        ((s_elastic*s_elastic)*(h + k))/8648640,
-        -k/120,
-        -(F*mu_elastic[0])/120 - (F*mu_elastic[1])/60 - (F*mu_elastic[2])/84 - (F*mu_elastic[3])/240 - (F*mu_elastic[4])/1680 + F_y/120,
+        h + k,
+        (2*c + h*s_elastic + k*s_elastic)/2,
+        (3*c*s_elastic + h*(s_elastic*s_elastic) + k*(s_elastic*s_elastic) + 6*m)/6,
+        -(s_elastic*(2*c + h*s_elastic + k*s_elastic))/12,
+        ((s_elastic*s_elastic)*(h + k))/60,
+        -((-1)**(N + 1)*m*(N + 3)*(N + 4))/6,
+        -((-1)**(N + 2)*m*(N + 4)*(N + 5))/6,
+        -((-1)**(N + 3)*m*(N + 5)*(N + 6))/6,
+        -((-1)**(N + 4)*m*(N + 6)*(N + 7))/6,
+        -k,
+        -F*mu_elastic[0] + F_y,
     )
 
 
 def elastic_by_0_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic):
     """Their derivatives by s_elastic, of those that depend on it."""
     return (
-        (h + k)/144,
-        (7*c + 6*h*s_elastic + 6*k*s_elastic)/1008,
-        (-2*c - 5*h*s_elastic - 5*k*s_elastic)/2016,
-        (-3*c + h*s_elastic + k*s_elastic)/6048,
-        (-5*c + 2*h*s_elastic + 2*k*s_elastic)/30240,
-        (-11*c + 6*h*s_elastic + 6*k*s_elastic)/332640,
-        (-c + h*s_elastic + k*s_elastic)/332640,
-        (s_elastic*(h + k))/4324320,
-        -(F*Omega*nu_elastic[0])/144 - (5*F*Omega*nu_elastic[1])/336 - (25*F*Omega*nu_elastic[2])/2016 - (5*F*Omega*nu_elastic[3])/864 - (F*Omega*nu_elastic[4])/672 - (F*Omega*nu_elastic[5])/6048,
+        (h + k)/2,
+        (3*c + 2*h*s_elastic + 2*k*s_elastic)/6,
+        (-c - h*s_elastic - k*s_elastic)/6,
+        (s_elastic*(h + k))/30,
+        -(F*Omega*nu_elastic[0])/2 - (F*Omega*nu_elastic[1])/2,
     )
 
 
 def elastic_by_0_by_phi(F, nu_elastic):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_elastic[0])/120 - (F*nu_elastic[1])/60 - (F*nu_elastic[2])/84 - (F*nu_elastic[3])/240 - (F*nu_elastic[4])/1680
+    return -F*nu_elastic[0]
 
 
-def elastic_by_1(m, c, k, F_y, h, F, s_elastic, mu_elastic):
-    """Coefficients: residual of elastic, orthogonal to its test function 1."""
+def elastic_by_1(N, m, c, k, h, F, s_elastic, mu_elastic):
+    """Coefficients: residual of elastic, less what no test sees, degree 1."""
     return (
-        (-h - k)/180,
-        (-28*c - 23*h*s_elastic - 23*k*s_elastic)/5040,
-        (-92*c*s_elastic - 39*h*(s_elastic*s_elastic) - 39*k*(s_elastic*s_elastic) - 112*m)/20160,
-        (63*c*s_elastic + 74*h*(s_elastic*s_elastic) + 74*k*(s_elastic*s_elastic) - 324*m)/90720,
-        (50*c*s_elastic - 9*h*(s_elastic*s_elastic) - 9*k*(s_elastic*s_elastic) - 210*m)/151200,
-        (66*c*s_elastic - 15*h*(s_elastic*s_elastic) - 15*k*(s_elastic*s_elastic) - 176*m)/665280,
-        (s_elastic*(30*c - 11*h*s_elastic - 11*k*s_elastic))/1995840,
-        (-3*h*(s_elastic*s_elastic) - 3*k*(s_elastic*s_elastic) + 26*m)/4324320,
-        -(c*s_elastic)/4324320,
-        ((s_elastic*s_elastic)*(h + k))/129729600,
-        k/180,
-        (F*mu_elastic[0])/180 + (3*F*mu_elastic[1])/280 + (F*mu_elastic[2])/144 + (F*mu_elastic[3])/540 - (F*mu_elastic[5])/15120 - F_y/180,
+        (s_elastic*(h + k))/2,
+        (s_elastic*(2*c + h*s_elastic + k*s_elastic))/4,
+        (-h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 10*m)/10,
+        -(c*s_elastic)/10,
+        ((s_elastic*s_elastic)*(h + k))/140,
+        -((-1)**N*m*(N + 1)*(N + 6))/2,
+        -((-1)**(N + 1)*m*(N + 2)*(N + 7))/2,
+        -((-1)**(N + 2)*m*(N + 3)*(N + 8))/2,
+        -((-1)**(N + 3)*m*(N + 4)*(N + 9))/2,
+        -3*F*mu_elastic[1],
     )
 
 
 def elastic_by_1_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic):
     """Their derivatives by s_elastic, of those that depend on it."""
     return (
-        (-23*h - 23*k)/5040,
-        (-46*c - 39*h*s_elastic - 39*k*s_elastic)/10080,
-        (63*c + 148*h*s_elastic + 148*k*s_elastic)/90720,
-        (25*c - 9*h*s_elastic - 9*k*s_elastic)/75600,
-        (11*c - 5*h*s_elastic - 5*k*s_elastic)/110880,
-        (15*c - 11*h*s_elastic - 11*k*s_elastic)/997920,
-        -(s_elastic*(h + k))/720720,
-        -c/4324320,
-        (s_elastic*(h + k))/64864800,
-        (23*F*Omega*nu_elastic[0])/5040 + (F*Omega*nu_elastic[1])/105 + (5*F*Omega*nu_elastic[2])/672 + (13*F*Omega*nu_elastic[3])/4320 + (19*F*Omega*nu_elastic[4])/36960 - (F*Omega*nu_elastic[5])/30240 - (F*Omega*nu_elastic[6])/55440,
+        (h + k)/2,
+        (c + h*s_elastic + k*s_elastic)/2,
+        -(s_elastic*(h + k))/5,
+        -c/10,
+        (s_elastic*(h + k))/70,
+        -(F*Omega*nu_elastic[0])/2 - (3*F*Omega*nu_elastic[1])/2 - F*Omega*nu_elastic[2],
     )
 
 
 def elastic_by_1_by_phi(F, nu_elastic):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_elastic[0])/180 + (3*F*nu_elastic[1])/280 + (F*nu_elastic[2])/144 + (F*nu_elastic[3])/540 - (F*nu_elastic[5])/15120
+    return -3*F*nu_elastic[1]
 
 
-def elastic_by_2(m, c, k, F_y, h, F, s_elastic, mu_elastic):
-    """Coefficients: residual of elastic, orthogonal to its test function 2."""
+def elastic_by_l(l, N, m, c, k, h, F, s_elastic, mu_elastic):
+    """Coefficients: residual of elastic, less what no test sees, degree l."""
     return (
-        (h + k)/420,
-        (24*c + 19*h*s_elastic + 19*k*s_elastic)/10080,
-        (114*c*s_elastic + 47*h*(s_elastic*s_elastic) + 47*k*(s_elastic*s_elastic) + 144*m)/60480,
-        (-50*c*s_elastic - 51*h*(s_elastic*s_elastic) - 51*k*(s_elastic*s_elastic) + 210*m)/151200,
-        (-231*c*s_elastic + 50*h*(s_elastic*s_elastic) + 50*k*(s_elastic*s_elastic) + 660*m)/1663200,
-        -(s_elastic*(100*c - 33*h*s_elastic - 33*k*s_elastic))/3326400,
-        (15*h*(s_elastic*s_elastic) + 15*k*(s_elastic*s_elastic) - 208*m)/8648640,
-        (c*s_elastic)/864864,
-        (-h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 30*m)/21621600,
-        -(c*s_elastic)/21621600,
-        ((s_elastic*s_elastic)*(h + k))/735134400,
-        -k/420,
-        -(F*mu_elastic[0])/420 - (F*mu_elastic[1])/240 - (F*mu_elastic[2])/504 + (F*mu_elastic[4])/4620 - (F*mu_elastic[6])/55440 + F_y/420,
-    )
-
-
-def elastic_by_2_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return (
-        (19*h + 19*k)/10080,
-        (57*c + 47*h*s_elastic + 47*k*s_elastic)/30240,
-        (-25*c - 51*h*s_elastic - 51*k*s_elastic)/75600,
-        (-231*c + 100*h*s_elastic + 100*k*s_elastic)/1663200,
-        (-50*c + 33*h*s_elastic + 33*k*s_elastic)/1663200,
-        (s_elastic*(h + k))/288288,
-        c/864864,
-        -(s_elastic*(h + k))/10810800,
-        -c/21621600,
-        (s_elastic*(h + k))/367567200,
-        -(19*F*Omega*nu_elastic[0])/10080 - (37*F*Omega*nu_elastic[1])/10080 - (F*Omega*nu_elastic[2])/420 - (13*F*Omega*nu_elastic[3])/23760 + (F*Omega*nu_elastic[4])/9240 + (11*F*Omega*nu_elastic[5])/196560 - (F*Omega*nu_elastic[6])/110880 - (F*Omega*nu_elastic[7])/205920,
-    )
-
-
-def elastic_by_2_by_phi(F, nu_elastic):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_elastic[0])/420 - (F*nu_elastic[1])/240 - (F*nu_elastic[2])/504 + (F*nu_elastic[4])/4620 - (F*nu_elastic[6])/55440
-
-
-def elastic_by_3(m, c, k, F_y, h, F, s_elastic, mu_elastic):
-    """Coefficients: residual of elastic, orthogonal to its test function 3."""
-    return (
-        (-h - k)/1680,
-        (-18*c - 13*h*s_elastic - 13*k*s_elastic)/30240,
-        (-13*c*s_elastic - 5*h*(s_elastic*s_elastic) - 5*k*(s_elastic*s_elastic) - 18*m)/30240,
-        (66*c*s_elastic + 51*h*(s_elastic*s_elastic) + 51*k*(s_elastic*s_elastic) - 176*m)/665280,
-        (s_elastic*(100*c - 33*h*s_elastic - 33*k*s_elastic))/3326400,
-        (-5*h*(s_elastic*s_elastic) - 5*k*(s_elastic*s_elastic) + 78*m)/2162160,
-        -(c*s_elastic)/432432,
-        (h*(s_elastic*s_elastic) + k*(s_elastic*s_elastic) - 48*m)/8648640,
-        (c*s_elastic)/4324320,
-        (-3*h*(s_elastic*s_elastic) - 3*k*(s_elastic*s_elastic) + 170*m)/367567200,
-        -(c*s_elastic)/73513440,
-        ((s_elastic*s_elastic)*(h + k))/2793510720,
-        k/1680,
-        (F*mu_elastic[0])/1680 + (F*mu_elastic[1])/1260 - (F*mu_elastic[3])/3960 + (F*mu_elastic[5])/16380 - (F*mu_elastic[7])/144144 - F_y/1680,
-    )
-
-
-def elastic_by_3_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return (
-        (-13*h - 13*k)/30240,
-        (-13*c - 10*h*s_elastic - 10*k*s_elastic)/30240,
-        (11*c + 17*h*s_elastic + 17*k*s_elastic)/110880,
-        (50*c - 33*h*s_elastic - 33*k*s_elastic)/1663200,
-        -(s_elastic*(h + k))/216216,
-        -c/432432,
-        (s_elastic*(h + k))/4324320,
-        c/4324320,
-        -(s_elastic*(h + k))/61261200,
-        -c/73513440,
-        (s_elastic*(h + k))/1396755360,
-        (13*F*Omega*nu_elastic[0])/30240 + (F*Omega*nu_elastic[1])/1440 + (F*Omega*nu_elastic[2])/4752 - (F*Omega*nu_elastic[3])/7920 - (F*Omega*nu_elastic[4])/17160 + (F*Omega*nu_elastic[5])/32760 + (F*Omega*nu_elastic[6])/66528 - (F*Omega*nu_elastic[7])/288288 - (F*Omega*nu_elastic[8])/540540,
-    )
-
-
-def elastic_by_3_by_phi(F, nu_elastic):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_elastic[0])/1680 + (F*nu_elastic[1])/1260 - (F*nu_elastic[3])/3960 + (F*nu_elastic[5])/16380 - (F*nu_elastic[7])/144144
-
-
-def elastic_by_4(m, c, k, F_y, h, F, s_elastic, mu_elastic):
-    """Coefficients: residual of elastic, orthogonal to its test function 4."""
-    return (
-        (h + k)/15120,
-        (2*c + h*s_elastic + k*s_elastic)/30240,
-        (11*c*s_elastic + 3*h*(s_elastic*s_elastic) + 3*k*(s_elastic*s_elastic) + 22*m)/332640,
-        -(s_elastic*(30*c + 11*h*s_elastic + 11*k*s_elastic))/1995840,
-        (15*h*(s_elastic*s_elastic) + 15*k*(s_elastic*s_elastic) - 208*m)/8648640,
-        (c*s_elastic)/432432,
-        (-h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 54*m)/6486480,
-        -(c*s_elastic)/2162160,
-        (3*h*(s_elastic*s_elastic) + 3*k*(s_elastic*s_elastic) - 272*m)/147026880,
-        (c*s_elastic)/14702688,
-        (-3*h*(s_elastic*s_elastic) - 3*k*(s_elastic*s_elastic) + 266*m)/1396755360,
-        -(c*s_elastic)/199536480,
-        ((s_elastic*s_elastic)*(h + k))/8380532160,
-        -k/15120,
-        -(F*mu_elastic[0])/15120 + (F*mu_elastic[2])/8316 - (3*F*mu_elastic[4])/40040 + (F*mu_elastic[6])/41580 - (F*mu_elastic[8])/308880 + F_y/15120,
-    )
-
-
-def elastic_by_4_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return (
-        (h + k)/30240,
-        (11*c + 6*h*s_elastic + 6*k*s_elastic)/332640,
-        (-15*c - 11*h*s_elastic - 11*k*s_elastic)/997920,
-        (s_elastic*(h + k))/288288,
-        c/432432,
-        -(s_elastic*(h + k))/3243240,
-        -c/2162160,
-        (s_elastic*(h + k))/24504480,
-        c/14702688,
-        -(s_elastic*(h + k))/232792560,
-        -c/199536480,
-        (s_elastic*(h + k))/4190266080,
-        -(F*Omega*nu_elastic[0])/30240 - (F*Omega*nu_elastic[1])/110880 + (F*Omega*nu_elastic[2])/16632 + (F*Omega*nu_elastic[3])/51480 - (3*F*Omega*nu_elastic[4])/80080 - (F*Omega*nu_elastic[5])/65520 + (F*Omega*nu_elastic[6])/83160 + (F*Omega*nu_elastic[7])/175032 - (F*Omega*nu_elastic[8])/617760 - (F*Omega*nu_elastic[9])/1166880,
-    )
-
-
-def elastic_by_4_by_phi(F, nu_elastic):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_elastic[0])/15120 + (F*nu_elastic[2])/8316 - (3*F*nu_elastic[4])/40040 + (F*nu_elastic[6])/41580 - (F*nu_elastic[8])/308880
-
-
-def elastic_by_5(m, c, k, h, F, s_elastic, mu_elastic):
-    """Coefficients: residual of elastic, orthogonal to its test function 5."""
-    return (
-        (s_elastic*(h + k))/332640,
-        (s_elastic*(2*c + h*s_elastic + k*s_elastic))/665280,
-        (-3*h*(s_elastic*s_elastic) - 3*k*(s_elastic*s_elastic) + 26*m)/4324320,
-        -(c*s_elastic)/864864,
-        (h*(s_elastic*s_elastic) + k*(s_elastic*s_elastic) - 48*m)/8648640,
-        (c*s_elastic)/2162160,
-        (-h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 102*m)/36756720,
-        -(c*s_elastic)/7351344,
-        (15*h*(s_elastic*s_elastic) + 15*k*(s_elastic*s_elastic) - 2128*m)/2793510720,
-        (c*s_elastic)/39907296,
-        (-h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 126*m)/1396755360,
-        -(c*s_elastic)/465585120,
-        ((s_elastic*s_elastic)*(h + k))/21416915520,
-        -(F*mu_elastic[1])/55440 + (F*mu_elastic[3])/25740 - (F*mu_elastic[5])/32760 + (F*mu_elastic[7])/87516 - (F*mu_elastic[9])/583440,
-    )
-
-
-def elastic_by_5_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return (
-        (h + k)/332640,
-        (c + h*s_elastic + k*s_elastic)/332640,
-        -(s_elastic*(h + k))/720720,
-        -c/864864,
-        (s_elastic*(h + k))/4324320,
-        c/2162160,
-        -(s_elastic*(h + k))/18378360,
-        -c/7351344,
-        (s_elastic*(h + k))/93117024,
-        c/39907296,
-        -(s_elastic*(h + k))/698377680,
-        -c/465585120,
-        (s_elastic*(h + k))/10708457760,
-        -(F*Omega*nu_elastic[0])/332640 - (F*Omega*nu_elastic[10])/2217072 - (F*Omega*nu_elastic[1])/110880 + (F*Omega*nu_elastic[2])/432432 + (F*Omega*nu_elastic[3])/51480 + (F*Omega*nu_elastic[4])/240240 - (F*Omega*nu_elastic[5])/65520 - (F*Omega*nu_elastic[6])/176715 + (F*Omega*nu_elastic[7])/175032 + (31*F*Omega*nu_elastic[8])/11737440 - (F*Omega*nu_elastic[9])/1166880,
-    )
-
-
-def elastic_by_5_by_phi(F, nu_elastic):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_elastic[1])/55440 + (F*nu_elastic[3])/25740 - (F*nu_elastic[5])/32760 + (F*nu_elastic[7])/87516 - (F*nu_elastic[9])/583440
-
-
-def elastic_by_l(l, m, c, k, h, F, s_elastic, mu_elastic):
-    """Coefficients: residual of elastic, orthogonal to its test function l."""
-    return (
-        (-5*h*(s_elastic*s_elastic) - 5*k*(s_elastic*s_elastic) + 24*(l*l)*m + 24*l*m - 210*m)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        ((s_elastic*s_elastic)*(h + k))/(64*(2*l - 11)*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (c*s_elastic)/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (-3*h*(s_elastic*s_elastic) - 3*k*(s_elastic*s_elastic) + 8*(l*l)*m - 24*l*m - 54*m)/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*c*s_elastic)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (15*h*(s_elastic*s_elastic) + 15*k*(s_elastic*s_elastic) - 64*(l*l)*m + 64*l*m + 560*m)/(64*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*c*s_elastic)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(5*c*s_elastic)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (15*h*(s_elastic*s_elastic) + 15*k*(s_elastic*s_elastic) - 64*(l*l)*m - 192*l*m + 432*m)/(64*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (5*c*s_elastic)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (-3*h*(s_elastic*s_elastic) - 3*k*(s_elastic*s_elastic) + 8*(l*l)*m + 40*l*m - 22*m)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -(c*s_elastic)/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        ((s_elastic*s_elastic)*(h + k))/(64*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)*(2*l + 13)),
-        -(F*mu_elastic[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) + (F*mu_elastic[l + 2])/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*mu_elastic[l])/(8*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*mu_elastic[l - 2])/(4*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*mu_elastic[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        (-h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        ((s_elastic*s_elastic)*(h + k))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_elastic)/(4*l - 2),
+        -(c*s_elastic)/(4*l + 6),
+        ((s_elastic*s_elastic)*(h + k))/(4*(2*l + 3)*(2*l + 5)),
+        ((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 4)*(-N + l - 3)*(-N + l - 2)*(N + l + 3)*(N + l + 4)*(N + l + 5))/(6*(N + 2)*(N + 3)*(N + 4)*(N + 5)),
+        ((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 5)*(-N + l - 4)*(-N + l - 3)*(N + l + 4)*(N + l + 5)*(N + l + 6))/(6*(N + 3)*(N + 4)*(N + 5)*(N + 6)),
+        ((-1)**(N - l + 3)*m*(2*l + 1)*(-N + l - 6)*(-N + l - 5)*(-N + l - 4)*(N + l + 5)*(N + l + 6)*(N + l + 7))/(6*(N + 4)*(N + 5)*(N + 6)*(N + 7)),
+        ((-1)**(N - l + 4)*m*(2*l + 1)*(-N + l - 7)*(-N + l - 6)*(-N + l - 5)*(N + l + 6)*(N + l + 7)*(N + l + 8))/(6*(N + 5)*(N + 6)*(N + 7)*(N + 8)),
+        -F*(2*l + 1)*mu_elastic[l],
     )
 
 
 def elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic):
     """Their derivatives by s_elastic, of those that depend on it."""
     return (
-        -(5*s_elastic*(h + k))/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (s_elastic*(h + k))/(32*(2*l - 11)*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        c/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(3*s_elastic*(h + k))/(16*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*c)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (15*s_elastic*(h + k))/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*c)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(5*c)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (15*s_elastic*(h + k))/(32*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (5*c)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(3*s_elastic*(h + k))/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -c/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        (s_elastic*(h + k))/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)*(2*l + 13)),
-        -(F*Omega*(l - 10)*nu_elastic[l - 1])/(16*(2*l - 5)*(2*l - 3)*(2*l + 1)*(2*l + 3)*(2*l + 5)) - (F*Omega*(l - 4)*nu_elastic[l - 5])/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 5)*nu_elastic[l + 5])/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)) - (F*Omega*(l + 11)*nu_elastic[l + 1])/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 5)*(2*l + 7)) - (F*Omega*nu_elastic[l + 4])/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) + (F*Omega*nu_elastic[l + 2])/(8*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) + (F*Omega*(3*l + 16)*nu_elastic[l + 3])/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 9)) - (3*F*Omega*nu_elastic[l])/(16*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*nu_elastic[l - 2])/(8*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_elastic[l - 4])/(32*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) + (F*Omega*(3*l - 13)*nu_elastic[l - 3])/(32*(2*l - 7)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
+        -(s_elastic*(h + k))/((2*l - 1)*(2*l + 3)),
+        (s_elastic*(h + k))/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (s_elastic*(h + k))/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_elastic[l - 1])/2 - (F*Omega*(l + 1)*nu_elastic[l + 1])/2 - (F*Omega*(2*l + 1)*nu_elastic[l])/2,
     )
 
 
 def elastic_by_l_by_phi(l, F, nu_elastic):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_elastic[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) + (F*nu_elastic[l + 2])/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*nu_elastic[l])/(8*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*nu_elastic[l - 2])/(4*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*nu_elastic[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_elastic[l]
 
 
-def plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic):
-    """Coefficients: residual of plastic, orthogonal to its test function 0."""
+def elastic_rest_0(N, m, c, k, h, F, s_elastic, mu_elastic):
+    """Coefficients: residual of elastic, less what no test sees, degree N + 1."""
     return (
-        h/24,
-        (5*c + 4*h*s_plastic)/120,
-        (12*c*s_plastic + 5*h*(s_plastic*s_plastic) + 15*m)/360,
-        (-14*c*s_plastic - 15*h*(s_plastic*s_plastic) + 63*m)/2520,
-        (-24*c*s_plastic + 5*h*(s_plastic*s_plastic) + 84*m)/10080,
-        (-18*c*s_plastic + 5*h*(s_plastic*s_plastic) + 36*m)/30240,
-        -(s_plastic*(2*c - h*s_plastic))/30240,
-        (h*(s_plastic*s_plastic))/332640,
-        -(F*mu_plastic[0])/24 - (3*F*mu_plastic[1])/40 - (F*mu_plastic[2])/24 - (F*mu_plastic[3])/120 - F_y/24,
+        (c*s_elastic)/(4*N + 2),
+        ((s_elastic*s_elastic)*(h + k))/(4*(2*N - 1)*(2*N + 1)),
+        (8*(N*N)*m + 24*N*m - h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 10*m)/(2*(2*N + 1)*(2*N + 5)),
+        -(c*s_elastic)/(4*N + 10),
+        -(4*m*(2*N + 3)*(2*N + 5))/((N + 4)*(N + 5)),
+        (8*m*(2*N + 3)*(2*N + 5)*(2*N + 7))/((N + 4)*(N + 5)*(N + 6)),
+        -(40*m*(N + 3)*(2*N + 3)*(2*N + 7))/((N + 5)*(N + 6)*(N + 7)),
+        (40*m*(N + 4)*(2*N + 3)*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)*(N + 7)*(N + 8)),
+        -F*(2*N + 3)*mu_elastic[N + 1],
+    )
+
+
+def elastic_rest_0_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (s_elastic*(h + k))/(2*(2*N - 1)*(2*N + 1)),
+        -(s_elastic*(h + k))/((2*N + 1)*(2*N + 5)),
+        -c/(4*N + 10),
+        -(F*Omega*(N + 1)*nu_elastic[N])/2 - (F*Omega*(N + 2)*nu_elastic[N + 2])/2 - (F*Omega*(2*N + 3)*nu_elastic[N + 1])/2,
+    )
+
+
+def elastic_rest_0_by_phi(N, F, nu_elastic):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_elastic[N + 1]
+
+
+def elastic_rest_1(N, m, c, k, h, F, s_elastic, mu_elastic):
+    """Coefficients: residual of elastic, less what no test sees, degree N + 2."""
+    return (
+        ((s_elastic*s_elastic)*(h + k))/(4*(2*N + 1)*(2*N + 3)),
+        (c*s_elastic)/(4*N + 6),
+        (8*(N*N)*m + 40*N*m - h*(s_elastic*s_elastic) - k*(s_elastic*s_elastic) + 42*m)/(2*(2*N + 3)*(2*N + 7)),
+        -(4*m*(2*N + 5)*(2*N + 7))/((N + 5)*(N + 6)),
+        (8*m*(2*N + 5)*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)*(N + 7)),
+        -(40*m*(N + 4)*(2*N + 5)*(2*N + 9))/((N + 6)*(N + 7)*(N + 8)),
+        -F*(2*N + 5)*mu_elastic[N + 2],
+    )
+
+
+def elastic_rest_1_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return (
+        (s_elastic*(h + k))/(2*(2*N + 1)*(2*N + 3)),
+        c/(4*N + 6),
+        -(s_elastic*(h + k))/((2*N + 3)*(2*N + 7)),
+        -(F*Omega*(N + 2)*nu_elastic[N + 1])/2 - (F*Omega*(N + 3)*nu_elastic[N + 3])/2 - (F*Omega*(2*N + 5)*nu_elastic[N + 2])/2,
+    )
+
+
+def elastic_rest_1_by_phi(N, F, nu_elastic):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_elastic[N + 2]
+
+
+def elastic_rest_2(N, m, c, k, h, F, s_elastic, mu_elastic):
+    """Coefficients: residual of elastic, less what no test sees, degree N + 3."""
+    return (
+        ((s_elastic*s_elastic)*(h + k))/(4*(2*N + 3)*(2*N + 5)),
+        (c*s_elastic)/(4*N + 10),
+        -(4*m*(2*N + 7)*(2*N + 9))/((N + 6)*(N + 7)),
+        (8*m*(2*N + 7)*(2*N + 9)*(2*N + 11))/((N + 6)*(N + 7)*(N + 8)),
+        -F*(2*N + 7)*mu_elastic[N + 3],
+    )
+
+
+def elastic_rest_2_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return (
+        (s_elastic*(h + k))/(2*(2*N + 3)*(2*N + 5)),
+        c/(4*N + 10),
+        -(F*Omega*(N + 3)*nu_elastic[N + 2])/2 - (F*Omega*(N + 4)*nu_elastic[N + 4])/2 - (F*Omega*(2*N + 7)*nu_elastic[N + 3])/2,
+    )
+
+
+def elastic_rest_2_by_phi(N, F, nu_elastic):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 7)*nu_elastic[N + 3]
+
+
+def elastic_rest_3(N, m, k, h, F, s_elastic, mu_elastic):
+    """Coefficients: residual of elastic, less what no test sees, degree N + 4."""
+    return (
+        ((s_elastic*s_elastic)*(h + k))/(4*(2*N + 5)*(2*N + 7)),
+        -(4*m*(2*N + 9)*(2*N + 11))/((N + 7)*(N + 8)),
+        -F*(2*N + 9)*mu_elastic[N + 4],
+    )
+
+
+def elastic_rest_3_by_s_elastic(N, k, h, F, Omega, s_elastic, nu_elastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return (
+        (s_elastic*(h + k))/(2*(2*N + 5)*(2*N + 7)),
+        -(F*Omega*(N + 4)*nu_elastic[N + 3])/2 - (F*Omega*(N + 5)*nu_elastic[N + 5])/2 - (F*Omega*(2*N + 9)*nu_elastic[N + 4])/2,
+    )
+
+
+def elastic_rest_3_by_phi(N, F, nu_elastic):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 9)*nu_elastic[N + 4]
+
+
+def plastic_by_0(N, m, c, F_y, h, F, s_plastic, mu_plastic):
+    """Coefficients: residual of plastic, less what no test sees, degree 0."""
+    return (
+        h,
+        (2*c + h*s_plastic)/2,
+        (3*c*s_plastic + h*(s_plastic*s_plastic) + 6*m)/6,
+        -(s_plastic*(2*c + h*s_plastic))/12,
+        (h*(s_plastic*s_plastic))/60,
+        -((-1)**(N + 1)*m*(N + 3))/2,
+        -((-1)**(N + 2)*m*(N + 4))/2,
+        -((-1)**(N + 3)*m*(N + 5))/2,
+        -F*mu_plastic[0] - F_y,
     )
 
 
 def plastic_by_0_by_s_elastic(F, Omega, nu_plastic):
     """Their derivatives by s_elastic, of those that depend on it."""
-    return -(F*Omega*nu_plastic[0])/24 - (3*F*Omega*nu_plastic[1])/40 - (F*Omega*nu_plastic[2])/24 - (F*Omega*nu_plastic[3])/120
+    return -F*Omega*nu_plastic[0]
 
 
 def plastic_by_0_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic):
     """Their derivatives by s_plastic, of those that depend on it."""
     return (
-        h/30,
-        (6*c + 5*h*s_plastic)/180,
-        (-7*c - 15*h*s_plastic)/1260,
-        (-12*c + 5*h*s_plastic)/5040,
-        (-9*c + 5*h*s_plastic)/15120,
-        (-c + h*s_plastic)/15120,
-        (h*s_plastic)/166320,
-        -(F*Omega*nu_plastic[0])/30 - (F*Omega*nu_plastic[1])/15 - (F*Omega*nu_plastic[2])/21 - (F*Omega*nu_plastic[3])/60 - (F*Omega*nu_plastic[4])/420,
+        h/2,
+        (3*c + 2*h*s_plastic)/6,
+        (-c - h*s_plastic)/6,
+        (h*s_plastic)/30,
+        -(F*Omega*nu_plastic[0])/2 - (F*Omega*nu_plastic[1])/2,
     )
 
 
 def plastic_by_0_by_phi(F, nu_plastic):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_plastic[0])/24 - (3*F*nu_plastic[1])/40 - (F*nu_plastic[2])/24 - (F*nu_plastic[3])/120
+    return -F*nu_plastic[0]
 
 
-def plastic_by_1(m, c, F_y, h, F, s_plastic, mu_plastic):
-    """Coefficients: residual of plastic, orthogonal to its test function 1."""
+def plastic_by_1(N, m, c, h, F, s_plastic, mu_plastic):
+    """Coefficients: residual of plastic, less what no test sees, degree 1."""
     return (
-        -h/40,
-        (-9*c - 7*h*s_plastic)/360,
-        (-49*c*s_plastic - 20*h*(s_plastic*s_plastic) - 63*m)/2520,
-        (36*c*s_plastic + 35*h*(s_plastic*s_plastic) - 140*m)/10080,
-        (21*c*s_plastic - 5*h*(s_plastic*s_plastic) - 54*m)/15120,
-        (s_plastic*(8*c - 3*h*s_plastic))/30240,
-        (-5*h*(s_plastic*s_plastic) + 44*m)/332640,
-        -(c*s_plastic)/166320,
-        (h*(s_plastic*s_plastic))/4324320,
-        (F*mu_plastic[0])/40 + (F*mu_plastic[1])/24 + (F*mu_plastic[2])/56 - (F*mu_plastic[4])/840 + F_y/40,
+        (h*s_plastic)/2,
+        (s_plastic*(2*c + h*s_plastic))/4,
+        (-h*(s_plastic*s_plastic) + 10*m)/10,
+        -(c*s_plastic)/10,
+        (h*(s_plastic*s_plastic))/140,
+        -(3*(-1)**N*m*(N + 1)*(N + 5))/(2*N + 6),
+        -(3*(-1)**(N + 1)*m*(N + 2)*(N + 6))/(2*N + 8),
+        -(3*(-1)**(N + 2)*m*(N + 3)*(N + 7))/(2*N + 10),
+        -3*F*mu_plastic[1],
     )
 
 
 def plastic_by_1_by_s_elastic(F, Omega, nu_plastic):
     """Their derivatives by s_elastic, of those that depend on it."""
-    return (F*Omega*nu_plastic[0])/40 + (F*Omega*nu_plastic[1])/24 + (F*Omega*nu_plastic[2])/56 - (F*Omega*nu_plastic[4])/840
+    return -3*F*Omega*nu_plastic[1]
 
 
 def plastic_by_1_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic):
     """Their derivatives by s_plastic, of those that depend on it."""
     return (
-        -(7*h)/360,
-        (-49*c - 40*h*s_plastic)/2520,
-        (18*c + 35*h*s_plastic)/5040,
-        (21*c - 10*h*s_plastic)/15120,
-        (4*c - 3*h*s_plastic)/15120,
-        -(h*s_plastic)/33264,
-        -c/166320,
-        (h*s_plastic)/2162160,
-        (7*F*Omega*nu_plastic[0])/360 + (31*F*Omega*nu_plastic[1])/840 + (23*F*Omega*nu_plastic[2])/1008 + (11*F*Omega*nu_plastic[3])/2160 - (F*Omega*nu_plastic[4])/1680 - (F*Omega*nu_plastic[5])/3024,
+        h/2,
+        (c + h*s_plastic)/2,
+        -(h*s_plastic)/5,
+        -c/10,
+        (h*s_plastic)/70,
+        -(F*Omega*nu_plastic[0])/2 - (3*F*Omega*nu_plastic[1])/2 - F*Omega*nu_plastic[2],
     )
 
 
 def plastic_by_1_by_phi(F, nu_plastic):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_plastic[0])/40 + (F*nu_plastic[1])/24 + (F*nu_plastic[2])/56 - (F*nu_plastic[4])/840
+    return -3*F*nu_plastic[1]
 
 
-def plastic_by_2(m, c, F_y, h, F, s_plastic, mu_plastic):
-    """Coefficients: residual of plastic, orthogonal to its test function 2."""
+def plastic_by_l(l, N, m, c, h, F, s_plastic, mu_plastic):
+    """Coefficients: residual of plastic, less what no test sees, degree l."""
     return (
-        h/120,
-        (7*c + 5*h*s_plastic)/840,
-        (60*c*s_plastic + 23*h*(s_plastic*s_plastic) + 84*m)/10080,
-        (-21*c*s_plastic - 16*h*(s_plastic*s_plastic) + 54*m)/15120,
-        -(s_plastic*(20*c - 7*h*s_plastic))/50400,
-        (5*h*(s_plastic*s_plastic) - 66*m)/166320,
-        (c*s_plastic)/41580,
-        (-5*h*(s_plastic*s_plastic) + 156*m)/4324320,
-        -(c*s_plastic)/720720,
-        (h*(s_plastic*s_plastic))/21621600,
-        -(F*mu_plastic[0])/120 - (3*F*mu_plastic[1])/280 + (F*mu_plastic[3])/360 - (F*mu_plastic[5])/2520 - F_y/120,
-    )
-
-
-def plastic_by_2_by_s_elastic(F, Omega, nu_plastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return -(F*Omega*nu_plastic[0])/120 - (3*F*Omega*nu_plastic[1])/280 + (F*Omega*nu_plastic[3])/360 - (F*Omega*nu_plastic[5])/2520
-
-
-def plastic_by_2_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic):
-    """Their derivatives by s_plastic, of those that depend on it."""
-    return (
-        h/168,
-        (30*c + 23*h*s_plastic)/5040,
-        (-21*c - 32*h*s_plastic)/15120,
-        (-10*c + 7*h*s_plastic)/25200,
-        (h*s_plastic)/16632,
-        c/41580,
-        -(h*s_plastic)/432432,
-        -c/720720,
-        (h*s_plastic)/10810800,
-        -(F*Omega*nu_plastic[0])/168 - (F*Omega*nu_plastic[1])/105 - (F*Omega*nu_plastic[2])/336 + (F*Omega*nu_plastic[3])/720 + (13*F*Omega*nu_plastic[4])/18480 - (F*Omega*nu_plastic[5])/5040 - (F*Omega*nu_plastic[6])/9240,
-    )
-
-
-def plastic_by_2_by_phi(F, nu_plastic):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_plastic[0])/120 - (3*F*nu_plastic[1])/280 + (F*nu_plastic[3])/360 - (F*nu_plastic[5])/2520
-
-
-def plastic_by_3(m, c, F_y, h, F, s_plastic, mu_plastic):
-    """Coefficients: residual of plastic, orthogonal to its test function 3."""
-    return (
-        -h/840,
-        (-2*c - h*s_plastic)/1680,
-        (-18*c*s_plastic - 5*h*(s_plastic*s_plastic) - 36*m)/30240,
-        (s_plastic*(8*c + 3*h*s_plastic))/30240,
-        (-5*h*(s_plastic*s_plastic) + 66*m)/166320,
-        -(c*s_plastic)/27720,
-        (5*h*(s_plastic*s_plastic) - 234*m)/2162160,
-        (c*s_plastic)/180180,
-        (-h*(s_plastic*s_plastic) + 60*m)/4324320,
-        -(c*s_plastic)/2162160,
-        (h*(s_plastic*s_plastic))/73513440,
-        (F*mu_plastic[0])/840 - (F*mu_plastic[2])/504 + (3*F*mu_plastic[4])/3080 - (F*mu_plastic[6])/5544 + F_y/840,
-    )
-
-
-def plastic_by_3_by_s_elastic(F, Omega, nu_plastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return (F*Omega*nu_plastic[0])/840 - (F*Omega*nu_plastic[2])/504 + (3*F*Omega*nu_plastic[4])/3080 - (F*Omega*nu_plastic[6])/5544
-
-
-def plastic_by_3_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic):
-    """Their derivatives by s_plastic, of those that depend on it."""
-    return (
-        -h/1680,
-        (-9*c - 5*h*s_plastic)/15120,
-        (4*c + 3*h*s_plastic)/15120,
-        -(h*s_plastic)/16632,
-        -c/27720,
-        (h*s_plastic)/216216,
-        c/180180,
-        -(h*s_plastic)/2162160,
-        -c/2162160,
-        (h*s_plastic)/36756720,
-        (F*Omega*nu_plastic[0])/1680 + (F*Omega*nu_plastic[1])/5040 - (F*Omega*nu_plastic[2])/1008 - (F*Omega*nu_plastic[3])/2640 + (3*F*Omega*nu_plastic[4])/6160 + (F*Omega*nu_plastic[5])/4368 - (F*Omega*nu_plastic[6])/11088 - (F*Omega*nu_plastic[7])/20592,
-    )
-
-
-def plastic_by_3_by_phi(F, nu_plastic):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_plastic[0])/840 - (F*nu_plastic[2])/504 + (3*F*nu_plastic[4])/3080 - (F*nu_plastic[6])/5544
-
-
-def plastic_by_4(m, c, h, F, s_plastic, mu_plastic):
-    """Coefficients: residual of plastic, orthogonal to its test function 4."""
-    return (
-        -(h*s_plastic)/15120,
-        -(s_plastic*(2*c + h*s_plastic))/30240,
-        (5*h*(s_plastic*s_plastic) - 44*m)/332640,
-        (c*s_plastic)/41580,
-        (-5*h*(s_plastic*s_plastic) + 234*m)/2162160,
-        -(c*s_plastic)/120120,
-        (h*(s_plastic*s_plastic) - 90*m)/2162160,
-        (c*s_plastic)/540540,
-        (-5*h*(s_plastic*s_plastic) + 476*m)/73513440,
-        -(c*s_plastic)/5250960,
-        (h*(s_plastic*s_plastic))/199536480,
-        (F*mu_plastic[1])/2520 - (F*mu_plastic[3])/1320 + (F*mu_plastic[5])/2184 - (F*mu_plastic[7])/10296,
-    )
-
-
-def plastic_by_4_by_s_elastic(F, Omega, nu_plastic):
-    """Their derivatives by s_elastic, of those that depend on it."""
-    return (F*Omega*nu_plastic[1])/2520 - (F*Omega*nu_plastic[3])/1320 + (F*Omega*nu_plastic[5])/2184 - (F*Omega*nu_plastic[7])/10296
-
-
-def plastic_by_4_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic):
-    """Their derivatives by s_plastic, of those that depend on it."""
-    return (
-        -h/15120,
-        (-c - h*s_plastic)/15120,
-        (h*s_plastic)/33264,
-        c/41580,
-        -(h*s_plastic)/216216,
-        -c/120120,
-        (h*s_plastic)/1081080,
-        c/540540,
-        -(h*s_plastic)/7351344,
-        -c/5250960,
-        (h*s_plastic)/99768240,
-        (F*Omega*nu_plastic[0])/15120 + (F*Omega*nu_plastic[1])/5040 - (F*Omega*nu_plastic[2])/33264 - (F*Omega*nu_plastic[3])/2640 - (9*F*Omega*nu_plastic[4])/80080 + (F*Omega*nu_plastic[5])/4368 + (17*F*Omega*nu_plastic[6])/166320 - (F*Omega*nu_plastic[7])/20592 - (F*Omega*nu_plastic[8])/38610,
-    )
-
-
-def plastic_by_4_by_phi(F, nu_plastic):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_plastic[1])/2520 - (F*nu_plastic[3])/1320 + (F*nu_plastic[5])/2184 - (F*nu_plastic[7])/10296
-
-
-def plastic_by_l(l, m, c, h, F, s_plastic, mu_plastic):
-    """Coefficients: residual of plastic, orthogonal to its test function l."""
-    return (
-        -(3*c*s_plastic)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(h*(s_plastic*s_plastic))/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_plastic)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*h*(s_plastic*s_plastic) - 16*(l*l)*m + 32*l*m + 84*m)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (c*s_plastic)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-5*h*(s_plastic*s_plastic) + 24*(l*l)*m - 150*m)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*h*(s_plastic*s_plastic) - 24*(l*l)*m - 48*l*m + 126*m)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (c*s_plastic)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (-5*h*(s_plastic*s_plastic) + 16*(l*l)*m + 64*l*m - 36*m)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(c*s_plastic)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (h*(s_plastic*s_plastic))/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -(F*mu_plastic[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*mu_plastic[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*mu_plastic[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*mu_plastic[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        (-h*(s_plastic*s_plastic) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (h*(s_plastic*s_plastic))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_plastic)/(4*l - 2),
+        -(c*s_plastic)/(4*l + 6),
+        (h*(s_plastic*s_plastic))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 3)*(-N + l - 2)*(N + l + 3)*(N + l + 4))/(2*(N + 2)*(N + 3)*(N + 4)),
+        -((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 4)*(-N + l - 3)*(N + l + 4)*(N + l + 5))/(2*(N + 3)*(N + 4)*(N + 5)),
+        -((-1)**(N - l + 3)*m*(2*l + 1)*(-N + l - 5)*(-N + l - 4)*(N + l + 5)*(N + l + 6))/(2*(N + 4)*(N + 5)*(N + 6)),
+        -F*(2*l + 1)*mu_plastic[l],
     )
 
 
 def plastic_by_l_by_s_elastic(l, F, Omega, nu_plastic):
     """Their derivatives by s_elastic, of those that depend on it."""
-    return -(F*Omega*nu_plastic[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_plastic[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*Omega*nu_plastic[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*Omega*nu_plastic[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*Omega*(2*l + 1)*nu_plastic[l]
 
 
 def plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic):
     """Their derivatives by s_plastic, of those that depend on it."""
     return (
-        -(3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(h*s_plastic)/(16*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*h*s_plastic)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        c/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*h*s_plastic)/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*h*s_plastic)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        c/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(5*h*s_plastic)/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -c/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (h*s_plastic)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        (F*Omega*(l - 3)*nu_plastic[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 4)*nu_plastic[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) - (F*Omega*(2*l - 7)*nu_plastic[l - 2])/(16*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_plastic[l + 3])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_plastic[l + 1])/(16*(2*l - 1)*(2*l + 1)*(2*l + 5)) + (F*Omega*(2*l + 9)*nu_plastic[l + 2])/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*Omega*nu_plastic[l - 1])/(16*(2*l - 3)*(2*l + 1)*(2*l + 3)) - (9*F*Omega*nu_plastic[l])/(16*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*nu_plastic[l - 3])/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        -(h*s_plastic)/((2*l - 1)*(2*l + 3)),
+        (h*s_plastic)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (h*s_plastic)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_plastic[l - 1])/2 - (F*Omega*(l + 1)*nu_plastic[l + 1])/2 - (F*Omega*(2*l + 1)*nu_plastic[l])/2,
     )
 
 
 def plastic_by_l_by_phi(l, F, nu_plastic):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_plastic[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*nu_plastic[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*nu_plastic[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*nu_plastic[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_plastic[l]
+
+
+def plastic_rest_0(N, m, c, h, F, s_plastic, mu_plastic):
+    """Coefficients: residual of plastic, less what no test sees, degree N + 1."""
+    return (
+        (c*s_plastic)/(4*N + 2),
+        (h*(s_plastic*s_plastic))/(4*(2*N - 1)*(2*N + 1)),
+        (8*(N*N)*m + 24*N*m - h*(s_plastic*s_plastic) + 10*m)/(2*(2*N + 1)*(2*N + 5)),
+        -(2*m*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+        (6*m*(2*N + 3)*(2*N + 5))/((N + 4)*(N + 5)),
+        -(12*m*(N + 3)*(2*N + 3)*(2*N + 7))/((N + 4)*(N + 5)*(N + 6)),
+        -F*(2*N + 3)*mu_plastic[N + 1],
+    )
+
+
+def plastic_rest_0_by_s_elastic(N, F, Omega, nu_plastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return -F*Omega*(2*N + 3)*nu_plastic[N + 1]
+
+
+def plastic_rest_0_by_s_plastic(N, c, h, F, Omega, s_plastic, nu_plastic):
+    """Their derivatives by s_plastic, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (h*s_plastic)/(2*(2*N - 1)*(2*N + 1)),
+        -(h*s_plastic)/((2*N + 1)*(2*N + 5)),
+        -(F*Omega*(N + 1)*nu_plastic[N])/2 - (F*Omega*(N + 2)*nu_plastic[N + 2])/2 - (F*Omega*(2*N + 3)*nu_plastic[N + 1])/2,
+    )
+
+
+def plastic_rest_0_by_phi(N, F, nu_plastic):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_plastic[N + 1]
+
+
+def plastic_rest_1(N, m, c, h, F, s_plastic, mu_plastic):
+    """Coefficients: residual of plastic, less what no test sees, degree N + 2."""
+    return (
+        (h*(s_plastic*s_plastic))/(4*(2*N + 1)*(2*N + 3)),
+        (c*s_plastic)/(4*N + 6),
+        -(2*m*(2*N + 5)*(2*N + 7))/((N + 4)*(N + 5)),
+        (6*m*(2*N + 5)*(2*N + 7))/((N + 5)*(N + 6)),
+        -F*(2*N + 5)*mu_plastic[N + 2],
+    )
+
+
+def plastic_rest_1_by_s_elastic(N, F, Omega, nu_plastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return -F*Omega*(2*N + 5)*nu_plastic[N + 2]
+
+
+def plastic_rest_1_by_s_plastic(N, c, h, F, Omega, s_plastic, nu_plastic):
+    """Their derivatives by s_plastic, of those that depend on it."""
+    return (
+        (h*s_plastic)/(2*(2*N + 1)*(2*N + 3)),
+        c/(4*N + 6),
+        -(F*Omega*(N + 2)*nu_plastic[N + 1])/2 - (F*Omega*(N + 3)*nu_plastic[N + 3])/2 - (F*Omega*(2*N + 5)*nu_plastic[N + 2])/2,
+    )
+
+
+def plastic_rest_1_by_phi(N, F, nu_plastic):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_plastic[N + 2]
+
+
+def plastic_rest_2(N, m, h, F, s_plastic, mu_plastic):
+    """Coefficients: residual of plastic, less what no test sees, degree N + 3."""
+    return (
+        (h*(s_plastic*s_plastic))/(4*(2*N + 3)*(2*N + 5)),
+        -(2*m*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)),
+        -F*(2*N + 7)*mu_plastic[N + 3],
+    )
+
+
+def plastic_rest_2_by_s_elastic(N, F, Omega, nu_plastic):
+    """Their derivatives by s_elastic, of those that depend on it."""
+    return -F*Omega*(2*N + 7)*nu_plastic[N + 3]
+
+
+def plastic_rest_2_by_s_plastic(N, h, F, Omega, s_plastic, nu_plastic):
+    """Their derivatives by s_plastic, of those that depend on it."""
+    return (
+        (h*s_plastic)/(2*(2*N + 3)*(2*N + 5)),
+        -(F*Omega*(N + 3)*nu_plastic[N + 2])/2 - (F*Omega*(N + 4)*nu_plastic[N + 4])/2 - (F*Omega*(2*N + 7)*nu_plastic[N + 3])/2,
+    )
+
+
+def plastic_rest_2_by_phi(N, F, nu_plastic):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 7)*nu_plastic[N + 3]
 
 
 def displacement_elastic(s_plastic):
@@ -847,25 +711,32 @@ def cell_by_s_plastic():
 
 def size(N):
     """Return the number of unknowns."""
-    return 2*N + 13
+    return 2*N + 20
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     m, c, k, F_y, h, F, Omega, cycles = case
-    N = (len(z) - 13)//2
+    N = (len(z) - 20)//2
     at_x_elastic = 0
     at_v_elastic = 1
     at_d_elastic = 2
     number_d_elastic = N + 3
-    at_x_plastic = N + 5
-    at_v_plastic = N + 6
-    at_d_plastic = N + 7
+    at_tau0_elastic = N + 5
+    at_tau1_elastic = N + 6
+    at_tau2_elastic = N + 7
+    at_tau3_elastic = N + 8
+    at_x_plastic = N + 9
+    at_v_plastic = N + 10
+    at_d_plastic = N + 11
     number_d_plastic = N + 2
-    at_w = 2*N + 9
-    at_s_elastic = 2*N + 10
-    at_s_plastic = 2*N + 11
-    at_phi = 2*N + 12
+    at_tau0_plastic = 2*N + 13
+    at_tau1_plastic = 2*N + 14
+    at_tau2_plastic = 2*N + 15
+    at_w = 2*N + 16
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
+    at_phi = 2*N + 19
     s_elastic = z[at_s_elastic]
     s_plastic = z[at_s_plastic]
     phi = z[at_phi]
@@ -874,47 +745,47 @@ def residual(case, z, R):
     over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
     mu_plastic = over_plastic[0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*z[at_w] + q10
+    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = elastic_by_0(N, m, c, k, F_y, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*z[at_tau0_elastic] + q6*z[at_tau1_elastic] + q7*z[at_tau2_elastic] + q8*z[at_tau3_elastic] + q9*z[at_w] + q10
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = elastic_by_1(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*z[at_w] + q11
+    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = elastic_by_1(N, m, c, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*z[at_tau0_elastic] + q6*z[at_tau1_elastic] + q7*z[at_tau2_elastic] + q8*z[at_tau3_elastic] + q9
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12 = elastic_by_2(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q11*z[at_w] + q12
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_3(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q11*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q12*z[at_w] + q13
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14 = elastic_by_4(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q5*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q6*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q7*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q8*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q9*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q10*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q11*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q12*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q13*z[at_w] + q14
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_5(m, c, k, h, F, s_elastic, mu_elastic)
-    R[row] = q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q12*(z[at_d_elastic + 11] if number_d_elastic > 11 else 0.0) + q13
-    row += 1
-    for l in range(6, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_l(l, m, c, k, h, F, s_elastic, mu_elastic)
-        R[row] = q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*(z[at_d_elastic + l+3] if number_d_elastic > l+3 else 0.0) + q10*(z[at_d_elastic + l+4] if number_d_elastic > l+4 else 0.0) + q11*(z[at_d_elastic + l+5] if number_d_elastic > l+5 else 0.0) + q12*(z[at_d_elastic + l+6] if number_d_elastic > l+6 else 0.0) + q13
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = elastic_by_l(l, N, m, c, k, h, F, s_elastic, mu_elastic)
+        R[row] = q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-2] + q2*z[at_d_elastic + l-1] + q3*z[at_d_elastic + l+1] + q4*z[at_d_elastic + l+2] + q5*z[at_tau0_elastic] + q6*z[at_tau1_elastic] + q7*z[at_tau2_elastic] + q8*z[at_tau3_elastic] + q9
         row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = elastic_rest_0(N, m, c, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N-1] + q2*z[at_d_elastic + N+1] + q3*z[at_d_elastic + N+2] + q4*z[at_tau0_elastic] + q5*z[at_tau1_elastic] + q6*z[at_tau2_elastic] + q7*z[at_tau3_elastic] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = plastic_by_1(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q9
+    q0, q1, q2, q3, q4, q5, q6 = elastic_rest_1(N, m, c, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N+1] + q2*z[at_d_elastic + N+2] + q3*z[at_tau1_elastic] + q4*z[at_tau2_elastic] + q5*z[at_tau3_elastic] + q6
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = plastic_by_2(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q9*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q10
+    q0, q1, q2, q3, q4 = elastic_rest_2(N, m, c, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N+1] + q1*z[at_d_elastic + N+2] + q2*z[at_tau2_elastic] + q3*z[at_tau3_elastic] + q4
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_3(m, c, F_y, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q6*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q7*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q8*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q9*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q10*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q11
+    q0, q1, q2 = elastic_rest_3(N, m, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N+2] + q1*z[at_tau3_elastic] + q2
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_4(m, c, h, F, s_plastic, mu_plastic)
-    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q10*(z[at_d_plastic + 9] if number_d_plastic > 9 else 0.0) + q11
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_0(N, m, c, F_y, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_x_plastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic] + q3*z[at_d_plastic + 1] + q4*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q5*z[at_tau0_plastic] + q6*z[at_tau1_plastic] + q7*z[at_tau2_plastic] + q8
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_l(l, m, c, h, F, s_plastic, mu_plastic)
-        R[row] = q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*(z[at_d_plastic + l+2] if number_d_plastic > l+2 else 0.0) + q8*(z[at_d_plastic + l+3] if number_d_plastic > l+3 else 0.0) + q9*(z[at_d_plastic + l+4] if number_d_plastic > l+4 else 0.0) + q10*(z[at_d_plastic + l+5] if number_d_plastic > l+5 else 0.0) + q11
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_1(N, m, c, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*z[at_tau0_plastic] + q6*z[at_tau1_plastic] + q7*z[at_tau2_plastic] + q8
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_l(l, N, m, c, h, F, s_plastic, mu_plastic)
+        R[row] = q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-2] + q2*z[at_d_plastic + l-1] + q3*z[at_d_plastic + l+1] + q4*(z[at_d_plastic + l+2] if number_d_plastic > l+2 else 0.0) + q5*z[at_tau0_plastic] + q6*z[at_tau1_plastic] + q7*z[at_tau2_plastic] + q8
         row += 1
+    q0, q1, q2, q3, q4, q5, q6 = plastic_rest_0(N, m, c, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N-1] + q2*z[at_d_plastic + N+1] + q3*z[at_tau0_plastic] + q4*z[at_tau1_plastic] + q5*z[at_tau2_plastic] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = plastic_rest_1(N, m, c, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N+1] + q2*z[at_tau1_plastic] + q3*z[at_tau2_plastic] + q4
+    row += 1
+    q0, q1, q2 = plastic_rest_2(N, m, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_d_plastic + N+1] + q1*z[at_tau2_plastic] + q2
+    row += 1
     q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
     R[row] = q0*z[at_x_elastic] + q1*z[at_x_plastic] + q2*z[at_v_plastic] + q3*z[at_d_plastic] + q4*z[at_d_plastic + 1]
     row += 1
@@ -968,19 +839,26 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     m, c, k, F_y, h, F, Omega, cycles = case
-    N = (len(z) - 13)//2
+    N = (len(z) - 20)//2
     at_x_elastic = 0
     at_v_elastic = 1
     at_d_elastic = 2
     number_d_elastic = N + 3
-    at_x_plastic = N + 5
-    at_v_plastic = N + 6
-    at_d_plastic = N + 7
+    at_tau0_elastic = N + 5
+    at_tau1_elastic = N + 6
+    at_tau2_elastic = N + 7
+    at_tau3_elastic = N + 8
+    at_x_plastic = N + 9
+    at_v_plastic = N + 10
+    at_d_plastic = N + 11
     number_d_plastic = N + 2
-    at_w = 2*N + 9
-    at_s_elastic = 2*N + 10
-    at_s_plastic = 2*N + 11
-    at_phi = 2*N + 12
+    at_tau0_plastic = 2*N + 13
+    at_tau1_plastic = 2*N + 14
+    at_tau2_plastic = 2*N + 15
+    at_w = 2*N + 16
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
+    at_phi = 2*N + 19
     s_elastic = z[at_s_elastic]
     s_plastic = z[at_s_plastic]
     phi = z[at_phi]
@@ -992,132 +870,24 @@ def jacobian(case, z, J):
     nu_plastic = over_plastic[1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = elastic_by_0(m, c, k, F_y, h, F, s_elastic, mu_elastic)
+    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = elastic_by_0(N, m, c, k, F_y, h, F, s_elastic, mu_elastic)
     J[row, at_x_elastic] += q0
     J[row, at_v_elastic] += q1
     J[row, at_d_elastic] += q2
     J[row, at_d_elastic + 1] += q3
     if number_d_elastic > 2:
         J[row, at_d_elastic + 2] += q4
-    if number_d_elastic > 3:
-        J[row, at_d_elastic + 3] += q5
-    if number_d_elastic > 4:
-        J[row, at_d_elastic + 4] += q6
-    if number_d_elastic > 5:
-        J[row, at_d_elastic + 5] += q7
-    if number_d_elastic > 6:
-        J[row, at_d_elastic + 6] += q8
+    J[row, at_tau0_elastic] += q5
+    J[row, at_tau1_elastic] += q6
+    J[row, at_tau2_elastic] += q7
+    J[row, at_tau3_elastic] += q8
     J[row, at_w] += q9
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = elastic_by_0_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8
+    q0, q1, q2, q3, q4 = elastic_by_0_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4
     q0 = elastic_by_0_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = elastic_by_1(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    J[row, at_x_elastic] += q0
-    J[row, at_v_elastic] += q1
-    J[row, at_d_elastic] += q2
-    J[row, at_d_elastic + 1] += q3
-    if number_d_elastic > 2:
-        J[row, at_d_elastic + 2] += q4
-    if number_d_elastic > 3:
-        J[row, at_d_elastic + 3] += q5
-    if number_d_elastic > 4:
-        J[row, at_d_elastic + 4] += q6
-    if number_d_elastic > 5:
-        J[row, at_d_elastic + 5] += q7
-    if number_d_elastic > 6:
-        J[row, at_d_elastic + 6] += q8
-    if number_d_elastic > 7:
-        J[row, at_d_elastic + 7] += q9
-    J[row, at_w] += q10
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = elastic_by_1_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9
-    q0 = elastic_by_1_by_phi(F, nu_elastic)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, _ = elastic_by_2(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    J[row, at_x_elastic] += q0
-    J[row, at_v_elastic] += q1
-    J[row, at_d_elastic] += q2
-    J[row, at_d_elastic + 1] += q3
-    if number_d_elastic > 2:
-        J[row, at_d_elastic + 2] += q4
-    if number_d_elastic > 3:
-        J[row, at_d_elastic + 3] += q5
-    if number_d_elastic > 4:
-        J[row, at_d_elastic + 4] += q6
-    if number_d_elastic > 5:
-        J[row, at_d_elastic + 5] += q7
-    if number_d_elastic > 6:
-        J[row, at_d_elastic + 6] += q8
-    if number_d_elastic > 7:
-        J[row, at_d_elastic + 7] += q9
-    if number_d_elastic > 8:
-        J[row, at_d_elastic + 8] += q10
-    J[row, at_w] += q11
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = elastic_by_2_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10
-    q0 = elastic_by_2_by_phi(F, nu_elastic)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, _ = elastic_by_3(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    J[row, at_x_elastic] += q0
-    J[row, at_v_elastic] += q1
-    J[row, at_d_elastic] += q2
-    J[row, at_d_elastic + 1] += q3
-    if number_d_elastic > 2:
-        J[row, at_d_elastic + 2] += q4
-    if number_d_elastic > 3:
-        J[row, at_d_elastic + 3] += q5
-    if number_d_elastic > 4:
-        J[row, at_d_elastic + 4] += q6
-    if number_d_elastic > 5:
-        J[row, at_d_elastic + 5] += q7
-    if number_d_elastic > 6:
-        J[row, at_d_elastic + 6] += q8
-    if number_d_elastic > 7:
-        J[row, at_d_elastic + 7] += q9
-    if number_d_elastic > 8:
-        J[row, at_d_elastic + 8] += q10
-    if number_d_elastic > 9:
-        J[row, at_d_elastic + 9] += q11
-    J[row, at_w] += q12
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = elastic_by_3_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11
-    q0 = elastic_by_3_by_phi(F, nu_elastic)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, _ = elastic_by_4(m, c, k, F_y, h, F, s_elastic, mu_elastic)
-    J[row, at_x_elastic] += q0
-    J[row, at_v_elastic] += q1
-    J[row, at_d_elastic] += q2
-    J[row, at_d_elastic + 1] += q3
-    if number_d_elastic > 2:
-        J[row, at_d_elastic + 2] += q4
-    if number_d_elastic > 3:
-        J[row, at_d_elastic + 3] += q5
-    if number_d_elastic > 4:
-        J[row, at_d_elastic + 4] += q6
-    if number_d_elastic > 5:
-        J[row, at_d_elastic + 5] += q7
-    if number_d_elastic > 6:
-        J[row, at_d_elastic + 6] += q8
-    if number_d_elastic > 7:
-        J[row, at_d_elastic + 7] += q9
-    if number_d_elastic > 8:
-        J[row, at_d_elastic + 8] += q10
-    if number_d_elastic > 9:
-        J[row, at_d_elastic + 9] += q11
-    if number_d_elastic > 10:
-        J[row, at_d_elastic + 10] += q12
-    J[row, at_w] += q13
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12 = elastic_by_4_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q12
-    q0 = elastic_by_4_by_phi(F, nu_elastic)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, _ = elastic_by_5(m, c, k, h, F, s_elastic, mu_elastic)
+    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = elastic_by_1(N, m, c, k, h, F, s_elastic, mu_elastic)
     J[row, at_v_elastic] += q0
     J[row, at_d_elastic] += q1
     J[row, at_d_elastic + 1] += q2
@@ -1125,144 +895,93 @@ def jacobian(case, z, J):
         J[row, at_d_elastic + 2] += q3
     if number_d_elastic > 3:
         J[row, at_d_elastic + 3] += q4
-    if number_d_elastic > 4:
-        J[row, at_d_elastic + 4] += q5
-    if number_d_elastic > 5:
-        J[row, at_d_elastic + 5] += q6
-    if number_d_elastic > 6:
-        J[row, at_d_elastic + 6] += q7
-    if number_d_elastic > 7:
-        J[row, at_d_elastic + 7] += q8
-    if number_d_elastic > 8:
-        J[row, at_d_elastic + 8] += q9
-    if number_d_elastic > 9:
-        J[row, at_d_elastic + 9] += q10
-    if number_d_elastic > 10:
-        J[row, at_d_elastic + 10] += q11
-    if number_d_elastic > 11:
-        J[row, at_d_elastic + 11] += q12
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_5_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
-    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5*(z[at_d_elastic + 4] if number_d_elastic > 4 else 0.0) + q6*(z[at_d_elastic + 5] if number_d_elastic > 5 else 0.0) + q7*(z[at_d_elastic + 6] if number_d_elastic > 6 else 0.0) + q8*(z[at_d_elastic + 7] if number_d_elastic > 7 else 0.0) + q9*(z[at_d_elastic + 8] if number_d_elastic > 8 else 0.0) + q10*(z[at_d_elastic + 9] if number_d_elastic > 9 else 0.0) + q11*(z[at_d_elastic + 10] if number_d_elastic > 10 else 0.0) + q12*(z[at_d_elastic + 11] if number_d_elastic > 11 else 0.0) + q13
-    q0 = elastic_by_5_by_phi(F, nu_elastic)
+    J[row, at_tau0_elastic] += q5
+    J[row, at_tau1_elastic] += q6
+    J[row, at_tau2_elastic] += q7
+    J[row, at_tau3_elastic] += q8
+    q0, q1, q2, q3, q4, q5 = elastic_by_1_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, at_s_elastic] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1] + q3*(z[at_d_elastic + 2] if number_d_elastic > 2 else 0.0) + q4*(z[at_d_elastic + 3] if number_d_elastic > 3 else 0.0) + q5
+    q0 = elastic_by_1_by_phi(F, nu_elastic)
     J[row, at_phi] += q0
     row += 1
-    for l in range(6, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, _ = elastic_by_l(l, m, c, k, h, F, s_elastic, mu_elastic)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = elastic_by_l(l, N, m, c, k, h, F, s_elastic, mu_elastic)
         J[row, at_d_elastic + l] += q0
-        J[row, at_d_elastic + l-6] += q1
-        J[row, at_d_elastic + l-5] += q2
-        J[row, at_d_elastic + l-4] += q3
-        J[row, at_d_elastic + l-3] += q4
-        J[row, at_d_elastic + l-2] += q5
-        J[row, at_d_elastic + l-1] += q6
-        J[row, at_d_elastic + l+1] += q7
-        J[row, at_d_elastic + l+2] += q8
-        if number_d_elastic > l+3:
-            J[row, at_d_elastic + l+3] += q9
-        if number_d_elastic > l+4:
-            J[row, at_d_elastic + l+4] += q10
-        if number_d_elastic > l+5:
-            J[row, at_d_elastic + l+5] += q11
-        if number_d_elastic > l+6:
-            J[row, at_d_elastic + l+6] += q12
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13 = elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic)
-        J[row, at_s_elastic] += q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-6] + q2*z[at_d_elastic + l-5] + q3*z[at_d_elastic + l-4] + q4*z[at_d_elastic + l-3] + q5*z[at_d_elastic + l-2] + q6*z[at_d_elastic + l-1] + q7*z[at_d_elastic + l+1] + q8*z[at_d_elastic + l+2] + q9*(z[at_d_elastic + l+3] if number_d_elastic > l+3 else 0.0) + q10*(z[at_d_elastic + l+4] if number_d_elastic > l+4 else 0.0) + q11*(z[at_d_elastic + l+5] if number_d_elastic > l+5 else 0.0) + q12*(z[at_d_elastic + l+6] if number_d_elastic > l+6 else 0.0) + q13
+        J[row, at_d_elastic + l-2] += q1
+        J[row, at_d_elastic + l-1] += q2
+        J[row, at_d_elastic + l+1] += q3
+        J[row, at_d_elastic + l+2] += q4
+        J[row, at_tau0_elastic] += q5
+        J[row, at_tau1_elastic] += q6
+        J[row, at_tau2_elastic] += q7
+        J[row, at_tau3_elastic] += q8
+        q0, q1, q2, q3, q4, q5 = elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic)
+        J[row, at_s_elastic] += q0*z[at_d_elastic + l] + q1*z[at_d_elastic + l-2] + q2*z[at_d_elastic + l-1] + q3*z[at_d_elastic + l+1] + q4*z[at_d_elastic + l+2] + q5
         q0 = elastic_by_l_by_phi(l, F, nu_elastic)
         J[row, at_phi] += q0
         row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = plastic_by_0(m, c, F_y, h, F, s_plastic, mu_plastic)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = elastic_rest_0(N, m, c, k, h, F, s_elastic, mu_elastic)
+    J[row, at_d_elastic + N] += q0
+    J[row, at_d_elastic + N-1] += q1
+    J[row, at_d_elastic + N+1] += q2
+    J[row, at_d_elastic + N+2] += q3
+    J[row, at_tau0_elastic] += q4
+    J[row, at_tau1_elastic] += q5
+    J[row, at_tau2_elastic] += q6
+    J[row, at_tau3_elastic] += q7
+    q0, q1, q2, q3, q4 = elastic_rest_0_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, at_s_elastic] += q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N-1] + q2*z[at_d_elastic + N+1] + q3*z[at_d_elastic + N+2] + q4
+    q0 = elastic_rest_0_by_phi(N, F, nu_elastic)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, _ = elastic_rest_1(N, m, c, k, h, F, s_elastic, mu_elastic)
+    J[row, at_d_elastic + N] += q0
+    J[row, at_d_elastic + N+1] += q1
+    J[row, at_d_elastic + N+2] += q2
+    J[row, at_tau1_elastic] += q3
+    J[row, at_tau2_elastic] += q4
+    J[row, at_tau3_elastic] += q5
+    q0, q1, q2, q3 = elastic_rest_1_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, at_s_elastic] += q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N+1] + q2*z[at_d_elastic + N+2] + q3
+    q0 = elastic_rest_1_by_phi(N, F, nu_elastic)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, _ = elastic_rest_2(N, m, c, k, h, F, s_elastic, mu_elastic)
+    J[row, at_d_elastic + N+1] += q0
+    J[row, at_d_elastic + N+2] += q1
+    J[row, at_tau2_elastic] += q2
+    J[row, at_tau3_elastic] += q3
+    q0, q1, q2 = elastic_rest_2_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, at_s_elastic] += q0*z[at_d_elastic + N+1] + q1*z[at_d_elastic + N+2] + q2
+    q0 = elastic_rest_2_by_phi(N, F, nu_elastic)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = elastic_rest_3(N, m, k, h, F, s_elastic, mu_elastic)
+    J[row, at_d_elastic + N+2] += q0
+    J[row, at_tau3_elastic] += q1
+    q0, q1 = elastic_rest_3_by_s_elastic(N, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, at_s_elastic] += q0*z[at_d_elastic + N+2] + q1
+    q0 = elastic_rest_3_by_phi(N, F, nu_elastic)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = plastic_by_0(N, m, c, F_y, h, F, s_plastic, mu_plastic)
     J[row, at_x_plastic] += q0
     J[row, at_v_plastic] += q1
     J[row, at_d_plastic] += q2
     J[row, at_d_plastic + 1] += q3
     if number_d_plastic > 2:
         J[row, at_d_plastic + 2] += q4
-    if number_d_plastic > 3:
-        J[row, at_d_plastic + 3] += q5
-    if number_d_plastic > 4:
-        J[row, at_d_plastic + 4] += q6
-    if number_d_plastic > 5:
-        J[row, at_d_plastic + 5] += q7
+    J[row, at_tau0_plastic] += q5
+    J[row, at_tau1_plastic] += q6
+    J[row, at_tau2_plastic] += q7
     q0 = plastic_by_0_by_s_elastic(F, Omega, nu_plastic)
     J[row, at_s_elastic] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7 = plastic_by_0_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7
+    q0, q1, q2, q3, q4 = plastic_by_0_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
+    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4
     q0 = plastic_by_0_by_phi(F, nu_plastic)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = plastic_by_1(m, c, F_y, h, F, s_plastic, mu_plastic)
-    J[row, at_x_plastic] += q0
-    J[row, at_v_plastic] += q1
-    J[row, at_d_plastic] += q2
-    J[row, at_d_plastic + 1] += q3
-    if number_d_plastic > 2:
-        J[row, at_d_plastic + 2] += q4
-    if number_d_plastic > 3:
-        J[row, at_d_plastic + 3] += q5
-    if number_d_plastic > 4:
-        J[row, at_d_plastic + 4] += q6
-    if number_d_plastic > 5:
-        J[row, at_d_plastic + 5] += q7
-    if number_d_plastic > 6:
-        J[row, at_d_plastic + 6] += q8
-    q0 = plastic_by_1_by_s_elastic(F, Omega, nu_plastic)
-    J[row, at_s_elastic] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_1_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8
-    q0 = plastic_by_1_by_phi(F, nu_plastic)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = plastic_by_2(m, c, F_y, h, F, s_plastic, mu_plastic)
-    J[row, at_x_plastic] += q0
-    J[row, at_v_plastic] += q1
-    J[row, at_d_plastic] += q2
-    J[row, at_d_plastic + 1] += q3
-    if number_d_plastic > 2:
-        J[row, at_d_plastic + 2] += q4
-    if number_d_plastic > 3:
-        J[row, at_d_plastic + 3] += q5
-    if number_d_plastic > 4:
-        J[row, at_d_plastic + 4] += q6
-    if number_d_plastic > 5:
-        J[row, at_d_plastic + 5] += q7
-    if number_d_plastic > 6:
-        J[row, at_d_plastic + 6] += q8
-    if number_d_plastic > 7:
-        J[row, at_d_plastic + 7] += q9
-    q0 = plastic_by_2_by_s_elastic(F, Omega, nu_plastic)
-    J[row, at_s_elastic] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = plastic_by_2_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9
-    q0 = plastic_by_2_by_phi(F, nu_plastic)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = plastic_by_3(m, c, F_y, h, F, s_plastic, mu_plastic)
-    J[row, at_x_plastic] += q0
-    J[row, at_v_plastic] += q1
-    J[row, at_d_plastic] += q2
-    J[row, at_d_plastic + 1] += q3
-    if number_d_plastic > 2:
-        J[row, at_d_plastic + 2] += q4
-    if number_d_plastic > 3:
-        J[row, at_d_plastic + 3] += q5
-    if number_d_plastic > 4:
-        J[row, at_d_plastic + 4] += q6
-    if number_d_plastic > 5:
-        J[row, at_d_plastic + 5] += q7
-    if number_d_plastic > 6:
-        J[row, at_d_plastic + 6] += q8
-    if number_d_plastic > 7:
-        J[row, at_d_plastic + 7] += q9
-    if number_d_plastic > 8:
-        J[row, at_d_plastic + 8] += q10
-    q0 = plastic_by_3_by_s_elastic(F, Omega, nu_plastic)
-    J[row, at_s_elastic] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = plastic_by_3_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q10
-    q0 = plastic_by_3_by_phi(F, nu_plastic)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = plastic_by_4(m, c, h, F, s_plastic, mu_plastic)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = plastic_by_1(N, m, c, h, F, s_plastic, mu_plastic)
     J[row, at_v_plastic] += q0
     J[row, at_d_plastic] += q1
     J[row, at_d_plastic + 1] += q2
@@ -1270,49 +989,70 @@ def jacobian(case, z, J):
         J[row, at_d_plastic + 2] += q3
     if number_d_plastic > 3:
         J[row, at_d_plastic + 3] += q4
-    if number_d_plastic > 4:
-        J[row, at_d_plastic + 4] += q5
-    if number_d_plastic > 5:
-        J[row, at_d_plastic + 5] += q6
-    if number_d_plastic > 6:
-        J[row, at_d_plastic + 6] += q7
-    if number_d_plastic > 7:
-        J[row, at_d_plastic + 7] += q8
-    if number_d_plastic > 8:
-        J[row, at_d_plastic + 8] += q9
-    if number_d_plastic > 9:
-        J[row, at_d_plastic + 9] += q10
-    q0 = plastic_by_4_by_s_elastic(F, Omega, nu_plastic)
+    J[row, at_tau0_plastic] += q5
+    J[row, at_tau1_plastic] += q6
+    J[row, at_tau2_plastic] += q7
+    q0 = plastic_by_1_by_s_elastic(F, Omega, nu_plastic)
     J[row, at_s_elastic] += q0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_4_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
-    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5*(z[at_d_plastic + 4] if number_d_plastic > 4 else 0.0) + q6*(z[at_d_plastic + 5] if number_d_plastic > 5 else 0.0) + q7*(z[at_d_plastic + 6] if number_d_plastic > 6 else 0.0) + q8*(z[at_d_plastic + 7] if number_d_plastic > 7 else 0.0) + q9*(z[at_d_plastic + 8] if number_d_plastic > 8 else 0.0) + q10*(z[at_d_plastic + 9] if number_d_plastic > 9 else 0.0) + q11
-    q0 = plastic_by_4_by_phi(F, nu_plastic)
+    q0, q1, q2, q3, q4, q5 = plastic_by_1_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
+    J[row, at_s_plastic] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1] + q3*(z[at_d_plastic + 2] if number_d_plastic > 2 else 0.0) + q4*(z[at_d_plastic + 3] if number_d_plastic > 3 else 0.0) + q5
+    q0 = plastic_by_1_by_phi(F, nu_plastic)
     J[row, at_phi] += q0
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = plastic_by_l(l, m, c, h, F, s_plastic, mu_plastic)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = plastic_by_l(l, N, m, c, h, F, s_plastic, mu_plastic)
         J[row, at_d_plastic + l] += q0
-        J[row, at_d_plastic + l-5] += q1
-        J[row, at_d_plastic + l-4] += q2
-        J[row, at_d_plastic + l-3] += q3
-        J[row, at_d_plastic + l-2] += q4
-        J[row, at_d_plastic + l-1] += q5
-        J[row, at_d_plastic + l+1] += q6
+        J[row, at_d_plastic + l-2] += q1
+        J[row, at_d_plastic + l-1] += q2
+        J[row, at_d_plastic + l+1] += q3
         if number_d_plastic > l+2:
-            J[row, at_d_plastic + l+2] += q7
-        if number_d_plastic > l+3:
-            J[row, at_d_plastic + l+3] += q8
-        if number_d_plastic > l+4:
-            J[row, at_d_plastic + l+4] += q9
-        if number_d_plastic > l+5:
-            J[row, at_d_plastic + l+5] += q10
+            J[row, at_d_plastic + l+2] += q4
+        J[row, at_tau0_plastic] += q5
+        J[row, at_tau1_plastic] += q6
+        J[row, at_tau2_plastic] += q7
         q0 = plastic_by_l_by_s_elastic(l, F, Omega, nu_plastic)
         J[row, at_s_elastic] += q0
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic)
-        J[row, at_s_plastic] += q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-5] + q2*z[at_d_plastic + l-4] + q3*z[at_d_plastic + l-3] + q4*z[at_d_plastic + l-2] + q5*z[at_d_plastic + l-1] + q6*z[at_d_plastic + l+1] + q7*(z[at_d_plastic + l+2] if number_d_plastic > l+2 else 0.0) + q8*(z[at_d_plastic + l+3] if number_d_plastic > l+3 else 0.0) + q9*(z[at_d_plastic + l+4] if number_d_plastic > l+4 else 0.0) + q10*(z[at_d_plastic + l+5] if number_d_plastic > l+5 else 0.0) + q11
+        q0, q1, q2, q3, q4, q5 = plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic)
+        J[row, at_s_plastic] += q0*z[at_d_plastic + l] + q1*z[at_d_plastic + l-2] + q2*z[at_d_plastic + l-1] + q3*z[at_d_plastic + l+1] + q4*(z[at_d_plastic + l+2] if number_d_plastic > l+2 else 0.0) + q5
         q0 = plastic_by_l_by_phi(l, F, nu_plastic)
         J[row, at_phi] += q0
         row += 1
+    q0, q1, q2, q3, q4, q5, _ = plastic_rest_0(N, m, c, h, F, s_plastic, mu_plastic)
+    J[row, at_d_plastic + N] += q0
+    J[row, at_d_plastic + N-1] += q1
+    J[row, at_d_plastic + N+1] += q2
+    J[row, at_tau0_plastic] += q3
+    J[row, at_tau1_plastic] += q4
+    J[row, at_tau2_plastic] += q5
+    q0 = plastic_rest_0_by_s_elastic(N, F, Omega, nu_plastic)
+    J[row, at_s_elastic] += q0
+    q0, q1, q2, q3 = plastic_rest_0_by_s_plastic(N, c, h, F, Omega, s_plastic, nu_plastic)
+    J[row, at_s_plastic] += q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N-1] + q2*z[at_d_plastic + N+1] + q3
+    q0 = plastic_rest_0_by_phi(N, F, nu_plastic)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, _ = plastic_rest_1(N, m, c, h, F, s_plastic, mu_plastic)
+    J[row, at_d_plastic + N] += q0
+    J[row, at_d_plastic + N+1] += q1
+    J[row, at_tau1_plastic] += q2
+    J[row, at_tau2_plastic] += q3
+    q0 = plastic_rest_1_by_s_elastic(N, F, Omega, nu_plastic)
+    J[row, at_s_elastic] += q0
+    q0, q1, q2 = plastic_rest_1_by_s_plastic(N, c, h, F, Omega, s_plastic, nu_plastic)
+    J[row, at_s_plastic] += q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N+1] + q2
+    q0 = plastic_rest_1_by_phi(N, F, nu_plastic)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = plastic_rest_2(N, m, h, F, s_plastic, mu_plastic)
+    J[row, at_d_plastic + N+1] += q0
+    J[row, at_tau2_plastic] += q1
+    q0 = plastic_rest_2_by_s_elastic(N, F, Omega, nu_plastic)
+    J[row, at_s_elastic] += q0
+    q0, q1 = plastic_rest_2_by_s_plastic(N, h, F, Omega, s_plastic, nu_plastic)
+    J[row, at_s_plastic] += q0*z[at_d_plastic + N+1] + q1
+    q0 = plastic_rest_2_by_phi(N, F, nu_plastic)
+    J[row, at_phi] += q0
+    row += 1
     q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
     J[row, at_x_elastic] += q0
     J[row, at_x_plastic] += q1
@@ -1398,17 +1138,17 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = (len(z) - 13)//2
+    N = (len(z) - 20)//2
     at_x_elastic = 0
     at_v_elastic = 1
     at_d_elastic = 2
     number_d_elastic = N + 3
-    at_x_plastic = N + 5
-    at_v_plastic = N + 6
-    at_d_plastic = N + 7
+    at_x_plastic = N + 9
+    at_v_plastic = N + 10
+    at_d_plastic = N + 11
     number_d_plastic = N + 2
-    at_s_elastic = 2*N + 10
-    at_s_plastic = 2*N + 11
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
     s_elastic = z[at_s_elastic]
     s_plastic = z[at_s_plastic]
     if p == 0:
@@ -1420,22 +1160,608 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = (len(z) - 13)//2
+    N = (len(z) - 20)//2
     at_x_elastic = 0
     at_v_elastic = 1
     at_d_elastic = 2
     number_d_elastic = N + 3
-    at_x_plastic = N + 5
-    at_v_plastic = N + 6
-    at_d_plastic = N + 7
+    at_tau0_elastic = N + 5
+    at_tau1_elastic = N + 6
+    at_tau2_elastic = N + 7
+    at_tau3_elastic = N + 8
+    at_x_plastic = N + 9
+    at_v_plastic = N + 10
+    at_d_plastic = N + 11
     number_d_plastic = N + 2
-    at_w = 2*N + 9
+    at_tau0_plastic = 2*N + 13
+    at_tau1_plastic = 2*N + 14
+    at_tau2_plastic = 2*N + 15
+    at_w = 2*N + 16
     return {
         "x_elastic": (z[at_x_elastic], 0),
         "v_elastic": (z[at_v_elastic], 1),
         "d_elastic": (z[at_d_elastic:at_d_elastic + number_d_elastic], 2),
+        "tau0_elastic": (z[at_tau0_elastic], 2),
+        "tau1_elastic": (z[at_tau1_elastic], 2),
+        "tau2_elastic": (z[at_tau2_elastic], 2),
+        "tau3_elastic": (z[at_tau3_elastic], 2),
         "x_plastic": (z[at_x_plastic], 0),
         "v_plastic": (z[at_v_plastic], 1),
         "d_plastic": (z[at_d_plastic:at_d_plastic + number_d_plastic], 2),
+        "tau0_plastic": (z[at_tau0_plastic], 2),
+        "tau1_plastic": (z[at_tau1_plastic], 2),
+        "tau2_plastic": (z[at_tau2_plastic], 2),
         "w": (z[at_w], 0),
     }
+
+
+KEPT = 18  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    pass
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = (len(z) - 20)//2
+    at_x_elastic = 0
+    at_v_elastic = 1
+    at_d_elastic = 2
+    at_tau0_elastic = N + 5
+    at_tau1_elastic = N + 6
+    at_tau2_elastic = N + 7
+    at_tau3_elastic = N + 8
+    at_x_plastic = N + 9
+    at_v_plastic = N + 10
+    at_d_plastic = N + 11
+    at_tau0_plastic = 2*N + 13
+    at_tau1_plastic = 2*N + 14
+    at_tau2_plastic = 2*N + 15
+    at_w = 2*N + 16
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
+    at_phi = 2*N + 19
+    return at_x_elastic, at_v_elastic, at_d_elastic + N + 1, at_d_elastic + N + 2, at_tau0_elastic, at_tau1_elastic, at_tau2_elastic, at_tau3_elastic, at_x_plastic, at_v_plastic, at_d_plastic + N + 1, at_tau0_plastic, at_tau1_plastic, at_tau2_plastic, at_w, at_s_elastic, at_s_plastic, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = (len(z) - 20)//2
+    at_d_elastic = 2
+    at_d_plastic = N + 11
+    return ((at_d_elastic, N + 1, 2, 2, N + 1), (at_d_plastic, N + 1, 10, 1, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 20)//2
+    at_x_elastic = 0
+    at_v_elastic = 1
+    at_tau0_elastic = N + 5
+    at_tau1_elastic = N + 6
+    at_tau2_elastic = N + 7
+    at_tau3_elastic = N + 8
+    at_x_plastic = N + 9
+    at_v_plastic = N + 10
+    at_tau0_plastic = 2*N + 13
+    at_tau1_plastic = 2*N + 14
+    at_tau2_plastic = 2*N + 15
+    at_w = 2*N + 16
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
+    at_phi = 2*N + 19
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    phi = z[at_phi]
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = elastic_by_0(N, m, c, k, F_y, h, F, s_elastic, mu_elastic)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_elastic] + q1*z[at_v_elastic] + q5*z[at_tau0_elastic] + q6*z[at_tau1_elastic] + q7*z[at_tau2_elastic] + q8*z[at_tau3_elastic] + q9*z[at_w] + q10)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = elastic_by_1(N, m, c, k, h, F, s_elastic, mu_elastic)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_elastic] + q5*z[at_tau0_elastic] + q6*z[at_tau1_elastic] + q7*z[at_tau2_elastic] + q8*z[at_tau3_elastic] + q9)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = elastic_by_l(l, N, m, c, k, h, F, s_elastic, mu_elastic)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_elastic] + q6*z[at_tau1_elastic] + q7*z[at_tau2_elastic] + q8*z[at_tau3_elastic] + q9)
+        row += 1
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_0(N, m, c, F_y, h, F, s_plastic, mu_plastic)
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_x_plastic] + q1*z[at_v_plastic] + q5*z[at_tau0_plastic] + q6*z[at_tau1_plastic] + q7*z[at_tau2_plastic] + q8)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_1(N, m, c, h, F, s_plastic, mu_plastic)
+    diagonals[1, row, 3] = q1
+    diagonals[1, row, 4] = q2
+    diagonals[1, row, 5] = q3
+    diagonals[1, row, 6] = q4
+    right[1, row] = -(q0*z[at_v_plastic] + q5*z[at_tau0_plastic] + q6*z[at_tau1_plastic] + q7*z[at_tau2_plastic] + q8)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = plastic_by_l(l, N, m, c, h, F, s_plastic, mu_plastic)
+        diagonals[1, row, 4] = q0
+        diagonals[1, row, 2] = q1
+        diagonals[1, row, 3] = q2
+        diagonals[1, row, 5] = q3
+        diagonals[1, row, 6] = q4
+        right[1, row] = -(q5*z[at_tau0_plastic] + q6*z[at_tau1_plastic] + q7*z[at_tau2_plastic] + q8)
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 20)//2
+    at_v_elastic = 1
+    at_v_plastic = N + 10
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
+    at_phi = 2*N + 19
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    phi = z[at_phi]
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    nu_elastic = over_elastic[1]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
+    nu_plastic = over_plastic[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, q5, q6, q7, q8, q9, _ = elastic_by_0(N, m, c, k, F_y, h, F, s_elastic, mu_elastic)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 4] = -q5
+    slopes[0, row, 5] = -q6
+    slopes[0, row, 6] = -q7
+    slopes[0, row, 7] = -q8
+    slopes[0, row, 14] = -q9
+    q0, q1, q2, q3, q4 = elastic_by_0_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
+    slopes[0, row, 15] = -(q0*z[at_v_elastic] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    q0 = elastic_by_0_by_phi(F, nu_elastic)
+    slopes[0, row, 17] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, q6, q7, q8, _ = elastic_by_1(N, m, c, k, h, F, s_elastic, mu_elastic)
+    slopes[0, row, 1] = -q0
+    slopes[0, row, 4] = -q5
+    slopes[0, row, 5] = -q6
+    slopes[0, row, 6] = -q7
+    slopes[0, row, 7] = -q8
+    q0, q1, q2, q3, q4, q5 = elastic_by_1_by_s_elastic(c, k, h, F, Omega, s_elastic, nu_elastic)
+    slopes[0, row, 15] = -(q0*z[at_v_elastic] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    q0 = elastic_by_1_by_phi(F, nu_elastic)
+    slopes[0, row, 17] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, q7, q8, _ = elastic_by_l(l, N, m, c, k, h, F, s_elastic, mu_elastic)
+        slopes[0, row, 4] = -q5
+        slopes[0, row, 5] = -q6
+        slopes[0, row, 6] = -q7
+        slopes[0, row, 7] = -q8
+        q0, q1, q2, q3, q4, q5 = elastic_by_l_by_s_elastic(l, c, k, h, F, Omega, s_elastic, nu_elastic)
+        slopes[0, row, 15] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        q0 = elastic_by_l_by_phi(l, F, nu_elastic)
+        slopes[0, row, 17] = -(q0)
+        row += 1
+    row = 4
+    q0, q1, _, _, _, q5, q6, q7, _ = plastic_by_0(N, m, c, F_y, h, F, s_plastic, mu_plastic)
+    slopes[1, row, 8] = -q0
+    slopes[1, row, 9] = -q1
+    slopes[1, row, 11] = -q5
+    slopes[1, row, 12] = -q6
+    slopes[1, row, 13] = -q7
+    q0 = plastic_by_0_by_s_elastic(F, Omega, nu_plastic)
+    slopes[1, row, 15] = -(q0)
+    q0, q1, q2, q3, q4 = plastic_by_0_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
+    slopes[1, row, 16] = -(q0*z[at_v_plastic] + q1*found[1, row] + q2*found[1, row + 1] + q3*found[1, row + 2] + q4)
+    q0 = plastic_by_0_by_phi(F, nu_plastic)
+    slopes[1, row, 17] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, q6, q7, _ = plastic_by_1(N, m, c, h, F, s_plastic, mu_plastic)
+    slopes[1, row, 9] = -q0
+    slopes[1, row, 11] = -q5
+    slopes[1, row, 12] = -q6
+    slopes[1, row, 13] = -q7
+    q0 = plastic_by_1_by_s_elastic(F, Omega, nu_plastic)
+    slopes[1, row, 15] = -(q0)
+    q0, q1, q2, q3, q4, q5 = plastic_by_1_by_s_plastic(c, h, F, Omega, s_plastic, nu_plastic)
+    slopes[1, row, 16] = -(q0*z[at_v_plastic] + q1*found[1, row - 1] + q2*found[1, row] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+    q0 = plastic_by_1_by_phi(F, nu_plastic)
+    slopes[1, row, 17] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, q7, _ = plastic_by_l(l, N, m, c, h, F, s_plastic, mu_plastic)
+        slopes[1, row, 11] = -q5
+        slopes[1, row, 12] = -q6
+        slopes[1, row, 13] = -q7
+        q0 = plastic_by_l_by_s_elastic(l, F, Omega, nu_plastic)
+        slopes[1, row, 15] = -(q0)
+        q0, q1, q2, q3, q4, q5 = plastic_by_l_by_s_plastic(l, c, h, F, Omega, s_plastic, nu_plastic)
+        slopes[1, row, 16] = -(q0*found[1, row] + q1*found[1, row - 2] + q2*found[1, row - 1] + q3*found[1, row + 1] + q4*found[1, row + 2] + q5)
+        q0 = plastic_by_l_by_phi(l, F, nu_plastic)
+        slopes[1, row, 17] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 20)//2
+    at_x_elastic = 0
+    at_v_elastic = 1
+    at_d_elastic = 2
+    at_tau0_elastic = N + 5
+    at_tau1_elastic = N + 6
+    at_tau2_elastic = N + 7
+    at_tau3_elastic = N + 8
+    at_x_plastic = N + 9
+    at_v_plastic = N + 10
+    at_d_plastic = N + 11
+    at_tau0_plastic = 2*N + 13
+    at_tau1_plastic = 2*N + 14
+    at_tau2_plastic = 2*N + 15
+    at_w = 2*N + 16
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
+    at_phi = 2*N + 19
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    phi = z[at_phi]
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
+    row = 0
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = elastic_rest_0(N, m, c, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N-1] + q2*z[at_d_elastic + N+1] + q3*z[at_d_elastic + N+2] + q4*z[at_tau0_elastic] + q5*z[at_tau1_elastic] + q6*z[at_tau2_elastic] + q7*z[at_tau3_elastic] + q8
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6 = elastic_rest_1(N, m, c, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N+1] + q2*z[at_d_elastic + N+2] + q3*z[at_tau1_elastic] + q4*z[at_tau2_elastic] + q5*z[at_tau3_elastic] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = elastic_rest_2(N, m, c, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N+1] + q1*z[at_d_elastic + N+2] + q2*z[at_tau2_elastic] + q3*z[at_tau3_elastic] + q4
+    row += 1
+    q0, q1, q2 = elastic_rest_3(N, m, k, h, F, s_elastic, mu_elastic)
+    R[row] = q0*z[at_d_elastic + N+2] + q1*z[at_tau3_elastic] + q2
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6 = plastic_rest_0(N, m, c, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N-1] + q2*z[at_d_plastic + N+1] + q3*z[at_tau0_plastic] + q4*z[at_tau1_plastic] + q5*z[at_tau2_plastic] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = plastic_rest_1(N, m, c, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N+1] + q2*z[at_tau1_plastic] + q3*z[at_tau2_plastic] + q4
+    row += 1
+    q0, q1, q2 = plastic_rest_2(N, m, h, F, s_plastic, mu_plastic)
+    R[row] = q0*z[at_d_plastic + N+1] + q1*z[at_tau2_plastic] + q2
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_x_plastic] + q2*z[at_v_plastic] + q3*z[at_d_plastic] + q4*z[at_d_plastic + 1]
+    row += 1
+    q0, q1, q2 = velocity_elastic(s_plastic)
+    R[row] = q0*z[at_v_elastic] + q1*z[at_v_plastic] + q2*z[at_d_plastic]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0 = derivative_2_elastic_sum0()
+        R[row] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_2_elastic_sum1(n)
+        R[row] += q0*z[at_d_elastic + n]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0 = derivative_3_elastic_sum0(n, s_plastic)
+        R[row] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_3_elastic_sum1(n, s_elastic)
+        R[row] += q0*z[at_d_elastic + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_plastic(s_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_x_plastic]
+    row += 1
+    q0, q1, q2 = velocity_plastic(s_elastic)
+    R[row] = q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_v_plastic]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0 = derivative_2_plastic_sum0(n)
+        R[row] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_2_plastic_sum1()
+        R[row] += q0*z[at_d_elastic + n]
+    row += 1
+    q0, q1, q2, q3, q4, q5 = event_elastic(k, F_y, s_elastic)
+    R[row] = q0*z[at_x_elastic] + q1*z[at_v_elastic] + q2*z[at_d_elastic] + q3*z[at_d_elastic + 1] + q4*z[at_w] + q5
+    row += 1
+    q0, q1 = event_plastic(s_plastic)
+    R[row] = q0*z[at_v_plastic] + q1*z[at_d_plastic]
+    row += 1
+    q0, q1 = memory_w()
+    R[row] = q0*z[at_x_elastic] + q1*z[at_w]
+    row += 1
+    q0 = cell(Omega, cycles, s_elastic, s_plastic)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F_y, h, F, Omega, cycles = case
+    N = (len(z) - 20)//2
+    at_v_elastic = 1
+    at_d_elastic = 2
+    at_v_plastic = N + 10
+    at_d_plastic = N + 11
+    at_s_elastic = 2*N + 17
+    at_s_plastic = 2*N + 18
+    at_phi = 2*N + 19
+    s_elastic = z[at_s_elastic]
+    s_plastic = z[at_s_plastic]
+    phi = z[at_phi]
+    over_elastic = legendre_moments(N + 11, Omega*s_elastic, phi)
+    mu_elastic = over_elastic[0]
+    nu_elastic = over_elastic[1]
+    over_plastic = legendre_moments(N + 11, Omega*s_plastic, Omega*s_elastic + phi)
+    mu_plastic = over_plastic[0]
+    nu_plastic = over_plastic[1]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = elastic_rest_0(N, m, c, k, h, F, s_elastic, mu_elastic)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 1] += q0
+    if N - 1 < N + 1:
+        follow(J, row, slopes, 0, N + 3, q1)
+    else:
+        J[row, 0] += q1
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q2)
+    else:
+        J[row, 2] += q2
+    if N + 2 < N + 1:
+        follow(J, row, slopes, 0, N + 6, q3)
+    else:
+        J[row, 3] += q3
+    J[row, 4] += q4
+    J[row, 5] += q5
+    J[row, 6] += q6
+    J[row, 7] += q7
+    q0, q1, q2, q3, q4 = elastic_rest_0_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, 15] += q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N-1] + q2*z[at_d_elastic + N+1] + q3*z[at_d_elastic + N+2] + q4
+    q0 = elastic_rest_0_by_phi(N, F, nu_elastic)
+    J[row, 17] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, _ = elastic_rest_1(N, m, c, k, h, F, s_elastic, mu_elastic)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 1] += q0
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q1)
+    else:
+        J[row, 2] += q1
+    if N + 2 < N + 1:
+        follow(J, row, slopes, 0, N + 6, q2)
+    else:
+        J[row, 3] += q2
+    J[row, 5] += q3
+    J[row, 6] += q4
+    J[row, 7] += q5
+    q0, q1, q2, q3 = elastic_rest_1_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, 15] += q0*z[at_d_elastic + N] + q1*z[at_d_elastic + N+1] + q2*z[at_d_elastic + N+2] + q3
+    q0 = elastic_rest_1_by_phi(N, F, nu_elastic)
+    J[row, 17] += q0
+    row += 1
+    q0, q1, q2, q3, _ = elastic_rest_2(N, m, c, k, h, F, s_elastic, mu_elastic)
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q0)
+    else:
+        J[row, 2] += q0
+    if N + 2 < N + 1:
+        follow(J, row, slopes, 0, N + 6, q1)
+    else:
+        J[row, 3] += q1
+    J[row, 6] += q2
+    J[row, 7] += q3
+    q0, q1, q2 = elastic_rest_2_by_s_elastic(N, c, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, 15] += q0*z[at_d_elastic + N+1] + q1*z[at_d_elastic + N+2] + q2
+    q0 = elastic_rest_2_by_phi(N, F, nu_elastic)
+    J[row, 17] += q0
+    row += 1
+    q0, q1, _ = elastic_rest_3(N, m, k, h, F, s_elastic, mu_elastic)
+    if N + 2 < N + 1:
+        follow(J, row, slopes, 0, N + 6, q0)
+    else:
+        J[row, 3] += q0
+    J[row, 7] += q1
+    q0, q1 = elastic_rest_3_by_s_elastic(N, k, h, F, Omega, s_elastic, nu_elastic)
+    J[row, 15] += q0*z[at_d_elastic + N+2] + q1
+    q0 = elastic_rest_3_by_phi(N, F, nu_elastic)
+    J[row, 17] += q0
+    row += 1
+    q0, q1, q2, q3, q4, q5, _ = plastic_rest_0(N, m, c, h, F, s_plastic, mu_plastic)
+    if N < N + 1:
+        follow(J, row, slopes, 1, N + 4, q0)
+    else:
+        J[row, 9] += q0
+    if N - 1 < N + 1:
+        follow(J, row, slopes, 1, N + 3, q1)
+    else:
+        J[row, 8] += q1
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q2)
+    else:
+        J[row, 10] += q2
+    J[row, 11] += q3
+    J[row, 12] += q4
+    J[row, 13] += q5
+    q0 = plastic_rest_0_by_s_elastic(N, F, Omega, nu_plastic)
+    J[row, 15] += q0
+    q0, q1, q2, q3 = plastic_rest_0_by_s_plastic(N, c, h, F, Omega, s_plastic, nu_plastic)
+    J[row, 16] += q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N-1] + q2*z[at_d_plastic + N+1] + q3
+    q0 = plastic_rest_0_by_phi(N, F, nu_plastic)
+    J[row, 17] += q0
+    row += 1
+    q0, q1, q2, q3, _ = plastic_rest_1(N, m, c, h, F, s_plastic, mu_plastic)
+    if N < N + 1:
+        follow(J, row, slopes, 1, N + 4, q0)
+    else:
+        J[row, 9] += q0
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q1)
+    else:
+        J[row, 10] += q1
+    J[row, 12] += q2
+    J[row, 13] += q3
+    q0 = plastic_rest_1_by_s_elastic(N, F, Omega, nu_plastic)
+    J[row, 15] += q0
+    q0, q1, q2 = plastic_rest_1_by_s_plastic(N, c, h, F, Omega, s_plastic, nu_plastic)
+    J[row, 16] += q0*z[at_d_plastic + N] + q1*z[at_d_plastic + N+1] + q2
+    q0 = plastic_rest_1_by_phi(N, F, nu_plastic)
+    J[row, 17] += q0
+    row += 1
+    q0, q1, _ = plastic_rest_2(N, m, h, F, s_plastic, mu_plastic)
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 1, N + 5, q0)
+    else:
+        J[row, 10] += q0
+    J[row, 13] += q1
+    q0 = plastic_rest_2_by_s_elastic(N, F, Omega, nu_plastic)
+    J[row, 15] += q0
+    q0, q1 = plastic_rest_2_by_s_plastic(N, h, F, Omega, s_plastic, nu_plastic)
+    J[row, 16] += q0*z[at_d_plastic + N+1] + q1
+    q0 = plastic_rest_2_by_phi(N, F, nu_plastic)
+    J[row, 17] += q0
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_elastic(s_plastic)
+    J[row, 0] += q0
+    J[row, 8] += q1
+    J[row, 9] += q2
+    follow(J, row, slopes, 1, 4, q3)
+    follow(J, row, slopes, 1, 5, q4)
+    q0, q1, q2 = displacement_elastic_by_s_plastic(s_plastic)
+    J[row, 16] += q0*z[at_v_plastic] + q1*z[at_d_plastic] + q2*z[at_d_plastic + 1]
+    row += 1
+    q0, q1, q2 = velocity_elastic(s_plastic)
+    J[row, 1] += q0
+    J[row, 9] += q1
+    follow(J, row, slopes, 1, 4, q2)
+    q0 = velocity_elastic_by_s_plastic()
+    J[row, 16] += q0*z[at_d_plastic]
+    row += 1
+    for n in range(0, N + 2):
+        q0 = derivative_2_elastic_sum0()
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q0)
+        else:
+            J[row, -N + n + 9] += q0
+    for n in range(0, N + 3):
+        q0 = derivative_2_elastic_sum1(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+    row += 1
+    for n in range(0, N + 2):
+        q0 = derivative_3_elastic_sum0(n, s_plastic)
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q0)
+        else:
+            J[row, -N + n + 9] += q0
+        q0 = derivative_3_elastic_sum0_by_s_plastic(n, s_plastic)
+        J[row, 16] += q0*z[at_d_plastic + n]
+    for n in range(0, N + 3):
+        q0 = derivative_3_elastic_sum1(n, s_elastic)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+        q0 = derivative_3_elastic_sum1_by_s_elastic(n, s_elastic)
+        J[row, 15] += q0*z[at_d_elastic + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_plastic(s_elastic)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 8] += q4
+    q0, q1, q2 = displacement_plastic_by_s_elastic(s_elastic)
+    J[row, 15] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
+    row += 1
+    q0, q1, q2 = velocity_plastic(s_elastic)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    J[row, 9] += q2
+    q0 = velocity_plastic_by_s_elastic()
+    J[row, 15] += q0*z[at_d_elastic]
+    row += 1
+    for n in range(0, N + 2):
+        q0 = derivative_2_plastic_sum0(n)
+        if n < N + 1:
+            follow(J, row, slopes, 1, n + 4, q0)
+        else:
+            J[row, -N + n + 9] += q0
+    for n in range(0, N + 3):
+        q0 = derivative_2_plastic_sum1()
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n + 1] += q0
+    row += 1
+    q0, q1, q2, q3, q4, _ = event_elastic(k, F_y, s_elastic)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 14] += q4
+    q0, q1, q2 = event_elastic_by_s_elastic(k, s_elastic)
+    J[row, 15] += q0*z[at_v_elastic] + q1*z[at_d_elastic] + q2*z[at_d_elastic + 1]
+    row += 1
+    q0, q1 = event_plastic(s_plastic)
+    J[row, 9] += q0
+    follow(J, row, slopes, 1, 4, q1)
+    q0 = event_plastic_by_s_plastic()
+    J[row, 16] += q0*z[at_d_plastic]
+    row += 1
+    q0, q1 = memory_w()
+    J[row, 0] += q0
+    J[row, 14] += q1
+    row += 1
+    q0 = cell_by_s_elastic()
+    J[row, 15] += q0
+    q0 = cell_by_s_plastic()
+    J[row, 16] += q0
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

@@ -33,6 +33,7 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "43083ed6253efd038ed713f32206539b4ebc2abdc91866700583932ad2bcb105"  # of the conditions, by srepr
 BODY = "d0281d2b6025c06e3630035f113353b3d3ee6e62b485efe2f00a27db298312ef"  # of the text below
 

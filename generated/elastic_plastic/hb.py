@@ -28,6 +28,7 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "099a83439dafc5f55e7fe6ddd344d9c43b0c8245574bb7317eabe00417bd059a"  # of the conditions, by srepr
 BODY = "c9b80871908808389ea76a5a50fed16cc4e12faceed2b40eb7396296023d6d74"  # of the text below
 

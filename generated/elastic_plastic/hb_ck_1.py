@@ -31,6 +31,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "948780be824653c2788407e4981ebdfe0de40c2dec70383c91a4b5adbcf219e4"  # of the conditions, by srepr
 BODY = "018312c8bbf628eb25667a25af3f614db9e078dc275dc60f7732f33a5a1c6350"  # of the text below
 

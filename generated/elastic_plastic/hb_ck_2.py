@@ -33,6 +33,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "fe6812c2e43a39316f883f287fa8ae71c9ce7bea77df963164d9decd86b8e630"  # of the conditions, by srepr
 BODY = "11a0de68ae14036cbf9f52c214306ba0c2a559841ec623885c1f08778ed5e0f8"  # of the text below
 

@@ -35,6 +35,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "639464f0120921bffe098ee362d7bc63f50546df52de58e02e3bc71e30b61378"  # of the conditions, by srepr
 BODY = "ca33bed11f3195fe9f5290546bc9be9f0abc170f54cd2c6058b19a9555b17ec8"  # of the text below
 

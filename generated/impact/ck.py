@@ -7,6 +7,7 @@ Unknowns ``z`` at order N, in this sequence:
     x_flight: displacement where flight begins
     v_flight: velocity where flight begins
     d_flight[0..N - 1]: acceleration of flight in Legendre polynomials
+    tau0_flight: of what no test sees of the residual of flight
     s_flight: duration
     phi: phase of the forcing
 
@@ -27,9 +28,10 @@ SCENE = "impact"
 METHOD = "ck"
 DURATIONS = 1
 FORCED = True
-LOWEST = 3  # order
-MATHEMATICS = "60a1273cf14125cd1eb2543c9252fa2021bf76471d24f83f47d6894167212d1b"  # of the conditions, by srepr
-BODY = "570fcbdcdd1b333ede5feeca32706e0e66385319875d893040778be4d5ea7633"  # of the text below
+LOWEST = 2  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "7f2ef7bba4ed7408aa24abe279010d8442083f61c567d05679e82b9877c5e280"  # of the conditions, by srepr
+BODY = "f156ced64188b6f73eecb7a5881ef2e8a7621090a38d4e5bf6cc7fdc19f963a9"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -86,6 +88,12 @@ def legendre_moments(count, kappa, theta):
     return moments
 
 
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
@@ -120,132 +128,117 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def flight_by_0(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 0."""
+def flight_by_0(N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree 0."""
     return (
-        k/2,
-        (3*c + 2*k*s_flight)/6,
-        (8*c*s_flight + 3*k*(s_flight*s_flight) + 12*m)/24,
-        (-10*c*s_flight - 7*k*(s_flight*s_flight) + 20*m)/120,
-        -(s_flight*(2*c - k*s_flight))/120,
-        (k*(s_flight*s_flight))/840,
-        -(F*mu_flight[0])/2 - (F*mu_flight[1])/2,
+        k,
+        (2*c + k*s_flight)/2,
+        (3*c*s_flight + k*(s_flight*s_flight) + 6*m)/6,
+        -(s_flight*(2*c + k*s_flight))/12,
+        (k*(s_flight*s_flight))/60,
+        -((-1)**N*m)/(N + 1),
+        -F*mu_flight[0],
     )
 
 
 def flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        k/3,
-        (4*c + 3*k*s_flight)/12,
-        (-5*c - 7*k*s_flight)/60,
-        (-c + k*s_flight)/60,
-        (k*s_flight)/420,
-        -(F*Omega*nu_flight[0])/3 - (F*Omega*nu_flight[1])/2 - (F*Omega*nu_flight[2])/6,
+        k/2,
+        (3*c + 2*k*s_flight)/6,
+        (-c - k*s_flight)/6,
+        (k*s_flight)/30,
+        -(F*Omega*nu_flight[0])/2 - (F*Omega*nu_flight[1])/2,
     )
 
 
 def flight_by_0_by_phi(F, nu_flight):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_flight[0])/2 - (F*nu_flight[1])/2
+    return -F*nu_flight[0]
 
 
-def flight_by_1(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 1."""
+def flight_by_1(N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree 1."""
     return (
-        -k/6,
-        (-2*c - k*s_flight)/12,
-        (-10*c*s_flight - 3*k*(s_flight*s_flight) - 20*m)/120,
-        (s_flight*(12*c + 5*k*s_flight))/360,
-        (-3*k*(s_flight*s_flight) + 28*m)/840,
-        -(c*s_flight)/420,
-        (k*(s_flight*s_flight))/7560,
-        (F*mu_flight[0])/6 - (F*mu_flight[2])/6,
+        (k*s_flight)/2,
+        (s_flight*(2*c + k*s_flight))/4,
+        (-k*(s_flight*s_flight) + 10*m)/10,
+        -(c*s_flight)/10,
+        (k*(s_flight*s_flight))/140,
+        -(3*(-1)**(N - 1)*m)/(N + 1),
+        -3*F*mu_flight[1],
     )
 
 
 def flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        -k/12,
-        (-5*c - 3*k*s_flight)/60,
-        (6*c + 5*k*s_flight)/180,
-        -(k*s_flight)/140,
-        -c/420,
-        (k*s_flight)/3780,
-        (F*Omega*nu_flight[0])/12 + (F*Omega*nu_flight[1])/20 - (F*Omega*nu_flight[2])/12 - (F*Omega*nu_flight[3])/20,
+        k/2,
+        (c + k*s_flight)/2,
+        -(k*s_flight)/5,
+        -c/10,
+        (k*s_flight)/70,
+        -(F*Omega*nu_flight[0])/2 - (3*F*Omega*nu_flight[1])/2 - F*Omega*nu_flight[2],
     )
 
 
 def flight_by_1_by_phi(F, nu_flight):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_flight[0])/6 - (F*nu_flight[2])/6
+    return -3*F*nu_flight[1]
 
 
-def flight_by_2(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 2."""
+def flight_by_l(l, N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree l."""
     return (
-        -(k*s_flight)/60,
-        -(s_flight*(2*c + k*s_flight))/120,
-        (3*k*(s_flight*s_flight) - 28*m)/840,
-        (c*s_flight)/210,
-        (-k*(s_flight*s_flight) + 36*m)/2520,
-        -(c*s_flight)/1260,
-        (k*(s_flight*s_flight))/27720,
-        (F*mu_flight[1])/10 - (F*mu_flight[3])/10,
-    )
-
-
-def flight_by_2_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        -k/60,
-        (-c - k*s_flight)/60,
-        (k*s_flight)/140,
-        c/210,
-        -(k*s_flight)/1260,
-        -c/1260,
-        (k*s_flight)/13860,
-        (F*Omega*nu_flight[0])/60 + (F*Omega*nu_flight[1])/20 + (F*Omega*nu_flight[2])/84 - (F*Omega*nu_flight[3])/20 - (F*Omega*nu_flight[4])/35,
-    )
-
-
-def flight_by_2_by_phi(F, nu_flight):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_flight[1])/10 - (F*nu_flight[3])/10
-
-
-def flight_by_l(l, m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function l."""
-    return (
-        (c*s_flight)/(2*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(k*(s_flight*s_flight))/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_flight)/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (3*k*(s_flight*s_flight) - 16*(l*l)*m + 36*m)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-3*k*(s_flight*s_flight) + 16*(l*l)*m + 32*l*m - 20*m)/(8*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(c*s_flight)/(4*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (k*(s_flight*s_flight))/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(F*mu_flight[l + 1])/(4*l + 2) + (F*mu_flight[l - 1])/(4*l + 2),
+        (-k*(s_flight*s_flight) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (k*(s_flight*s_flight))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_flight)/(4*l - 2),
+        -(c*s_flight)/(4*l + 6),
+        (k*(s_flight*s_flight))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l)*m*(2*l + 1))/(N + 1),
+        -F*(2*l + 1)*mu_flight[l],
     )
 
 
 def flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        c/(2*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(k*s_flight)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (3*k*s_flight)/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(3*k*s_flight)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -c/(4*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (k*s_flight)/(4*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (F*Omega*(l - 1)*nu_flight[l - 2])/(4*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 2)*nu_flight[l + 2])/(4*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_flight[l + 1])/(8*l + 4) + (F*Omega*nu_flight[l - 1])/(8*l + 4) + (F*Omega*nu_flight[l])/(4*(2*l - 1)*(2*l + 3)),
+        -(k*s_flight)/((2*l - 1)*(2*l + 3)),
+        (k*s_flight)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (k*s_flight)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_flight[l - 1])/2 - (F*Omega*(l + 1)*nu_flight[l + 1])/2 - (F*Omega*(2*l + 1)*nu_flight[l])/2,
     )
 
 
 def flight_by_l_by_phi(l, F, nu_flight):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_flight[l + 1])/(4*l + 2) + (F*nu_flight[l - 1])/(4*l + 2)
+    return -F*(2*l + 1)*nu_flight[l]
+
+
+def flight_rest_0(N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree N."""
+    return (
+        (k*(s_flight*s_flight))/(4*(2*N - 3)*(2*N - 1)),
+        (c*s_flight)/(4*N - 2),
+        -(m*(2*N + 1))/(N + 1),
+        -F*(2*N + 1)*mu_flight[N],
+    )
+
+
+def flight_rest_0_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight):
+    """Their derivatives by s_flight, of those that depend on it."""
+    return (
+        (k*s_flight)/(2*(2*N - 3)*(2*N - 1)),
+        c/(4*N - 2),
+        -(F*N*Omega*nu_flight[N - 1])/2 - (F*Omega*(N + 1)*nu_flight[N + 1])/2 - (F*Omega*(2*N + 1)*nu_flight[N])/2,
+    )
+
+
+def flight_rest_0_by_phi(N, F, nu_flight):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 1)*nu_flight[N]
 
 
 def displacement_flight(s_flight):
@@ -311,37 +304,38 @@ def cell_by_s_flight():
 
 def size(N):
     """Return the number of unknowns."""
-    return N + 4
+    return N + 5
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     m, c, k, F, Omega, g, r, cycles = case
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N
-    at_s_flight = N + 2
-    at_phi = N + 3
+    at_tau0_flight = N + 2
+    at_s_flight = N + 3
+    at_phi = N + 4
     s_flight = z[at_s_flight]
     phi = z[at_phi]
     over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
     mu_flight = over_flight[0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6 = flight_by_0(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6
+    q0, q1, q2, q3, q4, q5, q6 = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*z[at_tau0_flight] + q6
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q7
+    q0, q1, q2, q3, q4, q5, q6 = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*z[at_tau0_flight] + q6
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_2(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7
-    row += 1
-    for l in range(3, N):
-        q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q5*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q6*(z[at_d_flight + l+3] if number_d_flight > l+3 else 0.0) + q7
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5, q6 = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
+        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q4*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q5*z[at_tau0_flight] + q6
         row += 1
+    q0, q1, q2, q3 = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*(z[at_d_flight + N-2] if N-2 >= 0 else 0.0) + q1*z[at_d_flight + N-1] + q2*z[at_tau0_flight] + q3
+    row += 1
     q0, q1, q2 = displacement_flight(s_flight)
     R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
     row += 1
@@ -359,13 +353,14 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     m, c, k, F, Omega, g, r, cycles = case
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N
-    at_s_flight = N + 2
-    at_phi = N + 3
+    at_tau0_flight = N + 2
+    at_s_flight = N + 3
+    at_phi = N + 4
     s_flight = z[at_s_flight]
     phi = z[at_phi]
     over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
@@ -373,37 +368,20 @@ def jacobian(case, z, J):
     nu_flight = over_flight[1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
+    q0, q1, q2, q3, q4, q5, _ = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
     J[row, at_x_flight] += q0
     J[row, at_v_flight] += q1
     J[row, at_d_flight] += q2
     J[row, at_d_flight + 1] += q3
     if number_d_flight > 2:
         J[row, at_d_flight + 2] += q4
-    if number_d_flight > 3:
-        J[row, at_d_flight + 3] += q5
-    q0, q1, q2, q3, q4, q5 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5
+    J[row, at_tau0_flight] += q5
+    q0, q1, q2, q3, q4 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4
     q0 = flight_by_0_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, _ = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    J[row, at_x_flight] += q0
-    J[row, at_v_flight] += q1
-    J[row, at_d_flight] += q2
-    J[row, at_d_flight + 1] += q3
-    if number_d_flight > 2:
-        J[row, at_d_flight + 2] += q4
-    if number_d_flight > 3:
-        J[row, at_d_flight + 3] += q5
-    if number_d_flight > 4:
-        J[row, at_d_flight + 4] += q6
-    q0, q1, q2, q3, q4, q5, q6 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6
-    q0 = flight_by_1_by_phi(F, nu_flight)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, _ = flight_by_2(m, c, k, F, s_flight, mu_flight)
+    q0, q1, q2, q3, q4, q5, _ = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
     J[row, at_v_flight] += q0
     J[row, at_d_flight] += q1
     J[row, at_d_flight + 1] += q2
@@ -411,32 +389,37 @@ def jacobian(case, z, J):
         J[row, at_d_flight + 2] += q3
     if number_d_flight > 3:
         J[row, at_d_flight + 3] += q4
-    if number_d_flight > 4:
-        J[row, at_d_flight + 4] += q5
-    if number_d_flight > 5:
-        J[row, at_d_flight + 5] += q6
-    q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_2_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7
-    q0 = flight_by_2_by_phi(F, nu_flight)
+    J[row, at_tau0_flight] += q5
+    q0, q1, q2, q3, q4, q5 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5
+    q0 = flight_by_1_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
-    for l in range(3, N):
-        q0, q1, q2, q3, q4, q5, q6, _ = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5, _ = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
         J[row, at_d_flight + l] += q0
-        J[row, at_d_flight + l-3] += q1
-        J[row, at_d_flight + l-2] += q2
-        J[row, at_d_flight + l-1] += q3
+        J[row, at_d_flight + l-2] += q1
+        J[row, at_d_flight + l-1] += q2
         if number_d_flight > l+1:
-            J[row, at_d_flight + l+1] += q4
+            J[row, at_d_flight + l+1] += q3
         if number_d_flight > l+2:
-            J[row, at_d_flight + l+2] += q5
-        if number_d_flight > l+3:
-            J[row, at_d_flight + l+3] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-3] + q2*z[at_d_flight + l-2] + q3*z[at_d_flight + l-1] + q4*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q5*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q6*(z[at_d_flight + l+3] if number_d_flight > l+3 else 0.0) + q7
+            J[row, at_d_flight + l+2] += q4
+        J[row, at_tau0_flight] += q5
+        q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
+        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*(z[at_d_flight + l+1] if number_d_flight > l+1 else 0.0) + q4*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q5
         q0 = flight_by_l_by_phi(l, F, nu_flight)
         J[row, at_phi] += q0
         row += 1
+    q0, q1, q2, _ = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    if N-2 >= 0:
+        J[row, at_d_flight + N-2] += q0
+    J[row, at_d_flight + N-1] += q1
+    J[row, at_tau0_flight] += q2
+    q0, q1, q2 = flight_rest_0_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*(z[at_d_flight + N-2] if N-2 >= 0 else 0.0) + q1*z[at_d_flight + N-1] + q2
+    q0 = flight_rest_0_by_phi(N, F, nu_flight)
+    J[row, at_phi] += q0
+    row += 1
     q0, q1, q2 = displacement_flight(s_flight)
     J[row, at_v_flight] += q0
     J[row, at_d_flight] += q1
@@ -465,12 +448,12 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N
-    at_s_flight = N + 2
+    at_s_flight = N + 3
     s_flight = z[at_s_flight]
     if p == 0:
         return phase_motion(z[at_x_flight], z[at_v_flight], z[at_d_flight:at_d_flight + number_d_flight], s_flight, u, derivative)
@@ -479,13 +462,195 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N
+    at_tau0_flight = N + 2
     return {
         "x_flight": (z[at_x_flight], 0),
         "v_flight": (z[at_v_flight], 1),
         "d_flight": (z[at_d_flight:at_d_flight + number_d_flight], 2),
+        "tau0_flight": (z[at_tau0_flight], 2),
     }
+
+
+KEPT = 4  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_s_flight = N + 3
+    s_flight = (2*pi*cycles)/Omega
+    z[at_s_flight] = s_flight
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 5
+    at_x_flight = 0
+    at_v_flight = 1
+    at_tau0_flight = N + 2
+    at_phi = N + 4
+    return at_x_flight, at_v_flight, at_tau0_flight, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = len(z) - 5
+    at_d_flight = 2
+    return ((at_d_flight, N, 0, 0, N),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_x_flight = 0
+    at_v_flight = 1
+    at_tau0_flight = N + 2
+    at_s_flight = N + 3
+    at_phi = N + 4
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6 = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_flight] + q1*z[at_v_flight] + q5*z[at_tau0_flight] + q6)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6 = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_flight] + q5*z[at_tau0_flight] + q6)
+    row += 1
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5, q6 = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_flight] + q6)
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_s_flight = N + 3
+    at_phi = N + 4
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, q5, _ = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 2] = -q5
+    q0 = flight_by_0_by_phi(F, nu_flight)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, _ = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 1] = -q0
+    slopes[0, row, 2] = -q5
+    q0 = flight_by_1_by_phi(F, nu_flight)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    for l in range(2, N):
+        _, _, _, _, _, q5, _ = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
+        slopes[0, row, 2] = -q5
+        q0 = flight_by_l_by_phi(l, F, nu_flight)
+        slopes[0, row, 3] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_x_flight = 0
+    at_v_flight = 1
+    at_d_flight = 2
+    at_tau0_flight = N + 2
+    at_s_flight = N + 3
+    at_phi = N + 4
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    row = 0
+    q0, q1, q2, q3 = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*(z[at_d_flight + N-2] if N-2 >= 0 else 0.0) + q1*z[at_d_flight + N-1] + q2*z[at_tau0_flight] + q3
+    row += 1
+    q0, q1, q2 = displacement_flight(s_flight)
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
+    row += 1
+    q0, q1 = velocity_flight(r, s_flight)
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight]
+    row += 1
+    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_s_flight = N + 3
+    at_phi = N + 4
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 5, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, _ = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    follow(J, row, slopes, 0, N + 2, q0)
+    follow(J, row, slopes, 0, N + 3, q1)
+    J[row, 2] += q2
+    q0 = flight_rest_0_by_phi(N, F, nu_flight)
+    J[row, 3] += q0
+    row += 1
+    q0, q1, q2 = displacement_flight(s_flight)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    follow(J, row, slopes, 0, 5, q2)
+    row += 1
+    q0, q1 = velocity_flight(r, s_flight)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    row += 1
+    q0, q1, q2, q3, _ = event_flight(g, s_flight)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

@@ -28,6 +28,7 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "fc8877d7aca8301680e0628a9e8962698c58c0f5c0f8b381d4dd1a7e0af6c1d5"  # of the conditions, by srepr
 BODY = "3a22ba7771caf8bdaf53db678dca63a082098a0481c393e2375c71e8d27d5033"  # of the text below
 

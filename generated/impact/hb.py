@@ -28,6 +28,7 @@ METHOD = "hb"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "fee5ab270b956431c6f9941b8b484ef4d6bd5c4210d91071c76b8a6cdacf002b"  # of the conditions, by srepr
 BODY = "0fc567ab1c64bdfe6439574f91bd15e3c76a378853b79eb990c962a641621176"  # of the text below
 

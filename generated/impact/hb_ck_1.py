@@ -29,6 +29,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "ecbd5b41c79bfe7c21c3199d076cadecfa1b419b9d11434c635bd74030371e26"  # of the conditions, by srepr
 BODY = "e8b0a0b82c353f1cde2d6ae5013cc7884e8a07e48bbf7b8324eae876a47a586e"  # of the text below
 

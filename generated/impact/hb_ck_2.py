@@ -30,6 +30,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "39930ddb22351c18767cb87f75c20d8bc468870756a20c6784a421cea14488a5"  # of the conditions, by srepr
 BODY = "bd9a55cf050b33fca16030716eaf387b94cbd91e3103af970a8786565db70e76"  # of the text below
 

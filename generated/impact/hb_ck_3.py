@@ -31,6 +31,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "1c850f4428f2fc6f238404f41eaee0b97d5bf3de018e4d8ae6f0923464d7a834"  # of the conditions, by srepr
 BODY = "1c20b68f4ceef6facb73b29a9d33122d6e3881777649e9fb1aed3c080cd63f8d"  # of the text below
 

@@ -7,6 +7,9 @@ Unknowns ``z`` at order N, in this sequence:
     x_flight: displacement where flight begins
     v_flight: velocity where flight begins
     d_flight[0..N + 1]: acceleration of flight in Legendre polynomials
+    tau0_flight: of what no test sees of the residual of flight
+    tau1_flight: of what no test sees of the residual of flight
+    tau2_flight: of what no test sees of the residual of flight
     x_rest: displacement where rest begins
     v_rest: velocity where rest begins
     s_flight: duration
@@ -30,9 +33,10 @@ SCENE = "impact-inelastic"
 METHOD = "ck"
 DURATIONS = 2
 FORCED = True
-LOWEST = 4  # order
-MATHEMATICS = "d185f72b3f73cce6844bfb1b2318df31c1272f100abcbe43a1ae25aecc215330"  # of the conditions, by srepr
-BODY = "2e84022789f65cb7460a03be09fd2f91a6d2a0382272119205dd4b552a277bb4"  # of the text below
+LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "150590d248e16a59e1daad3d7693a33a5a22c2a647f5b63d271ecf2328f473a2"  # of the conditions, by srepr
+BODY = "071f5ddc1c9ab9984827d28aed07c75ec549d6b386ffbb8337513908543bd2e4"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -89,6 +93,12 @@ def legendre_moments(count, kappa, theta):
     return moments
 
 
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
@@ -123,234 +133,174 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def flight_by_0(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 0."""
+def flight_by_0(N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree 0."""
     return (
-        k/24,
-        (5*c + 4*k*s_flight)/120,
-        (12*c*s_flight + 5*k*(s_flight*s_flight) + 15*m)/360,
-        (-14*c*s_flight - 15*k*(s_flight*s_flight) + 63*m)/2520,
-        (-24*c*s_flight + 5*k*(s_flight*s_flight) + 84*m)/10080,
-        (-18*c*s_flight + 5*k*(s_flight*s_flight) + 36*m)/30240,
-        -(s_flight*(2*c - k*s_flight))/30240,
-        (k*(s_flight*s_flight))/332640,
-        -(F*mu_flight[0])/24 - (3*F*mu_flight[1])/40 - (F*mu_flight[2])/24 - (F*mu_flight[3])/120,
+        k,
+        (2*c + k*s_flight)/2,
+        (3*c*s_flight + k*(s_flight*s_flight) + 6*m)/6,
+        -(s_flight*(2*c + k*s_flight))/12,
+        (k*(s_flight*s_flight))/60,
+        -((-1)**(N + 1)*m*(N + 3))/2,
+        -((-1)**(N + 2)*m*(N + 4))/2,
+        -((-1)**(N + 3)*m*(N + 5))/2,
+        -F*mu_flight[0],
     )
 
 
 def flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        k/30,
-        (6*c + 5*k*s_flight)/180,
-        (-7*c - 15*k*s_flight)/1260,
-        (-12*c + 5*k*s_flight)/5040,
-        (-9*c + 5*k*s_flight)/15120,
-        (-c + k*s_flight)/15120,
-        (k*s_flight)/166320,
-        -(F*Omega*nu_flight[0])/30 - (F*Omega*nu_flight[1])/15 - (F*Omega*nu_flight[2])/21 - (F*Omega*nu_flight[3])/60 - (F*Omega*nu_flight[4])/420,
+        k/2,
+        (3*c + 2*k*s_flight)/6,
+        (-c - k*s_flight)/6,
+        (k*s_flight)/30,
+        -(F*Omega*nu_flight[0])/2 - (F*Omega*nu_flight[1])/2,
     )
 
 
 def flight_by_0_by_phi(F, nu_flight):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_flight[0])/24 - (3*F*nu_flight[1])/40 - (F*nu_flight[2])/24 - (F*nu_flight[3])/120
+    return -F*nu_flight[0]
 
 
-def flight_by_1(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 1."""
+def flight_by_1(N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree 1."""
     return (
-        -k/40,
-        (-9*c - 7*k*s_flight)/360,
-        (-49*c*s_flight - 20*k*(s_flight*s_flight) - 63*m)/2520,
-        (36*c*s_flight + 35*k*(s_flight*s_flight) - 140*m)/10080,
-        (21*c*s_flight - 5*k*(s_flight*s_flight) - 54*m)/15120,
-        (s_flight*(8*c - 3*k*s_flight))/30240,
-        (-5*k*(s_flight*s_flight) + 44*m)/332640,
-        -(c*s_flight)/166320,
-        (k*(s_flight*s_flight))/4324320,
-        (F*mu_flight[0])/40 + (F*mu_flight[1])/24 + (F*mu_flight[2])/56 - (F*mu_flight[4])/840,
+        (k*s_flight)/2,
+        (s_flight*(2*c + k*s_flight))/4,
+        (-k*(s_flight*s_flight) + 10*m)/10,
+        -(c*s_flight)/10,
+        (k*(s_flight*s_flight))/140,
+        -(3*(-1)**N*m*(N + 1)*(N + 5))/(2*N + 6),
+        -(3*(-1)**(N + 1)*m*(N + 2)*(N + 6))/(2*N + 8),
+        -(3*(-1)**(N + 2)*m*(N + 3)*(N + 7))/(2*N + 10),
+        -3*F*mu_flight[1],
     )
 
 
 def flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        -(7*k)/360,
-        (-49*c - 40*k*s_flight)/2520,
-        (18*c + 35*k*s_flight)/5040,
-        (21*c - 10*k*s_flight)/15120,
-        (4*c - 3*k*s_flight)/15120,
-        -(k*s_flight)/33264,
-        -c/166320,
-        (k*s_flight)/2162160,
-        (7*F*Omega*nu_flight[0])/360 + (31*F*Omega*nu_flight[1])/840 + (23*F*Omega*nu_flight[2])/1008 + (11*F*Omega*nu_flight[3])/2160 - (F*Omega*nu_flight[4])/1680 - (F*Omega*nu_flight[5])/3024,
+        k/2,
+        (c + k*s_flight)/2,
+        -(k*s_flight)/5,
+        -c/10,
+        (k*s_flight)/70,
+        -(F*Omega*nu_flight[0])/2 - (3*F*Omega*nu_flight[1])/2 - F*Omega*nu_flight[2],
     )
 
 
 def flight_by_1_by_phi(F, nu_flight):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_flight[0])/40 + (F*nu_flight[1])/24 + (F*nu_flight[2])/56 - (F*nu_flight[4])/840
+    return -3*F*nu_flight[1]
 
 
-def flight_by_2(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 2."""
+def flight_by_l(l, N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree l."""
     return (
-        k/120,
-        (7*c + 5*k*s_flight)/840,
-        (60*c*s_flight + 23*k*(s_flight*s_flight) + 84*m)/10080,
-        (-21*c*s_flight - 16*k*(s_flight*s_flight) + 54*m)/15120,
-        -(s_flight*(20*c - 7*k*s_flight))/50400,
-        (5*k*(s_flight*s_flight) - 66*m)/166320,
-        (c*s_flight)/41580,
-        (-5*k*(s_flight*s_flight) + 156*m)/4324320,
-        -(c*s_flight)/720720,
-        (k*(s_flight*s_flight))/21621600,
-        -(F*mu_flight[0])/120 - (3*F*mu_flight[1])/280 + (F*mu_flight[3])/360 - (F*mu_flight[5])/2520,
-    )
-
-
-def flight_by_2_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        k/168,
-        (30*c + 23*k*s_flight)/5040,
-        (-21*c - 32*k*s_flight)/15120,
-        (-10*c + 7*k*s_flight)/25200,
-        (k*s_flight)/16632,
-        c/41580,
-        -(k*s_flight)/432432,
-        -c/720720,
-        (k*s_flight)/10810800,
-        -(F*Omega*nu_flight[0])/168 - (F*Omega*nu_flight[1])/105 - (F*Omega*nu_flight[2])/336 + (F*Omega*nu_flight[3])/720 + (13*F*Omega*nu_flight[4])/18480 - (F*Omega*nu_flight[5])/5040 - (F*Omega*nu_flight[6])/9240,
-    )
-
-
-def flight_by_2_by_phi(F, nu_flight):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_flight[0])/120 - (3*F*nu_flight[1])/280 + (F*nu_flight[3])/360 - (F*nu_flight[5])/2520
-
-
-def flight_by_3(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 3."""
-    return (
-        -k/840,
-        (-2*c - k*s_flight)/1680,
-        (-18*c*s_flight - 5*k*(s_flight*s_flight) - 36*m)/30240,
-        (s_flight*(8*c + 3*k*s_flight))/30240,
-        (-5*k*(s_flight*s_flight) + 66*m)/166320,
-        -(c*s_flight)/27720,
-        (5*k*(s_flight*s_flight) - 234*m)/2162160,
-        (c*s_flight)/180180,
-        (-k*(s_flight*s_flight) + 60*m)/4324320,
-        -(c*s_flight)/2162160,
-        (k*(s_flight*s_flight))/73513440,
-        (F*mu_flight[0])/840 - (F*mu_flight[2])/504 + (3*F*mu_flight[4])/3080 - (F*mu_flight[6])/5544,
-    )
-
-
-def flight_by_3_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        -k/1680,
-        (-9*c - 5*k*s_flight)/15120,
-        (4*c + 3*k*s_flight)/15120,
-        -(k*s_flight)/16632,
-        -c/27720,
-        (k*s_flight)/216216,
-        c/180180,
-        -(k*s_flight)/2162160,
-        -c/2162160,
-        (k*s_flight)/36756720,
-        (F*Omega*nu_flight[0])/1680 + (F*Omega*nu_flight[1])/5040 - (F*Omega*nu_flight[2])/1008 - (F*Omega*nu_flight[3])/2640 + (3*F*Omega*nu_flight[4])/6160 + (F*Omega*nu_flight[5])/4368 - (F*Omega*nu_flight[6])/11088 - (F*Omega*nu_flight[7])/20592,
-    )
-
-
-def flight_by_3_by_phi(F, nu_flight):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_flight[0])/840 - (F*nu_flight[2])/504 + (3*F*nu_flight[4])/3080 - (F*nu_flight[6])/5544
-
-
-def flight_by_4(m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function 4."""
-    return (
-        -(k*s_flight)/15120,
-        -(s_flight*(2*c + k*s_flight))/30240,
-        (5*k*(s_flight*s_flight) - 44*m)/332640,
-        (c*s_flight)/41580,
-        (-5*k*(s_flight*s_flight) + 234*m)/2162160,
-        -(c*s_flight)/120120,
-        (k*(s_flight*s_flight) - 90*m)/2162160,
-        (c*s_flight)/540540,
-        (-5*k*(s_flight*s_flight) + 476*m)/73513440,
-        -(c*s_flight)/5250960,
-        (k*(s_flight*s_flight))/199536480,
-        (F*mu_flight[1])/2520 - (F*mu_flight[3])/1320 + (F*mu_flight[5])/2184 - (F*mu_flight[7])/10296,
-    )
-
-
-def flight_by_4_by_s_flight(c, k, F, Omega, s_flight, nu_flight):
-    """Their derivatives by s_flight, of those that depend on it."""
-    return (
-        -k/15120,
-        (-c - k*s_flight)/15120,
-        (k*s_flight)/33264,
-        c/41580,
-        -(k*s_flight)/216216,
-        -c/120120,
-        (k*s_flight)/1081080,
-        c/540540,
-        -(k*s_flight)/7351344,
-        -c/5250960,
-        (k*s_flight)/99768240,
-        (F*Omega*nu_flight[0])/15120 + (F*Omega*nu_flight[1])/5040 - (F*Omega*nu_flight[2])/33264 - (F*Omega*nu_flight[3])/2640 - (9*F*Omega*nu_flight[4])/80080 + (F*Omega*nu_flight[5])/4368 + (17*F*Omega*nu_flight[6])/166320 - (F*Omega*nu_flight[7])/20592 - (F*Omega*nu_flight[8])/38610,
-    )
-
-
-def flight_by_4_by_phi(F, nu_flight):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_flight[1])/2520 - (F*nu_flight[3])/1320 + (F*nu_flight[5])/2184 - (F*nu_flight[7])/10296
-
-
-def flight_by_l(l, m, c, k, F, s_flight, mu_flight):
-    """Coefficients: residual of flight, orthogonal to its test function l."""
-    return (
-        -(3*c*s_flight)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k*(s_flight*s_flight))/(32*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_flight)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k*(s_flight*s_flight) - 16*(l*l)*m + 32*l*m + 84*m)/(32*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (c*s_flight)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-5*k*(s_flight*s_flight) + 24*(l*l)*m - 150*m)/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k*(s_flight*s_flight) - 24*(l*l)*m - 48*l*m + 126*m)/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (c*s_flight)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (-5*k*(s_flight*s_flight) + 16*(l*l)*m + 64*l*m - 36*m)/(32*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(c*s_flight)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k*(s_flight*s_flight))/(32*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        -(F*mu_flight[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*mu_flight[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*mu_flight[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*mu_flight[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        (-k*(s_flight*s_flight) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (k*(s_flight*s_flight))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_flight)/(4*l - 2),
+        -(c*s_flight)/(4*l + 6),
+        (k*(s_flight*s_flight))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 3)*(-N + l - 2)*(N + l + 3)*(N + l + 4))/(2*(N + 2)*(N + 3)*(N + 4)),
+        -((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 4)*(-N + l - 3)*(N + l + 4)*(N + l + 5))/(2*(N + 3)*(N + 4)*(N + 5)),
+        -((-1)**(N - l + 3)*m*(2*l + 1)*(-N + l - 5)*(-N + l - 4)*(N + l + 5)*(N + l + 6))/(2*(N + 4)*(N + 5)*(N + 6)),
+        -F*(2*l + 1)*mu_flight[l],
     )
 
 
 def flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight):
     """Their derivatives by s_flight, of those that depend on it."""
     return (
-        -(3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k*s_flight)/(16*(2*l - 9)*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (5*k*s_flight)/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        c/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(5*k*s_flight)/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (5*k*s_flight)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        c/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(5*k*s_flight)/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -c/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (k*s_flight)/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)*(2*l + 11)),
-        (F*Omega*(l - 3)*nu_flight[l - 4])/(16*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 4)*nu_flight[l + 4])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)) - (F*Omega*(2*l - 7)*nu_flight[l - 2])/(16*(2*l - 5)*(2*l - 1)*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_flight[l + 3])/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*Omega*nu_flight[l + 1])/(16*(2*l - 1)*(2*l + 1)*(2*l + 5)) + (F*Omega*(2*l + 9)*nu_flight[l + 2])/(16*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 7)) - (3*F*Omega*nu_flight[l - 1])/(16*(2*l - 3)*(2*l + 1)*(2*l + 3)) - (9*F*Omega*nu_flight[l])/(16*(2*l - 3)*(2*l - 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*nu_flight[l - 3])/(16*(2*l - 3)*(2*l - 1)*(2*l + 1)),
+        -(k*s_flight)/((2*l - 1)*(2*l + 3)),
+        (k*s_flight)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (k*s_flight)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_flight[l - 1])/2 - (F*Omega*(l + 1)*nu_flight[l + 1])/2 - (F*Omega*(2*l + 1)*nu_flight[l])/2,
     )
 
 
 def flight_by_l_by_phi(l, F, nu_flight):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_flight[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (3*F*nu_flight[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (3*F*nu_flight[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) + (F*nu_flight[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_flight[l]
+
+
+def flight_rest_0(N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree N + 1."""
+    return (
+        (c*s_flight)/(4*N + 2),
+        (k*(s_flight*s_flight))/(4*(2*N - 1)*(2*N + 1)),
+        (8*(N*N)*m + 24*N*m - k*(s_flight*s_flight) + 10*m)/(2*(2*N + 1)*(2*N + 5)),
+        -(2*m*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+        (6*m*(2*N + 3)*(2*N + 5))/((N + 4)*(N + 5)),
+        -(12*m*(N + 3)*(2*N + 3)*(2*N + 7))/((N + 4)*(N + 5)*(N + 6)),
+        -F*(2*N + 3)*mu_flight[N + 1],
+    )
+
+
+def flight_rest_0_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight):
+    """Their derivatives by s_flight, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (k*s_flight)/(2*(2*N - 1)*(2*N + 1)),
+        -(k*s_flight)/((2*N + 1)*(2*N + 5)),
+        -(F*Omega*(N + 1)*nu_flight[N])/2 - (F*Omega*(N + 2)*nu_flight[N + 2])/2 - (F*Omega*(2*N + 3)*nu_flight[N + 1])/2,
+    )
+
+
+def flight_rest_0_by_phi(N, F, nu_flight):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_flight[N + 1]
+
+
+def flight_rest_1(N, m, c, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree N + 2."""
+    return (
+        (k*(s_flight*s_flight))/(4*(2*N + 1)*(2*N + 3)),
+        (c*s_flight)/(4*N + 6),
+        -(2*m*(2*N + 5)*(2*N + 7))/((N + 4)*(N + 5)),
+        (6*m*(2*N + 5)*(2*N + 7))/((N + 5)*(N + 6)),
+        -F*(2*N + 5)*mu_flight[N + 2],
+    )
+
+
+def flight_rest_1_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight):
+    """Their derivatives by s_flight, of those that depend on it."""
+    return (
+        (k*s_flight)/(2*(2*N + 1)*(2*N + 3)),
+        c/(4*N + 6),
+        -(F*Omega*(N + 2)*nu_flight[N + 1])/2 - (F*Omega*(N + 3)*nu_flight[N + 3])/2 - (F*Omega*(2*N + 5)*nu_flight[N + 2])/2,
+    )
+
+
+def flight_rest_1_by_phi(N, F, nu_flight):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_flight[N + 2]
+
+
+def flight_rest_2(N, m, k, F, s_flight, mu_flight):
+    """Coefficients: residual of flight, less what no test sees, degree N + 3."""
+    return (
+        (k*(s_flight*s_flight))/(4*(2*N + 3)*(2*N + 5)),
+        -(2*m*(2*N + 7)*(2*N + 9))/((N + 5)*(N + 6)),
+        -F*(2*N + 7)*mu_flight[N + 3],
+    )
+
+
+def flight_rest_2_by_s_flight(N, k, F, Omega, s_flight, nu_flight):
+    """Their derivatives by s_flight, of those that depend on it."""
+    return (
+        (k*s_flight)/(2*(2*N + 3)*(2*N + 5)),
+        -(F*Omega*(N + 3)*nu_flight[N + 2])/2 - (F*Omega*(N + 4)*nu_flight[N + 4])/2 - (F*Omega*(2*N + 7)*nu_flight[N + 3])/2,
+    )
+
+
+def flight_rest_2_by_phi(N, F, nu_flight):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 7)*nu_flight[N + 3]
 
 
 def displacement_flight(s_rest):
@@ -462,47 +412,50 @@ def cell_by_s_rest():
 
 def size(N):
     """Return the number of unknowns."""
-    return N + 9
+    return N + 12
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     m, c, k, F, Omega, g, cycles = case
-    N = len(z) - 9
+    N = len(z) - 12
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N + 2
-    at_x_rest = N + 4
-    at_v_rest = N + 5
-    at_s_flight = N + 6
-    at_s_rest = N + 7
-    at_phi = N + 8
+    at_tau0_flight = N + 4
+    at_tau1_flight = N + 5
+    at_tau2_flight = N + 6
+    at_x_rest = N + 7
+    at_v_rest = N + 8
+    at_s_flight = N + 9
+    at_s_rest = N + 10
+    at_phi = N + 11
     s_flight = z[at_s_flight]
     s_rest = z[at_s_rest]
     phi = z[at_phi]
     over_flight = legendre_moments(N + 9, Omega*s_flight, phi)
     mu_flight = over_flight[0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_0(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q7*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*z[at_tau0_flight] + q6*z[at_tau1_flight] + q7*z[at_tau2_flight] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q7*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q8*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q9
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*z[at_tau0_flight] + q6*z[at_tau1_flight] + q7*z[at_tau2_flight] + q8
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = flight_by_2(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q7*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q8*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q9*(z[at_d_flight + 7] if number_d_flight > 7 else 0.0) + q10
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = flight_by_3(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q5*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q6*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q7*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q8*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q9*(z[at_d_flight + 7] if number_d_flight > 7 else 0.0) + q10*(z[at_d_flight + 8] if number_d_flight > 8 else 0.0) + q11
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = flight_by_4(m, c, k, F, s_flight, mu_flight)
-    R[row] = q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q8*(z[at_d_flight + 7] if number_d_flight > 7 else 0.0) + q9*(z[at_d_flight + 8] if number_d_flight > 8 else 0.0) + q10*(z[at_d_flight + 9] if number_d_flight > 9 else 0.0) + q11
-    row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
-        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-5] + q2*z[at_d_flight + l-4] + q3*z[at_d_flight + l-3] + q4*z[at_d_flight + l-2] + q5*z[at_d_flight + l-1] + q6*z[at_d_flight + l+1] + q7*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q8*(z[at_d_flight + l+3] if number_d_flight > l+3 else 0.0) + q9*(z[at_d_flight + l+4] if number_d_flight > l+4 else 0.0) + q10*(z[at_d_flight + l+5] if number_d_flight > l+5 else 0.0) + q11
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
+        R[row] = q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*z[at_d_flight + l+1] + q4*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q5*z[at_tau0_flight] + q6*z[at_tau1_flight] + q7*z[at_tau2_flight] + q8
         row += 1
+    q0, q1, q2, q3, q4, q5, q6 = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_d_flight + N] + q1*z[at_d_flight + N-1] + q2*z[at_d_flight + N+1] + q3*z[at_tau0_flight] + q4*z[at_tau1_flight] + q5*z[at_tau2_flight] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = flight_rest_1(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_d_flight + N] + q1*z[at_d_flight + N+1] + q2*z[at_tau1_flight] + q3*z[at_tau2_flight] + q4
+    row += 1
+    q0, q1, q2 = flight_rest_2(N, m, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_d_flight + N+1] + q1*z[at_tau2_flight] + q2
+    row += 1
     q0, q1, q2 = displacement_flight(s_rest)
     R[row] = q0*z[at_x_flight] + q1*z[at_x_rest] + q2*z[at_v_rest]
     row += 1
@@ -534,16 +487,19 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     m, c, k, F, Omega, g, cycles = case
-    N = len(z) - 9
+    N = len(z) - 12
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N + 2
-    at_x_rest = N + 4
-    at_v_rest = N + 5
-    at_s_flight = N + 6
-    at_s_rest = N + 7
-    at_phi = N + 8
+    at_tau0_flight = N + 4
+    at_tau1_flight = N + 5
+    at_tau2_flight = N + 6
+    at_x_rest = N + 7
+    at_v_rest = N + 8
+    at_s_flight = N + 9
+    at_s_rest = N + 10
+    at_phi = N + 11
     s_flight = z[at_s_flight]
     s_rest = z[at_s_rest]
     phi = z[at_phi]
@@ -552,91 +508,22 @@ def jacobian(case, z, J):
     nu_flight = over_flight[1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = flight_by_0(m, c, k, F, s_flight, mu_flight)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
     J[row, at_x_flight] += q0
     J[row, at_v_flight] += q1
     J[row, at_d_flight] += q2
     J[row, at_d_flight + 1] += q3
     if number_d_flight > 2:
         J[row, at_d_flight + 2] += q4
-    if number_d_flight > 3:
-        J[row, at_d_flight + 3] += q5
-    if number_d_flight > 4:
-        J[row, at_d_flight + 4] += q6
-    if number_d_flight > 5:
-        J[row, at_d_flight + 5] += q7
-    q0, q1, q2, q3, q4, q5, q6, q7 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7
+    J[row, at_tau0_flight] += q5
+    J[row, at_tau1_flight] += q6
+    J[row, at_tau2_flight] += q7
+    q0, q1, q2, q3, q4 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4
     q0 = flight_by_0_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = flight_by_1(m, c, k, F, s_flight, mu_flight)
-    J[row, at_x_flight] += q0
-    J[row, at_v_flight] += q1
-    J[row, at_d_flight] += q2
-    J[row, at_d_flight + 1] += q3
-    if number_d_flight > 2:
-        J[row, at_d_flight + 2] += q4
-    if number_d_flight > 3:
-        J[row, at_d_flight + 3] += q5
-    if number_d_flight > 4:
-        J[row, at_d_flight + 4] += q6
-    if number_d_flight > 5:
-        J[row, at_d_flight + 5] += q7
-    if number_d_flight > 6:
-        J[row, at_d_flight + 6] += q8
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q8
-    q0 = flight_by_1_by_phi(F, nu_flight)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, _ = flight_by_2(m, c, k, F, s_flight, mu_flight)
-    J[row, at_x_flight] += q0
-    J[row, at_v_flight] += q1
-    J[row, at_d_flight] += q2
-    J[row, at_d_flight + 1] += q3
-    if number_d_flight > 2:
-        J[row, at_d_flight + 2] += q4
-    if number_d_flight > 3:
-        J[row, at_d_flight + 3] += q5
-    if number_d_flight > 4:
-        J[row, at_d_flight + 4] += q6
-    if number_d_flight > 5:
-        J[row, at_d_flight + 5] += q7
-    if number_d_flight > 6:
-        J[row, at_d_flight + 6] += q8
-    if number_d_flight > 7:
-        J[row, at_d_flight + 7] += q9
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = flight_by_2_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q8*(z[at_d_flight + 7] if number_d_flight > 7 else 0.0) + q9
-    q0 = flight_by_2_by_phi(F, nu_flight)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = flight_by_3(m, c, k, F, s_flight, mu_flight)
-    J[row, at_x_flight] += q0
-    J[row, at_v_flight] += q1
-    J[row, at_d_flight] += q2
-    J[row, at_d_flight + 1] += q3
-    if number_d_flight > 2:
-        J[row, at_d_flight + 2] += q4
-    if number_d_flight > 3:
-        J[row, at_d_flight + 3] += q5
-    if number_d_flight > 4:
-        J[row, at_d_flight + 4] += q6
-    if number_d_flight > 5:
-        J[row, at_d_flight + 5] += q7
-    if number_d_flight > 6:
-        J[row, at_d_flight + 6] += q8
-    if number_d_flight > 7:
-        J[row, at_d_flight + 7] += q9
-    if number_d_flight > 8:
-        J[row, at_d_flight + 8] += q10
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10 = flight_by_3_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q8*(z[at_d_flight + 7] if number_d_flight > 7 else 0.0) + q9*(z[at_d_flight + 8] if number_d_flight > 8 else 0.0) + q10
-    q0 = flight_by_3_by_phi(F, nu_flight)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = flight_by_4(m, c, k, F, s_flight, mu_flight)
+    q0, q1, q2, q3, q4, q5, q6, q7, _ = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
     J[row, at_v_flight] += q0
     J[row, at_d_flight] += q1
     J[row, at_d_flight + 1] += q2
@@ -644,45 +531,60 @@ def jacobian(case, z, J):
         J[row, at_d_flight + 2] += q3
     if number_d_flight > 3:
         J[row, at_d_flight + 3] += q4
-    if number_d_flight > 4:
-        J[row, at_d_flight + 4] += q5
-    if number_d_flight > 5:
-        J[row, at_d_flight + 5] += q6
-    if number_d_flight > 6:
-        J[row, at_d_flight + 6] += q7
-    if number_d_flight > 7:
-        J[row, at_d_flight + 7] += q8
-    if number_d_flight > 8:
-        J[row, at_d_flight + 8] += q9
-    if number_d_flight > 9:
-        J[row, at_d_flight + 9] += q10
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = flight_by_4_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
-    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5*(z[at_d_flight + 4] if number_d_flight > 4 else 0.0) + q6*(z[at_d_flight + 5] if number_d_flight > 5 else 0.0) + q7*(z[at_d_flight + 6] if number_d_flight > 6 else 0.0) + q8*(z[at_d_flight + 7] if number_d_flight > 7 else 0.0) + q9*(z[at_d_flight + 8] if number_d_flight > 8 else 0.0) + q10*(z[at_d_flight + 9] if number_d_flight > 9 else 0.0) + q11
-    q0 = flight_by_4_by_phi(F, nu_flight)
+    J[row, at_tau0_flight] += q5
+    J[row, at_tau1_flight] += q6
+    J[row, at_tau2_flight] += q7
+    q0, q1, q2, q3, q4, q5 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1] + q3*(z[at_d_flight + 2] if number_d_flight > 2 else 0.0) + q4*(z[at_d_flight + 3] if number_d_flight > 3 else 0.0) + q5
+    q0 = flight_by_1_by_phi(F, nu_flight)
     J[row, at_phi] += q0
     row += 1
-    for l in range(5, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, _ = flight_by_l(l, m, c, k, F, s_flight, mu_flight)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, _ = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
         J[row, at_d_flight + l] += q0
-        J[row, at_d_flight + l-5] += q1
-        J[row, at_d_flight + l-4] += q2
-        J[row, at_d_flight + l-3] += q3
-        J[row, at_d_flight + l-2] += q4
-        J[row, at_d_flight + l-1] += q5
-        J[row, at_d_flight + l+1] += q6
+        J[row, at_d_flight + l-2] += q1
+        J[row, at_d_flight + l-1] += q2
+        J[row, at_d_flight + l+1] += q3
         if number_d_flight > l+2:
-            J[row, at_d_flight + l+2] += q7
-        if number_d_flight > l+3:
-            J[row, at_d_flight + l+3] += q8
-        if number_d_flight > l+4:
-            J[row, at_d_flight + l+4] += q9
-        if number_d_flight > l+5:
-            J[row, at_d_flight + l+5] += q10
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
-        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-5] + q2*z[at_d_flight + l-4] + q3*z[at_d_flight + l-3] + q4*z[at_d_flight + l-2] + q5*z[at_d_flight + l-1] + q6*z[at_d_flight + l+1] + q7*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q8*(z[at_d_flight + l+3] if number_d_flight > l+3 else 0.0) + q9*(z[at_d_flight + l+4] if number_d_flight > l+4 else 0.0) + q10*(z[at_d_flight + l+5] if number_d_flight > l+5 else 0.0) + q11
+            J[row, at_d_flight + l+2] += q4
+        J[row, at_tau0_flight] += q5
+        J[row, at_tau1_flight] += q6
+        J[row, at_tau2_flight] += q7
+        q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
+        J[row, at_s_flight] += q0*z[at_d_flight + l] + q1*z[at_d_flight + l-2] + q2*z[at_d_flight + l-1] + q3*z[at_d_flight + l+1] + q4*(z[at_d_flight + l+2] if number_d_flight > l+2 else 0.0) + q5
         q0 = flight_by_l_by_phi(l, F, nu_flight)
         J[row, at_phi] += q0
         row += 1
+    q0, q1, q2, q3, q4, q5, _ = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    J[row, at_d_flight + N] += q0
+    J[row, at_d_flight + N-1] += q1
+    J[row, at_d_flight + N+1] += q2
+    J[row, at_tau0_flight] += q3
+    J[row, at_tau1_flight] += q4
+    J[row, at_tau2_flight] += q5
+    q0, q1, q2, q3 = flight_rest_0_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*z[at_d_flight + N] + q1*z[at_d_flight + N-1] + q2*z[at_d_flight + N+1] + q3
+    q0 = flight_rest_0_by_phi(N, F, nu_flight)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, q2, q3, _ = flight_rest_1(N, m, c, k, F, s_flight, mu_flight)
+    J[row, at_d_flight + N] += q0
+    J[row, at_d_flight + N+1] += q1
+    J[row, at_tau1_flight] += q2
+    J[row, at_tau2_flight] += q3
+    q0, q1, q2 = flight_rest_1_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*z[at_d_flight + N] + q1*z[at_d_flight + N+1] + q2
+    q0 = flight_rest_1_by_phi(N, F, nu_flight)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = flight_rest_2(N, m, k, F, s_flight, mu_flight)
+    J[row, at_d_flight + N+1] += q0
+    J[row, at_tau2_flight] += q1
+    q0, q1 = flight_rest_2_by_s_flight(N, k, F, Omega, s_flight, nu_flight)
+    J[row, at_s_flight] += q0*z[at_d_flight + N+1] + q1
+    q0 = flight_rest_2_by_phi(N, F, nu_flight)
+    J[row, at_phi] += q0
+    row += 1
     q0, q1, q2 = displacement_flight(s_rest)
     J[row, at_x_flight] += q0
     J[row, at_x_rest] += q1
@@ -734,15 +636,15 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = len(z) - 9
+    N = len(z) - 12
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N + 2
-    at_x_rest = N + 4
-    at_v_rest = N + 5
-    at_s_flight = N + 6
-    at_s_rest = N + 7
+    at_x_rest = N + 7
+    at_v_rest = N + 8
+    at_s_flight = N + 9
+    at_s_rest = N + 10
     s_flight = z[at_s_flight]
     s_rest = z[at_s_rest]
     if p == 0:
@@ -754,17 +656,317 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = len(z) - 9
+    N = len(z) - 12
     at_x_flight = 0
     at_v_flight = 1
     at_d_flight = 2
     number_d_flight = N + 2
-    at_x_rest = N + 4
-    at_v_rest = N + 5
+    at_tau0_flight = N + 4
+    at_tau1_flight = N + 5
+    at_tau2_flight = N + 6
+    at_x_rest = N + 7
+    at_v_rest = N + 8
     return {
         "x_flight": (z[at_x_flight], 0),
         "v_flight": (z[at_v_flight], 1),
         "d_flight": (z[at_d_flight:at_d_flight + number_d_flight], 2),
+        "tau0_flight": (z[at_tau0_flight], 2),
+        "tau1_flight": (z[at_tau1_flight], 2),
+        "tau2_flight": (z[at_tau2_flight], 2),
         "x_rest": (z[at_x_rest], 0),
         "v_rest": (z[at_v_rest], 1),
     }
+
+
+KEPT = 9  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 2, True  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    N = len(z) - 12
+    at_v_flight = 1
+    at_v_rest = N + 8
+    v_rest = 0
+    v_flight = v_rest
+    z[at_v_rest] = v_rest
+    z[at_v_flight] = v_flight
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 12
+    at_x_flight = 0
+    at_d_flight = 2
+    at_tau0_flight = N + 4
+    at_tau1_flight = N + 5
+    at_tau2_flight = N + 6
+    at_x_rest = N + 7
+    at_s_flight = N + 9
+    at_s_rest = N + 10
+    at_phi = N + 11
+    return at_x_flight, at_d_flight + N + 1, at_tau0_flight, at_tau1_flight, at_tau2_flight, at_x_rest, at_s_flight, at_s_rest, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = len(z) - 12
+    at_d_flight = 2
+    return ((at_d_flight, N + 1, 1, 1, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F, Omega, g, cycles = case
+    N = len(z) - 12
+    at_x_flight = 0
+    at_v_flight = 1
+    at_tau0_flight = N + 4
+    at_tau1_flight = N + 5
+    at_tau2_flight = N + 6
+    at_s_flight = N + 9
+    at_phi = N + 11
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 9, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_flight] + q1*z[at_v_flight] + q5*z[at_tau0_flight] + q6*z[at_tau1_flight] + q7*z[at_tau2_flight] + q8)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_flight] + q5*z[at_tau0_flight] + q6*z[at_tau1_flight] + q7*z[at_tau2_flight] + q8)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7, q8 = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_flight] + q6*z[at_tau1_flight] + q7*z[at_tau2_flight] + q8)
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    m, c, k, F, Omega, g, cycles = case
+    N = len(z) - 12
+    at_v_flight = 1
+    at_s_flight = N + 9
+    at_phi = N + 11
+    s_flight = z[at_s_flight]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 9, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, _, _, _, _, q5, q6, q7, _ = flight_by_0(N, m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 2] = -q5
+    slopes[0, row, 3] = -q6
+    slopes[0, row, 4] = -q7
+    q0, q1, q2, q3, q4 = flight_by_0_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    slopes[0, row, 6] = -(q0*z[at_v_flight] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2] + q4)
+    q0 = flight_by_0_by_phi(F, nu_flight)
+    slopes[0, row, 8] = -(q0)
+    row += 1
+    _, _, _, _, _, q5, q6, q7, _ = flight_by_1(N, m, c, k, F, s_flight, mu_flight)
+    slopes[0, row, 2] = -q5
+    slopes[0, row, 3] = -q6
+    slopes[0, row, 4] = -q7
+    q0, q1, q2, q3, q4, q5 = flight_by_1_by_s_flight(c, k, F, Omega, s_flight, nu_flight)
+    slopes[0, row, 6] = -(q0*z[at_v_flight] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+    q0 = flight_by_1_by_phi(F, nu_flight)
+    slopes[0, row, 8] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, q7, _ = flight_by_l(l, N, m, c, k, F, s_flight, mu_flight)
+        slopes[0, row, 2] = -q5
+        slopes[0, row, 3] = -q6
+        slopes[0, row, 4] = -q7
+        q0, q1, q2, q3, q4, q5 = flight_by_l_by_s_flight(l, c, k, F, Omega, s_flight, nu_flight)
+        slopes[0, row, 6] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2] + q5)
+        q0 = flight_by_l_by_phi(l, F, nu_flight)
+        slopes[0, row, 8] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    m, c, k, F, Omega, g, cycles = case
+    N = len(z) - 12
+    at_x_flight = 0
+    at_v_flight = 1
+    at_d_flight = 2
+    at_tau0_flight = N + 4
+    at_tau1_flight = N + 5
+    at_tau2_flight = N + 6
+    at_x_rest = N + 7
+    at_v_rest = N + 8
+    at_s_flight = N + 9
+    at_s_rest = N + 10
+    at_phi = N + 11
+    s_flight = z[at_s_flight]
+    s_rest = z[at_s_rest]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 9, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    row = 0
+    q0, q1, q2, q3, q4, q5, q6 = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_d_flight + N] + q1*z[at_d_flight + N-1] + q2*z[at_d_flight + N+1] + q3*z[at_tau0_flight] + q4*z[at_tau1_flight] + q5*z[at_tau2_flight] + q6
+    row += 1
+    q0, q1, q2, q3, q4 = flight_rest_1(N, m, c, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_d_flight + N] + q1*z[at_d_flight + N+1] + q2*z[at_tau1_flight] + q3*z[at_tau2_flight] + q4
+    row += 1
+    q0, q1, q2 = flight_rest_2(N, m, k, F, s_flight, mu_flight)
+    R[row] = q0*z[at_d_flight + N+1] + q1*z[at_tau2_flight] + q2
+    row += 1
+    q0, q1, q2 = displacement_flight(s_rest)
+    R[row] = q0*z[at_x_flight] + q1*z[at_x_rest] + q2*z[at_v_rest]
+    row += 1
+    R[row] = 0.0
+    for n in range(0, N + 2):
+        q0 = derivative_2_flight_sum(n)
+        R[row] += q0*z[at_d_flight + n]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_rest(s_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4*z[at_x_rest]
+    row += 1
+    q0, q1, q2, q3, q4 = event_flight(g, s_flight)
+    R[row] = q0*z[at_x_flight] + q1*z[at_v_flight] + q2*z[at_d_flight] + q3*z[at_d_flight + 1] + q4
+    row += 1
+    q0 = event_rest(k, F, Omega, g, s_flight, s_rest, phi)
+    R[row] = q0
+    row += 1
+    q0 = cell(Omega, cycles, s_flight, s_rest)
+    R[row] = q0
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F, Omega, g, cycles = case
+    N = len(z) - 12
+    at_v_flight = 1
+    at_d_flight = 2
+    at_v_rest = N + 8
+    at_s_flight = N + 9
+    at_s_rest = N + 10
+    at_phi = N + 11
+    s_flight = z[at_s_flight]
+    s_rest = z[at_s_rest]
+    phi = z[at_phi]
+    over_flight = legendre_moments(N + 9, Omega*s_flight, phi)
+    mu_flight = over_flight[0]
+    nu_flight = over_flight[1]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, q4, q5, _ = flight_rest_0(N, m, c, k, F, s_flight, mu_flight)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 0] += q0
+    if N - 1 < N + 1:
+        follow(J, row, slopes, 0, N + 3, q1)
+    else:
+        J[row, -1] += q1
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q2)
+    else:
+        J[row, 1] += q2
+    J[row, 2] += q3
+    J[row, 3] += q4
+    J[row, 4] += q5
+    q0, q1, q2, q3 = flight_rest_0_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight)
+    J[row, 6] += q0*z[at_d_flight + N] + q1*z[at_d_flight + N-1] + q2*z[at_d_flight + N+1] + q3
+    q0 = flight_rest_0_by_phi(N, F, nu_flight)
+    J[row, 8] += q0
+    row += 1
+    q0, q1, q2, q3, _ = flight_rest_1(N, m, c, k, F, s_flight, mu_flight)
+    if N < N + 1:
+        follow(J, row, slopes, 0, N + 4, q0)
+    else:
+        J[row, 0] += q0
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q1)
+    else:
+        J[row, 1] += q1
+    J[row, 3] += q2
+    J[row, 4] += q3
+    q0, q1, q2 = flight_rest_1_by_s_flight(N, c, k, F, Omega, s_flight, nu_flight)
+    J[row, 6] += q0*z[at_d_flight + N] + q1*z[at_d_flight + N+1] + q2
+    q0 = flight_rest_1_by_phi(N, F, nu_flight)
+    J[row, 8] += q0
+    row += 1
+    q0, q1, _ = flight_rest_2(N, m, k, F, s_flight, mu_flight)
+    if N + 1 < N + 1:
+        follow(J, row, slopes, 0, N + 5, q0)
+    else:
+        J[row, 1] += q0
+    J[row, 4] += q1
+    q0, q1 = flight_rest_2_by_s_flight(N, k, F, Omega, s_flight, nu_flight)
+    J[row, 6] += q0*z[at_d_flight + N+1] + q1
+    q0 = flight_rest_2_by_phi(N, F, nu_flight)
+    J[row, 8] += q0
+    row += 1
+    q0, q1, _ = displacement_flight(s_rest)
+    J[row, 0] += q0
+    J[row, 5] += q1
+    q0 = displacement_flight_by_s_rest()
+    J[row, 7] += q0*z[at_v_rest]
+    row += 1
+    for n in range(0, N + 2):
+        q0 = derivative_2_flight_sum(n)
+        if n < N + 1:
+            follow(J, row, slopes, 0, n + 4, q0)
+        else:
+            J[row, -N + n] += q0
+    row += 1
+    q0, _, q2, q3, q4 = displacement_rest(s_flight)
+    J[row, 0] += q0
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    J[row, 5] += q4
+    q0, q1, q2 = displacement_rest_by_s_flight(s_flight)
+    J[row, 6] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
+    row += 1
+    q0, _, q2, q3, _ = event_flight(g, s_flight)
+    J[row, 0] += q0
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    q0, q1, q2 = event_flight_by_s_flight(s_flight)
+    J[row, 6] += q0*z[at_v_flight] + q1*z[at_d_flight] + q2*z[at_d_flight + 1]
+    row += 1
+    q0 = event_rest_by_s_flight(F, Omega, s_flight, s_rest, phi)
+    J[row, 6] += q0
+    q0 = event_rest_by_s_rest(F, Omega, s_flight, s_rest, phi)
+    J[row, 7] += q0
+    q0 = event_rest_by_phi(F, Omega, s_flight, s_rest, phi)
+    J[row, 8] += q0
+    row += 1
+    q0 = cell_by_s_flight()
+    J[row, 6] += q0
+    q0 = cell_by_s_rest()
+    J[row, 7] += q0
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

@@ -31,6 +31,7 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "62d2a5b0407e10cecc6468fe929618b8bd0c4cac8de272b630098418f9786032"  # of the conditions, by srepr
 BODY = "867e64d76e3ced5d7b78b3deb235d944aa9602518dd4e10bbb8d759023b381ab"  # of the text below
 

@@ -29,6 +29,7 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "45b06fb086c6efd9aac9a696841c99ad907f132f974dca460b8e4cc256a5528e"  # of the conditions, by srepr
 BODY = "64307c7920f6f74833c1163ba0f554cc4a5a7a6c6c9b4abcfd10e3026919be21"  # of the text below
 

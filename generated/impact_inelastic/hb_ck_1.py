@@ -31,6 +31,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "782863ffb6ba7e1944d825fa600523abc29f44df0ce39ebe970ca186bdfe9f42"  # of the conditions, by srepr
 BODY = "33dde62242c9c248aae5a89fc5e4348d47764786ecec760e94bc3e1dc6e2ec6c"  # of the text below
 

@@ -33,6 +33,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "fee936c14c22bdce0c7774fcbcd81c0310b0f70947a1fc60296186bb3ba85eaf"  # of the conditions, by srepr
 BODY = "3a271461f4c0796df5922fadec8460dbfa51f8727594c0d83141efb9ed5fc74f"  # of the text below
 

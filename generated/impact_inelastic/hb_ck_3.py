@@ -35,6 +35,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "b5161cbbf3ffa5178d8f139d9207e037508d12ee59d7bb1d3afac8be4d2a5a3d"  # of the conditions, by srepr
 BODY = "22cb7490387d2f379528fd1fce8f460aa92bd36191ff6ade63186dee619277a4"  # of the text below
 

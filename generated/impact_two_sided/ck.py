@@ -7,6 +7,7 @@ Unknowns ``z`` at order N, in this sequence:
     x_crossing: displacement where crossing begins
     v_crossing: velocity where crossing begins
     d_crossing[0..N - 1]: acceleration of crossing in Legendre polynomials
+    tau0_crossing: of what no test sees of the residual of crossing
     s_crossing: duration
     phi: phase of the forcing
 
@@ -27,9 +28,10 @@ SCENE = "impact-two-sided"
 METHOD = "ck"
 DURATIONS = 1
 FORCED = True
-LOWEST = 3  # order
-MATHEMATICS = "7161c964817a05ff69a265262e1746fa231a4eb7d206ad0db1caaa77d4568387"  # of the conditions, by srepr
-BODY = "9f8a0114f0e7c2e4538f9a1de05778ee387dd6a652b583b9f5a0630e2d1a3f07"  # of the text below
+LOWEST = 2  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "c12e42bdf518a32857137bc873d1f57995d0b84c029e65118e46becdb9eb412a"  # of the conditions, by srepr
+BODY = "301ded51bdd10acb948c230624a30972ef3564792a8ab23cb0944a6b621a2072"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -86,6 +88,12 @@ def legendre_moments(count, kappa, theta):
     return moments
 
 
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
@@ -120,132 +128,117 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def crossing_by_0(m, c, k, F, s_crossing, mu_crossing):
-    """Coefficients: residual of crossing, orthogonal to its test function 0."""
+def crossing_by_0(N, m, c, k, F, s_crossing, mu_crossing):
+    """Coefficients: residual of crossing, less what no test sees, degree 0."""
     return (
-        k/2,
-        (3*c + 2*k*s_crossing)/6,
-        (8*c*s_crossing + 3*k*(s_crossing*s_crossing) + 12*m)/24,
-        (-10*c*s_crossing - 7*k*(s_crossing*s_crossing) + 20*m)/120,
-        -(s_crossing*(2*c - k*s_crossing))/120,
-        (k*(s_crossing*s_crossing))/840,
-        -(F*mu_crossing[0])/2 - (F*mu_crossing[1])/2,
+        k,
+        (2*c + k*s_crossing)/2,
+        (3*c*s_crossing + k*(s_crossing*s_crossing) + 6*m)/6,
+        -(s_crossing*(2*c + k*s_crossing))/12,
+        (k*(s_crossing*s_crossing))/60,
+        -((-1)**N*m)/(N + 1),
+        -F*mu_crossing[0],
     )
 
 
 def crossing_by_0_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
-        k/3,
-        (4*c + 3*k*s_crossing)/12,
-        (-5*c - 7*k*s_crossing)/60,
-        (-c + k*s_crossing)/60,
-        (k*s_crossing)/420,
-        -(F*Omega*nu_crossing[0])/3 - (F*Omega*nu_crossing[1])/2 - (F*Omega*nu_crossing[2])/6,
+        k/2,
+        (3*c + 2*k*s_crossing)/6,
+        (-c - k*s_crossing)/6,
+        (k*s_crossing)/30,
+        -(F*Omega*nu_crossing[0])/2 - (F*Omega*nu_crossing[1])/2,
     )
 
 
 def crossing_by_0_by_phi(F, nu_crossing):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_crossing[0])/2 - (F*nu_crossing[1])/2
+    return -F*nu_crossing[0]
 
 
-def crossing_by_1(m, c, k, F, s_crossing, mu_crossing):
-    """Coefficients: residual of crossing, orthogonal to its test function 1."""
+def crossing_by_1(N, m, c, k, F, s_crossing, mu_crossing):
+    """Coefficients: residual of crossing, less what no test sees, degree 1."""
     return (
-        -k/6,
-        (-2*c - k*s_crossing)/12,
-        (-10*c*s_crossing - 3*k*(s_crossing*s_crossing) - 20*m)/120,
-        (s_crossing*(12*c + 5*k*s_crossing))/360,
-        (-3*k*(s_crossing*s_crossing) + 28*m)/840,
-        -(c*s_crossing)/420,
-        (k*(s_crossing*s_crossing))/7560,
-        (F*mu_crossing[0])/6 - (F*mu_crossing[2])/6,
+        (k*s_crossing)/2,
+        (s_crossing*(2*c + k*s_crossing))/4,
+        (-k*(s_crossing*s_crossing) + 10*m)/10,
+        -(c*s_crossing)/10,
+        (k*(s_crossing*s_crossing))/140,
+        -(3*(-1)**(N - 1)*m)/(N + 1),
+        -3*F*mu_crossing[1],
     )
 
 
 def crossing_by_1_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
-        -k/12,
-        (-5*c - 3*k*s_crossing)/60,
-        (6*c + 5*k*s_crossing)/180,
-        -(k*s_crossing)/140,
-        -c/420,
-        (k*s_crossing)/3780,
-        (F*Omega*nu_crossing[0])/12 + (F*Omega*nu_crossing[1])/20 - (F*Omega*nu_crossing[2])/12 - (F*Omega*nu_crossing[3])/20,
+        k/2,
+        (c + k*s_crossing)/2,
+        -(k*s_crossing)/5,
+        -c/10,
+        (k*s_crossing)/70,
+        -(F*Omega*nu_crossing[0])/2 - (3*F*Omega*nu_crossing[1])/2 - F*Omega*nu_crossing[2],
     )
 
 
 def crossing_by_1_by_phi(F, nu_crossing):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_crossing[0])/6 - (F*nu_crossing[2])/6
+    return -3*F*nu_crossing[1]
 
 
-def crossing_by_2(m, c, k, F, s_crossing, mu_crossing):
-    """Coefficients: residual of crossing, orthogonal to its test function 2."""
+def crossing_by_l(l, N, m, c, k, F, s_crossing, mu_crossing):
+    """Coefficients: residual of crossing, less what no test sees, degree l."""
     return (
-        -(k*s_crossing)/60,
-        -(s_crossing*(2*c + k*s_crossing))/120,
-        (3*k*(s_crossing*s_crossing) - 28*m)/840,
-        (c*s_crossing)/210,
-        (-k*(s_crossing*s_crossing) + 36*m)/2520,
-        -(c*s_crossing)/1260,
-        (k*(s_crossing*s_crossing))/27720,
-        (F*mu_crossing[1])/10 - (F*mu_crossing[3])/10,
-    )
-
-
-def crossing_by_2_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing):
-    """Their derivatives by s_crossing, of those that depend on it."""
-    return (
-        -k/60,
-        (-c - k*s_crossing)/60,
-        (k*s_crossing)/140,
-        c/210,
-        -(k*s_crossing)/1260,
-        -c/1260,
-        (k*s_crossing)/13860,
-        (F*Omega*nu_crossing[0])/60 + (F*Omega*nu_crossing[1])/20 + (F*Omega*nu_crossing[2])/84 - (F*Omega*nu_crossing[3])/20 - (F*Omega*nu_crossing[4])/35,
-    )
-
-
-def crossing_by_2_by_phi(F, nu_crossing):
-    """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_crossing[1])/10 - (F*nu_crossing[3])/10
-
-
-def crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing):
-    """Coefficients: residual of crossing, orthogonal to its test function l."""
-    return (
-        (c*s_crossing)/(2*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(k*(s_crossing*s_crossing))/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(c*s_crossing)/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (3*k*(s_crossing*s_crossing) - 16*(l*l)*m + 36*m)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-3*k*(s_crossing*s_crossing) + 16*(l*l)*m + 32*l*m - 20*m)/(8*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(c*s_crossing)/(4*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (k*(s_crossing*s_crossing))/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(F*mu_crossing[l + 1])/(4*l + 2) + (F*mu_crossing[l - 1])/(4*l + 2),
+        (-k*(s_crossing*s_crossing) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (k*(s_crossing*s_crossing))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_crossing)/(4*l - 2),
+        -(c*s_crossing)/(4*l + 6),
+        (k*(s_crossing*s_crossing))/(4*(2*l + 3)*(2*l + 5)),
+        -((-1)**(N - l)*m*(2*l + 1))/(N + 1),
+        -F*(2*l + 1)*mu_crossing[l],
     )
 
 
 def crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing):
     """Their derivatives by s_crossing, of those that depend on it."""
     return (
-        c/(2*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(k*s_crossing)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -c/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (3*k*s_crossing)/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(3*k*s_crossing)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -c/(4*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (k*s_crossing)/(4*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (F*Omega*(l - 1)*nu_crossing[l - 2])/(4*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 2)*nu_crossing[l + 2])/(4*(2*l + 1)*(2*l + 3)) - (F*Omega*nu_crossing[l + 1])/(8*l + 4) + (F*Omega*nu_crossing[l - 1])/(8*l + 4) + (F*Omega*nu_crossing[l])/(4*(2*l - 1)*(2*l + 3)),
+        -(k*s_crossing)/((2*l - 1)*(2*l + 3)),
+        (k*s_crossing)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (k*s_crossing)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_crossing[l - 1])/2 - (F*Omega*(l + 1)*nu_crossing[l + 1])/2 - (F*Omega*(2*l + 1)*nu_crossing[l])/2,
     )
 
 
 def crossing_by_l_by_phi(l, F, nu_crossing):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_crossing[l + 1])/(4*l + 2) + (F*nu_crossing[l - 1])/(4*l + 2)
+    return -F*(2*l + 1)*nu_crossing[l]
+
+
+def crossing_rest_0(N, m, c, k, F, s_crossing, mu_crossing):
+    """Coefficients: residual of crossing, less what no test sees, degree N."""
+    return (
+        (k*(s_crossing*s_crossing))/(4*(2*N - 3)*(2*N - 1)),
+        (c*s_crossing)/(4*N - 2),
+        -(m*(2*N + 1))/(N + 1),
+        -F*(2*N + 1)*mu_crossing[N],
+    )
+
+
+def crossing_rest_0_by_s_crossing(N, c, k, F, Omega, s_crossing, nu_crossing):
+    """Their derivatives by s_crossing, of those that depend on it."""
+    return (
+        (k*s_crossing)/(2*(2*N - 3)*(2*N - 1)),
+        c/(4*N - 2),
+        -(F*N*Omega*nu_crossing[N - 1])/2 - (F*Omega*(N + 1)*nu_crossing[N + 1])/2 - (F*Omega*(2*N + 1)*nu_crossing[N])/2,
+    )
+
+
+def crossing_rest_0_by_phi(N, F, nu_crossing):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 1)*nu_crossing[N]
 
 
 def displacement_crossing(s_crossing):
@@ -312,37 +305,38 @@ def cell_by_s_crossing():
 
 def size(N):
     """Return the number of unknowns."""
-    return N + 4
+    return N + 5
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     m, c, k, F, Omega, g, r, cycles = case
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_crossing = 0
     at_v_crossing = 1
     at_d_crossing = 2
     number_d_crossing = N
-    at_s_crossing = N + 2
-    at_phi = N + 3
+    at_tau0_crossing = N + 2
+    at_s_crossing = N + 3
+    at_phi = N + 4
     s_crossing = z[at_s_crossing]
     phi = z[at_phi]
     over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
     mu_crossing = over_crossing[0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6 = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q5*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q6
+    q0, q1, q2, q3, q4, q5, q6 = crossing_by_0(N, m, c, k, F, s_crossing, mu_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q5*z[at_tau0_crossing] + q6
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q5*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q6*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q7
+    q0, q1, q2, q3, q4, q5, q6 = crossing_by_1(N, m, c, k, F, s_crossing, mu_crossing)
+    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5*z[at_tau0_crossing] + q6
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_2(m, c, k, F, s_crossing, mu_crossing)
-    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q6*(z[at_d_crossing + 5] if number_d_crossing > 5 else 0.0) + q7
-    row += 1
-    for l in range(3, N):
-        q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing)
-        R[row] = q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q5*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q6*(z[at_d_crossing + l+3] if number_d_crossing > l+3 else 0.0) + q7
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5, q6 = crossing_by_l(l, N, m, c, k, F, s_crossing, mu_crossing)
+        R[row] = q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-2] + q2*z[at_d_crossing + l-1] + q3*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q4*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q5*z[at_tau0_crossing] + q6
         row += 1
+    q0, q1, q2, q3 = crossing_rest_0(N, m, c, k, F, s_crossing, mu_crossing)
+    R[row] = q0*(z[at_d_crossing + N-2] if N-2 >= 0 else 0.0) + q1*z[at_d_crossing + N-1] + q2*z[at_tau0_crossing] + q3
+    row += 1
     q0, q1, q2, q3 = displacement_crossing(s_crossing)
     R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1]
     row += 1
@@ -360,13 +354,14 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     m, c, k, F, Omega, g, r, cycles = case
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_crossing = 0
     at_v_crossing = 1
     at_d_crossing = 2
     number_d_crossing = N
-    at_s_crossing = N + 2
-    at_phi = N + 3
+    at_tau0_crossing = N + 2
+    at_s_crossing = N + 3
+    at_phi = N + 4
     s_crossing = z[at_s_crossing]
     phi = z[at_phi]
     over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
@@ -374,37 +369,20 @@ def jacobian(case, z, J):
     nu_crossing = over_crossing[1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, _ = crossing_by_0(m, c, k, F, s_crossing, mu_crossing)
+    q0, q1, q2, q3, q4, q5, _ = crossing_by_0(N, m, c, k, F, s_crossing, mu_crossing)
     J[row, at_x_crossing] += q0
     J[row, at_v_crossing] += q1
     J[row, at_d_crossing] += q2
     J[row, at_d_crossing + 1] += q3
     if number_d_crossing > 2:
         J[row, at_d_crossing + 2] += q4
-    if number_d_crossing > 3:
-        J[row, at_d_crossing + 3] += q5
-    q0, q1, q2, q3, q4, q5 = crossing_by_0_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5
+    J[row, at_tau0_crossing] += q5
+    q0, q1, q2, q3, q4 = crossing_by_0_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4
     q0 = crossing_by_0_by_phi(F, nu_crossing)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, _ = crossing_by_1(m, c, k, F, s_crossing, mu_crossing)
-    J[row, at_x_crossing] += q0
-    J[row, at_v_crossing] += q1
-    J[row, at_d_crossing] += q2
-    J[row, at_d_crossing + 1] += q3
-    if number_d_crossing > 2:
-        J[row, at_d_crossing + 2] += q4
-    if number_d_crossing > 3:
-        J[row, at_d_crossing + 3] += q5
-    if number_d_crossing > 4:
-        J[row, at_d_crossing + 4] += q6
-    q0, q1, q2, q3, q4, q5, q6 = crossing_by_1_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q6
-    q0 = crossing_by_1_by_phi(F, nu_crossing)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, _ = crossing_by_2(m, c, k, F, s_crossing, mu_crossing)
+    q0, q1, q2, q3, q4, q5, _ = crossing_by_1(N, m, c, k, F, s_crossing, mu_crossing)
     J[row, at_v_crossing] += q0
     J[row, at_d_crossing] += q1
     J[row, at_d_crossing + 1] += q2
@@ -412,32 +390,37 @@ def jacobian(case, z, J):
         J[row, at_d_crossing + 2] += q3
     if number_d_crossing > 3:
         J[row, at_d_crossing + 3] += q4
-    if number_d_crossing > 4:
-        J[row, at_d_crossing + 4] += q5
-    if number_d_crossing > 5:
-        J[row, at_d_crossing + 5] += q6
-    q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_2_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
-    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5*(z[at_d_crossing + 4] if number_d_crossing > 4 else 0.0) + q6*(z[at_d_crossing + 5] if number_d_crossing > 5 else 0.0) + q7
-    q0 = crossing_by_2_by_phi(F, nu_crossing)
+    J[row, at_tau0_crossing] += q5
+    q0, q1, q2, q3, q4, q5 = crossing_by_1_by_s_crossing(c, k, F, Omega, s_crossing, nu_crossing)
+    J[row, at_s_crossing] += q0*z[at_v_crossing] + q1*z[at_d_crossing] + q2*z[at_d_crossing + 1] + q3*(z[at_d_crossing + 2] if number_d_crossing > 2 else 0.0) + q4*(z[at_d_crossing + 3] if number_d_crossing > 3 else 0.0) + q5
+    q0 = crossing_by_1_by_phi(F, nu_crossing)
     J[row, at_phi] += q0
     row += 1
-    for l in range(3, N):
-        q0, q1, q2, q3, q4, q5, q6, _ = crossing_by_l(l, m, c, k, F, s_crossing, mu_crossing)
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5, _ = crossing_by_l(l, N, m, c, k, F, s_crossing, mu_crossing)
         J[row, at_d_crossing + l] += q0
-        J[row, at_d_crossing + l-3] += q1
-        J[row, at_d_crossing + l-2] += q2
-        J[row, at_d_crossing + l-1] += q3
+        J[row, at_d_crossing + l-2] += q1
+        J[row, at_d_crossing + l-1] += q2
         if number_d_crossing > l+1:
-            J[row, at_d_crossing + l+1] += q4
+            J[row, at_d_crossing + l+1] += q3
         if number_d_crossing > l+2:
-            J[row, at_d_crossing + l+2] += q5
-        if number_d_crossing > l+3:
-            J[row, at_d_crossing + l+3] += q6
-        q0, q1, q2, q3, q4, q5, q6, q7 = crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing)
-        J[row, at_s_crossing] += q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-3] + q2*z[at_d_crossing + l-2] + q3*z[at_d_crossing + l-1] + q4*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q5*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q6*(z[at_d_crossing + l+3] if number_d_crossing > l+3 else 0.0) + q7
+            J[row, at_d_crossing + l+2] += q4
+        J[row, at_tau0_crossing] += q5
+        q0, q1, q2, q3, q4, q5 = crossing_by_l_by_s_crossing(l, c, k, F, Omega, s_crossing, nu_crossing)
+        J[row, at_s_crossing] += q0*z[at_d_crossing + l] + q1*z[at_d_crossing + l-2] + q2*z[at_d_crossing + l-1] + q3*(z[at_d_crossing + l+1] if number_d_crossing > l+1 else 0.0) + q4*(z[at_d_crossing + l+2] if number_d_crossing > l+2 else 0.0) + q5
         q0 = crossing_by_l_by_phi(l, F, nu_crossing)
         J[row, at_phi] += q0
         row += 1
+    q0, q1, q2, _ = crossing_rest_0(N, m, c, k, F, s_crossing, mu_crossing)
+    if N-2 >= 0:
+        J[row, at_d_crossing + N-2] += q0
+    J[row, at_d_crossing + N-1] += q1
+    J[row, at_tau0_crossing] += q2
+    q0, q1, q2 = crossing_rest_0_by_s_crossing(N, c, k, F, Omega, s_crossing, nu_crossing)
+    J[row, at_s_crossing] += q0*(z[at_d_crossing + N-2] if N-2 >= 0 else 0.0) + q1*z[at_d_crossing + N-1] + q2
+    q0 = crossing_rest_0_by_phi(N, F, nu_crossing)
+    J[row, at_phi] += q0
+    row += 1
     q0, q1, q2, q3 = displacement_crossing(s_crossing)
     J[row, at_x_crossing] += q0
     J[row, at_v_crossing] += q1
@@ -467,12 +450,12 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_crossing = 0
     at_v_crossing = 1
     at_d_crossing = 2
     number_d_crossing = N
-    at_s_crossing = N + 2
+    at_s_crossing = N + 3
     s_crossing = z[at_s_crossing]
     if p == 0:
         return phase_motion(z[at_x_crossing], z[at_v_crossing], z[at_d_crossing:at_d_crossing + number_d_crossing], s_crossing, u, derivative)
@@ -481,13 +464,196 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = len(z) - 4
+    N = len(z) - 5
     at_x_crossing = 0
     at_v_crossing = 1
     at_d_crossing = 2
     number_d_crossing = N
+    at_tau0_crossing = N + 2
     return {
         "x_crossing": (z[at_x_crossing], 0),
         "v_crossing": (z[at_v_crossing], 1),
         "d_crossing": (z[at_d_crossing:at_d_crossing + number_d_crossing], 2),
+        "tau0_crossing": (z[at_tau0_crossing], 2),
     }
+
+
+KEPT = 4  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_s_crossing = N + 3
+    s_crossing = (pi*cycles)/Omega
+    z[at_s_crossing] = s_crossing
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 5
+    at_x_crossing = 0
+    at_v_crossing = 1
+    at_tau0_crossing = N + 2
+    at_phi = N + 4
+    return at_x_crossing, at_v_crossing, at_tau0_crossing, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = len(z) - 5
+    at_d_crossing = 2
+    return ((at_d_crossing, N, 0, 0, N),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_x_crossing = 0
+    at_v_crossing = 1
+    at_tau0_crossing = N + 2
+    at_s_crossing = N + 3
+    at_phi = N + 4
+    s_crossing = z[at_s_crossing]
+    phi = z[at_phi]
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6 = crossing_by_0(N, m, c, k, F, s_crossing, mu_crossing)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_crossing] + q1*z[at_v_crossing] + q5*z[at_tau0_crossing] + q6)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6 = crossing_by_1(N, m, c, k, F, s_crossing, mu_crossing)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_crossing] + q5*z[at_tau0_crossing] + q6)
+    row += 1
+    for l in range(2, N):
+        q0, q1, q2, q3, q4, q5, q6 = crossing_by_l(l, N, m, c, k, F, s_crossing, mu_crossing)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_crossing] + q6)
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_s_crossing = N + 3
+    at_phi = N + 4
+    s_crossing = z[at_s_crossing]
+    phi = z[at_phi]
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
+    nu_crossing = over_crossing[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, q5, _ = crossing_by_0(N, m, c, k, F, s_crossing, mu_crossing)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 2] = -q5
+    q0 = crossing_by_0_by_phi(F, nu_crossing)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, _ = crossing_by_1(N, m, c, k, F, s_crossing, mu_crossing)
+    slopes[0, row, 1] = -q0
+    slopes[0, row, 2] = -q5
+    q0 = crossing_by_1_by_phi(F, nu_crossing)
+    slopes[0, row, 3] = -(q0)
+    row += 1
+    for l in range(2, N):
+        _, _, _, _, _, q5, _ = crossing_by_l(l, N, m, c, k, F, s_crossing, mu_crossing)
+        slopes[0, row, 2] = -q5
+        q0 = crossing_by_l_by_phi(l, F, nu_crossing)
+        slopes[0, row, 3] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_x_crossing = 0
+    at_v_crossing = 1
+    at_d_crossing = 2
+    at_tau0_crossing = N + 2
+    at_s_crossing = N + 3
+    at_phi = N + 4
+    s_crossing = z[at_s_crossing]
+    phi = z[at_phi]
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
+    row = 0
+    q0, q1, q2, q3 = crossing_rest_0(N, m, c, k, F, s_crossing, mu_crossing)
+    R[row] = q0*(z[at_d_crossing + N-2] if N-2 >= 0 else 0.0) + q1*z[at_d_crossing + N-1] + q2*z[at_tau0_crossing] + q3
+    row += 1
+    q0, q1, q2, q3 = displacement_crossing(s_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1]
+    row += 1
+    q0, q1 = velocity_crossing(r, s_crossing)
+    R[row] = q0*z[at_v_crossing] + q1*z[at_d_crossing]
+    row += 1
+    q0, q1, q2, q3, q4 = event_crossing(g, s_crossing)
+    R[row] = q0*z[at_x_crossing] + q1*z[at_v_crossing] + q2*z[at_d_crossing] + q3*z[at_d_crossing + 1] + q4
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F, Omega, g, r, cycles = case
+    N = len(z) - 5
+    at_s_crossing = N + 3
+    at_phi = N + 4
+    s_crossing = z[at_s_crossing]
+    phi = z[at_phi]
+    over_crossing = legendre_moments(N + 5, Omega*s_crossing, phi)
+    mu_crossing = over_crossing[0]
+    nu_crossing = over_crossing[1]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, _ = crossing_rest_0(N, m, c, k, F, s_crossing, mu_crossing)
+    follow(J, row, slopes, 0, N + 2, q0)
+    follow(J, row, slopes, 0, N + 3, q1)
+    J[row, 2] += q2
+    q0 = crossing_rest_0_by_phi(N, F, nu_crossing)
+    J[row, 3] += q0
+    row += 1
+    q0, q1, q2, q3 = displacement_crossing(s_crossing)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    row += 1
+    q0, q1 = velocity_crossing(r, s_crossing)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    row += 1
+    q0, q1, q2, q3, _ = event_crossing(g, s_crossing)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

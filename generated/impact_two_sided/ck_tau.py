@@ -28,6 +28,7 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 2  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "06e53eb2e663e42e9ee22c11e71358347e1cf4cc0c8a6ef1494c0d57f26121a7"  # of the conditions, by srepr
 BODY = "2203074973d0beafbc837810414980ff1fd0d901b0d8a04c978d71464e121896"  # of the text below
 

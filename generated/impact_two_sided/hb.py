@@ -27,6 +27,7 @@ METHOD = "hb"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "27b217f44783fb02c80bbdb72b165d2921d7ac1cb12f63475637a9a521621960"  # of the conditions, by srepr
 BODY = "8f941cb2066ae7b60f8e769a598686f7afcf309763451f6a5a4e41350ea950e1"  # of the text below
 

@@ -28,6 +28,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "5c0a55af809039cac2f7b31befa7b369bb0a38b55bcfcf4defbc0f04ee3a1deb"  # of the conditions, by srepr
 BODY = "f7be5b4fe70e5b53929d3065aaab48f295b7e7ad354eaf6c72d64f5ae8697ea6"  # of the text below
 

@@ -29,6 +29,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "a6b19d48f0360131a717089d98345e69095646f9ac156cc05f3ec1163a980a03"  # of the conditions, by srepr
 BODY = "de218e3e41b32c2c68617e4dc4cd9a36dac82316bbd534ec935751ffb7a51d56"  # of the text below
 

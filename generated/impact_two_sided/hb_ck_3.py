@@ -30,6 +30,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "ebb92396fb5048adc49b96e6a3642bc0ccc603e0efbc6c71a530df4a51b2864a"  # of the conditions, by srepr
 BODY = "d38697f159c351f0ae12f4db9aaae92e77a3b046c2ea671051e7cf8df2b70f13"  # of the text below
 

@@ -9,6 +9,8 @@ Unknowns ``z`` at order N, in this sequence:
     x_slip: displacement where slip begins
     v_slip: velocity where slip begins
     d_slip[0..N]: acceleration of slip in Legendre polynomials
+    tau0_slip: of what no test sees of the residual of slip
+    tau1_slip: of what no test sees of the residual of slip
     s_stick: duration
     s_slip: duration
 
@@ -27,9 +29,16 @@ SCENE = "stick-slip"
 METHOD = "ck"
 DURATIONS = 2
 FORCED = False
-LOWEST = 3  # order
-MATHEMATICS = "fbac4e9a84f77250e0ff39c1785949c8ef5b3582933216ab60924ddab8554ae0"  # of the conditions, by srepr
-BODY = "329198079416a184e3e3ae485b03d9d38f96adca4e3ebdd68901b3d1bd0c0e3c"  # of the text below
+LOWEST = 1  # order
+STARTS = True  # in the state of the scene, in place of the first event
+MATHEMATICS = "c071614dc5dd3c2b89be71889a261c843cb1b2047ae9a05d91a47420237456ed"  # of the conditions, by srepr
+BODY = "d7367ea48c99c2c44be1b7d63d4d885aa3f06377b39560c8fbd46b11e96cbb34"  # of the text below
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -66,128 +75,97 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def slip_by_0(M, K, mu_k, F_N, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 0."""
+def slip_by_0(N, M, K, mu_k, F_N, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree 0."""
     return (
-        K/6,
-        (K*s_slip)/8,
-        (3*K*(s_slip*s_slip) + 10*M)/60,
-        (-4*K*(s_slip*s_slip) + 15*M)/180,
-        (K*(s_slip*s_slip) + 7*M)/420,
-        (K*(s_slip*s_slip))/1680,
-        (K*(s_slip*s_slip))/15120,
-        -(F_N*mu_k)/6,
+        K,
+        (K*s_slip)/2,
+        (K*(s_slip*s_slip) + 6*M)/6,
+        -(K*(s_slip*s_slip))/12,
+        (K*(s_slip*s_slip))/60,
+        -(-1)**(N + 1)*M,
+        -(-1)**(N + 2)*M,
+        -F_N*mu_k,
     )
 
 
 def slip_by_0_by_s_slip(K, s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        K/8,
-        (K*s_slip)/10,
-        -(2*K*s_slip)/45,
-        (K*s_slip)/210,
-        (K*s_slip)/840,
-        (K*s_slip)/7560,
+        K/2,
+        (K*s_slip)/3,
+        -(K*s_slip)/6,
+        (K*s_slip)/30,
     )
 
 
-def slip_by_1(M, K, mu_k, F_N, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 1."""
+def slip_by_1(N, M, K, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree 1."""
     return (
-        -K/12,
-        -(7*K*s_slip)/120,
-        (-4*K*(s_slip*s_slip) - 15*M)/180,
-        (13*K*(s_slip*s_slip) - 42*M)/1260,
-        -(K*(s_slip*s_slip))/720,
-        (-K*(s_slip*s_slip) + 9*M)/3780,
-        (K*(s_slip*s_slip))/166320,
-        (F_N*mu_k)/12,
+        (K*s_slip)/2,
+        (K*(s_slip*s_slip))/4,
+        (-K*(s_slip*s_slip) + 10*M)/10,
+        (K*(s_slip*s_slip))/140,
+        -(3*(-1)**N*M*(N + 1)*(N + 4))/((N + 2)*(N + 3)),
+        -(3*(-1)**(N + 1)*M*(N + 2)*(N + 5))/((N + 3)*(N + 4)),
     )
 
 
 def slip_by_1_by_s_slip(K, s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        -(7*K)/120,
-        -(2*K*s_slip)/45,
-        (13*K*s_slip)/630,
-        -(K*s_slip)/360,
-        -(K*s_slip)/1890,
-        (K*s_slip)/83160,
+        K/2,
+        (K*s_slip)/2,
+        -(K*s_slip)/5,
+        (K*s_slip)/70,
     )
 
 
-def slip_by_2(M, K, mu_k, F_N, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 2."""
+def slip_by_l(l, N, M, K, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree l."""
     return (
-        K/60,
-        (K*s_slip)/120,
-        (K*(s_slip*s_slip) + 7*M)/420,
-        -(K*(s_slip*s_slip))/720,
-        (K*(s_slip*s_slip) - 12*M)/2520,
-        (-K*(s_slip*s_slip) + 33*M)/41580,
-        (K*(s_slip*s_slip))/720720,
-        -(F_N*mu_k)/60,
-    )
-
-
-def slip_by_2_by_s_slip(K, s_slip):
-    """Their derivatives by s_slip, of those that depend on it."""
-    return (
-        K/120,
-        (K*s_slip)/210,
-        -(K*s_slip)/360,
-        (K*s_slip)/1260,
-        -(K*s_slip)/20790,
-        (K*s_slip)/360360,
-    )
-
-
-def slip_by_3(M, K, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 3."""
-    return (
-        (K*s_slip)/840,
-        (K*(s_slip*s_slip))/1680,
-        (-K*(s_slip*s_slip) + 9*M)/3780,
-        (K*(s_slip*s_slip) - 44*M)/27720,
-        (-K*(s_slip*s_slip) + 65*M)/180180,
-        (K*(s_slip*s_slip))/2162160,
-    )
-
-
-def slip_by_3_by_s_slip(K, s_slip):
-    """Their derivatives by s_slip, of those that depend on it."""
-    return (
-        K/840,
-        (K*s_slip)/840,
-        -(K*s_slip)/1890,
-        (K*s_slip)/13860,
-        -(K*s_slip)/90090,
-        (K*s_slip)/1081080,
-    )
-
-
-def slip_by_l(l, M, K, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function l."""
-    return (
-        (3*K*(s_slip*s_slip) - 16*M*(l*l) - 16*M*l + 60*M)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (K*(s_slip*s_slip))/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (-K*(s_slip*s_slip) + 4*M*(l*l) - 4*M*l - 15*M)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-K*(s_slip*s_slip) + 4*M*(l*l) + 12*M*l - 7*M)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (K*(s_slip*s_slip))/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
+        (-K*(s_slip*s_slip) + 8*M*(l*l) + 8*M*l - 6*M)/(2*(2*l - 1)*(2*l + 3)),
+        (K*(s_slip*s_slip))/(4*(2*l - 3)*(2*l - 1)),
+        (K*(s_slip*s_slip))/(4*(2*l + 3)*(2*l + 5)),
+        ((-1)**(N - l + 1)*M*(2*l + 1)*(-N + l - 2)*(N + l + 3))/((N + 2)*(N + 3)),
+        ((-1)**(N - l + 2)*M*(2*l + 1)*(-N + l - 3)*(N + l + 4))/((N + 3)*(N + 4)),
     )
 
 
 def slip_by_l_by_s_slip(l, K, s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        (3*K*s_slip)/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (K*s_slip)/(8*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(K*s_slip)/(2*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(K*s_slip)/(2*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (K*s_slip)/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
+        -(K*s_slip)/((2*l - 1)*(2*l + 3)),
+        (K*s_slip)/(2*(2*l - 3)*(2*l - 1)),
+        (K*s_slip)/(2*(2*l + 3)*(2*l + 5)),
     )
+
+
+def slip_rest_0(N, M, K, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree N + 1."""
+    return (
+        (K*(s_slip*s_slip))/(4*(2*N - 1)*(2*N + 1)),
+        -(2*M*(2*N + 3))/(N + 3),
+        (2*M*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+    )
+
+
+def slip_rest_0_by_s_slip(N, K, s_slip):
+    """Their derivatives by s_slip, of those that depend on it."""
+    return (K*s_slip)/(2*(2*N - 1)*(2*N + 1))
+
+
+def slip_rest_1(N, M, K, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree N + 2."""
+    return (
+        (K*(s_slip*s_slip))/(4*(2*N + 1)*(2*N + 3)),
+        -(2*M*(2*N + 5))/(N + 4),
+    )
+
+
+def slip_rest_1_by_s_slip(N, K, s_slip):
+    """Their derivatives by s_slip, of those that depend on it."""
+    return (K*s_slip)/(2*(2*N + 1)*(2*N + 3))
 
 
 def displacement_stick(s_slip):
@@ -246,11 +224,11 @@ def velocity_slip():
     )
 
 
-def event_stick_after(K, mu_s, F_N):
-    """Coefficients: the event that ends stick, in the state after it."""
+def start(K, mu_s, mu_k, F_N):
+    """Coefficients: the displacement where stick begins is that of the exact orbit."""
     return (
-        -K,
-        F_N*mu_s,
+        1,
+        -(F_N*(2*mu_k - mu_s))/K,
     )
 
 
@@ -264,40 +242,42 @@ def event_slip_after(V):
 
 def size(N):
     """Return the number of unknowns."""
-    return N + 7
+    return N + 9
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     M, K, V, mu_s, mu_k, F_N = case
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
-    at_s_stick = N + 5
-    at_s_slip = N + 6
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_stick = N + 7
+    at_s_slip = N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(M, K, mu_k, F_N, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7
+    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(N, M, K, mu_k, F_N, s_slip)
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*z[at_tau0_slip] + q6*z[at_tau1_slip] + q7
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_1(M, K, mu_k, F_N, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7
+    q0, q1, q2, q3, q4, q5 = slip_by_1(N, M, K, s_slip)
+    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q4*z[at_tau0_slip] + q5*z[at_tau1_slip]
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_2(M, K, mu_k, F_N, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q7
-    row += 1
-    q0, q1, q2, q3, q4, q5 = slip_by_3(M, K, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q4*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q5*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
-    row += 1
-    for l in range(4, N + 1):
-        q0, q1, q2, q3, q4 = slip_by_l(l, M, K, s_slip)
-        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q4*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4 = slip_by_l(l, N, M, K, s_slip)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q3*z[at_tau0_slip] + q4*z[at_tau1_slip]
         row += 1
+    q0, q1, q2 = slip_rest_0(N, M, K, s_slip)
+    R[row] = q0*z[at_d_slip + N-1] + q1*z[at_tau0_slip] + q2*z[at_tau1_slip]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    R[row] = q0*z[at_d_slip + N] + q1*z[at_tau1_slip]
+    row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
     row += 1
@@ -310,8 +290,8 @@ def residual(case, z, R):
     q0, q1 = velocity_slip()
     R[row] = q0*z[at_v_stick] + q1*z[at_v_slip]
     row += 1
-    q0, q1 = event_stick_after(K, mu_s, F_N)
-    R[row] = q0*z[at_x_slip] + q1
+    q0, q1 = start(K, mu_s, mu_k, F_N)
+    R[row] = q0*z[at_x_stick] + q1
     row += 1
     q0, q1 = event_slip_after(V)
     R[row] = q0*z[at_v_stick] + q1
@@ -321,86 +301,68 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     M, K, V, mu_s, mu_k, F_N = case
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
-    at_s_stick = N + 5
-    at_s_slip = N + 6
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_stick = N + 7
+    at_s_slip = N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, _ = slip_by_0(M, K, mu_k, F_N, s_slip)
+    q0, q1, q2, q3, q4, q5, q6, _ = slip_by_0(N, M, K, mu_k, F_N, s_slip)
     J[row, at_x_slip] += q0
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
     if number_d_slip > 2:
         J[row, at_d_slip + 2] += q4
-    if number_d_slip > 3:
-        J[row, at_d_slip + 3] += q5
-    if number_d_slip > 4:
-        J[row, at_d_slip + 4] += q6
-    q0, q1, q2, q3, q4, q5 = slip_by_0_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0)
+    J[row, at_tau0_slip] += q5
+    J[row, at_tau1_slip] += q6
+    q0, q1, q2, q3 = slip_by_0_by_s_slip(K, s_slip)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0)
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, _ = slip_by_1(M, K, mu_k, F_N, s_slip)
-    J[row, at_x_slip] += q0
-    J[row, at_v_slip] += q1
-    J[row, at_d_slip] += q2
-    J[row, at_d_slip + 1] += q3
-    if number_d_slip > 2:
-        J[row, at_d_slip + 2] += q4
-    if number_d_slip > 3:
-        J[row, at_d_slip + 3] += q5
-    if number_d_slip > 5:
-        J[row, at_d_slip + 5] += q6
-    q0, q1, q2, q3, q4, q5 = slip_by_1_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0)
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, _ = slip_by_2(M, K, mu_k, F_N, s_slip)
-    J[row, at_x_slip] += q0
-    J[row, at_v_slip] += q1
-    J[row, at_d_slip] += q2
-    J[row, at_d_slip + 1] += q3
-    if number_d_slip > 2:
-        J[row, at_d_slip + 2] += q4
-    if number_d_slip > 4:
-        J[row, at_d_slip + 4] += q5
-    if number_d_slip > 6:
-        J[row, at_d_slip + 6] += q6
-    q0, q1, q2, q3, q4, q5 = slip_by_2_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q5*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0)
-    row += 1
-    q0, q1, q2, q3, q4, q5 = slip_by_3(M, K, s_slip)
+    q0, q1, q2, q3, q4, q5 = slip_by_1(N, M, K, s_slip)
     J[row, at_v_slip] += q0
     J[row, at_d_slip] += q1
     J[row, at_d_slip + 1] += q2
     if number_d_slip > 3:
         J[row, at_d_slip + 3] += q3
-    if number_d_slip > 5:
-        J[row, at_d_slip + 5] += q4
-    if number_d_slip > 7:
-        J[row, at_d_slip + 7] += q5
-    q0, q1, q2, q3, q4, q5 = slip_by_3_by_s_slip(K, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q4*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q5*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
+    J[row, at_tau0_slip] += q4
+    J[row, at_tau1_slip] += q5
+    q0, q1, q2, q3 = slip_by_1_by_s_slip(K, s_slip)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0)
     row += 1
-    for l in range(4, N + 1):
-        q0, q1, q2, q3, q4 = slip_by_l(l, M, K, s_slip)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4 = slip_by_l(l, N, M, K, s_slip)
         J[row, at_d_slip + l] += q0
-        J[row, at_d_slip + l-4] += q1
-        J[row, at_d_slip + l-2] += q2
+        J[row, at_d_slip + l-2] += q1
         if number_d_slip > l+2:
-            J[row, at_d_slip + l+2] += q3
-        if number_d_slip > l+4:
-            J[row, at_d_slip + l+4] += q4
-        q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, s_slip)
-        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-2] + q3*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q4*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
+            J[row, at_d_slip + l+2] += q2
+        J[row, at_tau0_slip] += q3
+        J[row, at_tau1_slip] += q4
+        q0, q1, q2 = slip_by_l_by_s_slip(l, K, s_slip)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0)
         row += 1
+    q0, q1, q2 = slip_rest_0(N, M, K, s_slip)
+    J[row, at_d_slip + N-1] += q0
+    J[row, at_tau0_slip] += q1
+    J[row, at_tau1_slip] += q2
+    q0 = slip_rest_0_by_s_slip(N, K, s_slip)
+    J[row, at_s_slip] += q0*z[at_d_slip + N-1]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    J[row, at_d_slip + N] += q0
+    J[row, at_tau1_slip] += q1
+    q0 = slip_rest_1_by_s_slip(N, K, s_slip)
+    J[row, at_s_slip] += q0*z[at_d_slip + N]
+    row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0
     J[row, at_x_slip] += q1
@@ -428,8 +390,8 @@ def jacobian(case, z, J):
     J[row, at_v_stick] += q0
     J[row, at_v_slip] += q1
     row += 1
-    q0, _ = event_stick_after(K, mu_s, F_N)
-    J[row, at_x_slip] += q0
+    q0, _ = start(K, mu_s, mu_k, F_N)
+    J[row, at_x_stick] += q0
     row += 1
     q0, _ = event_slip_after(V)
     J[row, at_v_stick] += q0
@@ -438,15 +400,15 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
-    at_s_stick = N + 5
-    at_s_slip = N + 6
+    at_s_stick = N + 7
+    at_s_slip = N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
     if p == 0:
@@ -458,17 +420,205 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
     return {
         "x_stick": (z[at_x_stick], 0),
         "v_stick": (z[at_v_stick], 1),
         "x_slip": (z[at_x_slip], 0),
         "v_slip": (z[at_v_slip], 1),
         "d_slip": (z[at_d_slip:at_d_slip + number_d_slip], 2),
+        "tau0_slip": (z[at_tau0_slip], 2),
+        "tau1_slip": (z[at_tau1_slip], 2),
     }
+
+
+KEPT = 4  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 1, False  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    M, K, V, mu_s, mu_k, F_N = case
+    at_x_stick = 0
+    at_v_stick = 1
+    at_v_slip = 3
+    x_stick = (F_N*(2*mu_k - mu_s))/K
+    v_stick = V
+    v_slip = v_stick
+    z[at_x_stick] = x_stick
+    z[at_v_stick] = v_stick
+    z[at_v_slip] = v_slip
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 9
+    at_x_slip = 2
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_slip = N + 8
+    return at_x_slip, at_tau0_slip, at_tau1_slip, at_s_slip
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = len(z) - 9
+    at_d_slip = 4
+    return ((at_d_slip, N + 1, 0, 0, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    M, K, V, mu_s, mu_k, F_N = case
+    N = len(z) - 9
+    at_x_slip = 2
+    at_v_slip = 3
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(N, M, K, mu_k, F_N, s_slip)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_slip] + q1*z[at_v_slip] + q5*z[at_tau0_slip] + q6*z[at_tau1_slip] + q7)
+    row += 1
+    q0, q1, q2, q3, q4, q5 = slip_by_1(N, M, K, s_slip)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 6] = q3
+    right[0, row] = -(q0*z[at_v_slip] + q4*z[at_tau0_slip] + q5*z[at_tau1_slip])
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4 = slip_by_l(l, N, M, K, s_slip)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 6] = q2
+        right[0, row] = -(q3*z[at_tau0_slip] + q4*z[at_tau1_slip])
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    M, K, V, mu_s, mu_k, F_N = case
+    N = len(z) - 9
+    at_v_slip = 3
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    slopes[:] = 0.0
+    row = 4
+    q0, _, _, _, _, q5, q6, _ = slip_by_0(N, M, K, mu_k, F_N, s_slip)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q5
+    slopes[0, row, 2] = -q6
+    q0, q1, q2, q3 = slip_by_0_by_s_slip(K, s_slip)
+    slopes[0, row, 3] = -(q0*z[at_v_slip] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2])
+    row += 1
+    _, _, _, _, q4, q5 = slip_by_1(N, M, K, s_slip)
+    slopes[0, row, 1] = -q4
+    slopes[0, row, 2] = -q5
+    q0, q1, q2, q3 = slip_by_1_by_s_slip(K, s_slip)
+    slopes[0, row, 3] = -(q0*z[at_v_slip] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 2])
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, q3, q4 = slip_by_l(l, N, M, K, s_slip)
+        slopes[0, row, 1] = -q3
+        slopes[0, row, 2] = -q4
+        q0, q1, q2 = slip_by_l_by_s_slip(l, K, s_slip)
+        slopes[0, row, 3] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row + 2])
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    M, K, V, mu_s, mu_k, F_N = case
+    N = len(z) - 9
+    at_x_stick = 0
+    at_v_stick = 1
+    at_x_slip = 2
+    at_v_slip = 3
+    at_d_slip = 4
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    row = 0
+    q0, q1, q2 = slip_rest_0(N, M, K, s_slip)
+    R[row] = q0*z[at_d_slip + N-1] + q1*z[at_tau0_slip] + q2*z[at_tau1_slip]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    R[row] = q0*z[at_d_slip + N] + q1*z[at_tau1_slip]
+    row += 1
+    q0, q1, q2, q3, q4 = displacement_stick(s_slip)
+    R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
+    row += 1
+    q0, q1, q2 = velocity_stick(s_slip)
+    R[row] = q0*z[at_v_stick] + q1*z[at_v_slip] + q2*z[at_d_slip]
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    M, K, V, mu_s, mu_k, F_N = case
+    N = len(z) - 9
+    at_v_slip = 3
+    at_d_slip = 4
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2 = slip_rest_0(N, M, K, s_slip)
+    follow(J, row, slopes, 0, N + 3, q0)
+    J[row, 1] += q1
+    J[row, 2] += q2
+    q0 = slip_rest_0_by_s_slip(N, K, s_slip)
+    J[row, 3] += q0*z[at_d_slip + N-1]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    follow(J, row, slopes, 0, N + 4, q0)
+    J[row, 2] += q1
+    q0 = slip_rest_1_by_s_slip(N, K, s_slip)
+    J[row, 3] += q0*z[at_d_slip + N]
+    row += 1
+    _, q1, _, q3, q4 = displacement_stick(s_slip)
+    J[row, 0] += q1
+    follow(J, row, slopes, 0, 4, q3)
+    follow(J, row, slopes, 0, 5, q4)
+    q0, q1, q2 = displacement_stick_by_s_slip(s_slip)
+    J[row, 3] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1]
+    row += 1
+    _, _, q2 = velocity_stick(s_slip)
+    follow(J, row, slopes, 0, 4, q2)
+    q0 = velocity_stick_by_s_slip()
+    J[row, 3] += q0*z[at_d_slip]
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    N = len(z) - 9
+    at_x_stick = 0
+    at_v_stick = 1
+    at_x_slip = 2
+    at_s_stick = N + 7
+    x_stick = z[at_x_stick]
+    v_stick = z[at_v_stick]
+    x_slip = z[at_x_slip]
+    s_stick = (x_slip - x_stick)/v_stick
+    z[at_s_stick] = s_stick

@@ -28,6 +28,7 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "2a36f7eea109f9909f16e84c0439f3c8cf5b07bc5e37c387b0b0d1969b4e0895"  # of the conditions, by srepr
 BODY = "32c38ff6b668d042229559122a9f70bb3aea00ec047402161ada1790037d6e14"  # of the text below
 

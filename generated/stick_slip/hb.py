@@ -27,6 +27,7 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "385615971e9d854b37db0055fd6bbd7304bca2b030141d58c4c9ca9e6caf1100"  # of the conditions, by srepr
 BODY = "230af261535f197f5b059da4613fe86f2470ab5b0c6b428f6b04cbd30ccd5179"  # of the text below
 

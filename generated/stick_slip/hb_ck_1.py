@@ -30,6 +30,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "43b480793c0f5a80a5d2ee107ecd8aaff63270a57efb4b6c88ad3de8cd9ddb7a"  # of the conditions, by srepr
 BODY = "9dc8bce278d1688f2c64490b7abeb66a9740756bac0ba7364b47866e26bfebd0"  # of the text below
 

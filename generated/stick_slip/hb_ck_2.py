@@ -32,6 +32,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "963bf68e77056eac8b517f8af3ad6e483a2fdfefbde818b751c686da576fa700"  # of the conditions, by srepr
 BODY = "cb580a1cb1704e909be477ff85cfe5ea54dfff767c65289031ede8c0813dc0ef"  # of the text below
 

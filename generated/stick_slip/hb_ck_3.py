@@ -34,6 +34,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "f00263da1e69da963cbfe8c788f0b77f98bb5a2a8ca801008a2c9935e09d17f4"  # of the conditions, by srepr
 BODY = "a60b6a794a8d200b38149b5e3b68b27221361d7b75e2015dd1e022aa3a8a2462"  # of the text below
 

@@ -9,6 +9,8 @@ Unknowns ``z`` at order N, in this sequence:
     x_slip: displacement where slip begins
     v_slip: velocity where slip begins
     d_slip[0..N]: acceleration of slip in Legendre polynomials
+    tau0_slip: of what no test sees of the residual of slip
+    tau1_slip: of what no test sees of the residual of slip
     s_stick: duration
     s_slip: duration
 
@@ -27,9 +29,16 @@ SCENE = "stick-slip-damped"
 METHOD = "ck"
 DURATIONS = 2
 FORCED = False
-LOWEST = 3  # order
-MATHEMATICS = "785784012b30dbac98eeebdf5ffcd8357d3da7a4cb9d1979fb07c09d47980a9c"  # of the conditions, by srepr
-BODY = "3889c67c03bfe2dd8342c8a07f9e7470a587375511758a90e8d908febccb302d"  # of the text below
+LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "f4891151e9c1bf0754e0809084cc26dd8d6b0d8ab9367bab144df710b5868c0e"  # of the conditions, by srepr
+BODY = "70c134ae444152deec3cc5a6f1fb8f7a8124099b3a7bf0ded40e7a1834915087"  # of the text below
+
+
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
 
 
 def integrated(d):
@@ -66,148 +75,107 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 0."""
+def slip_by_0(N, M, K, V, mu_k, F_N, c, w, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree 0."""
     return (
-        K/6,
-        (-4*F_N*w + 3*K*s_slip + 4*c)/24,
-        (-15*F_N*s_slip*w + 6*K*(s_slip*s_slip) + 20*M + 15*c*s_slip)/120,
-        (9*F_N*s_slip*w - 8*K*(s_slip*s_slip) + 30*M - 9*c*s_slip)/360,
-        (7*F_N*s_slip*w + 2*K*(s_slip*s_slip) + 14*M - 7*c*s_slip)/840,
-        (s_slip*(2*F_N*w + K*s_slip - 2*c))/1680,
-        (K*(s_slip*s_slip))/15120,
-        (F_N*(V*w - mu_k))/6,
+        K,
+        (-2*F_N*w + K*s_slip + 2*c)/2,
+        (-3*F_N*s_slip*w + K*(s_slip*s_slip) + 6*M + 3*c*s_slip)/6,
+        (s_slip*(2*F_N*w - K*s_slip - 2*c))/12,
+        (K*(s_slip*s_slip))/60,
+        -(-1)**(N + 1)*M,
+        -(-1)**(N + 2)*M,
+        F_N*(V*w - mu_k),
     )
 
 
 def slip_by_0_by_s_slip(K, F_N, c, w, s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        K/8,
-        (-5*F_N*w + 4*K*s_slip + 5*c)/40,
-        (9*F_N*w - 16*K*s_slip - 9*c)/360,
-        (7*F_N*w + 4*K*s_slip - 7*c)/840,
-        (F_N*w + K*s_slip - c)/840,
-        (K*s_slip)/7560,
+        K/2,
+        (-3*F_N*w + 2*K*s_slip + 3*c)/6,
+        (F_N*w - K*s_slip - c)/6,
+        (K*s_slip)/30,
     )
 
 
-def slip_by_1(M, K, V, mu_k, F_N, c, w, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 1."""
+def slip_by_1(N, M, K, F_N, c, w, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree 1."""
     return (
-        -K/12,
-        (10*F_N*w - 7*K*s_slip - 10*c)/120,
-        (21*F_N*s_slip*w - 8*K*(s_slip*s_slip) - 30*M - 21*c*s_slip)/360,
-        (-35*F_N*s_slip*w + 26*K*(s_slip*s_slip) - 84*M + 35*c*s_slip)/2520,
-        -(s_slip*(18*F_N*w + 7*K*s_slip - 18*c))/5040,
-        (-K*(s_slip*s_slip) + 9*M)/3780,
-        (s_slip*(F_N*w - c))/7560,
-        (K*(s_slip*s_slip))/166320,
-        -(F_N*(V*w - mu_k))/12,
+        (K*s_slip)/2,
+        -(s_slip*(2*F_N*w - K*s_slip - 2*c))/4,
+        (-K*(s_slip*s_slip) + 10*M)/10,
+        (s_slip*(F_N*w - c))/10,
+        (K*(s_slip*s_slip))/140,
+        -(3*(-1)**N*M*(N + 1)*(N + 4))/((N + 2)*(N + 3)),
+        -(3*(-1)**(N + 1)*M*(N + 2)*(N + 5))/((N + 3)*(N + 4)),
     )
 
 
 def slip_by_1_by_s_slip(K, F_N, c, w, s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        -(7*K)/120,
-        (21*F_N*w - 16*K*s_slip - 21*c)/360,
-        (-35*F_N*w + 52*K*s_slip + 35*c)/2520,
-        (-9*F_N*w - 7*K*s_slip + 9*c)/2520,
-        -(K*s_slip)/1890,
-        (F_N*w - c)/7560,
-        (K*s_slip)/83160,
+        K/2,
+        (-F_N*w + K*s_slip + c)/2,
+        -(K*s_slip)/5,
+        (F_N*w - c)/10,
+        (K*s_slip)/70,
     )
 
 
-def slip_by_2(M, K, V, mu_k, F_N, c, w, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 2."""
+def slip_by_l(l, N, M, K, F_N, c, w, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree l."""
     return (
-        K/60,
-        (-2*F_N*w + K*s_slip + 2*c)/120,
-        (-7*F_N*s_slip*w + 2*K*(s_slip*s_slip) + 14*M + 7*c*s_slip)/840,
-        (s_slip*(18*F_N*w - 7*K*s_slip - 18*c))/5040,
-        (K*(s_slip*s_slip) - 12*M)/2520,
-        -(s_slip*(F_N*w - c))/2520,
-        (-K*(s_slip*s_slip) + 33*M)/41580,
-        (s_slip*(F_N*w - c))/27720,
-        (K*(s_slip*s_slip))/720720,
-        (F_N*(V*w - mu_k))/60,
-    )
-
-
-def slip_by_2_by_s_slip(K, F_N, c, w, s_slip):
-    """Their derivatives by s_slip, of those that depend on it."""
-    return (
-        K/120,
-        (-7*F_N*w + 4*K*s_slip + 7*c)/840,
-        (9*F_N*w - 7*K*s_slip - 9*c)/2520,
-        (K*s_slip)/1260,
-        (-F_N*w + c)/2520,
-        -(K*s_slip)/20790,
-        (F_N*w - c)/27720,
-        (K*s_slip)/360360,
-    )
-
-
-def slip_by_3(M, K, F_N, c, w, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function 3."""
-    return (
-        (K*s_slip)/840,
-        -(s_slip*(2*F_N*w - K*s_slip - 2*c))/1680,
-        (-K*(s_slip*s_slip) + 9*M)/3780,
-        (s_slip*(F_N*w - c))/2520,
-        (K*(s_slip*s_slip) - 44*M)/27720,
-        -(s_slip*(F_N*w - c))/9240,
-        (-K*(s_slip*s_slip) + 65*M)/180180,
-        (s_slip*(F_N*w - c))/72072,
-        (K*(s_slip*s_slip))/2162160,
-    )
-
-
-def slip_by_3_by_s_slip(K, F_N, c, w, s_slip):
-    """Their derivatives by s_slip, of those that depend on it."""
-    return (
-        K/840,
-        (-F_N*w + K*s_slip + c)/840,
-        -(K*s_slip)/1890,
-        (F_N*w - c)/2520,
-        (K*s_slip)/13860,
-        (-F_N*w + c)/9240,
-        -(K*s_slip)/90090,
-        (F_N*w - c)/72072,
-        (K*s_slip)/1081080,
-    )
-
-
-def slip_by_l(l, M, K, F_N, c, w, s_slip):
-    """Coefficients: residual of slip, orthogonal to its test function l."""
-    return (
-        (3*K*(s_slip*s_slip) - 16*M*(l*l) - 16*M*l + 60*M)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (K*(s_slip*s_slip))/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(s_slip*(F_N*w - c))/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (-K*(s_slip*s_slip) + 4*M*(l*l) - 4*M*l - 15*M)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (3*s_slip*(F_N*w - c))/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(3*s_slip*(F_N*w - c))/(8*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (-K*(s_slip*s_slip) + 4*M*(l*l) + 12*M*l - 7*M)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (s_slip*(F_N*w - c))/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (K*(s_slip*s_slip))/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
+        (-K*(s_slip*s_slip) + 8*M*(l*l) + 8*M*l - 6*M)/(2*(2*l - 1)*(2*l + 3)),
+        (K*(s_slip*s_slip))/(4*(2*l - 3)*(2*l - 1)),
+        -(s_slip*(F_N*w - c))/(4*l - 2),
+        (s_slip*(F_N*w - c))/(4*l + 6),
+        (K*(s_slip*s_slip))/(4*(2*l + 3)*(2*l + 5)),
+        ((-1)**(N - l + 1)*M*(2*l + 1)*(-N + l - 2)*(N + l + 3))/((N + 2)*(N + 3)),
+        ((-1)**(N - l + 2)*M*(2*l + 1)*(-N + l - 3)*(N + l + 4))/((N + 3)*(N + 4)),
     )
 
 
 def slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip):
     """Their derivatives by s_slip, of those that depend on it."""
     return (
-        (3*K*s_slip)/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (K*s_slip)/(8*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (-F_N*w + c)/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(K*s_slip)/(2*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (3*F_N*w - 3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (-3*F_N*w + 3*c)/(8*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(K*s_slip)/(2*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (F_N*w - c)/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (K*s_slip)/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
+        -(K*s_slip)/((2*l - 1)*(2*l + 3)),
+        (K*s_slip)/(2*(2*l - 3)*(2*l - 1)),
+        (-F_N*w + c)/(4*l - 2),
+        (F_N*w - c)/(4*l + 6),
+        (K*s_slip)/(2*(2*l + 3)*(2*l + 5)),
     )
+
+
+def slip_rest_0(N, M, K, F_N, c, w, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree N + 1."""
+    return (
+        -(s_slip*(F_N*w - c))/(4*N + 2),
+        (K*(s_slip*s_slip))/(4*(2*N - 1)*(2*N + 1)),
+        -(2*M*(2*N + 3))/(N + 3),
+        (2*M*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+    )
+
+
+def slip_rest_0_by_s_slip(N, K, F_N, c, w, s_slip):
+    """Their derivatives by s_slip, of those that depend on it."""
+    return (
+        (-F_N*w + c)/(4*N + 2),
+        (K*s_slip)/(2*(2*N - 1)*(2*N + 1)),
+    )
+
+
+def slip_rest_1(N, M, K, s_slip):
+    """Coefficients: residual of slip, less what no test sees, degree N + 2."""
+    return (
+        (K*(s_slip*s_slip))/(4*(2*N + 1)*(2*N + 3)),
+        -(2*M*(2*N + 5))/(N + 4),
+    )
+
+
+def slip_rest_1_by_s_slip(N, K, s_slip):
+    """Their derivatives by s_slip, of those that depend on it."""
+    return (K*s_slip)/(2*(2*N + 1)*(2*N + 3))
 
 
 def displacement_stick(s_slip):
@@ -284,40 +252,42 @@ def event_slip_after(V):
 
 def size(N):
     """Return the number of unknowns."""
-    return N + 7
+    return N + 9
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     M, K, V, mu_s, mu_k, F_N, c, w = case
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
-    at_s_stick = N + 5
-    at_s_slip = N + 6
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_stick = N + 7
+    at_s_slip = N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7
+    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(N, M, K, V, mu_k, F_N, c, w, s_slip)
+    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*z[at_tau0_slip] + q6*z[at_tau1_slip] + q7
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_1(M, K, V, mu_k, F_N, c, w, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6 = slip_by_1(N, M, K, F_N, c, w, s_slip)
+    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*z[at_tau0_slip] + q6*z[at_tau1_slip]
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slip_by_2(M, K, V, mu_k, F_N, c, w, s_slip)
-    R[row] = q0*z[at_x_slip] + q1*z[at_v_slip] + q2*z[at_d_slip] + q3*z[at_d_slip + 1] + q4*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q5*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q6*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q7*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q8*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q9
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_3(M, K, F_N, c, w, s_slip)
-    R[row] = q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q8*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
-    row += 1
-    for l in range(4, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l(l, M, K, F_N, c, w, s_slip)
-        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q6*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q7*(z[at_d_slip + l+3] if number_d_slip > l+3 else 0.0) + q8*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6 = slip_by_l(l, N, M, K, F_N, c, w, s_slip)
+        R[row] = q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q4*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q5*z[at_tau0_slip] + q6*z[at_tau1_slip]
         row += 1
+    q0, q1, q2, q3 = slip_rest_0(N, M, K, F_N, c, w, s_slip)
+    R[row] = q0*z[at_d_slip + N] + q1*z[at_d_slip + N-1] + q2*z[at_tau0_slip] + q3*z[at_tau1_slip]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    R[row] = q0*z[at_d_slip + N] + q1*z[at_tau1_slip]
+    row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     R[row] = q0*z[at_x_stick] + q1*z[at_x_slip] + q2*z[at_v_slip] + q3*z[at_d_slip] + q4*z[at_d_slip + 1]
     row += 1
@@ -341,68 +311,34 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     M, K, V, mu_s, mu_k, F_N, c, w = case
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
-    at_s_stick = N + 5
-    at_s_slip = N + 6
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_stick = N + 7
+    at_s_slip = N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, _ = slip_by_0(M, K, V, mu_k, F_N, c, w, s_slip)
+    q0, q1, q2, q3, q4, q5, q6, _ = slip_by_0(N, M, K, V, mu_k, F_N, c, w, s_slip)
     J[row, at_x_slip] += q0
     J[row, at_v_slip] += q1
     J[row, at_d_slip] += q2
     J[row, at_d_slip + 1] += q3
     if number_d_slip > 2:
         J[row, at_d_slip + 2] += q4
-    if number_d_slip > 3:
-        J[row, at_d_slip + 3] += q5
-    if number_d_slip > 4:
-        J[row, at_d_slip + 4] += q6
-    q0, q1, q2, q3, q4, q5 = slip_by_0_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0)
+    J[row, at_tau0_slip] += q5
+    J[row, at_tau1_slip] += q6
+    q0, q1, q2, q3 = slip_by_0_by_s_slip(K, F_N, c, w, s_slip)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0)
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = slip_by_1(M, K, V, mu_k, F_N, c, w, s_slip)
-    J[row, at_x_slip] += q0
-    J[row, at_v_slip] += q1
-    J[row, at_d_slip] += q2
-    J[row, at_d_slip + 1] += q3
-    if number_d_slip > 2:
-        J[row, at_d_slip + 2] += q4
-    if number_d_slip > 3:
-        J[row, at_d_slip + 3] += q5
-    if number_d_slip > 4:
-        J[row, at_d_slip + 4] += q6
-    if number_d_slip > 5:
-        J[row, at_d_slip + 5] += q7
-    q0, q1, q2, q3, q4, q5, q6 = slip_by_1_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0)
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = slip_by_2(M, K, V, mu_k, F_N, c, w, s_slip)
-    J[row, at_x_slip] += q0
-    J[row, at_v_slip] += q1
-    J[row, at_d_slip] += q2
-    J[row, at_d_slip + 1] += q3
-    if number_d_slip > 2:
-        J[row, at_d_slip + 2] += q4
-    if number_d_slip > 3:
-        J[row, at_d_slip + 3] += q5
-    if number_d_slip > 4:
-        J[row, at_d_slip + 4] += q6
-    if number_d_slip > 5:
-        J[row, at_d_slip + 5] += q7
-    if number_d_slip > 6:
-        J[row, at_d_slip + 6] += q8
-    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_2_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0)
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_3(M, K, F_N, c, w, s_slip)
+    q0, q1, q2, q3, q4, q5, q6 = slip_by_1(N, M, K, F_N, c, w, s_slip)
     J[row, at_v_slip] += q0
     J[row, at_d_slip] += q1
     J[row, at_d_slip + 1] += q2
@@ -410,35 +346,39 @@ def jacobian(case, z, J):
         J[row, at_d_slip + 2] += q3
     if number_d_slip > 3:
         J[row, at_d_slip + 3] += q4
-    if number_d_slip > 4:
-        J[row, at_d_slip + 4] += q5
-    if number_d_slip > 5:
-        J[row, at_d_slip + 5] += q6
-    if number_d_slip > 6:
-        J[row, at_d_slip + 6] += q7
-    if number_d_slip > 7:
-        J[row, at_d_slip + 7] += q8
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_3_by_s_slip(K, F_N, c, w, s_slip)
-    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0) + q5*(z[at_d_slip + 4] if number_d_slip > 4 else 0.0) + q6*(z[at_d_slip + 5] if number_d_slip > 5 else 0.0) + q7*(z[at_d_slip + 6] if number_d_slip > 6 else 0.0) + q8*(z[at_d_slip + 7] if number_d_slip > 7 else 0.0)
+    J[row, at_tau0_slip] += q5
+    J[row, at_tau1_slip] += q6
+    q0, q1, q2, q3, q4 = slip_by_1_by_s_slip(K, F_N, c, w, s_slip)
+    J[row, at_s_slip] += q0*z[at_v_slip] + q1*z[at_d_slip] + q2*z[at_d_slip + 1] + q3*(z[at_d_slip + 2] if number_d_slip > 2 else 0.0) + q4*(z[at_d_slip + 3] if number_d_slip > 3 else 0.0)
     row += 1
-    for l in range(4, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l(l, M, K, F_N, c, w, s_slip)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6 = slip_by_l(l, N, M, K, F_N, c, w, s_slip)
         J[row, at_d_slip + l] += q0
-        J[row, at_d_slip + l-4] += q1
-        J[row, at_d_slip + l-3] += q2
-        J[row, at_d_slip + l-2] += q3
-        J[row, at_d_slip + l-1] += q4
+        J[row, at_d_slip + l-2] += q1
+        J[row, at_d_slip + l-1] += q2
         if number_d_slip > l+1:
-            J[row, at_d_slip + l+1] += q5
+            J[row, at_d_slip + l+1] += q3
         if number_d_slip > l+2:
-            J[row, at_d_slip + l+2] += q6
-        if number_d_slip > l+3:
-            J[row, at_d_slip + l+3] += q7
-        if number_d_slip > l+4:
-            J[row, at_d_slip + l+4] += q8
-        q0, q1, q2, q3, q4, q5, q6, q7, q8 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
-        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-4] + q2*z[at_d_slip + l-3] + q3*z[at_d_slip + l-2] + q4*z[at_d_slip + l-1] + q5*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q6*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0) + q7*(z[at_d_slip + l+3] if number_d_slip > l+3 else 0.0) + q8*(z[at_d_slip + l+4] if number_d_slip > l+4 else 0.0)
+            J[row, at_d_slip + l+2] += q4
+        J[row, at_tau0_slip] += q5
+        J[row, at_tau1_slip] += q6
+        q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
+        J[row, at_s_slip] += q0*z[at_d_slip + l] + q1*z[at_d_slip + l-2] + q2*z[at_d_slip + l-1] + q3*(z[at_d_slip + l+1] if number_d_slip > l+1 else 0.0) + q4*(z[at_d_slip + l+2] if number_d_slip > l+2 else 0.0)
         row += 1
+    q0, q1, q2, q3 = slip_rest_0(N, M, K, F_N, c, w, s_slip)
+    J[row, at_d_slip + N] += q0
+    J[row, at_d_slip + N-1] += q1
+    J[row, at_tau0_slip] += q2
+    J[row, at_tau1_slip] += q3
+    q0, q1 = slip_rest_0_by_s_slip(N, K, F_N, c, w, s_slip)
+    J[row, at_s_slip] += q0*z[at_d_slip + N] + q1*z[at_d_slip + N-1]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    J[row, at_d_slip + N] += q0
+    J[row, at_tau1_slip] += q1
+    q0 = slip_rest_1_by_s_slip(N, K, s_slip)
+    J[row, at_s_slip] += q0*z[at_d_slip + N]
+    row += 1
     q0, q1, q2, q3, q4 = displacement_stick(s_slip)
     J[row, at_x_stick] += q0
     J[row, at_x_slip] += q1
@@ -476,15 +416,15 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
-    at_s_stick = N + 5
-    at_s_slip = N + 6
+    at_s_stick = N + 7
+    at_s_slip = N + 8
     s_stick = z[at_s_stick]
     s_slip = z[at_s_slip]
     if p == 0:
@@ -496,17 +436,200 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = len(z) - 7
+    N = len(z) - 9
     at_x_stick = 0
     at_v_stick = 1
     at_x_slip = 2
     at_v_slip = 3
     at_d_slip = 4
     number_d_slip = N + 1
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
     return {
         "x_stick": (z[at_x_stick], 0),
         "v_stick": (z[at_v_stick], 1),
         "x_slip": (z[at_x_slip], 0),
         "v_slip": (z[at_v_slip], 1),
         "d_slip": (z[at_d_slip:at_d_slip + number_d_slip], 2),
+        "tau0_slip": (z[at_tau0_slip], 2),
+        "tau1_slip": (z[at_tau1_slip], 2),
     }
+
+
+KEPT = 3  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 1, False  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    at_v_stick = 1
+    at_x_slip = 2
+    at_v_slip = 3
+    x_slip = (F_N*mu_s - V*c)/K
+    v_stick = V
+    v_slip = v_stick
+    z[at_x_slip] = x_slip
+    z[at_v_stick] = v_stick
+    z[at_v_slip] = v_slip
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 9
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_slip = N + 8
+    return at_tau0_slip, at_tau1_slip, at_s_slip
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = len(z) - 9
+    at_d_slip = 4
+    return ((at_d_slip, N + 1, 0, 0, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 9
+    at_x_slip = 2
+    at_v_slip = 3
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7 = slip_by_0(N, M, K, V, mu_k, F_N, c, w, s_slip)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_slip] + q1*z[at_v_slip] + q5*z[at_tau0_slip] + q6*z[at_tau1_slip] + q7)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6 = slip_by_1(N, M, K, F_N, c, w, s_slip)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_slip] + q5*z[at_tau0_slip] + q6*z[at_tau1_slip])
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6 = slip_by_l(l, N, M, K, F_N, c, w, s_slip)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_slip] + q6*z[at_tau1_slip])
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 9
+    at_v_slip = 3
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    slopes[:] = 0.0
+    row = 4
+    _, _, _, _, _, q5, q6, _ = slip_by_0(N, M, K, V, mu_k, F_N, c, w, s_slip)
+    slopes[0, row, 0] = -q5
+    slopes[0, row, 1] = -q6
+    q0, q1, q2, q3 = slip_by_0_by_s_slip(K, F_N, c, w, s_slip)
+    slopes[0, row, 2] = -(q0*z[at_v_slip] + q1*found[0, row] + q2*found[0, row + 1] + q3*found[0, row + 2])
+    row += 1
+    _, _, _, _, _, q5, q6 = slip_by_1(N, M, K, F_N, c, w, s_slip)
+    slopes[0, row, 0] = -q5
+    slopes[0, row, 1] = -q6
+    q0, q1, q2, q3, q4 = slip_by_1_by_s_slip(K, F_N, c, w, s_slip)
+    slopes[0, row, 2] = -(q0*z[at_v_slip] + q1*found[0, row - 1] + q2*found[0, row] + q3*found[0, row + 1] + q4*found[0, row + 2])
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6 = slip_by_l(l, N, M, K, F_N, c, w, s_slip)
+        slopes[0, row, 0] = -q5
+        slopes[0, row, 1] = -q6
+        q0, q1, q2, q3, q4 = slip_by_l_by_s_slip(l, K, F_N, c, w, s_slip)
+        slopes[0, row, 2] = -(q0*found[0, row] + q1*found[0, row - 2] + q2*found[0, row - 1] + q3*found[0, row + 1] + q4*found[0, row + 2])
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 9
+    at_v_stick = 1
+    at_v_slip = 3
+    at_d_slip = 4
+    at_tau0_slip = N + 5
+    at_tau1_slip = N + 6
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    row = 0
+    q0, q1, q2, q3 = slip_rest_0(N, M, K, F_N, c, w, s_slip)
+    R[row] = q0*z[at_d_slip + N] + q1*z[at_d_slip + N-1] + q2*z[at_tau0_slip] + q3*z[at_tau1_slip]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    R[row] = q0*z[at_d_slip + N] + q1*z[at_tau1_slip]
+    row += 1
+    q0, q1, q2 = velocity_stick(s_slip)
+    R[row] = q0*z[at_v_stick] + q1*z[at_v_slip] + q2*z[at_d_slip]
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    M, K, V, mu_s, mu_k, F_N, c, w = case
+    N = len(z) - 9
+    at_d_slip = 4
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3 = slip_rest_0(N, M, K, F_N, c, w, s_slip)
+    follow(J, row, slopes, 0, N + 4, q0)
+    follow(J, row, slopes, 0, N + 3, q1)
+    J[row, 0] += q2
+    J[row, 1] += q3
+    q0, q1 = slip_rest_0_by_s_slip(N, K, F_N, c, w, s_slip)
+    J[row, 2] += q0*z[at_d_slip + N] + q1*z[at_d_slip + N-1]
+    row += 1
+    q0, q1 = slip_rest_1(N, M, K, s_slip)
+    follow(J, row, slopes, 0, N + 4, q0)
+    J[row, 1] += q1
+    q0 = slip_rest_1_by_s_slip(N, K, s_slip)
+    J[row, 2] += q0*z[at_d_slip + N]
+    row += 1
+    _, _, q2 = velocity_stick(s_slip)
+    follow(J, row, slopes, 0, 4, q2)
+    q0 = velocity_stick_by_s_slip()
+    J[row, 2] += q0*z[at_d_slip]
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    N = len(z) - 9
+    at_x_stick = 0
+    at_v_stick = 1
+    at_x_slip = 2
+    at_v_slip = 3
+    at_d_slip = 4
+    at_s_stick = N + 7
+    at_s_slip = N + 8
+    s_slip = z[at_s_slip]
+    v_stick = z[at_v_stick]
+    x_slip = z[at_x_slip]
+    v_slip = z[at_v_slip]
+    x_stick = -((s_slip*s_slip)*z[at_d_slip + 1])/6 + ((s_slip*s_slip)*z[at_d_slip])/2 + s_slip*v_slip + x_slip
+    s_stick = ((s_slip*s_slip)*z[at_d_slip + 1])/(6*v_stick) - ((s_slip*s_slip)*z[at_d_slip])/(2*v_stick) - (s_slip*v_slip)/v_stick
+    z[at_x_stick] = x_stick
+    z[at_s_stick] = s_stick

@@ -28,6 +28,7 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "2e713484aeb37905d62b02de6d8e1115b866aea23db8001569f782422ca260c6"  # of the conditions, by srepr
 BODY = "45bd93c18cffc23d740d54f097522e7a45144650bdb3de960cf848830c7ad2c1"  # of the text below
 

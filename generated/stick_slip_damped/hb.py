@@ -27,6 +27,7 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "356d21354dd4c65ec9bc66866948e7aac181ef1ba38b36fd776ce0e2d0683265"  # of the conditions, by srepr
 BODY = "687e759de8963d9e0110eee82708d4da57393e312f8eab460f3b442252357891"  # of the text below
 

@@ -30,6 +30,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "29e1607618cb086f4acf2ca5e0f36a060e6032f33adc53b6c888df7aee4a76c1"  # of the conditions, by srepr
 BODY = "7e8bb77480c2de20d907a4a200cc4c24c8807b4d604215e88b50b048b1b023d9"  # of the text below
 

@@ -32,6 +32,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "ccd4ed7e337dc83a8b3c7c3740a1b44e4d379a1259d79f35d9d999ba9026e02e"  # of the conditions, by srepr
 BODY = "8de4365f6af3c5d0f8b08ce081ab16c9b1bfaab5019680a451a0d4be317dede1"  # of the text below
 

@@ -34,6 +34,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = False
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "384821b2442ba125bfc89f5fa9f53499019d6452a105dd60bec0e7340c3865f3"  # of the conditions, by srepr
 BODY = "1417254e247ee0ff17456dc38ebeff2496db619b68bb2238eab0ab753516123a"  # of the text below
 

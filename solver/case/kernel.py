@@ -49,6 +49,8 @@ class SceneKernel:
         Whether it starts from the times in ``z`` alone.
     account : Account or None
         What it has cost as plain Python; None of what is compiled, or has no other form.
+    starts : bool
+        Whether the scene's start is imposed in place of the event that ends the first phase.
     """
 
     method: str
@@ -63,6 +65,7 @@ class SceneKernel:
     iterate: Iteration
     condensed: bool = False
     account: Account | None = None
+    starts: bool = False
 
     def times(self, z: Vector) -> Vector:
         """Return the durations and, if the scene is forced, the phase of the forcing."""
@@ -171,6 +174,7 @@ def _kernel(
         lowest=int(getattr(module, "LOWEST", 1)),
         iterate=iterate,
         condensed="bands" in functions,
+        starts=bool(getattr(module, "STARTS", False)),
         account=spent,
         **{name: functions[name] for name in names},
     )

@@ -42,7 +42,9 @@ def only_rounding(p: int, form: Form) -> float:
     return ROUNDING
 
 
-def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[str, ...]:
+def violations(
+    orbit: SceneMotion, allowed: Allowance = only_rounding, unmet: float = 0.0
+) -> tuple[str, ...]:
     """Return what an orbit violates, in words with numbers in SI units; empty if nothing.
 
     Parameters
@@ -51,6 +53,9 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
         A solution of the equations.
     allowed : callable
         How far below 0 a demand may fall; see `allowance` for those of an expansion.
+    unmet : float
+        How far from its event the first phase may end, as a part of how far it begins from it,
+        where the equations do not say that it is met; else 0.
     """
     durations = orbit.cell_durations
     total, unit = float(np.sum(durations)), orbit.case.units.time
@@ -61,6 +66,9 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
     ]
     if found or not np.isfinite(durations).all():
         return tuple(found) or ("the durations are not finite",)
+    if unmet:
+        found += _unmet(orbit, unmet)
+        allowed = _with_unmet(orbit, allowed, unmet)
     for p, phase in enumerate(orbit.cell.phases):
         found += _held(orbit, p)
         for words, form in phase.demands:
@@ -70,6 +78,31 @@ def violations(orbit: SceneMotion, allowed: Allowance = only_rounding) -> tuple[
         if not any(vanishes_by_event(orbit, p, form) for _, form in phase.demands):
             found += _too_late(orbit, p, allowed)
     return tuple(found) or _repeated(orbit)
+
+
+def _unmet(orbit: SceneMotion, unmet: float) -> list[str]:
+    """Return that the first phase ends before its event or beyond it, if it does."""
+    phase = orbit.cell.phases[0]
+    begin, end = terms(orbit, 0, phase.event, np.array([0.0, 1.0])).sum(axis=0)
+    off = float(end / begin) if begin else np.inf
+    if abs(off) <= unmet:
+        return []
+    return [
+        f"{phase.name} ends {abs(off):.3g} of its way {'before' if off > 0 else 'beyond'} its "
+        f"event (allowed: {unmet:.3g})"
+    ]
+
+
+def _with_unmet(orbit: SceneMotion, allowed: Allowance, unmet: float) -> Allowance:
+    """Return what demands are allowed where that of the first event is allowed as much."""
+
+    def more(p: int, form: Form) -> float:
+        if p or not vanishes_by_event(orbit, p, form):
+            return allowed(p, form)
+        begin = float(terms(orbit, p, form, np.zeros(1)).sum())
+        return max(allowed(p, form), unmet * abs(begin) / scale_of(orbit, p, form))
+
+    return more
 
 
 def _too_late(orbit: SceneMotion, p: int, allowed: Allowance) -> list[str]:

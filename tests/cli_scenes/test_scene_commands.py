@@ -188,7 +188,7 @@ def test_a_tolerance_chooses_the_lowest_order(run) -> None:
     [
         (("impact", "--tol", 1e-15), "no estimate in float64 goes below 2e-15"),
         (("impact", "--tol", 1e-7, "--method", "hb"), "it would need N of about"),
-        (("stick-slip-damped", "--tol", 4e-15, "--method", "c1"), "do not fall any more"),
+        (("clearance", "--gap", 1.35605, "--tol", 1e-14), "do not fall any more"),  # grazes
     ],
 )
 def test_a_tolerance_that_cannot_be_met_is_refused(run, arguments, words) -> None:
@@ -211,8 +211,8 @@ def test_a_tolerance_that_cannot_be_met_is_refused(run, arguments, words) -> Non
         (("impact", "--restitution", 2), "restitution: got 2.0, expected a"),
         (("impact", "--gap", "nan"), "gap: got nan"),
         (
-            ("impact", "--order", 2),
-            "--order: got 2, expected a whole number from 3 to 400 for ck",
+            ("impact", "--order", 1),
+            "--order: got 1, expected a whole number from 2 to 400 for ck",
         ),
         (("impact", "--method", "hb", "--functions", 2), "--functions: got 2, expected for hb"),
         (("impact", "--functions", 9), "--functions: got 9, expected for hb-ck: 1, 2, 3"),
@@ -238,7 +238,7 @@ def test_several_mistakes_are_a_line_each(run) -> None:
     ("arguments", "words"),
     [
         (("impact", "--methods", "hb,galerkin"), "--methods: got 'galerkin'"),
-        (("impact", "--methods", "ck", "--orders", "2,3"), "--orders: got 2"),
+        (("impact", "--methods", "ck", "--orders", "1,3"), "--orders: got 1"),
         (("impact", "--orders", "3-"), "'3-'"),
     ],
 )

@@ -10,12 +10,14 @@ from functools import cache
 from math import pi
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.polynomial import Legendre, Polynomial
 from numpy.polynomial.legendre import leggauss
 from scipy.special import eval_sh_legendre, sh_legendre
 
-NODES, WEIGHTS = leggauss(60)
-NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2
+#: On three panels: NumPy's weights for as many nodes on one are right to 1e-14 only.
+NODES, WEIGHTS = leggauss(24)
+NODES = np.concatenate([(panel + (NODES + 1) / 2) / 3 for panel in range(3)])
+WEIGHTS = np.tile(WEIGHTS / 6, 3)
 
 #: ``motion(p, u, order)``: a derivative by time on phase p, at local times from 0 to 1.
 Motion = Callable[[int, np.ndarray, int], np.ndarray]
@@ -41,6 +43,9 @@ class Oscillator:
         -1 where the cell is half a period.
     cycles : int
         Periods of the forcing in the period.
+    start : float or None
+        Displacement in which the first phase begins, of functions that begin at switches, in
+        place of its event.
     memory : tuple of (float, float)
         What the displacement in which the first phase begins, kept, is multiplied by: in the
         force on each phase, and in the event at its end.
@@ -55,9 +60,16 @@ class Oscillator:
     sign: int = 1
     cycles: int = 1
     memory: tuple[tuple[float, float], ...] = ()
+    start: float | None = None
 
 
 OSCILLATORS = {
+    "S0": Oscillator(
+        ((1, 0, 0, 0, 0), (1, 0, 1, 0, 0)),
+        ((-1, 0, 0, 1), (0, 1, 0, -1)),
+        *((1, 1), (True, False)),
+        start=-1.0,
+    ),
     "S1n2": Oscillator(
         ((1, 0.1, 1, 0, 1),), ((1, 0, 0, -0.1),), (0,), (False,), -0.6, 3.6, cycles=2
     ),
@@ -221,16 +233,22 @@ class Cell:
         return range(1, N + 1) if self.o.sign == 1 else range(1, 2 * N, 2)
 
 
-def polynomial_rows(o, z, N, weighted):
-    """Return the rows of `ck`, or of `ck-tau` where `weighted` is False."""
+def polynomial_rows(o, z, N, tested):
+    """Return the rows of `ck`, or of `ck-tau`.
+
+    The residual of `ck` is `tested` with functions that leave of it the polynomials of Jacobi
+    that belong to their weight: its parts are zero, less those of what is left.
+    """
     times = z[len(z) - len(o.phases) - (o.Omega is not None) :]
-    at, shapes = 0, []
+    at, shapes, left = 0, [], []
     for p, k in enumerate(o.classes):
         count = 0 if o.held[p] else N + k
         x, v, d = z[at], z[at + 1], z[at + 2 : at + 2 + count]
-        acceleration = sum((q * shifted(n) for n, q in enumerate(d)), Polynomial([0.0]))
-        shapes.append(Polynomial([x, times[p] * v]) + times[p] ** 2 * acceleration.integ(2))
+        acceleration = Legendre(times[p] ** 2 * np.append(d, 0.0), domain=[0, 1])
+        shapes.append(acceleration.integ(2, k=[times[p] * v, x], lbnd=0))
         at += 2 + count
+        left.append(z[at : at + k + 1] if tested and not o.held[p] else z[:0])
+        at += len(left[p])
 
     def motion(p, u, order):
         return shapes[p].deriv(order)(u) / times[p] ** order
@@ -238,14 +256,29 @@ def polynomial_rows(o, z, N, weighted):
     cell = Cell(o, z, motion)
     rows = []
     for p, k in enumerate(o.classes):
-        for l in range(0 if o.held[p] else N + k + 1 - max(1, k)):
-            if weighted:
-                rows.append(cell.on_phase(p, shifted(l).integ(k + 1)))
-            else:
-                rows.append(
-                    cell.on_phase(p, lambda u, l=l: (2 * l + 1) * eval_sh_legendre(l, u))
-                )
-    return np.array([*rows, *cell.joints(), *cell.events(after=o.Omega is None)])
+        count = N + k + 1 - max(1, k)
+        unseen = sum(
+            o.phases[p][0] * tau * jacobi(count + i, k + 1, NODES)
+            for i, tau in enumerate(left[p])
+        )
+        for l in range(0 if o.held[p] else count + len(left[p])):
+            test = (2 * l + 1) * eval_sh_legendre(l, NODES)
+            rows.append(np.sum(WEIGHTS * (cell.residual(p) - unseen) * test))
+    events = [*cell.events(after=o.Omega is None)]
+    if tested and o.start is not None:
+        events[0] = cell.start(0, 0) - o.start
+    return np.array([*rows, *cell.joints(), *events])
+
+
+def jacobi(m, b, u):
+    """Return ``P_m^(0, b)(2 u - 1)`` by its recurrence: SciPy's loses four digits."""
+    x, before, found = 2 * u - 1, 0.0 * u, np.ones_like(u)
+    for n in range(1, m + 1):
+        q = 2 * n + b
+        ahead = (q - 1) * (q * (q - 2) * x - b**2) * found
+        ahead = ahead - 2 * (n - 1) * (n + b - 1) * q * before
+        before, found = found, ahead / (2 * n * (n + b) * (q - 2))
+    return found
 
 
 def shifted(n):
@@ -336,7 +369,7 @@ def rows(name, kernel, z, N):
     """Return what the residual of a kernel is to be, at N terms."""
     o = OSCILLATORS[name]
     if kernel.startswith("ck"):
-        return polynomial_rows(o, z, N, weighted=kernel == "ck")
+        return polynomial_rows(o, z, N, tested=kernel == "ck")
     if kernel == "hb":
         return fourier_rows(o, z, N)
     return broken_rows(o, z, N, int(kernel[-1]))

@@ -1,5 +1,7 @@
 """Scenes of the references that do not come with the program: as a user would write them."""
 
+from dataclasses import replace
+
 import numpy as np
 import sympy as sp
 
@@ -87,10 +89,14 @@ CONTINUOUS = Scene(
     ),
 )
 
-#: By the name of the scene in the references; parameters in the order of the scene, where
-#: they are not its defaults.
+#: S0n: the paper's oscillator with all events imposed.
+WITHOUT_START = replace(stick_slip.SCENE, name="without-start", start={})
+
+#: By the name of the scene in the references, and "S0", the paper's oscillator as it is;
+#: parameters in the order of the scene, where they are not its defaults.
 SCENES = {
-    "S0n": (stick_slip.SCENE, (1.0, 1.0, 1.0, 1.0, 0.0, 1.0)),
+    "S0": (stick_slip.SCENE, (1.0, 1.0, 1.0, 1.0, 0.0, 1.0)),
+    "S0n": (WITHOUT_START, (1.0, 1.0, 1.0, 1.0, 0.0, 1.0)),
     "S1": (impact.SCENE, None),
     "S1n2": (impact.SCENE, (1.0, 0.1, 1.0, 1.0, 3.6, 0.1, 0.6)),
     "S1b": (KICKED, None),

@@ -7,12 +7,15 @@ import numpy as np
 import pytest
 
 from nonsmooth.codegen import expansions, generate
+from nonsmooth.codegen.expansions import ck
+from nonsmooth.codegen.galerkin import polynomials
 from nonsmooth.codegen.scenes import load
 from nonsmooth.solver.case.registry import load_folder, methods
 from nonsmooth.solver.solve import solve_case
 
 #: Step 1: the file.  The tests are sums of neighbouring Legendre polynomials, which span the
-#: same space as the polynomials themselves but for the last.
+#: same space as the polynomials themselves but for the last; what none of them sees has
+#: coefficients of alternating sign.
 FILE = '''"""Functions of class C^k, tested with sums of neighbours (`ck-pairs`)."""
 
 import sympy as sp
@@ -29,9 +32,14 @@ def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:
     return {l: 2 * l + 1, l + 1: 2 * l + 3}
 
 
+def rest(m: sp.Expr, l: sp.Expr, k: int) -> sp.Expr:
+    """Return the weight of ``P_l*`` in the polynomial of degree m that no test below m sees."""
+    return (-1) ** (m - l)
+
+
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
-    return polynomials.derive(scene, METHOD, TITLE, test)
+    return polynomials.derive(scene, METHOD, TITLE, test, rest)
 '''
 
 
@@ -65,3 +73,10 @@ def test_a_file_is_all_that_an_expansion_takes(tmp_path: Path) -> None:
     error = abs(orbit.forcing_phase - best.forcing_phase) / (2 * np.pi)
     assert 1e-9 < error < 1e-5  # an expansion of its own: neither wrong nor ck-tau
     assert orbit.estimate.times == pytest.approx(error, rel=0.01)
+
+
+def test_what_the_tests_see_is_not_left_of_the_residual() -> None:
+    with pytest.raises(ValueError, match="test 3 sees the polynomial of degree 4 at class C"):
+        polynomials.derive(load("impact"), "ck", "", ck.test, lambda m, l, k: 1)
+    with pytest.raises(ValueError, match="rest: got none, and a test of C\\^0 reaches beyond"):
+        polynomials.derive(load("impact"), "ck", "", ck.test)

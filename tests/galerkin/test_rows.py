@@ -4,16 +4,22 @@ from itertools import product
 
 import numpy as np
 import pytest
+import sympy as sp
 from every_run import tried
 from galerkin import by_quadrature
-from galerkin.by_quadrature import OSCILLATORS
+from galerkin.by_quadrature import OSCILLATORS, jacobi
 from galerkin.derived import DERIVE, module
 from galerkin.oscillators import case_of
 from galerkin.solving import jacobian, residual, times_of
+from numpy.polynomial import Legendre
+
+from nonsmooth.codegen.expansions import ck
 
 #: Scenes on which each kernel is tried in every run; the others have phases of the same kinds.
 TRIED = {
-    "ck": ("S1n2", "S1", "S4a", "S5a"),
+    "ck": ("S0", "S1n2", "S1", "S4a"),
+    "ck_tau": ("S1n2", "S1", "S2b", "S3b", "S4a", "S5a", "S6", "S7"),
+    "hb": ("S1n2", "S1", "S2b", "S3b", "S4a", "S5a", "S6", "S7"),
     "hb_ck_1": ("S1n2", "S1", "S2b", "S3b", "S4a"),
     "hb_ck_2": ("S1", "S5a"),
 }
@@ -50,6 +56,19 @@ def test_the_residual_is_the_quadrature_of_the_equation_of_motion(name, kernel):
         got = residual(module(name, kernel), case_of(name), z)
         assert len(got) == len(expected)
         np.testing.assert_allclose(got, expected, rtol=0, atol=2e-13 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("k", range(4))
+def test_what_no_test_sees_is_what_the_tests_of_ck_leave(k):
+    """Jacobi's polynomials are orthogonal to (18) of any class, up to their degree."""
+    u = np.linspace(0, 1, 7)
+    for m in range(8):
+        weights = [float(ck.rest(sp.Integer(m), sp.Integer(l), k)) for l in range(m + 1)]
+        left = Legendre(weights, domain=[0, 1])
+        np.testing.assert_allclose(left(u), jacobi(m, k + 1, u), atol=1e-12)
+        for l in range(m):
+            test = Legendre.basis(l, domain=[0, 1]).integ(k + 1, lbnd=0)
+            assert abs((left * test).integ(lbnd=0)(1.0)) <= 1e-14
 
 
 @pytest.mark.parametrize(("name", "kernel"), PAIRS)

@@ -6,7 +6,7 @@ import unicodedata
 from .tokens import ReadingError, Sub, Sup, Token, letter
 
 _LOW = "₀-₉₊₋₌₍₎ₐ-ₜᵢᵣᵤᵥⱼ"
-_HIGH = "⁰¹²³⁴-⁹⁺⁻⁽⁾ⁿⁱᶜˢʲ-ˡᵏᵐ"
+_HIGH = "⁰¹²³⁴-⁹⁺⁻⁽⁾ⁿⁱᶜˢʲ-ˡᵏᵐᴺ"
 
 _TOKEN = re.compile(
     rf"""\ *(?:

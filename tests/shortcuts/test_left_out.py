@@ -110,9 +110,9 @@ def test_the_default_scene_is_solved_as_any_other(house: Path) -> None:
     assert status == 0
     assert said.startswith("stick-slip: a mass on a moving belt, stick and slip (C1)\n")
     assert "our choice" not in said
-    status, said = ran(house, "-m", "nonsmooth", "solve", "--order", "2", "--method", "c1")
+    status, said = ran(house, "-m", "nonsmooth", "solve", "--order", "0", "--method", "c1")
     assert (status, said) == (
-        2, "nonsmooth: --order: got 2, expected a whole number from 3 to 400 for ck\n",
+        2, "nonsmooth: --order: got 0, expected a whole number from 1 to 400 for ck\n",
     )  # fmt: skip
     status, said = ran(house, "-m", "nonsmooth", "--help")
     assert status == 0

@@ -13,6 +13,7 @@ from numpy.polynomial import legendre
 from scipy.special import spherical_jn
 
 from nonsmooth.codegen.show.functions import R, t, u
+from nonsmooth.codegen.show.polynomial import S
 from nonsmooth.codegen.system import Equation
 
 if TYPE_CHECKING:
@@ -92,6 +93,10 @@ class Evaluation:
 
     def _R(self, e: sp.Expr) -> Any:
         row = self.numbers.shown(lambda q: q.sides[0] == R, self.phase)
+        return self.of(row.sides[1])
+
+    def _S(self, e: sp.Expr) -> Any:
+        row = self.numbers.shown(lambda q: q.sides[0] == S, self.phase)
         return self.of(row.sides[1])
 
     def _Rate(self, e: sp.Expr) -> Any:

@@ -122,7 +122,8 @@ def _outweighs(band: Band) -> bool:
     """Whether the main diagonal outweighs all others as the index grows."""
     row = band.rows[-1]
     index = row.condition.index
-    found = {band.offset(q, row): q.coefficient for q in row.parts[0].found if q.block}
+    terms = (q for q in row.parts[0].found if q.block == band.block)
+    found = {band.offset(q, row): q.coefficient for q in terms}
     main = found.pop(0, sp.Integer(0))
 
     def degree(value: sp.Expr) -> int:

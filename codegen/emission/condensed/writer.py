@@ -99,7 +99,7 @@ class Writer:
             for q in part.found
             if q.block == band.block
         ]
-        if any(q.over is not None for q in terms):
+        if any(q.over is not None or not q.index.is_Integer for q in terms):
             return band.size
         return max((q.index - band.block.first + 1 for q in terms), default=sp.Integer(0))
 
@@ -201,7 +201,7 @@ class Writer:
         inside = (
             f"follow(J, row, slopes, {number}, {sp.expand(index + self.diagonal)}, {value})"
         )
-        if term.over is None or not band.left:
+        if index.is_Integer or not band.left:
             return [inside]
         size, place = band.size, self._first(band)
         return [

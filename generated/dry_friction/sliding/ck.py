@@ -7,6 +7,8 @@ Unknowns ``z`` at order N, in this sequence:
     x_slide: displacement where slide begins
     v_slide: velocity where slide begins
     d_slide[0..N]: acceleration of slide in Legendre polynomials
+    tau0_slide: of what no test sees of the residual of slide
+    tau1_slide: of what no test sees of the residual of slide
     s_slide: duration
     phi: phase of the forcing
 
@@ -27,9 +29,10 @@ SCENE = "dry-friction"
 METHOD = "ck"
 DURATIONS = 1
 FORCED = True
-LOWEST = 3  # order
-MATHEMATICS = "c4e02a5e23d7cf5f64e023dcf04f50d7a4030d25c81632a3e46944ba0ed31abb"  # of the conditions, by srepr
-BODY = "7d7ac97e80ad36a5ac6d37f7e82cc4653235610bcb2fc2924e6547d1692c9f06"  # of the text below
+LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
+MATHEMATICS = "aec4e394635f72c47dfc47d7a42f9317e3a5ae2f13cce1865766771058e7d110"  # of the conditions, by srepr
+BODY = "d521f0c8e5d4cb71813e2098424f3a98616a404f14baccf83947e169f06bce66"  # of the text below
 
 
 def spherical_bessel(count, x):
@@ -86,6 +89,12 @@ def legendre_moments(count, kappa, theta):
     return moments
 
 
+def follow(J, row, slopes, p, i, value):
+    """Add to a row of J a coefficient times the derivatives of an unknown, slopes[p, i]."""
+    for column in range(KEPT):
+        J[row, column] += value * slopes[p, i, column]
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)
@@ -120,180 +129,143 @@ def phase_motion(x, v, d, s, u, derivative):
     return x + s * v * np.asarray(u) + s * s * twice
 
 
-def slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide):
-    """Coefficients: residual of slide, orthogonal to its test function 0."""
+def slide_by_0(N, m, c, k, F_N, mu_k, F, s_slide, mu_slide):
+    """Coefficients: residual of slide, less what no test sees, degree 0."""
     return (
-        k/6,
-        (4*c + 3*k*s_slide)/24,
-        (15*c*s_slide + 6*k*(s_slide*s_slide) + 20*m)/120,
-        (-9*c*s_slide - 8*k*(s_slide*s_slide) + 30*m)/360,
-        (-7*c*s_slide + 2*k*(s_slide*s_slide) + 14*m)/840,
-        -(s_slide*(2*c - k*s_slide))/1680,
-        (k*(s_slide*s_slide))/15120,
-        -(F*mu_slide[0])/6 - (F*mu_slide[1])/4 - (F*mu_slide[2])/12 - (F_N*mu_k)/6,
+        k,
+        (2*c + k*s_slide)/2,
+        (3*c*s_slide + k*(s_slide*s_slide) + 6*m)/6,
+        -(s_slide*(2*c + k*s_slide))/12,
+        (k*(s_slide*s_slide))/60,
+        -(-1)**(N + 1)*m,
+        -(-1)**(N + 2)*m,
+        -F*mu_slide[0] - F_N*mu_k,
     )
 
 
 def slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide):
     """Their derivatives by s_slide, of those that depend on it."""
     return (
-        k/8,
-        (5*c + 4*k*s_slide)/40,
-        (-9*c - 16*k*s_slide)/360,
-        (-7*c + 4*k*s_slide)/840,
-        (-c + k*s_slide)/840,
-        (k*s_slide)/7560,
-        -(F*Omega*nu_slide[0])/8 - (9*F*Omega*nu_slide[1])/40 - (F*Omega*nu_slide[2])/8 - (F*Omega*nu_slide[3])/40,
+        k/2,
+        (3*c + 2*k*s_slide)/6,
+        (-c - k*s_slide)/6,
+        (k*s_slide)/30,
+        -(F*Omega*nu_slide[0])/2 - (F*Omega*nu_slide[1])/2,
     )
 
 
 def slide_by_0_by_phi(F, nu_slide):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_slide[0])/6 - (F*nu_slide[1])/4 - (F*nu_slide[2])/12
+    return -F*nu_slide[0]
 
 
-def slide_by_1(m, c, k, F_N, mu_k, F, s_slide, mu_slide):
-    """Coefficients: residual of slide, orthogonal to its test function 1."""
+def slide_by_1(N, m, c, k, F, s_slide, mu_slide):
+    """Coefficients: residual of slide, less what no test sees, degree 1."""
     return (
-        -k/12,
-        (-10*c - 7*k*s_slide)/120,
-        (-21*c*s_slide - 8*k*(s_slide*s_slide) - 30*m)/360,
-        (35*c*s_slide + 26*k*(s_slide*s_slide) - 84*m)/2520,
-        (s_slide*(18*c - 7*k*s_slide))/5040,
-        (-k*(s_slide*s_slide) + 9*m)/3780,
-        -(c*s_slide)/7560,
-        (k*(s_slide*s_slide))/166320,
-        (F*mu_slide[0])/12 + (F*mu_slide[1])/10 - (F*mu_slide[3])/60 + (F_N*mu_k)/12,
+        (k*s_slide)/2,
+        (s_slide*(2*c + k*s_slide))/4,
+        (-k*(s_slide*s_slide) + 10*m)/10,
+        -(c*s_slide)/10,
+        (k*(s_slide*s_slide))/140,
+        -(3*(-1)**N*m*(N + 1)*(N + 4))/((N + 2)*(N + 3)),
+        -(3*(-1)**(N + 1)*m*(N + 2)*(N + 5))/((N + 3)*(N + 4)),
+        -3*F*mu_slide[1],
     )
 
 
 def slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide):
     """Their derivatives by s_slide, of those that depend on it."""
     return (
-        -(7*k)/120,
-        (-21*c - 16*k*s_slide)/360,
-        (35*c + 52*k*s_slide)/2520,
-        (9*c - 7*k*s_slide)/2520,
-        -(k*s_slide)/1890,
-        -c/7560,
-        (k*s_slide)/83160,
-        (7*F*Omega*nu_slide[0])/120 + (11*F*Omega*nu_slide[1])/120 + (5*F*Omega*nu_slide[2])/168 - (F*Omega*nu_slide[3])/120 - (F*Omega*nu_slide[4])/210,
+        k/2,
+        (c + k*s_slide)/2,
+        -(k*s_slide)/5,
+        -c/10,
+        (k*s_slide)/70,
+        -(F*Omega*nu_slide[0])/2 - (3*F*Omega*nu_slide[1])/2 - F*Omega*nu_slide[2],
     )
 
 
 def slide_by_1_by_phi(F, nu_slide):
     """Their derivatives by phi, of those that depend on it."""
-    return (F*nu_slide[0])/12 + (F*nu_slide[1])/10 - (F*nu_slide[3])/60
+    return -3*F*nu_slide[1]
 
 
-def slide_by_2(m, c, k, F_N, mu_k, F, s_slide, mu_slide):
-    """Coefficients: residual of slide, orthogonal to its test function 2."""
+def slide_by_l(l, N, m, c, k, F, s_slide, mu_slide):
+    """Coefficients: residual of slide, less what no test sees, degree l."""
     return (
-        k/60,
-        (2*c + k*s_slide)/120,
-        (7*c*s_slide + 2*k*(s_slide*s_slide) + 14*m)/840,
-        -(s_slide*(18*c + 7*k*s_slide))/5040,
-        (k*(s_slide*s_slide) - 12*m)/2520,
-        (c*s_slide)/2520,
-        (-k*(s_slide*s_slide) + 33*m)/41580,
-        -(c*s_slide)/27720,
-        (k*(s_slide*s_slide))/720720,
-        -(F*mu_slide[0])/60 + (F*mu_slide[2])/42 - (F*mu_slide[4])/140 - (F_N*mu_k)/60,
-    )
-
-
-def slide_by_2_by_s_slide(c, k, F, Omega, s_slide, nu_slide):
-    """Their derivatives by s_slide, of those that depend on it."""
-    return (
-        k/120,
-        (7*c + 4*k*s_slide)/840,
-        (-9*c - 7*k*s_slide)/2520,
-        (k*s_slide)/1260,
-        c/2520,
-        -(k*s_slide)/20790,
-        -c/27720,
-        (k*s_slide)/360360,
-        -(F*Omega*nu_slide[0])/120 - (F*Omega*nu_slide[1])/280 + (F*Omega*nu_slide[2])/84 + (F*Omega*nu_slide[3])/180 - (F*Omega*nu_slide[4])/280 - (F*Omega*nu_slide[5])/504,
-    )
-
-
-def slide_by_2_by_phi(F, nu_slide):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_slide[0])/60 + (F*nu_slide[2])/42 - (F*nu_slide[4])/140
-
-
-def slide_by_3(m, c, k, F, s_slide, mu_slide):
-    """Coefficients: residual of slide, orthogonal to its test function 3."""
-    return (
-        (k*s_slide)/840,
-        (s_slide*(2*c + k*s_slide))/1680,
-        (-k*(s_slide*s_slide) + 9*m)/3780,
-        -(c*s_slide)/2520,
-        (k*(s_slide*s_slide) - 44*m)/27720,
-        (c*s_slide)/9240,
-        (-k*(s_slide*s_slide) + 65*m)/180180,
-        -(c*s_slide)/72072,
-        (k*(s_slide*s_slide))/2162160,
-        -(F*mu_slide[1])/140 + (F*mu_slide[3])/90 - (F*mu_slide[5])/252,
-    )
-
-
-def slide_by_3_by_s_slide(c, k, F, Omega, s_slide, nu_slide):
-    """Their derivatives by s_slide, of those that depend on it."""
-    return (
-        k/840,
-        (c + k*s_slide)/840,
-        -(k*s_slide)/1890,
-        -c/2520,
-        (k*s_slide)/13860,
-        c/9240,
-        -(k*s_slide)/90090,
-        -c/72072,
-        (k*s_slide)/1081080,
-        -(F*Omega*nu_slide[0])/840 - (F*Omega*nu_slide[1])/280 + (F*Omega*nu_slide[3])/180 + (F*Omega*nu_slide[4])/440 - (F*Omega*nu_slide[5])/504 - (F*Omega*nu_slide[6])/924,
-    )
-
-
-def slide_by_3_by_phi(F, nu_slide):
-    """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_slide[1])/140 + (F*nu_slide[3])/90 - (F*nu_slide[5])/252
-
-
-def slide_by_l(l, m, c, k, F, s_slide, mu_slide):
-    """Coefficients: residual of slide, orthogonal to its test function l."""
-    return (
-        (3*k*(s_slide*s_slide) - 16*(l*l)*m - 16*l*m + 60*m)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (k*(s_slide*s_slide))/(16*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (c*s_slide)/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        (-k*(s_slide*s_slide) + 4*(l*l)*m - 4*l*m - 15*m)/(4*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(3*c*s_slide)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (3*c*s_slide)/(8*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (-k*(s_slide*s_slide) + 4*(l*l)*m + 12*l*m - 7*m)/(4*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -(c*s_slide)/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (k*(s_slide*s_slide))/(16*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        -(F*mu_slide[l + 2])/(4*(2*l + 1)*(2*l + 3)) + (F*mu_slide[l])/(2*(2*l - 1)*(2*l + 3)) - (F*mu_slide[l - 2])/(4*(2*l - 1)*(2*l + 1)),
+        (-k*(s_slide*s_slide) + 8*(l*l)*m + 8*l*m - 6*m)/(2*(2*l - 1)*(2*l + 3)),
+        (k*(s_slide*s_slide))/(4*(2*l - 3)*(2*l - 1)),
+        (c*s_slide)/(4*l - 2),
+        -(c*s_slide)/(4*l + 6),
+        (k*(s_slide*s_slide))/(4*(2*l + 3)*(2*l + 5)),
+        ((-1)**(N - l + 1)*m*(2*l + 1)*(-N + l - 2)*(N + l + 3))/((N + 2)*(N + 3)),
+        ((-1)**(N - l + 2)*m*(2*l + 1)*(-N + l - 3)*(N + l + 4))/((N + 3)*(N + 4)),
+        -F*(2*l + 1)*mu_slide[l],
     )
 
 
 def slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide):
     """Their derivatives by s_slide, of those that depend on it."""
     return (
-        (3*k*s_slide)/(4*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        (k*s_slide)/(8*(2*l - 7)*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        c/(8*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)),
-        -(k*s_slide)/(2*(2*l - 5)*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        -(3*c)/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)*(2*l + 3)),
-        (3*c)/(8*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)),
-        -(k*s_slide)/(2*(2*l - 1)*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        -c/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)),
-        (k*s_slide)/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)*(2*l + 7)*(2*l + 9)),
-        (F*Omega*(l - 3)*nu_slide[l - 1])/(8*(2*l - 3)*(2*l + 1)*(2*l + 3)) - (F*Omega*(l - 2)*nu_slide[l - 3])/(8*(2*l - 3)*(2*l - 1)*(2*l + 1)) - (F*Omega*(l + 3)*nu_slide[l + 3])/(8*(2*l + 1)*(2*l + 3)*(2*l + 5)) + (F*Omega*(l + 4)*nu_slide[l + 1])/(8*(2*l - 1)*(2*l + 1)*(2*l + 5)) - (F*Omega*nu_slide[l + 2])/(8*(2*l + 1)*(2*l + 3)) + (F*Omega*nu_slide[l])/(4*(2*l - 1)*(2*l + 3)) - (F*Omega*nu_slide[l - 2])/(8*(2*l - 1)*(2*l + 1)),
+        -(k*s_slide)/((2*l - 1)*(2*l + 3)),
+        (k*s_slide)/(2*(2*l - 3)*(2*l - 1)),
+        c/(4*l - 2),
+        -c/(4*l + 6),
+        (k*s_slide)/(2*(2*l + 3)*(2*l + 5)),
+        -(F*Omega*l*nu_slide[l - 1])/2 - (F*Omega*(l + 1)*nu_slide[l + 1])/2 - (F*Omega*(2*l + 1)*nu_slide[l])/2,
     )
 
 
 def slide_by_l_by_phi(l, F, nu_slide):
     """Their derivatives by phi, of those that depend on it."""
-    return -(F*nu_slide[l + 2])/(4*(2*l + 1)*(2*l + 3)) + (F*nu_slide[l])/(2*(2*l - 1)*(2*l + 3)) - (F*nu_slide[l - 2])/(4*(2*l - 1)*(2*l + 1))
+    return -F*(2*l + 1)*nu_slide[l]
+
+
+def slide_rest_0(N, m, c, k, F, s_slide, mu_slide):
+    """Coefficients: residual of slide, less what no test sees, degree N + 1."""
+    return (
+        (c*s_slide)/(4*N + 2),
+        (k*(s_slide*s_slide))/(4*(2*N - 1)*(2*N + 1)),
+        -(2*m*(2*N + 3))/(N + 3),
+        (2*m*(2*N + 3)*(2*N + 5))/((N + 3)*(N + 4)),
+        -F*(2*N + 3)*mu_slide[N + 1],
+    )
+
+
+def slide_rest_0_by_s_slide(N, c, k, F, Omega, s_slide, nu_slide):
+    """Their derivatives by s_slide, of those that depend on it."""
+    return (
+        c/(4*N + 2),
+        (k*s_slide)/(2*(2*N - 1)*(2*N + 1)),
+        -(F*Omega*(N + 1)*nu_slide[N])/2 - (F*Omega*(N + 2)*nu_slide[N + 2])/2 - (F*Omega*(2*N + 3)*nu_slide[N + 1])/2,
+    )
+
+
+def slide_rest_0_by_phi(N, F, nu_slide):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 3)*nu_slide[N + 1]
+
+
+def slide_rest_1(N, m, k, F, s_slide, mu_slide):
+    """Coefficients: residual of slide, less what no test sees, degree N + 2."""
+    return (
+        (k*(s_slide*s_slide))/(4*(2*N + 1)*(2*N + 3)),
+        -(2*m*(2*N + 5))/(N + 4),
+        -F*(2*N + 5)*mu_slide[N + 2],
+    )
+
+
+def slide_rest_1_by_s_slide(N, k, F, Omega, s_slide, nu_slide):
+    """Their derivatives by s_slide, of those that depend on it."""
+    return (
+        (k*s_slide)/(2*(2*N + 1)*(2*N + 3)),
+        -(F*Omega*(N + 2)*nu_slide[N + 1])/2 - (F*Omega*(N + 3)*nu_slide[N + 3])/2 - (F*Omega*(2*N + 5)*nu_slide[N + 2])/2,
+    )
+
+
+def slide_rest_1_by_phi(N, F, nu_slide):
+    """Their derivatives by phi, of those that depend on it."""
+    return -F*(2*N + 5)*nu_slide[N + 2]
 
 
 def displacement_slide(s_slide):
@@ -353,40 +325,42 @@ def cell_by_s_slide():
 
 def size(N):
     """Return the number of unknowns."""
-    return N + 5
+    return N + 7
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
-    N = len(z) - 5
+    N = len(z) - 7
     at_x_slide = 0
     at_v_slide = 1
     at_d_slide = 2
     number_d_slide = N + 1
-    at_s_slide = N + 3
-    at_phi = N + 4
+    at_tau0_slide = N + 3
+    at_tau1_slide = N + 4
+    at_s_slide = N + 5
+    at_phi = N + 6
     s_slide = z[at_s_slide]
     phi = z[at_phi]
     over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
     mu_slide = over_slide[0]
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7
+    q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_0(N, m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*z[at_tau0_slide] + q6*z[at_tau1_slide] + q7
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = slide_by_1(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q8
+    q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_1(N, m, c, k, F, s_slide, mu_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*z[at_tau0_slide] + q6*z[at_tau1_slide] + q7
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_2(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1] + q4*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q5*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q6*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q7*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q8*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q9
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_3(m, c, k, F, s_slide, mu_slide)
-    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8*(z[at_d_slide + 7] if number_d_slide > 7 else 0.0) + q9
-    row += 1
-    for l in range(4, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
-        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q6*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q7*(z[at_d_slide + l+3] if number_d_slide > l+3 else 0.0) + q8*(z[at_d_slide + l+4] if number_d_slide > l+4 else 0.0) + q9
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_l(l, N, m, c, k, F, s_slide, mu_slide)
+        R[row] = q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q4*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q5*z[at_tau0_slide] + q6*z[at_tau1_slide] + q7
         row += 1
+    q0, q1, q2, q3, q4 = slide_rest_0(N, m, c, k, F, s_slide, mu_slide)
+    R[row] = q0*z[at_d_slide + N] + q1*z[at_d_slide + N-1] + q2*z[at_tau0_slide] + q3*z[at_tau1_slide] + q4
+    row += 1
+    q0, q1, q2 = slide_rest_1(N, m, k, F, s_slide, mu_slide)
+    R[row] = q0*z[at_d_slide + N] + q1*z[at_tau1_slide] + q2
+    row += 1
     q0, q1, q2, q3 = displacement_slide(s_slide)
     R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1]
     row += 1
@@ -404,13 +378,15 @@ def residual(case, z, R):
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
     m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
-    N = len(z) - 5
+    N = len(z) - 7
     at_x_slide = 0
     at_v_slide = 1
     at_d_slide = 2
     number_d_slide = N + 1
-    at_s_slide = N + 3
-    at_phi = N + 4
+    at_tau0_slide = N + 3
+    at_tau1_slide = N + 4
+    at_s_slide = N + 5
+    at_phi = N + 6
     s_slide = z[at_s_slide]
     phi = z[at_phi]
     over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
@@ -418,61 +394,21 @@ def jacobian(case, z, J):
     nu_slide = over_slide[1]
     J[:, :] = 0.0
     row = 0
-    q0, q1, q2, q3, q4, q5, q6, _ = slide_by_0(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    q0, q1, q2, q3, q4, q5, q6, _ = slide_by_0(N, m, c, k, F_N, mu_k, F, s_slide, mu_slide)
     J[row, at_x_slide] += q0
     J[row, at_v_slide] += q1
     J[row, at_d_slide] += q2
     J[row, at_d_slide + 1] += q3
     if number_d_slide > 2:
         J[row, at_d_slide + 2] += q4
-    if number_d_slide > 3:
-        J[row, at_d_slide + 3] += q5
-    if number_d_slide > 4:
-        J[row, at_d_slide + 4] += q6
-    q0, q1, q2, q3, q4, q5, q6 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6
+    J[row, at_tau0_slide] += q5
+    J[row, at_tau1_slide] += q6
+    q0, q1, q2, q3, q4 = slide_by_0_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4
     q0 = slide_by_0_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, _ = slide_by_1(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    J[row, at_x_slide] += q0
-    J[row, at_v_slide] += q1
-    J[row, at_d_slide] += q2
-    J[row, at_d_slide + 1] += q3
-    if number_d_slide > 2:
-        J[row, at_d_slide + 2] += q4
-    if number_d_slide > 3:
-        J[row, at_d_slide + 3] += q5
-    if number_d_slide > 4:
-        J[row, at_d_slide + 4] += q6
-    if number_d_slide > 5:
-        J[row, at_d_slide + 5] += q7
-    q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7
-    q0 = slide_by_1_by_phi(F, nu_slide)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = slide_by_2(m, c, k, F_N, mu_k, F, s_slide, mu_slide)
-    J[row, at_x_slide] += q0
-    J[row, at_v_slide] += q1
-    J[row, at_d_slide] += q2
-    J[row, at_d_slide + 1] += q3
-    if number_d_slide > 2:
-        J[row, at_d_slide + 2] += q4
-    if number_d_slide > 3:
-        J[row, at_d_slide + 3] += q5
-    if number_d_slide > 4:
-        J[row, at_d_slide + 4] += q6
-    if number_d_slide > 5:
-        J[row, at_d_slide + 5] += q7
-    if number_d_slide > 6:
-        J[row, at_d_slide + 6] += q8
-    q0, q1, q2, q3, q4, q5, q6, q7, q8 = slide_by_2_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8
-    q0 = slide_by_2_by_phi(F, nu_slide)
-    J[row, at_phi] += q0
-    row += 1
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = slide_by_3(m, c, k, F, s_slide, mu_slide)
+    q0, q1, q2, q3, q4, q5, q6, _ = slide_by_1(N, m, c, k, F, s_slide, mu_slide)
     J[row, at_v_slide] += q0
     J[row, at_d_slide] += q1
     J[row, at_d_slide + 1] += q2
@@ -480,39 +416,47 @@ def jacobian(case, z, J):
         J[row, at_d_slide + 2] += q3
     if number_d_slide > 3:
         J[row, at_d_slide + 3] += q4
-    if number_d_slide > 4:
-        J[row, at_d_slide + 4] += q5
-    if number_d_slide > 5:
-        J[row, at_d_slide + 5] += q6
-    if number_d_slide > 6:
-        J[row, at_d_slide + 6] += q7
-    if number_d_slide > 7:
-        J[row, at_d_slide + 7] += q8
-    q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_3_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
-    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5*(z[at_d_slide + 4] if number_d_slide > 4 else 0.0) + q6*(z[at_d_slide + 5] if number_d_slide > 5 else 0.0) + q7*(z[at_d_slide + 6] if number_d_slide > 6 else 0.0) + q8*(z[at_d_slide + 7] if number_d_slide > 7 else 0.0) + q9
-    q0 = slide_by_3_by_phi(F, nu_slide)
+    J[row, at_tau0_slide] += q5
+    J[row, at_tau1_slide] += q6
+    q0, q1, q2, q3, q4, q5 = slide_by_1_by_s_slide(c, k, F, Omega, s_slide, nu_slide)
+    J[row, at_s_slide] += q0*z[at_v_slide] + q1*z[at_d_slide] + q2*z[at_d_slide + 1] + q3*(z[at_d_slide + 2] if number_d_slide > 2 else 0.0) + q4*(z[at_d_slide + 3] if number_d_slide > 3 else 0.0) + q5
+    q0 = slide_by_1_by_phi(F, nu_slide)
     J[row, at_phi] += q0
     row += 1
-    for l in range(4, N + 1):
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, _ = slide_by_l(l, m, c, k, F, s_slide, mu_slide)
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, _ = slide_by_l(l, N, m, c, k, F, s_slide, mu_slide)
         J[row, at_d_slide + l] += q0
-        J[row, at_d_slide + l-4] += q1
-        J[row, at_d_slide + l-3] += q2
-        J[row, at_d_slide + l-2] += q3
-        J[row, at_d_slide + l-1] += q4
+        J[row, at_d_slide + l-2] += q1
+        J[row, at_d_slide + l-1] += q2
         if number_d_slide > l+1:
-            J[row, at_d_slide + l+1] += q5
+            J[row, at_d_slide + l+1] += q3
         if number_d_slide > l+2:
-            J[row, at_d_slide + l+2] += q6
-        if number_d_slide > l+3:
-            J[row, at_d_slide + l+3] += q7
-        if number_d_slide > l+4:
-            J[row, at_d_slide + l+4] += q8
-        q0, q1, q2, q3, q4, q5, q6, q7, q8, q9 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
-        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-4] + q2*z[at_d_slide + l-3] + q3*z[at_d_slide + l-2] + q4*z[at_d_slide + l-1] + q5*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q6*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q7*(z[at_d_slide + l+3] if number_d_slide > l+3 else 0.0) + q8*(z[at_d_slide + l+4] if number_d_slide > l+4 else 0.0) + q9
+            J[row, at_d_slide + l+2] += q4
+        J[row, at_tau0_slide] += q5
+        J[row, at_tau1_slide] += q6
+        q0, q1, q2, q3, q4, q5 = slide_by_l_by_s_slide(l, c, k, F, Omega, s_slide, nu_slide)
+        J[row, at_s_slide] += q0*z[at_d_slide + l] + q1*z[at_d_slide + l-2] + q2*z[at_d_slide + l-1] + q3*(z[at_d_slide + l+1] if number_d_slide > l+1 else 0.0) + q4*(z[at_d_slide + l+2] if number_d_slide > l+2 else 0.0) + q5
         q0 = slide_by_l_by_phi(l, F, nu_slide)
         J[row, at_phi] += q0
         row += 1
+    q0, q1, q2, q3, _ = slide_rest_0(N, m, c, k, F, s_slide, mu_slide)
+    J[row, at_d_slide + N] += q0
+    J[row, at_d_slide + N-1] += q1
+    J[row, at_tau0_slide] += q2
+    J[row, at_tau1_slide] += q3
+    q0, q1, q2 = slide_rest_0_by_s_slide(N, c, k, F, Omega, s_slide, nu_slide)
+    J[row, at_s_slide] += q0*z[at_d_slide + N] + q1*z[at_d_slide + N-1] + q2
+    q0 = slide_rest_0_by_phi(N, F, nu_slide)
+    J[row, at_phi] += q0
+    row += 1
+    q0, q1, _ = slide_rest_1(N, m, k, F, s_slide, mu_slide)
+    J[row, at_d_slide + N] += q0
+    J[row, at_tau1_slide] += q1
+    q0, q1 = slide_rest_1_by_s_slide(N, k, F, Omega, s_slide, nu_slide)
+    J[row, at_s_slide] += q0*z[at_d_slide + N] + q1
+    q0 = slide_rest_1_by_phi(N, F, nu_slide)
+    J[row, at_phi] += q0
+    row += 1
     q0, q1, q2, q3 = displacement_slide(s_slide)
     J[row, at_x_slide] += q0
     J[row, at_v_slide] += q1
@@ -540,12 +484,12 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    N = len(z) - 5
+    N = len(z) - 7
     at_x_slide = 0
     at_v_slide = 1
     at_d_slide = 2
     number_d_slide = N + 1
-    at_s_slide = N + 3
+    at_s_slide = N + 5
     s_slide = z[at_s_slide]
     if p == 0:
         return phase_motion(z[at_x_slide], z[at_v_slide], z[at_d_slide:at_d_slide + number_d_slide], s_slide, u, derivative)
@@ -554,13 +498,212 @@ def motion(case, z, p, u, derivative):
 
 def coefficients(z):
     """Return the coefficients by name, each with the power of 1/time in its unit."""
-    N = len(z) - 5
+    N = len(z) - 7
     at_x_slide = 0
     at_v_slide = 1
     at_d_slide = 2
     number_d_slide = N + 1
+    at_tau0_slide = N + 3
+    at_tau1_slide = N + 4
     return {
         "x_slide": (z[at_x_slide], 0),
         "v_slide": (z[at_v_slide], 1),
         "d_slide": (z[at_d_slide:at_d_slide + number_d_slide], 2),
+        "tau0_slide": (z[at_tau0_slide], 2),
+        "tau1_slide": (z[at_tau1_slide], 2),
     }
+
+
+KEPT = 5  # unknowns that are solved for together
+KEPT_DURATIONS, KEPT_FORCED = 0, True  # which of them are times
+BELOW, ABOVE = 2, 2  # diagonals of the bands
+
+
+def before(case, z):
+    """Fill in the unknowns that single conditions give, before the others are solved for."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 7
+    at_s_slide = N + 5
+    s_slide = (pi*cycles)/Omega
+    z[at_s_slide] = s_slide
+
+
+def kept_places(z):
+    """Return the places in z of the unknowns that are solved for together."""
+    N = len(z) - 7
+    at_x_slide = 0
+    at_v_slide = 1
+    at_tau0_slide = N + 3
+    at_tau1_slide = N + 4
+    at_phi = N + 6
+    return at_x_slide, at_v_slide, at_tau0_slide, at_tau1_slide, at_phi
+
+
+def band_places(z):
+    """Return for each band: where it stands in z, how many unknowns it determines,
+    where its others stand among those solved for together, how many, and how many of its
+    own the joints see."""
+    N = len(z) - 7
+    at_d_slide = 2
+    return ((at_d_slide, N + 1, 0, 0, N + 1),)
+
+
+def bands(case, z, diagonals, right):
+    """Fill the band matrices, [p, row, BELOW + ABOVE + j - i] for unknown j of row i in
+    band p, and right sides; rows begin at BELOW + ABOVE, so that no diagonal needs an end."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 7
+    at_x_slide = 0
+    at_v_slide = 1
+    at_tau0_slide = N + 3
+    at_tau1_slide = N + 4
+    at_s_slide = N + 5
+    at_phi = N + 6
+    s_slide = z[at_s_slide]
+    phi = z[at_phi]
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
+    diagonals[:] = 0.0
+    right[:] = 0.0
+    row = 4
+    q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_0(N, m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_x_slide] + q1*z[at_v_slide] + q5*z[at_tau0_slide] + q6*z[at_tau1_slide] + q7)
+    row += 1
+    q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_1(N, m, c, k, F, s_slide, mu_slide)
+    diagonals[0, row, 3] = q1
+    diagonals[0, row, 4] = q2
+    diagonals[0, row, 5] = q3
+    diagonals[0, row, 6] = q4
+    right[0, row] = -(q0*z[at_v_slide] + q5*z[at_tau0_slide] + q6*z[at_tau1_slide] + q7)
+    row += 1
+    for l in range(2, N + 1):
+        q0, q1, q2, q3, q4, q5, q6, q7 = slide_by_l(l, N, m, c, k, F, s_slide, mu_slide)
+        diagonals[0, row, 4] = q0
+        diagonals[0, row, 2] = q1
+        diagonals[0, row, 3] = q2
+        diagonals[0, row, 5] = q3
+        diagonals[0, row, 6] = q4
+        right[0, row] = -(q5*z[at_tau0_slide] + q6*z[at_tau1_slide] + q7)
+        row += 1
+
+
+def band_rates(case, z, found, slopes):
+    """Fill in how right sides less the bands change with what is solved for together;
+    `found` has the unknowns of the bands."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 7
+    at_s_slide = N + 5
+    at_phi = N + 6
+    s_slide = z[at_s_slide]
+    phi = z[at_phi]
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
+    nu_slide = over_slide[1]
+    slopes[:] = 0.0
+    row = 4
+    q0, q1, _, _, _, q5, q6, _ = slide_by_0(N, m, c, k, F_N, mu_k, F, s_slide, mu_slide)
+    slopes[0, row, 0] = -q0
+    slopes[0, row, 1] = -q1
+    slopes[0, row, 2] = -q5
+    slopes[0, row, 3] = -q6
+    q0 = slide_by_0_by_phi(F, nu_slide)
+    slopes[0, row, 4] = -(q0)
+    row += 1
+    q0, _, _, _, _, q5, q6, _ = slide_by_1(N, m, c, k, F, s_slide, mu_slide)
+    slopes[0, row, 1] = -q0
+    slopes[0, row, 2] = -q5
+    slopes[0, row, 3] = -q6
+    q0 = slide_by_1_by_phi(F, nu_slide)
+    slopes[0, row, 4] = -(q0)
+    row += 1
+    for l in range(2, N + 1):
+        _, _, _, _, _, q5, q6, _ = slide_by_l(l, N, m, c, k, F, s_slide, mu_slide)
+        slopes[0, row, 2] = -q5
+        slopes[0, row, 3] = -q6
+        q0 = slide_by_l_by_phi(l, F, nu_slide)
+        slopes[0, row, 4] = -(q0)
+        row += 1
+
+
+def joints(case, z, R):
+    """Fill R with the left sides of the conditions that are solved together."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 7
+    at_x_slide = 0
+    at_v_slide = 1
+    at_d_slide = 2
+    at_tau0_slide = N + 3
+    at_tau1_slide = N + 4
+    at_s_slide = N + 5
+    at_phi = N + 6
+    s_slide = z[at_s_slide]
+    phi = z[at_phi]
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
+    row = 0
+    q0, q1, q2, q3, q4 = slide_rest_0(N, m, c, k, F, s_slide, mu_slide)
+    R[row] = q0*z[at_d_slide + N] + q1*z[at_d_slide + N-1] + q2*z[at_tau0_slide] + q3*z[at_tau1_slide] + q4
+    row += 1
+    q0, q1, q2 = slide_rest_1(N, m, k, F, s_slide, mu_slide)
+    R[row] = q0*z[at_d_slide + N] + q1*z[at_tau1_slide] + q2
+    row += 1
+    q0, q1, q2, q3 = displacement_slide(s_slide)
+    R[row] = q0*z[at_x_slide] + q1*z[at_v_slide] + q2*z[at_d_slide] + q3*z[at_d_slide + 1]
+    row += 1
+    q0, q1 = velocity_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    row += 1
+    q0, q1 = event_slide(s_slide)
+    R[row] = q0*z[at_v_slide] + q1*z[at_d_slide]
+    row += 1
+
+
+def joint_rates(case, z, slopes, J):
+    """Fill J with their derivatives, slopes being those of the unknowns of the bands."""
+    m, c, k, F_N, mu_s, mu_k, F, Omega, cycles = case
+    N = len(z) - 7
+    at_s_slide = N + 5
+    at_phi = N + 6
+    s_slide = z[at_s_slide]
+    phi = z[at_phi]
+    over_slide = legendre_moments(N + 7, Omega*s_slide, phi)
+    mu_slide = over_slide[0]
+    nu_slide = over_slide[1]
+    row = 0
+    J[:] = 0.0
+    q0, q1, q2, q3, _ = slide_rest_0(N, m, c, k, F, s_slide, mu_slide)
+    follow(J, row, slopes, 0, N + 4, q0)
+    follow(J, row, slopes, 0, N + 3, q1)
+    J[row, 2] += q2
+    J[row, 3] += q3
+    q0 = slide_rest_0_by_phi(N, F, nu_slide)
+    J[row, 4] += q0
+    row += 1
+    q0, q1, _ = slide_rest_1(N, m, k, F, s_slide, mu_slide)
+    follow(J, row, slopes, 0, N + 4, q0)
+    J[row, 3] += q1
+    q0 = slide_rest_1_by_phi(N, F, nu_slide)
+    J[row, 4] += q0
+    row += 1
+    q0, q1, q2, q3 = displacement_slide(s_slide)
+    J[row, 0] += q0
+    J[row, 1] += q1
+    follow(J, row, slopes, 0, 4, q2)
+    follow(J, row, slopes, 0, 5, q3)
+    row += 1
+    q0, q1 = velocity_slide(s_slide)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    row += 1
+    q0, q1 = event_slide(s_slide)
+    J[row, 1] += q0
+    follow(J, row, slopes, 0, 4, q1)
+    row += 1
+
+
+def after(case, z):
+    """Fill in the unknowns that follow from the others."""
+    pass

@@ -28,6 +28,7 @@ METHOD = "ck-tau"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "f32e23c3366fcd0abeadc0e8bb30d3308716493191d1398f5b51ed51a608509b"  # of the conditions, by srepr
 BODY = "0b20cb4fa96b5e5840f6f0c272543ecf7b67a46186b3b69531c6732bbd9517f2"  # of the text below
 

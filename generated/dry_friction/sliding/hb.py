@@ -26,6 +26,7 @@ METHOD = "hb"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "aacb8769c4a3cc85401eebc3b13c05f59a4ee6d0b05f86e45581c58fcbbc2031"  # of the conditions, by srepr
 BODY = "5b9c8bf17810be9ba09609f0a7fdcb679bf19156de5bf1e418aae819d5a92204"  # of the text below
 

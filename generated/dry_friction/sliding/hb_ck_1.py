@@ -28,6 +28,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "73321ac3227b0b1e33d4feb4b98843e93ff0a8f4dca51086667d4fbb729eb7df"  # of the conditions, by srepr
 BODY = "1eb5fac9f53f4ab82369b15f2bfaf3d8a88e95ad457fc4367a729f5adf60391b"  # of the text below
 

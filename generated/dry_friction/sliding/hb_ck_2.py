@@ -29,6 +29,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "aebd5d9fa1001b8902e8d8bc9a65ff34ea276b8ccaf5699b63f4db575c8ed354"  # of the conditions, by srepr
 BODY = "da6bfebfda9d249dd92e93dc36ebc1cbdd2ff1da02d1f09e14bfe9a61215124d"  # of the text below
 

@@ -30,6 +30,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 1
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "94e2b750cc02f0be51518d58fc7d03d9785f9ca1dcd7b17a72418ac47f497917"  # of the conditions, by srepr
 BODY = "6696469756524505409d16d547f5ff8ef4f555d35b01d7be61e6cd0e90cc6f01"  # of the text below
 

@@ -31,6 +31,7 @@ METHOD = "ck-tau"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "8561ae69baadc6f5da00a88d9856fadd2cb808fa1495908ff72cb89525537bad"  # of the conditions, by srepr
 BODY = "7810735ab1b672032cf0235c5a5ac1e14163410b920df464cdb641f1e03d254c"  # of the text below
 

@@ -27,6 +27,7 @@ METHOD = "hb"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "82f5c25fc9e92b529b8d33f76136b99bdb7442d9b1ddba23e38ac0276b266e9b"  # of the conditions, by srepr
 BODY = "1b4dd57e25c28781ae8a622f841345d881ca38358f7841a4a10efa8d6ac77e08"  # of the text below
 

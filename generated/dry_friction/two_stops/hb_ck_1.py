@@ -30,6 +30,7 @@ METHOD = "hb-ck, K = 1"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "b7f52946a2c4327fcd96536215fb0c389925f8527914d8a322d31ac1452e4b6c"  # of the conditions, by srepr
 BODY = "51e3059d83ff1d557b7226485cb789df72263d1776af41a6ac5af3329c4ba283"  # of the text below
 

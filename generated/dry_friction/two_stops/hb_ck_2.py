@@ -32,6 +32,7 @@ METHOD = "hb-ck, K = 2"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "9b34ad99d5b6f2bea1c4a083c82cee2d6dd16d4e7c8fc7a135d022680f59d434"  # of the conditions, by srepr
 BODY = "066b6f763236643088217374c72be27a50d131673a0f0e5fe6896d1586664369"  # of the text below
 

@@ -34,6 +34,7 @@ METHOD = "hb-ck, K = 3"
 DURATIONS = 2
 FORCED = True
 LOWEST = 1  # order
+STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "f0d38156644778bf80f5da26af1e0f6e31a05b0de49bcfc6b5252c38d43c4dd4"  # of the conditions, by srepr
 BODY = "0115b2fc5a5d9159cd4c72d8ad441a271e78ee3e7713d37dbb4a9d4f6db41d7b"  # of the text below
 
