@@ -1,6 +1,7 @@
 """A motion that is a polynomial on each phase, of class C^k at the switches.
 
-Input: a scene, and what an expansion leaves of the residual of a phase.
+Input: a scene, the functions that an expansion tests the residual with, and the polynomials
+that these do not see.
 Output: `derive`, the conditions.  The acceleration of a phase is a series of shifted Legendre
 polynomials, so the derivative of order k + 1 has degree N, as in (15) of the paper.
 

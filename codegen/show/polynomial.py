@@ -161,9 +161,9 @@ class Polynomial:
             f"polynomial in {name} that is orthogonal to the tests of index below its degree"
         )
         yield Equation("", words, (member(f"J_{name}", n, u), one))
-        mass = linear_phase(phase).m
-        taus = map(self._unseen().get, polynomials.rest_of(phase, switch, self.test))
-        parts = (tau * member(f"J_{name}", rows + i, u) for i, tau in enumerate(taus))
+        mass, tau = linear_phase(phase).m, _factors(name)
+        count = len(polynomials.rest_of(phase, switch, self.test))
+        parts = (tau[i] * member(f"J_{name}", rows + i, u) for i in range(count))
         words = f"what no test in {name} sees, of degree up to `{rows + switch.k}`"
         yield Equation("", words, (S, mass * sp.Add(*parts)), self.notation.during(p))
 
@@ -173,9 +173,8 @@ class Polynomial:
         for phase, switch in zip(
             self.conditions.scene.phases, self.notation.found, strict=True
         ):
-            base = sp.IndexedBase(f"tau_{phase.name}", real=True)
             for i, tau in enumerate(polynomials.rest_of(phase, switch, self.test)):
-                found[tau] = base[i]
+                found[tau] = _factors(phase.name)[i]
         return found
 
     def _conditions(self) -> Iterator[Equation]:
@@ -205,6 +204,11 @@ class Polynomial:
         if self.rest is not None:
             return (2 * degree + 1) * Inner(R - S, ShiftedLegendre(degree, u))
         return Inner(R, _combined(self.test(degree, self.notation.found[p].k)))
+
+
+def _factors(name: str) -> sp.IndexedBase:
+    """Return what the factors of the polynomials that no test of a phase sees are called."""
+    return sp.IndexedBase(f"tau_{name}", real=True)
 
 
 def _moment(table: Table) -> Equation:
