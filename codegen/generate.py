@@ -53,7 +53,7 @@ def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:
         folder = motion.replace("-", "_")
         for name, text in scene_sources(scene.of_motion(motion)):
             yield f"{folder}/{name}", text
-    for name, derivation in () if scene.motions else kernels().items():
+    for name, derivation in () if scene.motions else kernels(scene).items():
         yield f"{name}.py", kernel.module_source(derivation(scene))
 
 

@@ -3,7 +3,7 @@
 import inspect
 import re
 import types
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import sympy as sp
 
@@ -61,6 +61,7 @@ RUNTIME = (
     broken.breaks_on_phases,
     broken.break_ends,
     broken.break_integrals,
+    broken.legendre_on_phase,
     broken.breaks_on_phase,
 )
 
@@ -72,7 +73,8 @@ def module_source(system: GalerkinConditions) -> str:
     parts += [_size(system), _residual(system, rows), _jacobian(system, rows)]
     parts += [*class_one.functions(system), _motion(system), _coefficients(system)]
     parts += condensed.functions(system, rows)
-    parts = [*_break_series(system), *_runtime("\n".join(parts)), *parts]
+    own = [*_break_series(system), *_function_series(system)]
+    parts = [*own, *_runtime("\n".join(parts)), *parts]
     body = "\n\n".join(part.strip() + "\n" for part in parts)
     _check_names(system, body)
     head = HEADER.format(
@@ -166,25 +168,54 @@ def _break_series(system: GalerkinConditions) -> list[str]:
     rows = system.break_series
     if not rows:
         return []
-    arguments = (breaks.begin, breaks.length)
-    size = len(rows)
-    values: list[str] = []
-    slopes: list[str] = []
-    for n, row in enumerate(rows):
-        for l, value in enumerate(row):
-            for d, form in enumerate((value, *(sp.diff(value, q) for q in arguments))):
-                if form != 0:
-                    lines = slopes if d else values
-                    lines.append(f"found[{d}, {n}, {l}] = {python(form)}")
+    entries = {
+        f"found[{{rate}}, {n}, {l}]": value
+        for n, row in enumerate(rows)
+        for l, value in enumerate(row)
+    }
     lines = [
-        f"found = np.zeros((3 if rates else 1, {size}, {size}))",
-        *values,
-        "if rates:",
-        *("    " + line for line in slopes),
-        "return found",
+        f"found = np.zeros((3 if rates else 1, {len(rows)}, {len(rows)}))",
+        *_filled(entries, (breaks.begin, breaks.length)),
     ]
     summary = "Return the Legendre coefficients [n, l] of beta_n; with `rates`, derivatives."
     return [function("break_series(begin, length, rates)", summary, lines)]
+
+
+def _function_series(system: GalerkinConditions) -> list[str]:
+    """Return the function of the closed forms of one function of the cell, if there is one."""
+    phases = system.function_series
+    if not phases:
+        return []
+    entries = {
+        f"found[{p}, {{rate}}, {order}, {l}]": value
+        for p, rows in enumerate(phases)
+        for order, row in enumerate(rows)
+        for l, value in enumerate(row)
+    }
+    durations = system.times.durations
+    longest = max(len(row) for rows in phases for row in rows)
+    shape = (
+        f"({len(phases)}, {1 + len(durations)} if rates else 1, {len(phases[0])}, {longest})"
+    )
+    lines = [f"found = np.zeros({shape})", *_filled(entries, durations)]
+    summary = "Return Legendre coefficients [phase, 0, order, l]; with `rates`, derivatives."
+    arguments = ", ".join(map(str, (*durations, "rates")))
+    return [function(f"function_series({arguments})", summary, lines)]
+
+
+def _filled(entries: Mapping[str, sp.Expr], arguments: Sequence[sp.Symbol]) -> list[str]:
+    """Return the statements that fill an array with closed forms and their derivatives.
+
+    `entries` has them by where they stand, with ``{rate}`` for 0, or for which derivative.
+    """
+    values: list[str] = []
+    slopes: list[str] = []
+    for at, value in entries.items():
+        for d, form in enumerate((value, *(sp.diff(value, q) for q in arguments))):
+            if form != 0:
+                line = f"{at.format(rate=d)} = {python(form)}"
+                (slopes if d else values).append(line)
+    return [*values, "if rates:", *("    " + line for line in slopes), "return found"]
 
 
 def _residual(system: GalerkinConditions, rows: Sequence[Row]) -> str:

@@ -2,7 +2,7 @@
 
 None knows an oscillator.  A file has `METHOD`, `TITLE` and ``derive(scene)``, and may have
 `ABOUT`; one whose ``derive`` takes a number of functions besides says in `FUNCTIONS` which
-there may be.
+there may be, and one that is made for some scenes alone has ``applies(scene)``.
 """
 
 import importlib
@@ -36,11 +36,17 @@ def in_order() -> list[ModuleType]:
     return sorted(modules().values(), key=lambda q: (about(q).place, q.METHOD))
 
 
-@cache
-def kernels() -> Mapping[str, Derivation]:
+def applies(module: ModuleType, scene: Scene) -> bool:
+    """Whether an expansion is made for a scene; most are for every one."""
+    return not hasattr(module, "applies") or bool(module.applies(scene))
+
+
+def kernels(scene: Scene) -> Mapping[str, Derivation]:
     """Return what derives each kernel of a scene, by the name of its module."""
     found: dict[str, Derivation] = {}
     for name, module in modules().items():
+        if not applies(module, scene):
+            continue
         numbers = getattr(module, "FUNCTIONS", None)
         if numbers is None:
             found[name] = module.derive

@@ -15,7 +15,7 @@ from ..scene import Scene
 
 METHOD = "ck"
 TITLE = "functions of class C^k, tested with themselves"
-ABOUT = About(place=3, colour="#009E73", marker="o", line=(0, (1.5, 1)))
+ABOUT = About(place=4, colour="#009E73", marker="o", line=(0, (1.5, 1)))
 
 
 def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:

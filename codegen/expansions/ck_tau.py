@@ -13,7 +13,7 @@ from ..scene import Scene
 
 METHOD = "ck-tau"
 TITLE = "functions of class C^k, tested with Legendre polynomials"
-ABOUT = About(place=4, first=True, colour="#CC79A7", marker="^", line=(0, (3, 1, 1, 1, 1, 1)))
+ABOUT = About(place=5, first=True, colour="#CC79A7", marker="^", line=(0, (3, 1, 1, 1, 1, 1)))
 
 
 def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:

@@ -20,7 +20,7 @@ from . import hb
 
 METHOD = "hb-ck"
 TITLE = "Fourier series and functions of class C^k"
-ABOUT = About(place=2, power=True, colour="#D55E00", marker="s", line=(0, (6, 2, 1.5, 2)))
+ABOUT = About(place=3, power=True, colour="#D55E00", marker="s", line=(0, (6, 2, 1.5, 2)))
 
 #: How many functions a switch may have.
 FUNCTIONS = (1, 2, 3)

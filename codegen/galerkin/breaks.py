@@ -14,6 +14,8 @@ polynomials, with coefficients in closed form in `begin` and `length`, whatever 
 
 import sympy as sp
 
+from .legendre import in_legendre
+
 #: Local time of a phase; where it begins and how long it is, as parts of the cell.
 _w = sp.Symbol("w", real=True)
 begin, length = sp.symbols("begin length", real=True)
@@ -28,14 +30,9 @@ def beta(n: int, u: sp.Expr, sign: int) -> sp.Expr:
 
 def on_phase(n: int, sign: int) -> tuple[sp.Expr, ...]:
     """Return the Legendre coefficients of ``beta_n(begin + length w)``, w from 0 to 1."""
-    rest = sp.Poly(sp.expand(beta(n, begin + length * _w, sign)), _w)
-    found = []
-    for l in range(n, -1, -1):
-        shifted = sp.Poly(sp.expand(sp.legendre(l, 2 * _w - 1)), _w)
-        coefficient = rest.coeff_monomial(_w**l) / shifted.coeff_monomial(_w**l)
-        rest = rest - shifted * coefficient
-        found.append(sp.horner(sp.expand(coefficient), wrt=begin))
-    return tuple(reversed(found))
+    on_cell = sp.expand(beta(n, begin + length * _w, sign))
+    found = in_legendre(on_cell, _w)
+    return tuple(sp.horner(coefficient, wrt=begin) for coefficient in found)
 
 
 def series(highest: int, sign: int) -> tuple[tuple[sp.Expr, ...], ...]:

@@ -102,6 +102,9 @@ class GalerkinConditions:
         ``motion(phase, duration)``: the statement of the kernel that evaluates a phase.
     break_series : tuple of tuple of Expr
         The Legendre coefficients of functions with a break, if the expansion has them.
+    function_series : tuple of tuple of tuple of Expr
+        Of one function of the whole cell, if the expansion has it: on each phase the Legendre
+        coefficients of ``T**3 G'''``, ``T**2 G''``, ``T G'``, ``G``.
     odd_harmonics : bool
         Whether only odd harmonics are there.  The order, which users give, is the highest
         harmonic; then `N` is ``(order + 1)//2``, and the order itself otherwise.
@@ -117,6 +120,7 @@ class GalerkinConditions:
     lowest: int
     motion: Callable[[Phase, sp.Symbol], str]
     break_series: tuple[tuple[sp.Expr, ...], ...] = ()
+    function_series: tuple[tuple[tuple[sp.Expr, ...], ...], ...] = ()
     odd_harmonics: bool = False
 
     @property

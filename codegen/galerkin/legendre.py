@@ -41,6 +41,18 @@ def repeated_integral(l: sp.Expr, times: int) -> dict[sp.Expr, sp.Expr]:
     return series
 
 
+def in_legendre(polynomial: sp.Expr, u: sp.Symbol) -> tuple[sp.Expr, ...]:
+    """Return the coefficients of a polynomial in shifted Legendre polynomials, by degree."""
+    rest = sp.Poly(polynomial, u)
+    found = []
+    for l in reversed(range(len(rest.all_coeffs()))):
+        shifted = sp.Poly(sp.expand(sp.legendre(l, 2 * u - 1)), u)
+        coefficient = rest.coeff_monomial(u**l) / shifted.coeff_monomial(u**l)
+        rest = rest - shifted * coefficient
+        found.append(sp.expand(coefficient))
+    return tuple(reversed(found))
+
+
 @dataclass(frozen=True)
 class PhaseSeries:
     """The trial function on one phase.

@@ -45,6 +45,16 @@ class Breaks:
         possible = hb_ck.Expansion.of(conditions.scene, len(conditions.break_series))
         return cls(notation, tuple((p, n) for p, n, c in possible.all() if c in symbols))
 
+    @property
+    def numbers(self) -> dict[str, str]:
+        """Numbers of the paper, those of the series alone where there are no functions."""
+        return {"expansion": "" if self.orders else "3", "residual": "" if self.orders else "4"}
+
+    @property
+    def tests(self) -> dict[str, sp.Expr]:
+        """Further functions that the residual is orthogonal to: none."""
+        return {}
+
     def _word(self, p: int) -> str:
         return self.notation.found[p].before
 

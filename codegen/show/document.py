@@ -43,7 +43,7 @@ def sections(
 
 def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
     shown = [Section(heading(found), scene_equations(found), _parameters(found))]
-    for name in names or tuple(methods()):
+    for name in names or tuple(methods(found)):
         record = conditions(found, name, functions)
         system = method_equations(record)
         title = f"Section {system.section}: {system.title} ({system.method})"

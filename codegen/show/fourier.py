@@ -13,15 +13,16 @@ from .breaks import Breaks
 from .functions import R, Rate, T, omega_0, t, x
 from .joining import statements
 from .notation import Notation
+from .one_function import OneFunction
 from .overlaps import Overlaps
 from .tidy import by_unknown
 
-#: Sections of the paper, without and with functions that have breaks.
+#: Sections of the paper, without and with functions beside the series.
 SECTIONS = ("3.1", "3.2")
 
 
 class Fourier:
-    """The equations of a scene as a Fourier series, with functions that have breaks or without.
+    """The equations of a scene as a Fourier series, with functions beside it or without.
 
     Parameters
     ----------
@@ -33,8 +34,12 @@ class Fourier:
         self.notation = Notation.of(conditions.scene)
         self.harmonics = Harmonics(conditions.scene, self.notation.times)
         self.overlaps = Overlaps.of(self.notation, self.harmonics)
-        self.breaks = Breaks.of(conditions, self.notation)
-        self.section = SECTIONS[bool(conditions.break_series)]
+        self.beside: Breaks | OneFunction = (
+            OneFunction(self.notation)
+            if conditions.function_series
+            else Breaks.of(conditions, self.notation)
+        )
+        self.section = SECTIONS[self.beside.expansion() != 0]
         self.rows = tuple(self._conditions())
 
     @staticmethod
@@ -44,16 +49,16 @@ class Fourier:
 
     def equations(self) -> Iterator[Equation]:
         """Yield the expansion, the residual, the conditions, and what they look up."""
-        number = "" if self.breaks.orders else "3"
-        yield Equation(number, "expansion", (x(t), self._series() + self.breaks.expansion()))
+        number = self.beside.numbers["expansion"]
+        yield Equation(number, "expansion", (x(t), self._series() + self.beside.expansion()))
         yield Equation("", "frequency", (omega_0, 2 * sp.pi / T))
-        yield from self.breaks.definitions()
+        yield from self.beside.definitions()
         yield from self._residual()
         yield Equation("8", "inner product", self._inner_product())
         yield from self.rows
         yield from self._impulses()
         yield from self._looked_up()
-        yield from self.breaks.integrals()
+        yield from self.beside.integrals()
 
     def jacobian(self) -> Iterator[Equation]:
         """Yield the derivatives by the times of what the conditions look up."""
@@ -90,7 +95,7 @@ class Fourier:
         """Yield (4) phase by phase."""
         sine, cosine = (self._wave(f, n) for f in (sp.sin, sp.cos))
         rate = self.harmonics.number(n) * omega_0
-        number = "" if self.breaks.orders else "4"
+        number = self.beside.numbers["residual"]
         for p, q in enumerate(equations(self.conditions.scene)):
             spring, damping = q.k - q.m * rate**2, q.c * rate
             waves = a[n] * (spring * sine + damping * cosine)
@@ -98,9 +103,9 @@ class Fourier:
             force = q.f + q.g * self.notation.times.forcing(t)
             total = sp.Sum(waves, (n, 1, N)) + q.k * self._mean() - force
             name = self.conditions.scene.phases[p].name
-            sides = (R, total + self.breaks.residual(p))
+            sides = (R, total + self.beside.residual(p))
             yield Equation(number, f"residual in {name}", sides, self.notation.during(p))
-            yield from self.breaks.residuals(p, q)
+            yield from self.beside.residuals(p, q)
 
     def _inner_product(self) -> tuple[sp.Expr, sp.Expr]:
         first, second = sp.Function("a")(t), sp.Function("b")(t)
@@ -117,13 +122,13 @@ class Fourier:
                 condition, self.conditions.blocks, self.conditions.parameters, self._spelled
             )
             left = self._tested(condition) or (known[condition.name],)
-            sides = (*left, self.breaks.spelled(closed), sp.Integer(0))
+            sides = (*left, self.beside.spelled(closed), sp.Integer(0))
             where = f"`{condition.where}`" if condition.where else ""
             yield Equation(condition.number, self._title(condition), sides, where)
 
     def _spelled(self, factor: sp.Expr) -> sp.Expr:
         moved = self.notation.in_times(factor)
-        return self.breaks.entries(self.overlaps.spelled(moved))
+        return self.beside.entries(self.overlaps.spelled(moved))
 
     def _title(self, condition: Condition) -> str:
         if condition.number == "5":
@@ -137,7 +142,7 @@ class Fourier:
 
     def _tested(self, condition: Condition) -> tuple[sp.Expr, ...]:
         """Return the left side of an orthogonality condition, impulses included."""
-        tests = {
+        tests = self.beside.tests | {
             "by_one": sp.Integer(1),
             "by_sine": self._wave(sp.sin, j),
             "by_cosine": self._wave(sp.cos, j),

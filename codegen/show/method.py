@@ -7,7 +7,9 @@ from typing import Protocol
 
 import sympy as sp
 
+from ..expansions import applies, in_order
 from ..galerkin import Block, GalerkinConditions, cycles
+from ..scene import Scene, switches
 from ..system import Equation, GalerkinSystem
 from .fourier import Fourier
 from .functions import T
@@ -68,7 +70,7 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     shown: Shown = family(conditions)
     notation = Notation.of(conditions.scene)
     return GalerkinSystem(
-        method=with_class(conditions.method.partition(",")[0], notation.k),
+        method=spelled(conditions.method.partition(",")[0], conditions.scene),
         section=shown.section,
         title=_title(conditions, notation.k),
         unknowns="; ".join(f"{q}: {what}" for q, what in unknowns(conditions)).replace("`", ""),
@@ -84,15 +86,20 @@ def _of_one_cycle(conditions: GalerkinConditions) -> GalerkinConditions:
     return replace(conditions, conditions=tuple(rows))
 
 
-def with_class(method: str, k: int) -> str:
+def spelled(method: str, scene: Scene) -> str:
     """Return the name of a method with the class of a scene.
+
+    The generic name where an expansion has that name for itself and `applies`.
 
     Examples
     --------
-    >>> with_class("ck-tau", 0), with_class("hb", 0)
-    ('c0-tau', 'hb')
+    >>> from ..scenes import impact, stick_slip
+    >>> spelled("ck-tau", impact.SCENE), spelled("hb-ck", stick_slip.SCENE)
+    ('c0-tau', 'hb-ck')
     """
-    return method.replace("ck", f"c{k}")
+    name = method.replace("ck", f"c{min(switch.k for switch in switches(scene))}")
+    others = (q for q in in_order() if q.METHOD == name != method)
+    return method if any(applies(q, scene) for q in others) else name
 
 
 def _title(conditions: GalerkinConditions, k: int) -> str:

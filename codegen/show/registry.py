@@ -12,7 +12,7 @@ from .. import expansions, scenes
 from ..galerkin import GalerkinConditions
 from ..scene import Scene, switches
 from ..system import GalerkinSystem
-from .method import method_equations, with_class
+from .method import method_equations, spelled
 
 
 def derive_scene(
@@ -110,10 +110,10 @@ def scene_files() -> Mapping[str, Scene]:
     return MappingProxyType({module.SCENE.name: module.SCENE for module in found})
 
 
-@cache
-def methods() -> Mapping[str, ModuleType]:
-    """Return the expansions of the folder by their generic names, as they are told."""
-    return MappingProxyType({module.METHOD: module for module in expansions.in_order()})
+def methods(scene: Scene) -> Mapping[str, ModuleType]:
+    """Return the expansions that there are for a scene by their generic names, as told."""
+    made_for_it = (q for q in expansions.in_order() if expansions.applies(q, scene))
+    return MappingProxyType({module.METHOD: module for module in made_for_it})
 
 
 def is_path(name: str) -> bool:
@@ -146,12 +146,12 @@ def _from_file(path: Path) -> Scene:
 
 
 def _expansion(scene: Scene, method: str) -> ModuleType:
-    known, k = methods(), _class(scene)
+    known = methods(scene)
     for name, module in known.items():
-        if method in (name, with_class(name, k)):
+        if method in (name, spelled(name, scene)):
             return module
-    spelled = [*dict.fromkeys(q for name in known for q in (name, with_class(name, k)))]
-    expected = f"{_nearest(method, spelled)}: {scene.name} is C{k}"
+    names = [*dict.fromkeys(q for name in known for q in (name, spelled(name, scene)))]
+    expected = f"{_nearest(method, names)}: {scene.name} is C{_class(scene)}"
     raise ValueError(f"method: got {method!r}, expected {expected}")
 
 

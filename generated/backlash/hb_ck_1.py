@@ -32,7 +32,7 @@ FORCED = True
 LOWEST = 1  # order
 STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "17e79c988a99f221dac10e3b5171e7f58c9791f22f0b69a644b1582bc0b94b83"  # of the conditions, by srepr
-BODY = "e780702f091ffb87adbfe82724f11214a7deedbee4dbe5e1a7f9684ed849a5ef"  # of the text below
+BODY = "1b10169d5a7ad0e121b2af507e1b179484001f99d3562fe9099ab4934320e189"  # of the text below
 
 
 def break_series(begin, length, rates):
@@ -345,6 +345,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
     return found
 
 
+def legendre_on_phase(series, duration, u, derivative):
+    """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
+    w = 2 * np.asarray(u, dtype=float) - 1
+    slope = legendre.legder(series, derivative, scl=2)
+    return legendre.legval(w, slope) / duration**derivative
+
+
 def breaks_on_phase(parts, ends, sign, q, u, derivative):
     """Return a sum of functions with a break on phase q, or a derivative by time.
 
@@ -356,12 +363,10 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     u : ndarray
         Local time, from 0 to 1.
     """
-    w = 2 * np.asarray(u, dtype=float) - 1
-    total = np.zeros_like(w)
+    total = np.zeros_like(np.asarray(u, dtype=float))
     for p, n, c in parts:
         series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
-        slope = legendre.legder(series, derivative, scl=2)
-        total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
+        total = total + c * legendre_on_phase(series, ends[q + 1] - ends[q], u, derivative)
     return total
 
 

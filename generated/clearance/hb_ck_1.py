@@ -33,7 +33,7 @@ FORCED = True
 LOWEST = 1  # order
 STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "752614e4753fcefbb33e2a553428b956b0aac70d29a59051745f0828639abe5a"  # of the conditions, by srepr
-BODY = "24573124a03dc65d4e4049373c20725b7898d29684bd3404ac938f5e0edd3a7a"  # of the text below
+BODY = "0b64d6a2bd0cf5bcad16a63efef1e3c85fb7a8ae3b50879456008a070b96bc22"  # of the text below
 
 
 def break_series(begin, length, rates):
@@ -360,6 +360,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
     return found
 
 
+def legendre_on_phase(series, duration, u, derivative):
+    """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
+    w = 2 * np.asarray(u, dtype=float) - 1
+    slope = legendre.legder(series, derivative, scl=2)
+    return legendre.legval(w, slope) / duration**derivative
+
+
 def breaks_on_phase(parts, ends, sign, q, u, derivative):
     """Return a sum of functions with a break on phase q, or a derivative by time.
 
@@ -371,12 +378,10 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     u : ndarray
         Local time, from 0 to 1.
     """
-    w = 2 * np.asarray(u, dtype=float) - 1
-    total = np.zeros_like(w)
+    total = np.zeros_like(np.asarray(u, dtype=float))
     for p, n, c in parts:
         series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
-        slope = legendre.legder(series, derivative, scl=2)
-        total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
+        total = total + c * legendre_on_phase(series, ends[q + 1] - ends[q], u, derivative)
     return total
 
 

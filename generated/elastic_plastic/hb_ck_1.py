@@ -33,7 +33,7 @@ FORCED = True
 LOWEST = 1  # order
 STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "948780be824653c2788407e4981ebdfe0de40c2dec70383c91a4b5adbcf219e4"  # of the conditions, by srepr
-BODY = "018312c8bbf628eb25667a25af3f614db9e078dc275dc60f7732f33a5a1c6350"  # of the text below
+BODY = "1403294b9c34b5eb27c3f80e60ac46cb7149a01815e93b41c76b5fefa3befe80"  # of the text below
 
 
 def break_series(begin, length, rates):
@@ -360,6 +360,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
     return found
 
 
+def legendre_on_phase(series, duration, u, derivative):
+    """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
+    w = 2 * np.asarray(u, dtype=float) - 1
+    slope = legendre.legder(series, derivative, scl=2)
+    return legendre.legval(w, slope) / duration**derivative
+
+
 def breaks_on_phase(parts, ends, sign, q, u, derivative):
     """Return a sum of functions with a break on phase q, or a derivative by time.
 
@@ -371,12 +378,10 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     u : ndarray
         Local time, from 0 to 1.
     """
-    w = 2 * np.asarray(u, dtype=float) - 1
-    total = np.zeros_like(w)
+    total = np.zeros_like(np.asarray(u, dtype=float))
     for p, n, c in parts:
         series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
-        slope = legendre.legder(series, derivative, scl=2)
-        total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
+        total = total + c * legendre_on_phase(series, ends[q + 1] - ends[q], u, derivative)
     return total
 
 

@@ -37,7 +37,7 @@ FORCED = True
 LOWEST = 1  # order
 STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "b5161cbbf3ffa5178d8f139d9207e037508d12ee59d7bb1d3afac8be4d2a5a3d"  # of the conditions, by srepr
-BODY = "22cb7490387d2f379528fd1fce8f460aa92bd36191ff6ade63186dee619277a4"  # of the text below
+BODY = "d7240f2adbf280bb6843c6b9c4934817bb2b185efe5c70332ea41297fca93aed"  # of the text below
 
 
 def break_series(begin, length, rates):
@@ -401,6 +401,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
     return found
 
 
+def legendre_on_phase(series, duration, u, derivative):
+    """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
+    w = 2 * np.asarray(u, dtype=float) - 1
+    slope = legendre.legder(series, derivative, scl=2)
+    return legendre.legval(w, slope) / duration**derivative
+
+
 def breaks_on_phase(parts, ends, sign, q, u, derivative):
     """Return a sum of functions with a break on phase q, or a derivative by time.
 
@@ -412,12 +419,10 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     u : ndarray
         Local time, from 0 to 1.
     """
-    w = 2 * np.asarray(u, dtype=float) - 1
-    total = np.zeros_like(w)
+    total = np.zeros_like(np.asarray(u, dtype=float))
     for p, n, c in parts:
         series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
-        slope = legendre.legder(series, derivative, scl=2)
-        total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
+        total = total + c * legendre_on_phase(series, ends[q + 1] - ends[q], u, derivative)
     return total
 
 

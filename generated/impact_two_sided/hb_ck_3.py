@@ -32,7 +32,7 @@ FORCED = True
 LOWEST = 1  # order
 STARTS = False  # in the state of the scene, in place of the first event
 MATHEMATICS = "ebb92396fb5048adc49b96e6a3642bc0ccc603e0efbc6c71a530df4a51b2864a"  # of the conditions, by srepr
-BODY = "d38697f159c351f0ae12f4db9aaae92e77a3b046c2ea671051e7cf8df2b70f13"  # of the text below
+BODY = "191b0b3a3a3af20c0ec7262cd42d7560b7932d3fc713e871a18debf113514f20"  # of the text below
 
 
 def break_series(begin, length, rates):
@@ -345,6 +345,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
     return found
 
 
+def legendre_on_phase(series, duration, u, derivative):
+    """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
+    w = 2 * np.asarray(u, dtype=float) - 1
+    slope = legendre.legder(series, derivative, scl=2)
+    return legendre.legval(w, slope) / duration**derivative
+
+
 def breaks_on_phase(parts, ends, sign, q, u, derivative):
     """Return a sum of functions with a break on phase q, or a derivative by time.
 
@@ -356,12 +363,10 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     u : ndarray
         Local time, from 0 to 1.
     """
-    w = 2 * np.asarray(u, dtype=float) - 1
-    total = np.zeros_like(w)
+    total = np.zeros_like(np.asarray(u, dtype=float))
     for p, n, c in parts:
         series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
-        slope = legendre.legder(series, derivative, scl=2)
-        total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
+        total = total + c * legendre_on_phase(series, ends[q + 1] - ends[q], u, derivative)
     return total
 
 

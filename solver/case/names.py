@@ -1,5 +1,6 @@
 """What methods are called where people read them: with the class of the scene."""
 
+from ...generated.methods import METHODS
 from .numbers import SceneNumbers
 
 #: Stands for the class C^k in the generic name of a method.
@@ -10,14 +11,21 @@ CLASS_ONE = CLASS.replace("k", "1")
 
 
 def shown(scene: SceneNumbers, method: str) -> str:
-    """Return the name of a method with the class of a scene: ``c0-tau`` for ``ck-tau``."""
-    return method.replace(CLASS, f"c{scene.k}")
+    """Return the name of a method with the class of a scene: ``c0-tau`` for ``ck-tau``.
+
+    The generic name where the scene has another method of that name: ``hb-ck`` beside the
+    ``hb-c1`` of the paper.
+    """
+    name = method.replace(CLASS, f"c{scene.k}")
+    return method if (name, None) in scene.files else name
 
 
 def generic(scene: SceneNumbers, name: str) -> str:
     """Return the generic name of a method that may be spelled with the class of a scene."""
-    parts = name.replace("_", "-").split("-")
-    return "-".join(CLASS if part == f"c{scene.k}" else part for part in parts)
+    name = name.replace("_", "-")
+    if (name, None) in scene.files:
+        return name
+    return "-".join(CLASS if part == f"c{scene.k}" else part for part in name.split("-"))
 
 
 def with_class_one(method: str) -> str:
@@ -30,7 +38,7 @@ def without_class(method: str) -> str:
 
     Examples
     --------
-    >>> without_class(with_class_one("ck-tau")), without_class("hb")
-    ('ck-tau', 'hb')
+    >>> without_class(with_class_one("ck-tau")), without_class("hb-c1")
+    ('ck-tau', 'hb-c1')
     """
-    return method.replace(CLASS_ONE, CLASS)
+    return method if method in METHODS else method.replace(CLASS_ONE, CLASS)

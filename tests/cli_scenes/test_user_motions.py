@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from nonsmooth.codegen import generate
+from nonsmooth.codegen.expansions import ck_tau
 from nonsmooth.codegen.scenes import dry_friction
 from nonsmooth.scene_files import store
 from nonsmooth.scene_files.find import find_scene
@@ -14,8 +15,7 @@ from nonsmooth.solver.solve import solve_case
 @pytest.fixture
 def one_expansion(monkeypatch, tmp_path):
     """Derive one expansion alone, into a cache of the test."""
-    best = generate.kernels()["ck_tau"]
-    monkeypatch.setattr(generate, "kernels", lambda: {"ck_tau": best})
+    monkeypatch.setattr(generate, "kernels", lambda scene: {"ck_tau": ck_tau.derive})
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
 
 

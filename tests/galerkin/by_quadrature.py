@@ -365,11 +365,35 @@ def broken_rows(o, z, N, functions):
     return np.array([*rows, *cell.jumps(functions), *cell.events()])
 
 
+def one_function_rows(o, z, N):
+    """Return the rows of `hb-c1`: beside the series a cubic in the free phase, less a ramp."""
+    series, at = _series(o, z, N)
+    s = z[-2:]
+    ramp, step = Polynomial([0, -1 / np.sum(s)]), Polynomial([0, 0, 3, -2])
+
+    def beside(p, u, order):
+        ramped = ramp.deriv(order)(p * s[0] + s[p] * u)
+        return ramped + (step.deriv(order)(u) / s[p] ** order if p else 0.0)
+
+    def motion(p, u, order):
+        t = p * s[0] + s[p] * u
+        return series(t, order) + z[at] * beside(p, u, order)
+
+    def test(t):
+        return beside(int(t[0] > s[0]), (t - s[0] * (t[0] > s[0])) / s[int(t[0] > s[0])], 0)
+
+    cell = Cell(o, z, motion)
+    by_itself = cell.over_cell(test)
+    return np.array([*cell.harmonics(N, [0.0, 0.0]), by_itself, *cell.events()])
+
+
 def rows(name, kernel, z, N):
     """Return what the residual of a kernel is to be, at N terms."""
     o = OSCILLATORS[name]
     if kernel.startswith("ck"):
         return polynomial_rows(o, z, N, tested=kernel == "ck")
+    if kernel == "hb_c1":
+        return one_function_rows(o, z, N)
     if kernel == "hb":
         return fourier_rows(o, z, N)
     return broken_rows(o, z, N, int(kernel[-1]))

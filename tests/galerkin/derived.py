@@ -3,12 +3,13 @@
 import json
 import types
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 from galerkin.oscillators import SCENES
 
 from nonsmooth.codegen.emission.kernel import module_source
-from nonsmooth.codegen.expansions import ck, ck_tau, hb, hb_ck
+from nonsmooth.codegen.expansions import ck, ck_tau, hb, hb_c1, hb_ck
 from nonsmooth.codegen.galerkin import GalerkinConditions
 
 REFERENCES = json.loads(Path(__file__).with_name("references.json").read_text("utf-8"))
@@ -18,9 +19,19 @@ DERIVE = {
     "ck_tau": ck_tau.derive,
     "ck": ck.derive,
     "hb": hb.derive,
+    "hb_c1": hb_c1.derive,
     "hb_ck_1": lambda scene: hb_ck.derive(scene, 1),
     "hb_ck_2": lambda scene: hb_ck.derive(scene, 2),
 }
+
+#: The oscillators of a kernel that is made for some alone.
+ONLY = {"hb_c1": ("S0",)}
+
+
+def pairs(names):
+    """Return each oscillator with each kernel that there is for it."""
+    found = product(names, DERIVE)
+    return [(name, kernel) for name, kernel in found if name in ONLY.get(kernel, names)]
 
 
 def conditions(name: str, kernel: str) -> GalerkinConditions:

@@ -50,11 +50,9 @@ def own_expansion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[N
     folder.mkdir()
     (folder / "ck_pairs.py").write_text(FILE, encoding="utf-8")
     monkeypatch.setattr(expansions, "__path__", [*expansions.__path__, str(folder)])
-    for cached in (expansions.modules, expansions.kernels):
-        cached.cache_clear()
+    expansions.modules.cache_clear()
     yield
-    for cached in (expansions.modules, expansions.kernels):
-        cached.cache_clear()
+    expansions.modules.cache_clear()
 
 
 @pytest.mark.usefixtures("own_expansion")

@@ -1,13 +1,11 @@
 """What is copied into kernels: tables and motions against quadrature, series, many digits."""
 
-import itertools
-
 import mpmath
 import numpy as np
 import pytest
 from every_run import tried
 from galerkin.by_quadrature import OSCILLATORS, broken
-from galerkin.derived import DERIVE, module
+from galerkin.derived import DERIVE, module, pairs
 from galerkin.oscillators import case_of
 from numpy.polynomial import Polynomial
 from numpy.polynomial.legendre import leggauss
@@ -283,8 +281,8 @@ DEAR = {("S2b", "ck"), ("S2b", "hb_ck_2")}
 
 
 def cases(kernels, *more):
-    pairs = [*itertools.product(NAMES, kernels), *more]
-    return tried(pairs, every_run=[pair for pair in pairs if pair not in DEAR])
+    found = [*(pair for pair in pairs(NAMES) if pair[1] in kernels), *more]
+    return tried(found, every_run=[pair for pair in found if pair not in DEAR])
 
 
 @pytest.mark.parametrize(("name", "kernel"), cases(DERIVE, ("S4a", "ck")))

@@ -10,7 +10,19 @@ from .plain import made, named
 from .tokens import Cases, Fraction, ReadingError, Root, Sub, Sup, Token
 
 #: What an opening bracket applies: names without an index, and names with one.
-FUNCTIONS = {*"xyabRSqH", "sin", "cos", "atan", "sign", "max", "jacobi", "g1", "R1", "R2", "R3"}
+FUNCTIONS = {
+    *"xyabGRSqH",
+    "sin",
+    "cos",
+    "atan",
+    "sign",
+    "max",
+    "jacobi",
+    "g1",
+    "R1",
+    "R2",
+    "R3",
+}
 FUNCTIONS |= {"j0", "j1", "j2", "j3", "j_l", "xi", "eta", "zeta"}
 INDEXED_FUNCTIONS = {"R", "g", "P*", "Q", "j"}
 

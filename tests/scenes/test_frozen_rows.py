@@ -15,14 +15,14 @@ from nonsmooth.solver.orbit.allowance import by_residual
 
 #: What each method of the paper is called for any scene, and how far its times may be from the
 #: frozen ones, as a part of the period.
-METHODS = {"c1": ("ck", 1e-14), "hb": ("hb", 2e-14)}
+METHODS = {"c1": ("ck", 1e-14), "hb": ("hb", 2e-14), "hb-c1": ("hb-c1", 1e-12)}
 
 #: alpha of the rows that are looked at in every run.
 EVERY_RUN = (0.01, 1.0, 30.0)
 
-#: The one solution that is not returned: its period is off by 23 %, so that neither an exact
-#: orbit nor one of higher order is next to it.
-TOO_FAR = ("c1", 0.3, 1)
+#: Solutions that are not returned: their periods are off by 23 % and by 74 %, so that neither
+#: an exact orbit nor one of higher order is next to them.
+TOO_FAR = (("c1", 0.3, 1), ("hb-c1", 30.0, 20))
 
 
 def numbers(row):
@@ -52,7 +52,7 @@ def test_rows_of_the_paper_are_those_of_its_scene(method: str, alpha: float) -> 
     for row in rows:
         case = ns.scene("stick-slip")(**numbers(row))
         order = row["order"]
-        if not row["converged"] or (method, alpha, order) == TOO_FAR:
+        if not row["converged"] or (method, alpha, order) in TOO_FAR:
             with pytest.raises(ns.NoOrbit):
                 ns.solve(case, generic, order)
             continue

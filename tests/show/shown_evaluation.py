@@ -13,6 +13,7 @@ from numpy.polynomial import legendre
 from scipy.special import spherical_jn
 
 from nonsmooth.codegen.show.functions import R, t, u
+from nonsmooth.codegen.show.one_function import G, q
 from nonsmooth.codegen.show.polynomial import S
 from nonsmooth.codegen.system import Equation
 
@@ -91,13 +92,12 @@ class Evaluation:
     def _x(self, e: sp.Expr) -> Any:
         return self._motion(0, e.args[0])
 
-    def _R(self, e: sp.Expr) -> Any:
-        row = self.numbers.shown(lambda q: q.sides[0] == R, self.phase)
+    def _as_shown(self, e: sp.Expr) -> Any:
+        assert e in (R, S, G, q)
+        row = self.numbers.shown(lambda row: row.sides[0] == e, self.phase)
         return self.of(row.sides[1])
 
-    def _S(self, e: sp.Expr) -> Any:
-        row = self.numbers.shown(lambda q: q.sides[0] == S, self.phase)
-        return self.of(row.sides[1])
+    _R = _S = _G = _q = _as_shown
 
     def _Rate(self, e: sp.Expr) -> Any:
         return self._motion(int(e.args[0]), e.args[1])

@@ -6,6 +6,7 @@ import sympy as sp
 from shown_numbers import Numbers
 
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
+from nonsmooth.codegen.scenes.impact import SCENE as IMPACT
 from nonsmooth.codegen.show import scene_named
 from nonsmooth.codegen.show.registry import conditions, methods
 
@@ -59,6 +60,7 @@ TWO_SIDED = Scene(
 
 SCENES: dict[str, str | Scene] = {
     "impact": "impact",
+    "stick-slip": "stick-slip",
     "stick-slip-damped": "stick-slip-damped",
     "contact": CONTACT,
     "stops": STOPS,
@@ -68,11 +70,19 @@ SCENES: dict[str, str | Scene] = {
 }
 
 #: Scenes of every run; those left out have phases of the same kinds.
-EVERY_RUN = ("impact", "stick-slip-damped", "stops", "elastic-plastic", "impact-inelastic")
+EVERY_RUN = (
+    "impact",
+    "stick-slip",
+    "stick-slip-damped",
+    "stops",
+    "elastic-plastic",
+    "impact-inelastic",
+)
 
 #: Every method on a scene, and each kind of phase in the others.
 CASES = [
-    *(("impact", method) for method in methods()),
+    *(("impact", method) for method in methods(IMPACT)),
+    ("stick-slip", "hb-c1"),
     ("stick-slip-damped", "ck-tau"),
     ("stick-slip-damped", "hb"),
     ("contact", "ck-tau"),

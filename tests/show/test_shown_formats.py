@@ -25,6 +25,7 @@ __all__ = ["functions"]
 #: Methods of each scene that are printed; all together have every kind of term.
 METHODS = {
     "impact": ("ck", "hb-ck"),
+    "stick-slip": ("hb-c1",),
     "stick-slip-damped": ("ck-tau",),
     "contact": ("hb",),
     "stops": ("hb-ck",),

@@ -11,7 +11,7 @@ from shown_scenes import EVERY_RUN, SCENES
 import nonsmooth as ns
 from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
 from nonsmooth.codegen.scene.smoothness import place
-from nonsmooth.codegen.scenes import impact
+from nonsmooth.codegen.scenes import impact, stick_slip
 from nonsmooth.codegen.show import derive_scene, scene_equations, scene_named
 from nonsmooth.codegen.show.functions import Rate
 from nonsmooth.codegen.show.registry import conditions, methods, scene_files
@@ -20,7 +20,8 @@ from nonsmooth.codegen.show.registry import conditions, methods, scene_files
 def test_every_scene_and_expansion_of_the_folders_is_found() -> None:
     folder = Path(impact.__file__).parent
     assert len(scene_files()) == len([q for q in folder.glob("*.py") if q.stem != "__init__"])
-    assert set(methods()) == {"hb", "hb-ck", "ck", "ck-tau"}
+    assert set(methods(impact.SCENE)) == {"hb", "hb-ck", "ck", "ck-tau"}
+    assert set(methods(stick_slip.SCENE)) - set(methods(impact.SCENE)) == {"hb-c1"}
 
 
 @pytest.mark.parametrize("method", ["ck-tau", "c0-tau"])

@@ -1,7 +1,8 @@
 """Functions with one break on the phases of a cell: their integrals with harmonics, their ends.
 
 `break_series` is written by the generator: the Legendre coefficients of ``beta_0, beta_1, ...``
-on a phase that begins at a part of the cell and lasts a part of it.
+on a phase that begins at a part of the cell and lasts a part of it.  So is `function_series`:
+those of one function of the whole cell.
 """
 
 from math import cos, pi, sin
@@ -14,6 +15,11 @@ from .moments import spherical_bessel
 
 def break_series(begin, length, rates):
     """Stand for the closed forms: coefficients [n, l] and, if wanted, derivatives by both."""
+    raise NotImplementedError
+
+
+def function_series(*durations_and_rates):
+    """Stand for the closed forms of one function: `breaks_on_phases` of T**3 G''' to G."""
     raise NotImplementedError
 
 
@@ -137,6 +143,13 @@ def break_integrals(n, series, weights, ends, period, numbers):
     return found
 
 
+def legendre_on_phase(series, duration, u, derivative):
+    """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
+    w = 2 * np.asarray(u, dtype=float) - 1
+    slope = legendre.legder(series, derivative, scl=2)
+    return legendre.legval(w, slope) / duration**derivative
+
+
 def breaks_on_phase(parts, ends, sign, q, u, derivative):
     """Return a sum of functions with a break on phase q, or a derivative by time.
 
@@ -148,10 +161,8 @@ def breaks_on_phase(parts, ends, sign, q, u, derivative):
     u : ndarray
         Local time, from 0 to 1.
     """
-    w = 2 * np.asarray(u, dtype=float) - 1
-    total = np.zeros_like(w)
+    total = np.zeros_like(np.asarray(u, dtype=float))
     for p, n, c in parts:
         series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
-        slope = legendre.legder(series, derivative, scl=2)
-        total = total + c * legendre.legval(w, slope) / (ends[q + 1] - ends[q]) ** derivative
+        total = total + c * legendre_on_phase(series, ends[q + 1] - ends[q], u, derivative)
     return total

@@ -1,0 +1,164 @@
+"""Harmonics and one function of class C^1: Section 3.2 of the paper (`hb-c1`).
+
+For two phases, of which the first is held and the second is a free oscillator.  ``G`` is (12)
+over ``T (T - t_1)**3``: a smoothstep over the free phase, less a ramp over the period.  Its
+velocity is continuous, and in the held phase it has no acceleration.  The residual is
+orthogonal to it as well: (14).
+
+Both phases have ``m x''`` in the residual, and periodic motions of class C^1 have no boundary
+terms when it is integrated by parts twice.  So the Galerkin form is symmetric: the row (14) has
+the column of ``c1`` in (5), (6), (7) as its coefficients.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from ..emission.expressions import floating, python
+from ..expansion import About
+from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, closure
+from ..galerkin.condition import N
+from ..galerkin.harmonics import Harmonics, a, a0, b, ends_of_phases, equations, n
+from ..galerkin.legendre import in_legendre
+from ..galerkin.tables import tables_with_rates
+from ..scene import Phase, Scene, switches
+from . import hb
+
+METHOD = "hb-c1"
+TITLE = "Fourier series and one function of class C^1"
+ABOUT = About(place=2, power=True, colour="#56B4E9", marker="v", line=(0, (6, 2, 3, 2)))
+
+c1 = sp.Symbol("c1", real=True)
+
+#: Local time of a phase, from 0 to 1.
+u = sp.Symbol("u", real=True)
+
+#: The tables of the residual of ``G`` with harmonics, and of ``G`` at the ends of the phases.
+BY_COSINE, BY_SINE, ENDS = map(sp.IndexedBase, ("G_cos", "G_sin", "G_ends"))
+
+
+def applies(scene: Scene) -> bool:
+    """Whether a scene has the two phases that (12) is made for."""
+    if len(scene.cell) != 2 or scene.sign == -1 or scene.frequency is not None:
+        return False
+    held, free = scene.cell
+    if held.held is None or free.held is not None or scene.memory:
+        return False
+    return equations(scene)[1].c == 0 and all(switch.k == 1 for switch in switches(scene))
+
+
+def function(times: Times) -> tuple[sp.Expr, sp.Expr]:
+    """Return ``G`` of (12) in the held and in the free phase, in local time `u`."""
+    held, free = times.durations
+    ramp = (held * u / times.cell, (held + free * u) / times.cell)
+    return -ramp[0], u**2 * (3 - 2 * u) - ramp[1]
+
+
+def derivatives(times: Times) -> tuple[tuple[sp.Expr, ...], ...]:
+    """Return ``T**3 G'''``, ``T**2 G''``, ``T G'``, ``G`` on each phase, in local time `u`."""
+    pairs = zip(function(times), times.durations, strict=True)
+    return tuple(
+        tuple(
+            sp.expand(sp.diff(G, u, order) * (times.cell / s) ** order)
+            for order in (3, 2, 1, 0)
+        )
+        for G, s in pairs
+    )
+
+
+def by_itself(scene: Scene, times: Times) -> sp.Expr:
+    """Return the inner product of the residual of ``G`` with ``G``."""
+    _, free = equations(scene)
+    G, s = function(times)[1], times.durations[1]
+    integrand = free.m * sp.diff(G, u, 2) / s**2 + free.k * G
+    return sp.factor(s * sp.integrate(sp.expand(integrand * G), (u, 0, 1)))
+
+
+def force_by(scene: Scene, times: Times) -> sp.Expr:
+    """Return the inner product of the force with ``G``."""
+    _, free = equations(scene)
+    G, s = function(times)[1], times.durations[1]
+    return sp.factor(free.f * s * sp.integrate(sp.expand(G), (u, 0, 1)))
+
+
+def orthogonality(harmonics: Harmonics) -> Iterator[Condition]:
+    """Yield (5), (6), (7) with the function beside the series, and (14)."""
+    for condition in hb.orthogonality(harmonics, ()):
+        table = BY_SINE if condition.name == "by_sine" else BY_COSINE
+        index = sp.Integer(0) if condition.index is None else condition.index
+        yield replace(condition, expression=condition.expression + c1 * table[index])
+    waves = sp.Sum(a[n] * BY_SINE[n] + b[n] * BY_COSINE[n], (n, 1, N))
+    scene, times = harmonics.scene, harmonics.times
+    own = c1 * by_itself(scene, times) - force_by(scene, times)
+    yield Condition(
+        "by_function",
+        "residual, orthogonal to the function itself",
+        a0 / 2 * BY_COSINE[0] + waves + own,
+        number="14",
+    )
+
+
+def tables(harmonics: Harmonics) -> Iterator[Table]:
+    """Yield the function at the ends of the phases, and its residual by the harmonics."""
+    times, ends = harmonics.times, ends_of_phases(harmonics.times)
+    phases = ", ".join(
+        f"({', '.join(map(floating, (q.m, q.c, q.k)))})" for q in equations(harmonics.scene)
+    )
+    made = f"series = function_series({', '.join(map(str, times.durations))}, rates)"
+    at_ends = f"{made}\nat_ends = break_ends(series)"
+    yield from tables_with_rates(str(ENDS), times.durations, "at_ends", at_ends)
+    made = (
+        f"{made}\nover_function = break_integrals(3, series, ({phases},), {ends}, "
+        f"{python(times.period)}, np.arange(0, N + 1))"
+    )
+    for row, base in enumerate((BY_COSINE, BY_SINE)):
+        source = f"over_function[{row}]"
+        yield from tables_with_rates(str(base), times.durations, source, made)
+
+
+def derive(scene: Scene) -> GalerkinConditions:
+    """Return the conditions of a scene.
+
+    Raises
+    ------
+    ValueError
+        If it is not one that it `applies` to.
+    """
+    if not applies(scene):
+        raise ValueError(f"{METHOD}: got {scene.label}, expected a held and a free phase")
+    times = Times.of(scene)
+    harmonics = Harmonics(scene, times)
+
+    def end(p: int, order: int) -> sp.Expr:
+        series = hb.series(harmonics, times.start(p + 1), order)
+        return series + c1 * ENDS[3 - order, p, 1] / times.cell**order
+
+    system = GalerkinConditions(
+        scene,
+        METHOD,
+        TITLE,
+        (*hb.series_blocks(scene), Block(c1, sp.Integer(1), 0, "of the function of (12)")),
+        times,
+        (*orthogonality(harmonics), *closure.events(scene, times, end)),
+        (*harmonics.tables(), *tables(harmonics)),
+        lowest=1,
+        motion=lambda phase, duration: _motion(harmonics, phase),
+        function_series=tuple(
+            tuple(in_legendre(row, u) for row in rows) for rows in derivatives(times)
+        ),
+    )
+    system.check_count()
+    return system
+
+
+def _motion(harmonics: Harmonics, phase: Phase) -> str:
+    """Return the statement by which a kernel evaluates the motion on a phase."""
+    p = harmonics.scene.phases.index(phase)
+    durations = harmonics.times.durations
+    arguments = hb.series_arguments(harmonics, p)
+    series = f"series_on_phase({arguments}, 0.0, 0.0, u, derivative)"
+    made = f"function_series({', '.join(map(str, durations))}, False)[{p}, 0, 3]"
+    return (
+        f"return {series} + z[at_c1]*legendre_on_phase({made}, {durations[p]}, u, derivative)"
+    )

@@ -1,0 +1,84 @@
+"""The one function of class C^1 beside a Fourier series, (11) to (13), for the reader."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar
+
+import sympy as sp
+
+from ..expansions import hb_c1
+from ..galerkin.tables import l
+from ..scene import LinearPhase
+from ..system import Equation, Inner
+from .functions import T, omega_0, t, u
+from .notation import Notation
+
+#: The function, and its residual.
+G, q = sp.Function("G")(t), sp.Function("q")(t)
+
+#: The integrals of the residual with harmonics, by the names of their tables.
+BY_COSINE, BY_SINE = sp.IndexedBase("H_cos"), sp.IndexedBase("H_sin")
+
+
+@dataclass(frozen=True)
+class OneFunction:
+    """The function of `hb_c1`; it is shown as `Breaks` are.
+
+    Parameters
+    ----------
+    notation : Notation
+    """
+
+    notation: Notation
+    numbers: ClassVar = {"expansion": "11", "residual": "13"}
+    tests: ClassVar = {"by_function": G}
+
+    def expansion(self) -> sp.Expr:
+        """Return what the function adds to the Fourier series."""
+        return hb_c1.c1 * G
+
+    def definitions(self) -> Iterator[Equation]:
+        """Yield (12), over ``T (T - t_1)**3``, in both phases."""
+        t1 = self.notation.at(1)
+        name = self.notation.found[1].before
+        yield Equation("", f"local time of {name}", (u, (t - t1) / (T - t1)))
+        for p, value in enumerate(self._values()):
+            title = f"function in {self.notation.found[p].before}"
+            yield Equation("12", title, (G, value), self.notation.during(p))
+
+    def _values(self) -> tuple[sp.Expr, sp.Expr]:
+        return -t / T, u**2 * (3 - 2 * u) - t / T
+
+    def residual(self, p: int) -> sp.Expr:
+        """Return what the function adds to the residual in phase `p`."""
+        return hb_c1.c1 * q if p else sp.Integer(0)
+
+    def residuals(self, p: int, phase: LinearPhase) -> Iterator[Equation]:
+        """Yield the residual of the function in phase `p`; in the held one it is zero."""
+        bent = sp.diff(self._values()[p], u, 2) / (T - self.notation.at(1)) ** 2
+        value = phase.m * bent + phase.k * G if p else sp.Integer(0)
+        yield Equation("", "residual of the function", (q, value), self.notation.during(p))
+
+    def entries(self, expression: sp.Expr) -> sp.Expr:
+        """Return an expression with the tables written as shown."""
+        values = {}
+        for entry in expression.atoms(sp.Indexed):
+            if entry.base == hb_c1.ENDS:
+                row, p, _ = map(int, entry.indices)
+                value = hb_c1.derivatives(self.notation.times)[p][row].subs(hb_c1.u, 1)
+                values[entry] = sp.factor(self.notation.in_times(value))
+            elif entry.base == hb_c1.BY_COSINE:
+                values[entry] = BY_COSINE[entry.indices]
+            elif entry.base == hb_c1.BY_SINE:
+                values[entry] = BY_SINE[entry.indices]
+        return expression.xreplace(values)
+
+    def integrals(self) -> Iterator[Equation]:
+        """Yield what the integrals with harmonics are."""
+        for base, f in ((BY_COSINE, sp.cos), (BY_SINE, sp.sin)):
+            sides = (base[l], Inner(q, f(l * omega_0 * t)))
+            yield Equation("", "integral of the residual with a harmonic", sides)
+
+    def spelled(self, expression: sp.Expr) -> sp.Expr:
+        """Return an expression as it is: the coefficient is shown as it is called."""
+        return expression
