@@ -1,49 +1,45 @@
-"""The compiled kernels by pytest-benchmark: residual, Jacobian and whole iteration."""
+"""The compiled kernels of the belt by pytest-benchmark: residual, Jacobian, iteration."""
 
 import numpy as np
 import pytest
 
-from nonsmooth.solver.shortcuts.search import kernels
-from nonsmooth.solver.shortcuts.search.start import cubic_slip, rough_times, with_coefficients
+import nonsmooth as ns
+from nonsmooth.solver.case import registry
+from nonsmooth.solver.iteration.start import with_coefficients
 
-ALPHA = 1.0
-CASES = [("hb-symmetric", 0), ("hb-symmetric", 1), ("hb-symmetric", 3), ("c1", None)]
+METHODS = ("hb", "hb-c1", "ck", "ck-tau")
 
 
-def _problem(module: str, terms: int | None, order: int):
-    kernel, times = kernels.compiled(module), rough_times(ALPHA)
-    if terms is None:
-        return kernel, ALPHA, with_coefficients(kernel, ALPHA, order, *times)
-    return kernel, (ALPHA, terms), cubic_slip(kernel, terms, order, *times)
+def _problem(method: str, order: int):
+    case = ns.scene("stick-slip")()
+    kernel = registry.kernel(case.scene, method, compile_it=True)
+    times = np.array([2.1, 4.6])
+    start = np.zeros(kernel.size(order))
+    start[-2:] = times
+    if not kernel.condensed:
+        start = with_coefficients(kernel, case.arguments, kernel.size(order), times)
+    return kernel, case.arguments, start
 
 
 @pytest.mark.parametrize("order", [10, 40])
-@pytest.mark.parametrize(("module", "terms"), CASES)
-def bench_residual(benchmark, module: str, terms: int | None, order: int) -> None:
+@pytest.mark.parametrize("method", METHODS)
+def bench_residual(benchmark, method: str, order: int) -> None:
     """Time one residual."""
-    kernel, case, z = _problem(module, terms, order)
+    kernel, case, z = _problem(method, order)
     benchmark(kernel.residual, case, z, np.empty(len(z)))
 
 
 @pytest.mark.parametrize("order", [10, 40])
-@pytest.mark.parametrize(("module", "terms"), CASES)
-def bench_jacobian(benchmark, module: str, terms: int | None, order: int) -> None:
+@pytest.mark.parametrize("method", METHODS)
+def bench_jacobian(benchmark, method: str, order: int) -> None:
     """Time one Jacobian."""
-    kernel, case, z = _problem(module, terms, order)
+    kernel, case, z = _problem(method, order)
     benchmark(kernel.jacobian, case, z, np.empty((len(z), len(z))))
 
 
 @pytest.mark.parametrize("order", [10, 40])
-@pytest.mark.parametrize(("module", "terms"), CASES)
-def bench_iteration(benchmark, module: str, terms: int | None, order: int) -> None:
+@pytest.mark.parametrize("method", METHODS)
+def bench_iteration(benchmark, method: str, order: int) -> None:
     """Time Newton's method from the start to convergence."""
-    kernel, case, z = _problem(module, terms, order)
+    kernel, case, z = _problem(method, order)
     benchmark(lambda: kernel.iterate(case, z.copy(), 40))
-
-
-@pytest.mark.parametrize("order", [5, 13])
-def bench_c1_reduced(benchmark, order: int) -> None:
-    """Time one orbit by the scalar equation, called from Python."""
-    functions = kernels.compiled_functions("c1-reduced")
-    table = functions["series_coefficients"](order)
-    benchmark(functions["orbit_times"], ALPHA, order, table)

@@ -5,8 +5,6 @@ that numba compiles are compiled functions, so that a compiled loop can call the
 """
 
 import math
-import statistics
-import time
 from collections.abc import Callable
 
 import numba
@@ -203,41 +201,3 @@ def quadrature_and_fsolve(order: int) -> Period:
         return float(found[-2] + found[-1])
 
     return period
-
-
-def diffrax_seconds(count: int = 1000) -> float | None:
-    """Return seconds an orbit by diffrax in a batch; None where it is not installed.
-
-    Tsit5 at 1e-8 with a root-found event, `vmap` over alpha, compiled.
-    """
-    try:
-        import diffrax
-        import jax
-        import optimistix
-    except ImportError:
-        return None
-    jax.config.update("jax_enable_x64", True)
-    event = diffrax.Event(
-        lambda t, y, args, **kwargs: y[1] - 1.0,
-        optimistix.Newton(1e-10, 1e-10),
-        direction=True,
-    )
-    term = diffrax.ODETerm(lambda t, y, args: jax.numpy.array([y[1], -y[0]]))
-    steps = diffrax.PIDController(rtol=1e-8, atol=1e-8)
-
-    def period(alpha: float) -> float:
-        first = jax.numpy.array([alpha, 1.0])
-        found = diffrax.diffeqsolve(
-            term, diffrax.Tsit5(), 0.0, 7.0, 0.1, first, stepsize_controller=steps, event=event
-        )
-        return 2 * alpha + found.ts[-1]
-
-    batch = jax.jit(jax.vmap(period))
-    alphas = jax.numpy.logspace(-1, 2, count)
-    batch(alphas).block_until_ready()
-    seen = []
-    for _ in range(7):
-        begin = time.perf_counter()
-        batch(alphas).block_until_ready()
-        seen.append(time.perf_counter() - begin)
-    return statistics.median(seen) / count

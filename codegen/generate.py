@@ -1,14 +1,12 @@
 """Write ``generated/``: one module a method, a file only when its text changes.
 
-Input: the records of the methods, the scenes and the expansions.  Output: the folder,
-complete and with nothing else: the modules of the paper's methods, a table of those that every
-scene has, a folder for each scene, and one for the structures of `space`.
+Input: the scenes and the expansions.  Output: the folder, complete and with nothing else: a
+table of the methods, a folder for each scene, and one for the structures of `space`.
 """
 
 import os
 import tempfile
 from collections.abc import Iterator
-from importlib.util import find_spec
 from pathlib import Path
 
 from . import scenes
@@ -22,9 +20,6 @@ FOLDER = Path(__file__).resolve().parent.parent / "generated"
 
 INIT = '"""Kernels, a folder for each scene, written by ``nonsmooth generate``."""\n'
 
-#: The room of what is derived beside the scenes, here and in ``generated/``.
-SHORTCUTS = "shortcuts"
-
 #: Of the folder of a scene.
 SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."""\n'
 
@@ -32,10 +27,6 @@ SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."
 def sources() -> dict[str, str]:
     """Derive everything and return the text of each generated file, by its place."""
     files = {"__init__.py": INIT, "methods.py": methods.methods_source()}
-    if find_spec(f"{__package__}.{SHORTCUTS}") is not None:
-        from .shortcuts.emit import modules  # noqa: PLC0415  (left out, scenes still are)
-
-        files |= {f"{SHORTCUTS}/{name}": text for name, text in modules()}
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
         files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}

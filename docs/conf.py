@@ -71,7 +71,6 @@ rooms = [
     "nonsmooth.files",
     "nonsmooth.scene_files",
     "nonsmooth.report",
-    "nonsmooth.shortcuts",
 ]
 
 html_theme = "furo"

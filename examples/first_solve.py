@@ -6,14 +6,8 @@ picture goes to ``orbit.png``.
 
 Prints::
 
-    c1 (Section 3.3, C1 functions), N = 7
-      T  = 0.6712383809 s   (T/T_exact - 1 = -7.705e-07)
-      t1 = 0.2000074538 s   (t1/t1_exact - 1 = 3.727e-05)
-      acceleration error (22) = 3.650e-03
-        with phases aligned   = 9.666e-05
-      transition mismatch     = 3.727e-05
-      estimated error of T    = 7.7e-07
-      residual 1.7e-16 after 5 iterations; admissible
+    <stick-slip by c1, N = 7: T = 0.6712383809 s, t1 = 0.2000074538 s, estimate 1.2e-05>
+    errors: period -7.7e-07, times 1.2e-05, acceleration (22) 3.7e-03
 """
 
 import nonsmooth as ns
@@ -23,6 +17,11 @@ belt = ns.StickSlip(
 )
 orbit = ns.solve(belt, method="c1", order=7)
 print(orbit)
+errors = orbit.errors
+print(
+    f"errors: period {errors.period:.1e}, times {errors.times:.1e}, "
+    f"acceleration (22) {errors.acceleration:.1e}"
+)
 
 axes = ns.plot([ns.exact(belt), orbit], quantity="acceleration")
 axes.figure.savefig("orbit.png", dpi=200)

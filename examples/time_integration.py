@@ -10,7 +10,7 @@ Prints::
     cycle 1: stick 0.050000000 s, period 0.521238898 s
     cycle 2: stick 0.200000000 s, period 0.671238898 s
     cycle 3: stick 0.200000000 s, period 0.671238898 s
-    c1, N = 13: stick 0.200000000 s, period 0.671238898 s
+    ck-tau, N = 9: stick 0.200000000 s, period 0.671238898 s
 """
 
 from scipy.integrate import solve_ivp

@@ -5,8 +5,5 @@ its kernels), `iteration` (starts, Newton's method), `orbit` (the result, and wh
 one), `flow` (the exact orbit), `accuracy` (errors and their estimate); `solve`, `sweep` and
 `family` join them, and `trade` says which order a tolerance or a budget comes to.
 
-`shortcut` finds what is quicker for one scene: the table in `shortcuts`, and the paper's own
-oscillator with all that is known of it alone.  Without that room the rest works the same.
-
 Never imports SymPy or `codegen`.
 """

@@ -233,7 +233,7 @@ class SceneFamily(Tabular):
             "class": f"C{self.case.scene.k}",
             "motion": self.case.scene.motion,
             "cycles": self.case.cycles,
-            "method": self.method,
+            "method": self.case.called(self.method),
             "order": self.order,
             "functions": self.functions,
             "parameters": dict(self.case.values),
@@ -319,7 +319,7 @@ def _with_value(case: Case, parameter: str, value: object) -> Case:
     if parameter not in names:
         expected = f"one of {', '.join(names)}"
         raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
-    return Case(case.scene, dict(case.values) | {parameter: value}, case.cycles)
+    return case.with_value(parameter, value)
 
 
 def _next(

@@ -195,7 +195,9 @@ class _Search:
         name = f"{self.case.scene.label}, {self.kernel.method}, N = {self.order}"
         words = "; ".join([f"{name}: no admissible orbit was found", *self._what_else()])
         tried = tuple(dict.fromkeys(self.tried))
-        error = shown_to_be_none(self.case, tried) or NoOrbit(words, False, tried)
+        shown = shown_to_be_none(self.case, tried)
+        shown = shown or self.case.none(self.method, self.order, tried)
+        error = shown or NoOrbit(words, False, tried)
         error.iterations = self.iterations
         raise error
 
@@ -221,13 +223,17 @@ class _Search:
 
     def note(self, found: SceneOrbit) -> SceneOrbit:
         """Return a result with all iterations, after its failure, if it is one, was noted."""
+        found = replace(found, iterations=self.iterations + found.outcome.iterations)
+        self.count(found)
+        return found
+
+    def count(self, found: SceneOrbit) -> None:
+        """Count the iterations of a result, and note its failure if it is one."""
         self.iterations += found.outcome.iterations
-        found = replace(found, iterations=self.iterations)
         why = "" if found.converged else found.outcome.reason
         why = why or "; ".join(found.violations)
         if why:
             self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
-        return found
 
     def less_smooth(self, failed: SceneOrbit, times: Vector) -> SceneOrbit:
         """Return the orbit by functions of class C^1, if no smoother ones can be told apart.
@@ -287,7 +293,8 @@ class _Search:
             if not available:
                 yield times
                 continue
-            found = self.note(_coarse_orbit(self.case, method, order, tuple(times)))
+            found = _coarse_orbit(self.case, method, order, tuple(times))
+            self.count(found)
             if found.converged and found.admissible:
                 yield registry.kernel(scene, method).times(found.unknowns)
 

@@ -1,8 +1,8 @@
 """Convergence of the methods of a scene over orders: one row each, whatever comes of it."""
 
 import time
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
 from typing import Any, overload
 
 from .accuracy.errors import SceneErrors
@@ -42,6 +42,8 @@ class SceneRow:
         Time of the search; of one of them compilation too, if there is enough to compute.
     message : str
         Why there is no orbit; empty if there is one.
+    further : mapping
+        See `SceneOrbit`.
     """
 
     method: str
@@ -55,17 +57,20 @@ class SceneRow:
     estimate: SceneErrors | None
     seconds: float
     message: str = ""
+    further: Mapping[str, float] = field(default_factory=dict, hash=False)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the row as JSON has it."""
-        return asdict(self) | {
+        found: dict[str, Any] = asdict(self) | {
             "errors": without_errors() if self.errors is None else asdict(self.errors),
             "estimate": without_errors() if self.estimate is None else asdict(self.estimate),
         }
+        found |= found.pop("further")
+        return found
 
 
 #: Units of the numbers in a row.
-UNITS = {"period": "s", "forcing_phase": "rad", "seconds": "s"}
+UNITS = {"period": "s", "forcing_phase": "rad", "seconds": "s", "t1": "s"}
 
 
 @dataclass(frozen=True, repr=False)
@@ -101,6 +106,16 @@ class SceneSweep(Tabular, Sequence[SceneRow]):
             found[method] = rate(method, rows)
         return found
 
+    def dictionaries(self) -> list[dict[str, Any]]:
+        """Return the rows as JSON has them, all with the same keys in the same order."""
+        found = []
+        for row in self.rows:
+            values = row.as_dict() | {"method": self.case.called(row.method)}
+            values |= {name: values.pop(name, None) for name in self.case.own_numbers}
+            values["errors"] = dict.fromkeys(self.case.own_errors) | values["errors"]
+            found.append(values)
+        return found
+
     def as_dict(self) -> dict[str, Any]:
         """Return the sweep as the document that ``sweep --json`` writes."""
         return {
@@ -110,8 +125,10 @@ class SceneSweep(Tabular, Sequence[SceneRow]):
             "cycles": self.case.cycles,
             "functions": self.functions,
             "parameters": dict(self.case.values),
-            "rows": [row.as_dict() for row in self.rows],
-            "rates": {name: asdict(found) for name, found in self.rates().items()},
+            "rows": self.dictionaries(),
+            "rates": {
+                self.case.called(name): asdict(found) for name, found in self.rates().items()
+            },
         }
 
     def plot(self, ax: Any = None, quantity: str = "times", **style: Any) -> Any:
@@ -141,7 +158,7 @@ class SceneSweep(Tabular, Sequence[SceneRow]):
 
     def table(self) -> Table:
         """Return the rows; `duration_1` and so on are those of the phases of a period."""
-        columns = flat([row.as_dict() for row in self.rows])
+        columns = flat(self.dictionaries())
         units = UNITS | {n: "s" for n in columns if n.startswith("duration_")}
         scene = self.case.scene
         about = {"scene": scene.name, "class": f"C{scene.k}", "cycles": self.case.cycles}
@@ -243,5 +260,5 @@ def _row(case: Case, method: str, order: int, functions: int | None) -> SceneRow
     seconds = time.perf_counter() - begin
     return SceneRow(
         orbit.method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
-        orbit.iterations, orbit.errors, orbit.estimate, seconds,
+        orbit.iterations, orbit.errors, orbit.estimate, seconds, further=orbit.further,
     )  # fmt: skip

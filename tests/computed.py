@@ -5,8 +5,10 @@ from functools import cache
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.report.case import MOST, Case
+from nonsmooth.kim_perkins import Orbit
+from nonsmooth.report.case import FLOORS, MOST, Case
 from nonsmooth.report.paper import DEFAULT
+from nonsmooth.solver.accuracy.rates import slope
 
 #: No two of its scales are the same, nor 1: a wrong unit or a missing factor is seen.
 ODD = ns.StickSlip(
@@ -52,22 +54,24 @@ def case(belt: ns.StickSlip = DEFAULT) -> Case:
     return Case(belt)
 
 
-@cache
-def swept(belt: ns.StickSlip = DEFAULT, orders: int = MOST) -> ns.Sweep:
-    """Return a sweep over all orders of the report."""
-    return ns.sweep(belt, orders=range(1, orders + 1))
-
-
-def rows(belt: ns.StickSlip, method: str, last: int = MOST) -> list[ns.Row]:
-    """Return the rows of a method that have an orbit, up to an order."""
-    return [r for r in swept(belt).of(method) if r.errors is not None and r.order <= last]
+def orbits(belt: ns.StickSlip, method: str, last: int = MOST) -> dict[int, Orbit]:
+    """Return the orbits of a method by order, up to one."""
+    return {N: case(belt).orbit(method, N) for N in case(belt).orders(method) if last >= N}
 
 
 def period_errors(belt: ns.StickSlip, method: str) -> dict[int, float]:
     """Return ``T/T_exact - 1`` by order, from the periods and the closed form."""
-    return {r.order: r.period / Exact(belt).period - 1 for r in rows(belt, method) if r.period}
+    period = Exact(belt).period
+    return {N: orbit.period / period - 1 for N, orbit in orbits(belt, method).items()}
 
 
 def acceleration_errors(belt: ns.StickSlip, method: str) -> dict[int, float]:
     """Return (22) by order."""
-    return {r.order: r.errors.acceleration for r in rows(belt, method) if r.errors}
+    found = orbits(belt, method).items()
+    return {N: orbit.errors.acceleration for N, orbit in found}
+
+
+def rate(belt: ns.StickSlip, of: str, method: str) -> float | None:
+    """Return how fast an error falls with the order, over the upper half of the scale."""
+    errors = {"period": period_errors, "acceleration": acceleration_errors}[of](belt, method)
+    return slope(errors.items(), FLOORS[of], power=method != "c1", upper_half=True)

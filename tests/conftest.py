@@ -33,16 +33,14 @@ settings.load_profile("fixed")
 #: Rooms and files whose tests share what they derive: one process runs them.
 SHARED = {
     **dict.fromkeys(("derivation", "shown", "report"), "paper"),
-    **dict.fromkeys(("test_precise_errors", "test_digits", "test_tradeoff"), "paper"),
-    **dict.fromkeys(("test_twin", "test_extremes", "test_command_line"), "paper"),
-    **dict.fromkeys(("test_frozen_numbers", "test_documentation"), "paper"),
+    **dict.fromkeys(("test_command_line", "test_documentation"), "paper"),
     **dict.fromkeys(("galerkin", "show"), "machine"),
     "space": "space",
 }
 
 
 #: Files whose tests take minutes each where EXAMPLES asks for many.
-DRAWN = ("test_extremes", "test_tolerance")
+DRAWN = ("test_tolerance",)
 
 
 def _group(nodeid: str) -> str:
@@ -101,9 +99,9 @@ def interruptible() -> Callable[..., "subprocess.Popen[str]"]:
 
 @pytest.fixture
 def belt() -> "ns.StickSlip":
-    from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+    from nonsmooth.kim_perkins import SECTION_4
 
-    return DEFAULT
+    return ns.StickSlip(**SECTION_4)
 
 
 @pytest.fixture

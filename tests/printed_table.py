@@ -12,16 +12,15 @@ Columns = dict[str, tuple[Callable[[Document], Any], str]]
 def read(out: str, columns: Sequence[str]) -> list[dict[str, str]]:
     """Return the rows of the one table that has these headings, in any order.
 
-    The first column is flush left and has no spaces in it; all others are flush right.  A
-    heading that is there twice has a prime the second time.
+    The first column is flush left and has no spaces in it; all others are flush right.
     """
-    lines, wanted = out.splitlines(), sorted(name.rstrip("'") for name in columns)
+    lines, wanted = out.splitlines(), sorted(columns)
     (top,) = (i for i, line in enumerate(lines) if sorted(_words(line, wanted)) == wanted)
     ends: dict[str, int] = {}
     place = 0
     for name in _words(lines[top], wanted):
         place = lines[top].index(name, place) + len(name)
-        ends[name + "'" * (name in ends)] = place
+        ends[name] = place
     found = []
     for line in lines[top + 1 :]:
         if not _is_row(line, list(ends.values())[1:]):

@@ -1,7 +1,7 @@
 """What each number of a result is measured in, written by hand, and the same in other units."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import nonsmooth as ns
@@ -30,7 +30,7 @@ PARAMETERS = {
 }
 
 #: Of an orbit, a row of a sweep, a point of a family.
-RESULTS = {"t1": "s", "period": "s", "amplitude": "m"}
+RESULTS = {"t1": "s", "period": "s"}
 MOTION = {"t": "s", "displacement": "m", "velocity": "m/s", "acceleration": "m/s**2"}
 WALL_TIME = {"seconds": "s"}
 
@@ -40,30 +40,28 @@ OF_ANY_SCENE = {
     "velocity": "m/s",
 }  # fmt: skip
 
-SCALARS = PARAMETERS | RESULTS | MOTION | OF_ANY_SCENE | {"slip": "s"}
+SCALARS = PARAMETERS | RESULTS | MOTION | OF_ANY_SCENE | WALL_TIME | {"slip": "s"}
 
 #: ``d[n]`` of Section 3.3 has a unit of its own for each ``n``.
 BY_NUMBER = "m/s**(n + 2)"
 COEFFICIENTS = {
     "hb": {"a0": "m", "a": "m", "b": "m"},
-    "hb-c1": {"a0": "m", "a": "m", "b": "m", "c1": "m/s**4", "c": "m/s**2"},
+    "hb-c1": {"a0": "m", "a": "m", "b": "m", "c1": "m/s**4"},
     "c1": {"d": BY_NUMBER},
+    "c1-tau": {
+        "x_stick": "m",
+        "v_stick": "m/s",
+        "x_slip": "m",
+        "v_slip": "m/s",
+        "d_slip": "m/s**2",
+    },
 }
 
-#: What is a plain number, or a text.
-PLAIN = (
-    *("method", "order", "status", "message", "iterations", "parameter", "rows", "c1_terms"),
-    *("schema", "version", "mathematics", "unknowns", "alpha", "stick_fraction"),
-    *(f"error_{name}" for name in ("period", "t1", "acceleration", "acceleration_aligned")),
-    *(f"estimate_{name}" for name in ("period", "t1", "acceleration")),
-)
 
-
-#: An oscillator whose every parameter is another number, and methods with their C1 functions.
+#: An oscillator whose every parameter is another number.
 BELT = ns.StickSlip(
     mass=3.0, stiffness=700.0, belt_speed=0.7, mu_s=0.5, mu_k=0.2, normal_force=150.0
 )
-METHODS = [("hb", 1), ("hb-c1", 1), ("hb-c1", 3), ("c1", 1)]
 
 
 @dataclass(frozen=True)
@@ -81,10 +79,8 @@ class Units:
 
     def belt(self, belt: ns.StickSlip) -> ns.StickSlip:
         """Return the same oscillator, measured in the other units."""
-        numbers = {
-            name: getattr(belt, name) * self.of(unit) for name, unit in PARAMETERS.items()
-        }
-        return replace(belt, **numbers)
+        numbers = {name: belt.values[name] * self.of(u) for name, u in PARAMETERS.items()}
+        return ns.StickSlip(**numbers)
 
 
 #: Far from each other in every unit; of powers of four the root, too, is without rounding.

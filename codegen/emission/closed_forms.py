@@ -1,11 +1,34 @@
 """Closed forms as functions of plain Python, as `sympy.lambdify` writes them."""
 
 import inspect
+from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
-from ..system import ClosedForm
 from .printer import NumericPrinter
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """One function of a generated module: what SymPy derived, for `lambdify` to write.
+
+    Parameters
+    ----------
+    name : str
+        Name of the function.
+    summary : str
+        Its docstring.
+    arguments : tuple of Symbol or IndexedBase
+        In the order of the function's signature.
+    values : tuple of Expr
+        What it returns; a scalar when there is one, else a tuple.
+    """
+
+    name: str
+    summary: str
+    arguments: tuple[Any, ...]
+    values: tuple[sp.Expr, ...]
 
 
 def _expression_source(form: ClosedForm, value: sp.Expr) -> str:

@@ -211,11 +211,11 @@ def drawn(expression: sp.Expr, unicode: bool = True, sign: bool = False) -> pret
 
     Examples
     --------
-    >>> from ..shortcuts.paper.fourier import SERIES
-    >>> for line in drawn(SERIES, unicode=False).picture:
+    >>> a, (n, N) = sp.IndexedBase("a"), sp.symbols("n N")
+    >>> for line in drawn(sp.Symbol("a0") / 2 + sp.Sum(a[n], (n, 1, N)), unicode=False).picture:
     ...     print(line.rstrip())
     a0    N
-    -- + Sum (a[n]*sin(n*omega_0*t) + b[n]*cos(n*omega_0*t))
+    -- + Sum a[n]
     2    n=1
     """
     return _drawn(expression, unicode, sign)

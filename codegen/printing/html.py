@@ -7,7 +7,6 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from html import escape
-from itertools import groupby
 
 import sympy as sp
 from latex2mathml.converter import convert
@@ -39,9 +38,6 @@ math { font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math",
 details > summary { cursor: pointer; margin: 1em 0; }
 .equation .number { text-decoration: none; color: inherit; }
 """
-
-#: Opens what is folded.
-FOLDED = "<details>\n<summary>Closed forms of the kernel</summary>\n"
 
 PAGE = """\
 <!DOCTYPE html>
@@ -116,27 +112,15 @@ def _equation(equation: Equation, anchor: str) -> str:
 
 
 def _section(section: Section, seen: Counter[str]) -> str:
-    """Return a section; a number that was seen before gets an anchor of its own.
-
-    Among equations of the paper, several in a row are folded that have no number there and
-    that the kernel computes.
-    """
+    """Return a section; a number that was seen before gets an anchor of its own."""
     parts = [f"<h2>{_prose(section.heading)}</h2>\n"]
     if section.note:
         parts.append(f"<p>{_prose(section.note)}</p>\n")
-    numbered = any(equation.number for equation in section.equations)
-
-    def is_folded(equation: Equation) -> bool:
-        return numbered and not equation.number and bool(equation.functions)
-
-    for folded, group in groupby(section.equations, is_folded):
-        figures = []
-        for equation in group:
-            anchor = f"eq-{equation.number}" if equation.number else ""
-            seen[anchor] += 1
-            again = f"-{seen[anchor]}" if anchor and seen[anchor] > 1 else ""
-            figures.append(_equation(equation, anchor + again))
-        parts += [FOLDED, *figures, "</details>\n"] if folded and figures[1:] else figures
+    for equation in section.equations:
+        anchor = f"eq-{equation.number}" if equation.number else ""
+        seen[anchor] += 1
+        again = f"-{seen[anchor]}" if anchor and seen[anchor] > 1 else ""
+        parts.append(_equation(equation, anchor + again))
     return "".join(parts)
 
 

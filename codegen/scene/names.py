@@ -9,20 +9,10 @@ from .error import SceneError
 #: Names that flags of the command line have.
 TAKEN = frozenset(
     (
-        *(
-            "all",
-            "budget",
-            "c1_terms",
-            "case",
-            "cycles",
-            "digits",
-            "expand",
-            "format",
-            "fragment",
-        ),
-        *("forcing_phase", "functions", "help", "json", "log", "method", "methods", "motion"),
-        *("no_shortcuts", "order", "orders", "output", "quick", "shortcuts", "state", "time"),
-        *("tol", "tol_acceleration", "vary", "verbose", "version"),
+        *("all", "budget", "case", "cycles", "digits", "figure", "format", "forcing_phase"),
+        *("fragment", "functions", "help", "json", "log", "method", "methods", "motion"),
+        *("order", "orders", "output", "quick", "state", "time", "tol", "vary", "verbose"),
+        "version",
     )
 )
 

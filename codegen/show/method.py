@@ -48,7 +48,7 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     GalerkinSystem
         `equations` has the expansion, the residual, each condition from its statement to its
         closed form and zero, what each closed form looks up, and the times; `method` is
-        spelled with the class of the scene; there are no `forms`.
+        spelled with the class of the scene.
 
     Raises
     ------
@@ -76,7 +76,6 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
         unknowns="; ".join(f"{q}: {what}" for q, what in unknowns(conditions)).replace("`", ""),
         equations=(*shown.equations(), *_times(notation)),
         jacobian=tuple(shown.jacobian()),
-        forms=(),
     )
 
 

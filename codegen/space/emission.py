@@ -6,10 +6,9 @@ from collections.abc import Iterable, Iterator
 import sympy as sp
 from sympy.codegen.cfunctions import expm1
 
-from ..emission.closed_forms import function_source
+from ..emission.closed_forms import ClosedForm, function_source
 from ..emission.printer import digest
 from ..scene import Parameter
-from ..system import ClosedForm
 from . import collapse, forced_modes, green, matching, series
 from .data import Structure, a, b, beta, x
 from .structures import STRUCTURES

@@ -1,8 +1,8 @@
 """Link a place in the source, as the pages name it, to its documentation.
 
-`codegen/shortcuts/paper/g1.py` becomes a link to that module, and in
-`codegen/shortcuts/paper/g1.py`: `G1_SLIP` the name one to that object; a place that does not
-exist is a warning, and so stops the build.
+`codegen/expansions/hb.py` becomes a link to that module, and in `codegen/expansions/hb.py`:
+`series` the name one to that object; a place that does not exist is a warning, and so stops
+the build.
 """
 
 import re

@@ -1,19 +1,23 @@
 """A scene with numbers: checked parameters, units, and what is left without units."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from .cell import Cell, cell_of
 from .parameters import ParameterError, is_number
 from .units import Units, UnitsError, units_of
 
 if TYPE_CHECKING:
+    from ..flow.exact import ExactSceneOrbit
+    from ..no_orbit import NoOrbit
     from .numbers import SceneNumbers
 
+#: A periodic motion of a case.
+Motion = TypeVar("Motion")
 
 #: Most periods of the forcing in one of the motion: more are beyond the orders of kernels.
 MOST_CYCLES = 100
@@ -41,6 +45,10 @@ class Case:
     scene: "SceneNumbers"
     values: Mapping[str, Any]
     cycles: int = 1
+
+    #: Names of times of its orbits, in s, and of errors of them, that those of others lack.
+    own_numbers: ClassVar[tuple[str, ...]] = ()
+    own_errors: ClassVar[tuple[str, ...]] = ()
 
     def __post_init__(self) -> None:
         checked, errors = _checked(self.scene, self.values)
@@ -77,7 +85,7 @@ class Case:
 
     def with_cycles(self, cycles: int) -> "Case":
         """Return the case of a motion whose period is so many periods of the forcing."""
-        return replace(self, cycles=cycles)
+        return Case(self.scene, self.values, cycles)
 
     def of_motion(self, name: object) -> "Case":
         """Return the case of one of the motions of the scene.
@@ -89,7 +97,7 @@ class Case:
         """
         from .registry import of_motion  # noqa: PLC0415  (it imports this module)
 
-        return replace(self, scene=of_motion(self.scene, name))
+        return Case(of_motion(self.scene, name), self.values, self.cycles)
 
     @property
     def whole(self) -> "Case":
@@ -98,12 +106,37 @@ class Case:
 
         if self.scene.motion is None:
             return self
-        return replace(self, scene=load_folder(self.scene.folder.parent))
+        return Case(load_folder(self.scene.folder.parent), self.values, self.cycles)
 
     @property
     def each_motion(self) -> "tuple[Case, ...]":
         """The case of each motion of the scene; itself if there is one."""
-        return tuple(replace(self, scene=scene) for scene in self.scene.each_motion)
+        if not self.scene.motions:
+            return (self,)
+        return tuple(Case(q, self.values, self.cycles) for q in self.scene.each_motion)
+
+    def with_value(self, name: str, value: Any) -> "Case":
+        """Return the case with another value of a parameter."""
+        return Case(self.scene, dict(self.values) | {name: value}, self.cycles)
+
+    def called(self, method: str) -> str:
+        """Return what documents of this case call a method: its generic name."""
+        return method
+
+    def presented(self, motion: Motion) -> Motion:
+        """Return an orbit of this case, exact or not, as users see it: as it is."""
+        return motion
+
+    def completed(
+        self, document: dict[str, Any], exact: "ExactSceneOrbit | None"
+    ) -> dict[str, Any]:
+        """Return the document of an orbit that is not there with all keys of one that is."""
+        errors = dict.fromkeys(self.own_errors) | document["errors"]
+        return document | dict.fromkeys(self.own_numbers) | {"errors": errors}
+
+    def none(self, method: str, order: int, tried: Sequence[str]) -> "NoOrbit | None":
+        """Return that a method has no orbit at an order, where that can be shown: nowhere."""
+        return None
 
     @property
     def units(self) -> Units:

@@ -100,4 +100,4 @@ def from_times(case: Case, start: RoughTimes) -> ExactSceneOrbit:
     kernel = exact_kernel(case.cell)
     times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
     z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
-    return ExactSceneOrbit(case, newton(kernel.iterate, case.cell, z))
+    return case.presented(ExactSceneOrbit(case, newton(kernel.iterate, case.cell, z)))

@@ -35,4 +35,5 @@ def attempt(
         else:
             start = with_coefficients(kernel, case.arguments, size, times)
         outcome = newton(kernel.iterate, case.arguments, start)
-    return SceneOrbit(case, kernel.method, order, outcome, outcome.iterations, functions)
+    found = SceneOrbit(case, kernel.method, order, outcome, outcome.iterations, functions)
+    return case.presented(found)

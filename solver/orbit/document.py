@@ -28,7 +28,7 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
         "classes": [f"C{k}" for k in classes(orbit.case.cell)],
         "motion": orbit.case.scene.motion,
         "cycles": orbit.case.cycles,
-        "method": orbit.method,
+        "method": orbit.case.called(orbit.method),
         "order": orbit.order,
         "functions": orbit.functions,
         "parameters": dict(orbit.case.values),
@@ -43,6 +43,7 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
             }
             for phase in orbit.phases
         ],
+        **orbit.further,
         "period": orbit.period,
         "forcing_phase": orbit.forcing_phase,
         "memory": orbit.memory,
@@ -73,7 +74,7 @@ def document_without_orbit(
         "classes": [] if case.scene.motions else [f"C{k}" for k in classes(case.cell)],
         "motion": case.scene.motion,
         "cycles": case.cycles,
-        "method": method,
+        "method": case.called(method),
         "order": order,
         "functions": functions,
         "parameters": dict(case.values),
@@ -99,6 +100,7 @@ def document_without_orbit(
         "outcome": None,
         "status": finding.status,
     }
+    content = case.completed(content, exact)
     return {name: _finite(value) for name, value in content.items()}
 
 

@@ -1,6 +1,7 @@
 """A periodic orbit of a scene that one method computed, in SI units."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -116,6 +117,11 @@ class SceneOrbit(SceneMotion):
             unit = product_of_powers(units.length, (units.time, -power))
             found[name] = (np.asarray(values, dtype=float) * unit).tolist()
         return found
+
+    @property
+    def further(self) -> Mapping[str, float]:
+        """More numbers for rows and documents, by the names that the case has for them."""
+        return {}
 
     @cached_property
     def violations(self) -> tuple[str, ...]:

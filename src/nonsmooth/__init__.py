@@ -22,10 +22,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .codegen import derive as equations
     from .extras import MissingExtra
-    from .families import family
     from .files.api import load, save
     from .files.errors import FileError, FileWarning
-    from .oscillators import exact, simulate, solve, sweep
+    from .kim_perkins import StickSlip
+    from .oscillators import exact, family, simulate, solve, sweep
     from .plots.plot import plot
     from .scene import find as scene
     from .scene_files.error import SceneFileError
@@ -37,11 +37,6 @@ if TYPE_CHECKING:
     from .solver.flow.exact import ExactSceneOrbit
     from .solver.no_orbit import NoOrbit
     from .solver.orbit.orbit import SceneOrbit
-    from .solver.shortcuts.orbit.motion import ExactOrbit
-    from .solver.shortcuts.orbit.orbit import Orbit
-    from .solver.shortcuts.orbit.oscillator import StickSlip
-    from .solver.shortcuts.search.family import Family
-    from .solver.shortcuts.search.sweep import Row, Sweep
     from .solver.simulation.record import Simulation
     from .solver.space.mode import Mode
     from .solver.space.modes import Modes, ToleranceNotMet, modes
@@ -55,9 +50,7 @@ if TYPE_CHECKING:
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
     "Case": ("solver.case.case", "Case"),
-    "ExactOrbit": ("solver.shortcuts.orbit.motion", "ExactOrbit"),
     "ExactSceneOrbit": ("solver.flow.exact", "ExactSceneOrbit"),
-    "Family": ("solver.shortcuts.search.family", "Family"),
     "FileError": ("files.errors", "FileError"),
     "FileWarning": ("files.errors", "FileWarning"),
     "MissingExtra": ("extras", "MissingExtra"),
@@ -65,23 +58,20 @@ _HOMES = {
     "Modes": ("solver.space.modes", "Modes"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "NotCertified": ("solver.trade.not_certified", "NotCertified"),
-    "Orbit": ("solver.shortcuts.orbit.orbit", "Orbit"),
     "ParameterError": ("solver.case.parameters", "ParameterError"),
-    "Row": ("solver.shortcuts.search.sweep", "Row"),
     "SceneFamily": ("solver.family", "SceneFamily"),
     "SceneFileError": ("scene_files.error", "SceneFileError"),
     "SceneOrbit": ("solver.orbit.orbit", "SceneOrbit"),
     "SceneSweep": ("solver.sweep", "SceneSweep"),
     "Simulation": ("solver.simulation.record", "Simulation"),
-    "StickSlip": ("solver.shortcuts.orbit.oscillator", "StickSlip"),
-    "Sweep": ("solver.shortcuts.search.sweep", "Sweep"),
+    "StickSlip": ("kim_perkins", "StickSlip"),
     "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),
     "TooSlow": ("solver.trade.not_certified", "TooSlow"),
     "UnknownScene": ("solver.case.registry", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
-    "family": ("families", "family"),
+    "family": ("oscillators", "family"),
     "load": ("files.api", "load"),
     "modes": ("solver.space.modes", "modes"),
     "plot": ("plots.plot", "plot"),
@@ -95,9 +85,7 @@ _HOMES = {
 
 __all__ = [
     "Case",
-    "ExactOrbit",
     "ExactSceneOrbit",
-    "Family",
     "FileError",
     "FileWarning",
     "MissingExtra",
@@ -105,16 +93,13 @@ __all__ = [
     "Modes",
     "NoOrbit",
     "NotCertified",
-    "Orbit",
     "ParameterError",
-    "Row",
     "SceneFamily",
     "SceneFileError",
     "SceneOrbit",
     "SceneSweep",
     "Simulation",
     "StickSlip",
-    "Sweep",
     "ToleranceNotMet",
     "TooSlow",
     "UnknownScene",

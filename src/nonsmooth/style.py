@@ -51,19 +51,6 @@ def save(figure: Figure, target: Path) -> None:
     figure.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
 
 
-def label(method: str, c1_terms: int = 1) -> str:
-    """Return what a legend says of a method, which may have several C1 functions.
-
-    Examples
-    --------
-    >>> label("hb-c1"), label("hb-c1", 3)
-    ('hb-c1: with one $C^1$ function (3.2)', 'hb-c1: with 3 $C^1$ functions (3.2)')
-    """
-    if method != "hb-c1" or c1_terms == 1:
-        return LABELS[method]
-    return f"{method}: with {c1_terms} $C^1$ functions (3.2)"
-
-
 def line(method: str, **changes: Any) -> dict[str, Any]:
     """Return the style of a method's curve, without markers."""
     style = {name: STYLES[method][name] for name in ("color", "linestyle")}

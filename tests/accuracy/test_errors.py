@@ -1,69 +1,60 @@
-"""The error measures: (22) with its floor, and the aligned one without."""
+"""The measure (22) with its floor, and the rule by which it is integrated."""
+
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from computed import Exact
 
 import nonsmooth as ns
-from nonsmooth.solver.shortcuts.accuracy import errors
-from nonsmooth.solver.shortcuts.orbit import exact
-from nonsmooth.solver.shortcuts.orbit.methods import METHODS
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.kim_perkins import acceleration_error
+from nonsmooth.report.paper import DEFAULT
+from nonsmooth.solver.accuracy import quadrature
 
-
-def exact_but_for(shift: float, order: int = 24) -> np.ndarray:
-    """Return a C1 solution of high order with its end of stick moved."""
-    z = ns.solve(DEFAULT, "c1", order).unknowns.copy()
-    z[-2] += shift
-    return z
+EXACT = Exact(DEFAULT)
 
 
 @pytest.mark.parametrize("shift", [1e-3, 1e-6, 1e-9])
 def test_a_misplaced_jump_contributes_its_root_to_22(shift: float) -> None:
-    method, z = METHODS["c1"], exact_but_for(shift)
-    _, T = exact.times(1.0)
-    # The jump of alpha = 1, over the normalised time in between, against the norm.
-    theta = np.linspace(0, 1, 200001)[:-1] + 0.5 / 200000
-    norm2 = float(np.mean(exact.evaluate(1.0, theta * T, 2) ** 2))
-    expected = np.sqrt(shift / T / norm2)
-    found = errors.acceleration_error(method, 24, 1.0, z)
-    assert found == pytest.approx(expected, rel=2e-2)
-    # Aligned, the shift shows as a stretch of slip: in proportion, not by its root.
-    assert errors.aligned_acceleration_error(method, 24, 1.0, z) < 2 * shift + 1e-13
+    exact = ns.exact(DEFAULT)
+    stick, slip = exact.cell_durations
+    moved = np.array([stick + shift, slip - shift])  # without units, as part() is
+    late = SimpleNamespace(cell_durations=moved, part=exact.part)
+    theta = (np.arange(200_000) + 0.5) / 200_000
+    norm2 = float(np.mean(EXACT.motion(theta, 2) ** 2))
+    expected = np.sqrt(shift / (stick + slip) * EXACT.jump**2 / norm2)
+    assert acceleration_error(late, exact, 24) == pytest.approx(expected, rel=2e-2)
 
 
 def test_aligned_error_goes_down_to_rounding_and_22_does_not() -> None:
-    floors = [ns.solve(DEFAULT, "c1", n).errors for n in (24, 28, 29)]
+    floors = [ns.solve(DEFAULT, "c1", N).errors for N in (24, 28, 29)]
     assert all(floor.acceleration_aligned < 1e-14 for floor in floors)
     assert any(floor.acceleration > 1e-9 for floor in floors)
 
 
 @pytest.mark.parametrize(("method", "order"), [("hb", 7), ("hb-c1", 7), ("c1", 6)])
 def test_both_errors_by_a_fine_midpoint_rule(method: str, order: int) -> None:
-    orbit = ns.solve(DEFAULT, method, order)
-    z, evaluate = orbit.unknowns, METHODS[method].evaluate
-    exact_t1, exact_T = exact.times(1.0)
-    count = 400_000
+    orbit, count = ns.solve(DEFAULT, method, order), 400_000
     theta = (np.arange(count) + 0.5) / count
-    reference = exact.evaluate(1.0, theta * exact_T, 2)
-    found = evaluate(z, order, theta * z[-1], 2, 1.0)
-    expected = np.sqrt(np.mean((found - reference) ** 2) / np.mean(reference**2))
-    # The midpoint rule steps over two jumps: one of its cells each, against the error.
-    cells = 2 / count / expected**2
-    assert orbit.errors.acceleration == pytest.approx(expected, rel=cells + 1e-6)
-    stick = exact_t1 / exact_T
-    aligned = np.where(
-        theta < stick,
-        theta / stick * z[-2],
-        z[-2] + (theta - stick) / (1 - stick) * (z[-1] - z[-2]),
-    )
-    found = evaluate(z, order, aligned, 2, 1.0)
-    expected = np.sqrt(np.mean((found - reference) ** 2) / np.mean(reference**2))
-    cells = 2 / count / expected**2
-    assert orbit.errors.acceleration_aligned == pytest.approx(expected, rel=cells + 1e-6)
+    reference = EXACT.motion(theta, 2)
+
+    def apart(times: np.ndarray) -> float:
+        off = orbit.acceleration(times) - reference
+        return float(np.sqrt(np.mean(off**2) / np.mean(reference**2)))
+
+    stick = EXACT.t1 / EXACT.period
+    slip = (theta - stick) / (1 - stick) * (orbit.period - orbit.t1)
+    aligned = np.where(theta < stick, theta / stick * orbit.t1, orbit.t1 + slip)
+    for found, expected in (
+        (orbit.errors.acceleration, apart(theta * orbit.period)),
+        (orbit.errors.acceleration_aligned, apart(aligned)),
+    ):
+        # The midpoint rule steps over two jumps: one of its cells each, against the error.
+        assert found == pytest.approx(expected, rel=2 / count / expected**2 + 1e-6)
 
 
 def test_panels_integrate_between_the_breaks() -> None:
-    points, weights = errors.panels([0.3, 0.7], 5)
+    points, weights = quadrature.panels([0.3, 0.7], 5)
     assert weights.sum() == pytest.approx(1, rel=1e-14)
     step = np.where((points > 0.3) & (points < 0.7), 1.0, 0.0)
     assert weights @ step == pytest.approx(0.4, rel=1e-14)

@@ -50,8 +50,8 @@ def test_errors_at_alpha_1(
     orbit = ns.solve(chosen, method, order)
     assert orbit.errors.period == pytest.approx(period, rel=1e-8, abs=1e-12)
     assert orbit.t1 * chosen.omega_n == pytest.approx(t1, abs=6e-11)
-    # (22) to the seven digits given; near its floor a part in 1e-5.
-    assert orbit.errors.acceleration == pytest.approx(acceleration, rel=2e-7, abs=1e-10)
+    # (22) to half of the last of seven digits; near its floor a part in 1e-5.
+    assert orbit.errors.acceleration == pytest.approx(acceleration, rel=2.2e-7, abs=1e-10)
 
 
 def test_the_acceleration_error_of_hb_is_not_quite_monotone(belt: ns.StickSlip) -> None:
@@ -60,11 +60,12 @@ def test_the_acceleration_error_of_hb_is_not_quite_monotone(belt: ns.StickSlip) 
     assert round(fifth, 5) == 0.18133
 
 
-def test_every_row_of_the_default_sweep_is_an_orbit(belt: ns.StickSlip) -> None:
-    sweep = ns.sweep(belt)
+def test_every_row_of_the_paper_is_an_orbit(belt: ns.StickSlip) -> None:
+    sweep = ns.sweep(belt, ["hb", "hb-c1", "c1"], range(1, 41))
     assert len(sweep.rows) == 120
     assert {row.status for row in sweep.rows} == {"ok"}
-    assert max(row.iterations for row in sweep.rows) <= 12
+    # those of the coarse orbit from which each starts are counted
+    assert max(row.iterations for row in sweep.rows) <= 18
     for row in sweep.of("c1")[19:]:
         assert row.errors is not None
         assert abs(row.errors.period) < 1e-15

@@ -52,14 +52,6 @@ def test_solve_takes_several_methods(run, scene: tuple[str, ...]) -> None:
     assert "expected one method" in err
 
 
-def test_several_methods_of_the_paper_are_its_own_or_none(run) -> None:
-    status, _, err = run("solve", "--method", "hb,c1-tau", "--order", 5)
-    assert status == 2
-    assert "--method: got 'hb,c1-tau'" in err
-    status, _, err = run("solve", "--method", "hb,galerkin", "--order", 5)
-    assert (status, "galerkin" in err) == (2, True)
-
-
 @pytest.mark.parametrize("scene", SCENES, ids=["paper", "impact"])
 @pytest.mark.parametrize("orders", ["4-6", "4,8", "10,20,...,80"])
 def test_several_orders_are_left_to_sweep(run, scene: tuple[str, ...], orders: str) -> None:

@@ -1,15 +1,13 @@
 """Bad input: one line that names the argument, the value and what was expected; status 2."""
 
 import os
-from dataclasses import asdict
 from pathlib import Path
 
 import pytest
 from refusals import refused
 
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.kim_perkins import SECTION_4 as GOOD
 
-GOOD = asdict(DEFAULT)
 POSITIVE = ("mass", "stiffness", "belt_speed", "mu_s", "normal_force")
 
 
@@ -29,10 +27,14 @@ def test_kinetic_friction_that_is_no_coefficient(run, value: str) -> None:
     assert "mu_k" in error or "--mu-k" in error
 
 
-@pytest.mark.parametrize("value", ["0.5", "0.6", "1e9"])
-def test_kinetic_friction_not_below_static(run, value: str) -> None:
-    error = refused(run, "solve", "--mu-k", value)
-    assert "expected less than mu_s = 0.5" in error
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [("0.5", "less than mu_s = 0.5"), ("0.6", "that mu_k is at most mu_s"), ("1e9", "at most")],
+)
+@pytest.mark.parametrize("command", [("solve",), ("roots", "--order", 5)])
+def test_kinetic_friction_not_below_static(run, command, value: str, words: str) -> None:
+    error = refused(run, *command, "--mu-k", value)
+    assert f"expected {words}" in error or ("expected that" in error and words in error)
 
 
 def test_several_wrong_flags_are_named_at_once(run) -> None:
@@ -44,26 +46,21 @@ def test_several_wrong_flags_are_named_at_once(run) -> None:
 
 def test_parameters_beyond_float64_together(run) -> None:
     flags = ("--mass", 1e300, "--belt-speed", 1e300, "--normal-force", 1e-300)
-    assert "alpha" in refused(run, "solve", *flags)
-
-
-@pytest.mark.parametrize("command", [("solve",), ("sweep",), ("roots", "--order", 5)])
-@pytest.mark.parametrize("force", [1e-7, 1e12])
-def test_an_alpha_that_float64_cannot_hold(run, command, force: float) -> None:
-    error = refused(run, *command, "--normal-force", force)
-    assert "expected 1e-08 to 1e+08" in error
+    assert "beyond float64" in refused(run, "solve", *flags)
 
 
 @pytest.mark.parametrize("command", ["solve", "equations"])
 def test_an_unknown_method(run, command: str) -> None:
     error = refused(run, command, "--method", "galerkin")
     assert "'galerkin'" in error
-    assert "'hb-c1'" in error
+    assert "hb-c1" in error
 
 
 @pytest.mark.parametrize("methods", ["galerkin", "hb,", "", "hb,c2"])
 def test_an_unknown_method_in_a_list(run, methods: str) -> None:
-    assert "expected some of hb, hb-c1, c1" in refused(run, "sweep", "--methods", methods)
+    wrong = methods.removeprefix("hb,")
+    error = refused(run, "sweep", "--methods", methods)
+    assert f"--methods: got {wrong!r}, expected one of ck, ck-tau, hb, hb-c1, hb-ck" in error
 
 
 @pytest.mark.parametrize("order", ["0", "-3", "1000001", "2.5", "many", ""])
@@ -84,7 +81,7 @@ def test_orders_that_are_no_list(run, orders: str) -> None:
 def test_an_order_of_a_sweep_that_a_method_cannot_is_named_before_the_work(run) -> None:
     error = refused(run, "sweep", "--orders", "3,1000001")
     assert "got 1000001" in error
-    assert "method hb" in error
+    assert "for hb" in error
     assert "got 500" in refused(run, "sweep", "--methods", "hb,c1", "--orders", "3,500")
 
 
@@ -110,8 +107,8 @@ def table(**changes: object) -> str:
         ("[stick_slip\n", "is not TOML"),
         ("mass = \n", "is not TOML"),
         (table(mass=None), "mass: missing"),
-        (table(mas=1.0), "mas: unknown key, did you mean mass?"),
-        (table(colour='"red"'), "colour: unknown key"),
+        (table(mas=1.0), "mas: not a parameter of stick-slip; did you mean mass?"),
+        (table(colour='"red"'), "colour: not a parameter of stick-slip"),
         (table(mass='"10"'), "mass: got '10', expected a positive number"),
         (table(mass="true"), "mass: got True, expected a positive number"),
         (table(mass="[1.0]"), "mass: got [1.0], expected a positive number"),
@@ -132,7 +129,7 @@ def test_a_wrong_case_file(run, tmp_path: Path, text: str | bytes, expected: str
 
 def test_all_mistakes_of_a_case_file_are_named_at_once(run, tmp_path: Path) -> None:
     path = case_file(
-        tmp_path, table(mass=-1, stiffness='"x"', belt_speed=None, mu_k=0.7, masss=3, nu=1)
+        tmp_path, table(mass=-1, stiffness='"x"', belt_speed=None, mu_k=-1, masss=3, nu=1)
     )
     error = refused(run, "sweep", "--case", path, below=5)
     for name in (
@@ -200,18 +197,6 @@ def test_a_failed_write_leaves_the_old_file(run, tmp_path: Path, monkeypatch) ->
     assert target.read_text() == "old"
 
 
-@pytest.mark.parametrize("digits", ["0", "-5", "1001", "many"])
-def test_a_number_of_digits_out_of_range(run, digits: str) -> None:
-    pytest.importorskip("flint")
-    assert "--digits" in refused(run, "solve", f"--digits={digits}")
-
-
-@pytest.mark.parametrize("command", [("solve", "--digits", "30"), ("digits",)])
-def test_what_needs_python_flint_says_so(run, command, monkeypatch) -> None:
-    monkeypatch.setattr("nonsmooth.cli.flint.find_spec", lambda name: None)
-    assert "pip install 'nonsmooth[precise]'" in refused(run, *command)
-
-
 @pytest.mark.parametrize("order", ["0", "401", "x"])
 def test_an_order_of_roots_out_of_range(run, order: str) -> None:
     assert "order" in refused(run, "roots", f"--order={order}")
@@ -238,9 +223,6 @@ def test_an_unknown_command_or_flag(run, arguments) -> None:
         (("--format", "pdf"), "expected -o FILE.pdf"),
         (("--fragment",), "--fragment: got format text, expected latex"),
         (("--fragment", "-o", "{}/a.html"), "--fragment: got format html"),
-        (("--expand", "0"), "--expand: got 0, expected a whole number from 1 to 5"),
-        (("--expand", "6"), "--expand: got 6"),
-        (("--expand", "two"), "'two' is not a valid integer"),
     ],
 )
 def test_equations_in_a_format_or_an_order_that_is_not_there(

@@ -40,8 +40,15 @@ def test_the_version_says_what_a_bug_report_needs(run) -> None:
         assert name in out
 
 
-def test_a_shell_completes_commands_and_methods() -> None:
-    words = {"COMP_WORDS": "nonsmooth solve --method hb", "COMP_CWORD": "3"}
+@pytest.mark.parametrize(
+    ("words", "completed"),
+    [
+        ("nonsmooth so", ["solve"]),
+        ("nonsmooth solve stick", ["stick-slip", "stick-slip-damped"]),
+    ],
+)
+def test_a_shell_completes_commands_and_scenes(words: str, completed: list[str]) -> None:
+    words = {"COMP_WORDS": words, "COMP_CWORD": str(words.count(" "))}
     environment = os.environ | words | {"_NONSMOOTH_COMPLETE": "bash_complete"}
     program = "from nonsmooth.__main__ import main; main()"
     found = subprocess.run(
@@ -51,7 +58,7 @@ def test_a_shell_completes_commands_and_methods() -> None:
         capture_output=True,
         text=True,
     )
-    assert found.stdout.split() == ["plain,hb", "plain,hb-c1"]
+    assert found.stdout.split() == [f"plain,{word}" for word in completed]
 
 
 def test_the_module_is_a_command(tmp_path: Path) -> None:

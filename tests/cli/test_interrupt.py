@@ -192,12 +192,10 @@ def test_an_interrupt_leaves_nothing_half_written(
 def test_interruption_exits_with_130_and_leaves_no_file(
     run, tmp_path: Path, monkeypatch
 ) -> None:
-    from nonsmooth.solver.shortcuts.search import sweep as stage_sweep
-
     def interrupt(*arguments, **options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(stage_sweep, "solve", interrupt)
+    monkeypatch.setattr("nonsmooth.solver.sweep.solve_case", interrupt)
     target = tmp_path / "rows.csv"
     status, _, err = run("sweep", "--orders", "1-3", "-o", target)
     assert status == 130

@@ -2,13 +2,13 @@
 
 import json
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from computed import Exact
 from printed_table import Columns, Document, compare, read
 
 import nonsmooth as ns
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
 
 #: Another oscillator than the default: no two of its scales are alike.
 FLAGS = (
@@ -16,16 +16,24 @@ FLAGS = (
     "--mu-s", 0.9, "--mu-k", 0.5, "--normal-force", 1,
 )  # fmt: skip
 
+
+def of_durations(row: Document) -> list[float]:
+    return row["durations"] if "durations" in row else [q["duration"] for q in row["phases"]]
+
+
 SOLVE: Columns = {
     "method": (lambda row: row["method"], ""),
     "N": (lambda row: row["order"], ""),
     "T [s]": (lambda row: row["period"], ".9g"),
-    "T/T_ex-1": (lambda row: row["errors"]["period"], ".2e"),
-    "t1 [s]": (lambda row: row["t1"], ".7g"),
-    "(22)": (lambda row: row["errors"]["acceleration"], ".2e"),
-    "aligned": (lambda row: row["errors"]["acceleration_aligned"], ".2e"),
-    "estimate": (lambda row: row["estimate"]["period"], ".1e"),
+    "stick [s]": (lambda row: of_durations(row)[0], ".7g"),
+    "slip [s]": (lambda row: of_durations(row)[1], ".7g"),
+    "times": (lambda row: row["errors"]["times"], ".2e"),
+    "x''": (lambda row: row["errors"]["discontinuous"], ".2e"),
+    "estimate": (lambda row: row["estimate"]["times"], ".1e"),
     "it": (lambda row: row["iterations"], ""),
+}
+SWEEP = {
+    name: column for name, column in SOLVE.items() if name not in {"stick [s]", "slip [s]"}
 }
 
 
@@ -34,55 +42,35 @@ def test_the_table_of_solve(run) -> None:
     orbits = json.loads(run("solve", "--order", 6, *FLAGS, "--json")[1])["orbits"]
     exact, *table = read(out, list(SOLVE))
     compare(table, orbits, SOLVE)
-    assert [orbit["method"] for orbit in orbits] == ["hb", "hb-c1", "c1"]
+    assert [orbit["method"] for orbit in orbits] == ["hb", "hb-c1", "hb-ck", "c1", "c1-tau"]
     assert exact["method"] == "exact"
     belt = ns.StickSlip(**orbits[0]["parameters"])
     assert exact["T [s]"] == f"{Exact(belt).period:.9g}"
-    assert exact["t1 [s]"] == f"{Exact(belt).t1:.7g}"
-    for orbit in orbits:  # what the JSON says is the error, from its own times
-        off = orbit["period"] / Exact(belt).period - 1
-        assert orbit["errors"]["period"] == pytest.approx(off, abs=1e-14)
-        assert orbit["errors"]["t1"] == pytest.approx(
-            orbit["t1"] / Exact(belt).t1 - 1, abs=1e-13
-        )
-
-
-def test_the_table_of_solve_names_the_c1_functions(run) -> None:
-    arguments = ("solve", "--method", "hb-c1", "--order", 20, "--c1-terms", 3)
-    _, out, _ = run(*arguments)
-    document = json.loads(run(*arguments, "--json")[1])
-    (_, row) = read(out, list(SOLVE))
-    assert row["method"] == "hb-c1(3)"
-    assert row["T [s]"] == format(document["period"], ".9g")
+    assert exact["stick [s]"] == f"{Exact(belt).t1:.7g}"
 
 
 def test_the_digits_below_the_table_of_solve_are_of_the_same_orbit(run) -> None:
     arguments = ("solve", "--method", "c1", "--order", 12, *FLAGS)
     document = json.loads(run(*arguments, "--json")[1])
-    (line,) = (q for q in run(*arguments)[1].splitlines() if ": T = " in q)
-    name, _, values = line.partition(": T = ")
-    assert name == "c1, N = 12"
-    period, t1 = values.removesuffix(" s").split(" s, t1 = ")
-    for shown, of in ((period, "period"), (t1, "t1")):
-        places = len(shown.partition(".")[2])
-        assert len(shown) > 9
-        assert float(shown) == pytest.approx(document[of], rel=0, abs=0.5001 * 10.0**-places)
-
-
-SWEEP: Columns = {
-    "method": (lambda row: row["method"], ""),
-    "N": (lambda row: row["order"], ""),
-    "T [s]": (lambda row: row["period"], ".9g"),
-    "T/T_ex-1": (lambda row: row["errors"]["period"], ".3e"),
-    "t1/t1_ex-1": (lambda row: row["errors"]["t1"], ".3e"),
-    "(22)": (lambda row: row["errors"]["acceleration"], ".3e"),
-    "estimate": (lambda row: row["estimate"]["period"], ".1e"),
-    "it": (lambda row: row["iterations"], ""),
-}
+    words = " ".join(
+        run(*arguments)[1].partition("c1, N = 12: ")[2].partition("\n\n")[0].split()
+    )
+    expected = {
+        "T": document["period"],
+        **{q["name"]: q["duration"] for q in document["phases"]},
+    }
+    shown = dict(part.removesuffix(" s").split(" = ") for part in words.split(", "))
+    assert list(shown) == list(expected)
+    for name, digits in shown.items():
+        places = len(digits.partition(".")[2])
+        assert len(digits) > 9
+        assert float(digits) == pytest.approx(expected[name], rel=0, abs=0.5001 * 10.0**-places)
 
 
 def shown_rate(name: str) -> tuple[Callable[[Document], str], str]:
     def shown(row: Document) -> str:
+        if row[name] is None:
+            return "too few orders"
         power = f"{-row[name]:.3f}" if row["kind"] == "power" else f"{-row[name]:.2f}"
         return f"N^{power}" if row["kind"] == "power" else f"10^({power} N)"
 
@@ -93,16 +81,15 @@ def test_the_tables_of_sweep(run) -> None:
     arguments = ("sweep", "--orders", "5-10", *FLAGS)
     out, document = run(*arguments)[1], json.loads(run(*arguments, "--json")[1])
     compare(read(out, list(SWEEP)), document["rows"], SWEEP)
-    assert len(document["rows"]) == 18
+    assert len(document["rows"]) == 30
     rates: Columns = {
         "method": (lambda row: row["method"], ""),
-        "T": shown_rate("period"),
-        "t1": shown_rate("t1"),
-        "(22)": shown_rate("acceleration"),
+        "times": shown_rate("times"),
+        "x''": shown_rate("discontinuous"),
     }
     rows = [{"method": name} | rate for name, rate in document["rates"].items()]
     compare(read(out, list(rates)), rows, rates)
-    assert [row["kind"] for row in rows] == ["power", "power", "geometric"]
+    assert [row["kind"] for row in rows] == ["power"] * 3 + ["geometric"] * 2
 
 
 def test_a_row_of_sweep_without_an_orbit_says_so(run) -> None:
@@ -146,9 +133,40 @@ def test_the_table_of_roots(run) -> None:
 def test_the_lines_above_a_table_name_the_oscillator(run) -> None:
     out = " ".join(run("solve", "--method", "c1", "--order", 7, *FLAGS)[1].split())
     assert out.startswith(
-        "M = 0.02 kg, K = 8 N/m, V = 0.75 m/s, mu_s = 0.9, mu_k = 0.5, F_N = 1 N; "
+        "stick-slip: a mass on a moving belt, stick and slip (C1) "
+        "M = 0.02 kg, K = 8 N/m, V = 0.75 m/s, mu_s = 0.9, mu_k = 0.5, F_N = 1 N "
         "alpha = omega_n (mu_s - mu_k) F_N / (K V) = 1.33333 "
     )
-    assert "our choice" not in out
-    assert DEFAULT.alpha == 1
+    assert "is assumed" not in out
     assert "F_N = 400 N is assumed" in run("roots", "--order", 3)[1]
+
+
+@pytest.mark.parametrize(
+    ("vary", "heading"),
+    [("belt-speed=0.1:10:4", "V [m/s]"), ("mu-k=0.1:0.4:4", "mu_k"), ("mass=1:9:30", "M [kg]")],
+)
+def test_the_table_along_a_parameter(vary: str, heading: str, run, tmp_path: Path) -> None:
+    path = tmp_path / "family.json"
+    arguments = ("sweep", "--vary", vary, "--methods", "c1", "--orders", 9)
+    out, document = run(*arguments, "-o", path)[1], json.loads(path.read_text())
+    columns: Columns = {
+        heading: (lambda row: row["value"], ".6g"),
+        "T [s]": SOLVE["T [s]"],
+        "stick [s]": (lambda row: row["durations"][0], ".6g"),
+        "slip [s]": (lambda row: row["durations"][1], ".6g"),
+        "least x": (lambda row: row["extremes"]["displacement"][0], ".6g"),
+        "largest x": (lambda row: row["extremes"]["displacement"][1], ".6g"),
+        "estimate": SOLVE["estimate"],
+        "it": SOLVE["it"],
+    }
+    rows = document["rows"]
+    out, ok, _ = out.partition(f"{len(rows)} ok")
+    table = read(out, list(columns))
+    assert ok
+    if len(rows) > 25:  # spread from the first to the last
+        shown = {cells[heading] for cells in table}
+        assert len(shown) == len(table) == 25
+        assert "25 of 30 points" in out
+        rows = [row for row in rows if f"{row['value']:.6g}" in shown]
+        assert [rows[0]["value"], rows[24]["value"]] == [1, 9]
+    compare(table, rows, columns)

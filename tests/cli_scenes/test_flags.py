@@ -46,8 +46,9 @@ def test_what_a_flag_begins_with_is_what_it_was_meant_for(what: str) -> None:
         (("impact", "--Gap", 3), "Did you mean --gap? (see"),
         (("impact", "--tol_", 3), "Did you mean --tol? (see"),
         (("impact", "--xyz", 3), "It has --mass, --damping, --stiffness, --force, --freq"),
-        (("--norm", 3), "No such option '--norm'. Did you mean --normal-force? (see"),
-        (("--xyz", 3), "No such option '--xyz'. (see nonsmooth solve --help)"),
+        (("--norm", 3), "stick-slip has no --norm. Did you mean --normal-force? (see"),
+        (("--c1-terms", 3), "--functions K, with --method hb-ck"),
+        (("--xyz", 3), "--mu-k, --normal-force. (see nonsmooth solve --help)"),
     ],
 )
 def test_a_flag_that_is_not_there(run, arguments, words: str) -> None:

@@ -234,7 +234,7 @@ def test_what_is_pickled_is_checked_when_it_is_loaded(scene_file: Path, kept: Pa
 def test_motions_are_checked_as_well(tmp_path: Path, monkeypatch) -> None:
     """A file of one motion in the place of that of the other."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(generate, "kernels", lambda: {})
+    monkeypatch.setattr(generate, "kernels", lambda scene: {})
     scene = find.find_scene(replace(dry_friction.SCENE, name="rough-ground"), print)
     sliding = scene.each_motion[0]
     assert pickle.loads(pickle.dumps(sliding)) == sliding

@@ -47,6 +47,13 @@ def test_the_table_says_what_is_kept_and_why_not_more(run, found) -> None:
     assert status == 1
 
 
+def test_the_old_name_of_the_command_says_the_new_one(run, found) -> None:
+    status, out, err = run("stability", *ARGUMENTS)
+    assert (status, out) == run("digits", *ARGUMENTS)[:2]
+    assert "nonsmooth: stability: it is now `nonsmooth digits`" in err
+    assert "stability" not in run("--help")[1]
+
+
 def test_the_document_has_every_measurement(run, found, tmp_path) -> None:
     path = tmp_path / "digits.json"
     status, out, _ = run("digits", *ARGUMENTS, "--json", "-o", path)
@@ -72,6 +79,12 @@ def test_the_picture_has_a_map_a_method(found) -> None:
     colours = np.ma.filled(hb.collections[0].get_array(), np.nan).reshape(2, 2)
     np.testing.assert_allclose(colours[1], [kept.digits for kept in found[1:3]])
     assert np.isnan(colours[0]).all()
+    for axes in (exact, hb, tau):  # words can be read on their colour
+        (mesh,) = axes.collections
+        assert (mesh.norm.vmin, mesh.norm.vmax) == (0, 16)
+        seen = mesh.cmap(mesh.norm(mesh.get_array()))[..., :3] @ (0.299, 0.587, 0.114)
+        for text, light in zip(axes.texts, seen.ravel(), strict=True):
+            assert text.get_text() == "-" or abs(light - float(text.get_color())) > 0.4
 
 
 def test_it_measures_the_scene_at_its_extremes(run, tmp_path, monkeypatch) -> None:

@@ -91,7 +91,6 @@ def test_a_tolerance_between_orders_that_are_tried_is_met_by_the_lowest() -> Non
         ({"method": "c1"}, "method: got 'c1'"),
         ({"method": 3}, "method: got 3"),
         ({"order": 2.5}, "order: got 2.5"),
-        ({"c1_terms": 2}, "c1_terms: got 2"),
         ({"method": "hb", "functions": 2}, "functions: got 2"),
     ],
 )

@@ -1,106 +1,148 @@
-"""An edit of Newton's method or its linear algebra is never answered by old machine code."""
+"""What was compiled is never found again once a kernel, or the driver beside it, is another."""
 
 import importlib
+import importlib.util
 import os
 import shutil
 import sys
 import types
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numba
 import numpy as np
 import pytest
 
-from nonsmooth.solver.shortcuts.search import kernels
+from nonsmooth.codegen.emission.kernel import module_source
+from nonsmooth.codegen.show.registry import conditions, scene_named
+from nonsmooth.solver.case import kernel
 
-SOLVER = Path(kernels.__file__).parents[2]
+SOLVER = Path(kernel.__file__).parents[1]
 
-#: Where the files of the driver stand in the solver.
-PLACES = {
-    "linear": "iteration/linear.py",
-    "newton": "shortcuts/search/newton.py",
-    "kernels": "shortcuts/search/kernels.py",
-}
+#: A module as ``generated/`` has them: ``z0 z1 = 2`` and ``z0 + 3 z1 = 7``.
+SMALL = """
+METHOD, BODY, DURATIONS, FORCED = "small", "the text of this module", 1, False
 
-#: A module as ``generated/`` has them, with one function.
-GENERATED = types.ModuleType("generated")
-exec("BODY = 'the text of this module'\ndef size(N):\n    return N + 3\n", vars(GENERATED))
+def size(N):
+    return 2
 
-#: The file, its function, an edit of the same length, and arguments of which it changes the
-#: result.
+def residual(case, z, R):
+    R[0], R[1] = z[0]*z[1] - 2, z[0] + 3*z[1] - 7
+
+def jacobian(case, z, J):
+    J[0, 0], J[0, 1], J[1, 0], J[1, 1] = z[1], z[0], 1, 3
+
+def motion(case, z, p, u, derivative):
+    return u
+
+def coefficients(z):
+    return {}
+"""
+
+#: Files of the driver, and edits of the same length by which it solves worse or not at all.
 EDITS = {
-    "linear": (
-        "factorise",
-        ("factor = A[i, k] / A[k, k]", "factor = A[k, k] / A[i, k]"),
-        lambda: (np.array([[4.0, 1.0], [2.0, 3.0]]), np.zeros(2, dtype=np.int64)),
-    ),
-    "newton": (
-        "largest",
-        ("size = abs(value)", "size = 2.0*value "),
-        lambda: (np.arange(3.0),),
-    ),
+    "linear": ("factor = A[i, k] / A[k, k]", "factor = A[k, k] / A[i, k]"),
+    "iteration": ("factor = 1.0 / scales[i]", "factor = 3.0 / scales[i]"),
 }
+
+
+def touch(path: Path) -> None:
+    os.utime(path, ns=(10**18, 10**18))
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep what is compiled in a folder of the test, and no bytecode."""
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
+
+
+def imported(path: Path) -> types.ModuleType:
+    """Return a file as a module of its own, as a new process has it."""
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def forget() -> None:
+    """Forget the copy of the solver."""
+    for name in [name for name in sys.modules if name.partition(".")[0] == "edited"]:
+        del sys.modules[name]
+    importlib.invalidate_caches()
 
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Return the folder of a copy of the solver that can be edited and imported anew."""
-    package = tmp_path / "edited"
-    copied = package / "solver"
+    """Return a copy of the solver that can be edited and imported anew."""
+    copied = tmp_path / "edited" / "solver"
     shutil.copytree(SOLVER, copied, ignore=shutil.ignore_patterns("__pycache__"))
-    for place in PLACES.values():
-        os.utime(copied / place, ns=(10**18, 10**18))
-    (package / "__init__.py").touch()
+    for name in EDITS:
+        touch(copied / "iteration" / f"{name}.py")
+    (tmp_path / "edited" / "__init__.py").touch()
+    for name in ("__init__.py", "methods.py"):
+        (tmp_path / "edited" / "generated").mkdir(exist_ok=True)
+        shutil.copy(SOLVER.parent / "generated" / name, tmp_path / "edited" / "generated")
+    (tmp_path / "small.py").write_text(SMALL)
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(sys, "dont_write_bytecode", True)
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
-    yield package
-    for name in [name for name in sys.modules if name.partition(".")[0] == "edited"]:
-        del sys.modules[name]
+    yield copied
+    forget()
 
 
-def run(edited: str) -> tuple[list, int]:
-    """Compile a function of the copy as a new process would; its results and cache hits."""
-    for name in [name for name in sys.modules if name.partition(".")[0] == "edited"]:
-        del sys.modules[name]
-    importlib.invalidate_caches()
-    copy = importlib.import_module("edited.solver.shortcuts.search.kernels")
-    name, _, arguments = EDITS[edited]
-    function, values = copy.compile_functions(GENERATED)[name], arguments()
-    result = function(*values)
-    return [result, *(v.tolist() for v in values)], sum(function.stats.cache_hits.values())
+def solved(folder: Path) -> tuple[tuple[object, ...], int]:
+    """Solve with the copy as a new process would; what is found, and hits of the cache."""
+    forget()
+    copy = importlib.import_module("edited.solver.case.kernel")
+    iterate, z = (
+        copy.compiled(imported(folder.parents[1] / "small.py")).iterate,
+        np.array([1.5, 1.0]),
+    )
+    found = iterate((), z, 20)
+    return (*found, *z), sum(iterate.stats.cache_hits.values())
 
 
-@pytest.mark.parametrize("edited", EDITS)
+@pytest.mark.parametrize(
+    "edited", ["linear", pytest.param("iteration", marks=pytest.mark.long)]
+)
 def test_an_edit_of_the_driver_is_compiled_anew(folder: Path, edited: str) -> None:
     """Even one that changes neither the size of the file nor its time."""
-    path = folder / "solver" / PLACES[edited]
-    before, hits = run(edited)
-    assert hits == 0
-    again, hits = run(edited)
-    assert (again, hits) == (before, 1)
-    old, new = EDITS[edited][1]
+    path, (old, new) = folder / "iteration" / f"{edited}.py", EDITS[edited]
+    before, hits = solved(folder)
+    assert (hits, before[0]) == (0, 0)
+    assert solved(folder) == (before, 1)
     text = path.read_text("utf-8")
     assert text.count(old) == 1
     assert len(old) == len(new)
     path.write_text(text.replace(old, new), "utf-8")
-    os.utime(path, ns=(10**18, 10**18))
-    after, hits = run(edited)
+    touch(path)
+    after, hits = solved(folder)
     assert hits == 0
     assert after != before
     path.write_text(text, "utf-8")
-    os.utime(path, ns=(10**18, 10**18))
-    assert run(edited) == (before, 1)
+    touch(path)
+    assert solved(folder) == (before, 1)
 
 
-def test_all_that_is_compiled_is_in_the_fingerprint(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The files of the driver's functions, and the text of the generated module."""
-    text = kernels._driver_text()
-    for function in kernels.DRIVER:
-        assert Path(function.__code__.co_filename).read_bytes() in text
-    found = {kernels.fingerprint(kernels.module(method)) for method in kernels.MODULES}
-    assert len(found) == len(kernels.MODULES)
-    before = kernels.fingerprint(kernels.module("c1"))
-    monkeypatch.setattr(kernels, "_driver_text", lambda: text + b"#")
-    assert kernels.fingerprint(kernels.module("c1")) != before
+def test_a_cached_kernel_never_survives_a_regeneration(tmp_path: Path) -> None:
+    """A file with other mathematics, but the same size and time, is compiled anew."""
+    path = tmp_path / "regenerated.py"
+    right = conditions(scene_named("stick-slip"), "hb")
+    first, *others = right.conditions
+    wrong = replace(right, conditions=(replace(first, expression=-first.expression), *others))
+    texts = [module_source(system) for system in (right, wrong)]
+    size = max(map(len, texts))
+
+    def start(text: str) -> tuple[list[float], int]:
+        path.write_text(text.ljust(size))
+        touch(path)
+        residual, R = kernel.compiled(imported(path)).residual, np.empty(5)
+        residual((1.0, 1.0, 1.0, 0.5, 0.25, 4.0), np.array([0.7, 0.2, -0.9, 2.0, 4.0]), R)
+        return R.tolist(), sum(residual.stats.cache_hits.values())
+
+    before, hits = start(texts[0])
+    assert hits == 0
+    assert start(texts[0]) == (before, 1)
+    assert start(texts[1]) == ([-before[0], *before[1:]], 0)

@@ -9,7 +9,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.cli import tex
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.solver.trade.measured import Trade
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the modes are POSIX")
 
@@ -57,10 +57,10 @@ def without_work(monkeypatch) -> None:
             "matplotlib.figure.Figure.savefig",
             lambda figure, path, **options: Path(path).write_bytes(b"a picture"),
         )
-    for name in ("digits", "tradeoff"):
-        monkeypatch.setattr(
-            f"nonsmooth.shortcuts.{name}.measure", lambda *arguments, **named: []
-        )
+    monkeypatch.setattr("nonsmooth.solver.precision.digits.measure", lambda *arguments: [])
+    monkeypatch.setattr(
+        "nonsmooth.solver.trade.measured.trade", lambda case, _: Trade(case, ())
+    )
 
 
 @pytest.mark.usefixtures("without_work")
@@ -84,7 +84,7 @@ def test_every_file_has_the_mode_of_a_new_file(
 def test_a_saved_file_has_the_mode_of_a_new_file(name: str, umask: int, tmp_path: Path) -> None:
     needs(name)
     target = tmp_path / name
-    ns.save(ns.family(DEFAULT, "mass", [1.0], "c1", 5), target)
+    ns.save(ns.family(ns.scene("impact")(), "mass", [1.0], order=5), target)
     assert mode_of(target) == 0o666 & ~umask
 
 
@@ -102,21 +102,6 @@ def test_a_file_that_is_replaced_keeps_its_mode(
     assert run(*SOLVE, "-o", target)[0] == 0
     assert '"schema"' in target.read_text()
     assert mode_of(target) == mode
-
-
-def test_the_points_of_an_unfinished_sweep_have_it(
-    umask: int, run, tmp_path: Path, monkeypatch
-) -> None:
-    target = tmp_path / "family.csv"
-
-    def fail(*arguments: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr("nonsmooth.files.shortcuts.tables.write_points", fail)
-    assert run(*VARY, "-o", target)[0] == 2
-    (part,) = tmp_path.iterdir()
-    assert part.name == "family.csv.part"
-    assert mode_of(part) == 0o666 & ~umask
 
 
 @pytest.mark.parametrize("there", [True, False], ids=["old", "new"])

@@ -1,4 +1,4 @@
-"""Who imports whom: no cycles, no room of shortcuts where it may be left out."""
+"""Who imports whom: no cycles."""
 
 import ast
 import graphlib
@@ -16,15 +16,6 @@ ALLOWED: Mapping[tuple[str, str], str] = {
     "and is found on the orbit that it is of",
     ("solver.case.case", "solver.case.registry"): "a case that is unpickled finds its scene",
     ("solver.case.numbers", "solver.case.registry"): "a scene finds the folders of its motions",
-    ("solver.shortcuts.search.solve", "solver.shortcuts.choice.choose"): "a tolerance is met "
-    "by solving, and is one of the ways to ask for an orbit",
-}
-
-#: Modules outside the rooms of shortcuts that import from one, and why they may.
-DOORS: Mapping[str, str] = {
-    "codegen": "the equations without a scene are the paper's",
-    "codegen.generate": "derives the paper's methods where they are there",
-    "codegen.readers": "writes the paper's records out",
 }
 
 
@@ -125,26 +116,3 @@ def test_a_cycle_is_seen() -> None:
     )
     assert len(list(_statements(tree, within_functions=True))) == 3
     assert len(list(_statements(tree, within_functions=False))) == 1
-
-
-def _outside() -> Iterator[tuple[str, str]]:
-    """Yield what a module outside the rooms of shortcuts imports from one of them."""
-    for top in ("codegen", "solver", "src/nonsmooth"):
-        for path in sorted((ROOT / top).rglob("*.py")):
-            place = path.relative_to(ROOT)
-            linked = any(parent.is_symlink() for parent in path.parents)
-            if linked or {"shortcuts", "report"} & set(place.parts):
-                continue
-            parts = place.with_suffix("").parts
-            name = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
-            for node in _statements(ast.parse(path.read_text("utf-8")), within_functions=True):
-                base = node.module or "" if isinstance(node, ast.ImportFrom) else ""
-                names = [base, *(q.name for q in node.names)]
-                if any("shortcuts" in q.split(".") for q in names):
-                    yield name, ast.unparse(node)
-
-
-def test_generic_modules_import_no_shortcuts() -> None:
-    found = {name for name, _ in _outside()}
-    assert found - set(DOORS) == set(), list(_outside())
-    assert set(DOORS) <= found

@@ -1,4 +1,4 @@
-"""Hold what was read against a record: as many sides, and each the same.
+"""What an expression that was read is worth, to hold it against that of a record.
 
 Both are evaluated, exactly, modulo a prime: each name has a value of its own, and so has each
 function at each value of its arguments.  Sums, integrals and derivatives are such functions, of
@@ -8,17 +8,12 @@ their limits and their variable, too.  Two different expressions have the same v
 
 import hashlib
 import math
-from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
 
 import sympy as sp
 
-from nonsmooth.codegen.system import Equation
-
-from .grammar import expression, sides
-from .plain import plain
-from .tokens import ReadingError, Token
+from .tokens import ReadingError
 
 PRIME = 2**127 - 1
 
@@ -72,21 +67,3 @@ def value(expression: sp.Expr) -> int:
     if expression.is_Mul:
         return math.prod(parts) % PRIME
     return _drawn(expression.func.__name__, *parts) % PRIME
-
-
-def differences(equation: Equation, tokens: Callable[[], Sequence[Token]], spaced: bool) -> str:
-    """Return what is wrong with an equation whose printed tokens are read here, or nothing."""
-    name = f"({equation.number or '-'}) {equation.words}"
-    meant = [plain(side) for side in equation.sides]
-    try:
-        printed = [expression(side, spaced) for side in sides(tokens())]
-    except (ReadingError, ZeroDivisionError) as error:
-        return f"{name}: cannot be read: {error}"
-    if len(printed) != len(meant):
-        return f"{name}: has {len(meant)} sides, {len(printed)} are printed"
-    wrong = [
-        f"{name}: {after} is printed for {before}"
-        for before, after in zip(meant, printed, strict=True)
-        if value(before) != value(after)
-    ]
-    return "\n".join(wrong)

@@ -1,8 +1,7 @@
-"""Read LaTeX: a document or a fragment, its equations and their mathematics."""
+"""Read LaTeX mathematics."""
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from .tokens import Cases, Fraction, ReadingError, Root, Sub, Sup, Token
 
@@ -128,40 +127,3 @@ class _Source:
 def tokens(source: str) -> list[Token]:
     """Return the tokens of a line of mathematics."""
     return list(_Source(source).until(""))
-
-
-@dataclass
-class Printed:
-    """An equation as it was found: heading, words, number and the lines of mathematics."""
-
-    heading: str
-    words: str
-    number: str
-    body: str
-
-    def tokens(self) -> list[Token]:
-        """Return the tokens of all lines, each of which is aligned at one place."""
-        found: list[Token] = []
-        for line in re.split(r"\\\\\n", self.body):
-            outside = re.sub(r"\\begin\{cases\}.*?\\end\{cases\}", "", line)
-            if outside.count("&") != 1:
-                raise ReadingError(f"{outside.count('&')} places to align in {line!r}")
-            found += tokens(line)
-        return found
-
-
-_EQUATION = re.compile(
-    r"(?:\\paragraph\{\})?(?P<words>[^\n]+)\n"
-    r"\\begin\{equation\}\n\\begin\{aligned\}\n(?P<body>.*?)\n\\end\{aligned\}\n"
-    r"(?:\\tag\{(?P<number>\w+)\}|\\notag)\n\\end\{equation\}\n",
-    re.DOTALL,
-)
-_HEADING = re.compile(r"\\section\*\{(.*)\}\n")
-
-
-def equations(source: str) -> Iterator[Printed]:
-    """Yield the equations of a document, a fragment or what a notebook shows."""
-    parts = _HEADING.split(source)
-    for heading, part in zip(["", *parts[1::2]], parts[::2], strict=True):
-        for found in _EQUATION.finditer(part):
-            yield Printed(heading, found["words"], found["number"] or "", found["body"])

@@ -122,11 +122,6 @@ def _body(page: str) -> ET.Element:
     return ET.fromstring(f"<body>{body}</body>")
 
 
-def words(page: str) -> str:
-    """Return the text of a page or a fragment, without the elements."""
-    return "".join(_body(page).itertext())
-
-
 def equations(page: str) -> Iterator[Printed]:
     """Yield the equations of a page or a fragment."""
     heading = ""

@@ -2,7 +2,6 @@
 
 import math
 import re
-from dataclasses import asdict
 from functools import cache
 from types import SimpleNamespace
 
@@ -12,7 +11,7 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("jinja2")
 
-from computed import LIGHT, ODD, Exact, acceleration_errors, case, period_errors, swept
+from computed import LIGHT, ODD, Exact, acceleration_errors, case, period_errors, rate
 from fakes import Fake
 from paper import METHODS
 from written import value
@@ -137,7 +136,7 @@ def test_the_convergence_of_the_period_is_described(belt: ns.StickSlip) -> None:
         "the paper) has a logarithmic scale: on a linear one all three look converged."
     )
     (gain,) = numbers(PLATES[3].text(case(belt)), sentence)
-    assert gain == pytest.approx(swept(belt).rates()["c1"].period, rel=0.05)  # two digits
+    assert gain == pytest.approx(rate(belt, "period", "c1"), rel=0.05)  # two digits
     assert gain == pytest.approx(math.log10(abs(ours[7] / ours[11])) / 4, rel=0.2)
 
 
@@ -197,7 +196,7 @@ def test_the_convergence_of_the_acceleration_is_described(belt: ns.StickSlip) ->
     assert (other, same) == close(
         percent(at_equal_times(belt, "hb", 40)), percent(acceleration_errors(belt, "hb")[40])
     )
-    rates = [-swept(belt).rates()[method].acceleration for method in ("hb", "hb-c1")]
+    rates = [-rate(belt, "acceleration", method) for method in ("hb", "hb-c1")]
     assert fall == pytest.approx(rates, abs=0.00501)
 
 
@@ -205,7 +204,7 @@ def test_the_convergence_of_the_acceleration_is_described(belt: ns.StickSlip) ->
 def test_the_command_of_a_plate_draws_this_oscillator(belt: ns.StickSlip) -> None:
     flags = [
         f"--{name.replace('_', '-')} {value:g}"
-        for name, value in asdict(belt).items()
+        for name, value in belt.values.items()
         if value != getattr(DEFAULT, name)
     ]
     for number, plate in enumerate(PLATES, 1):
@@ -217,7 +216,7 @@ def test_the_command_of_a_plate_draws_this_oscillator(belt: ns.StickSlip) -> Non
 @BELTS
 def test_the_series_that_is_ours_is_told_from_the_papers(belt: ns.StickSlip) -> None:
     sentence = "At N = 8 the period is # % off with its tests and # % with these."
-    generic = ns.solve(ns.scene("stick-slip")(**asdict(belt)), "ck-tau", 8)
+    generic = ns.solve(belt, "ck-tau", 8)
     errors = period_errors(belt, "c1")[8], generic.period / Exact(belt).period - 1
     expected = [percent(abs(error)) for error in errors]
     assert numbers(other_tests(case(belt)), sentence) == close(*expected)

@@ -1,6 +1,5 @@
 """The checks of the exact orbit and of g1: each on a motion where it does not hold."""
 
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -26,7 +25,7 @@ def wrong(alpha: float = 1.0, **added) -> Fake:
         return lambda t: right(t) + more(np.asarray(t), exact.t1, exact.period)
 
     quantities = {quantity: changed(quantity) for quantity in QUANTITIES}
-    own = {"t1": exact.t1, "period": exact.period, "amplitude": exact.amplitude}
+    own = {"t1": exact.t1, "period": exact.period}
     return Fake(alpha=alpha, exact=SimpleNamespace(**own, **quantities))
 
 
@@ -68,7 +67,7 @@ def test_an_orbit_about_another_place_is_found() -> None:
     ("mu_k", "holds", "least"), [(0.25, True, "0"), (0.24, False, "−8.00"), (0.4, True, "120")]
 )
 def test_friction_against_the_belt_is_found(mu_k: float, holds: bool, least: str) -> None:
-    found = motion.friction_drives(Case(replace(DEFAULT, mu_k=mu_k)))
+    found = motion.friction_drives(Case(ns.StickSlip(**{**DEFAULT.values, "mu_k": mu_k})))
     assert found == Finding(holds, f"least friction in stick, K x(0): {least} N")
 
 

@@ -4,12 +4,13 @@ from functools import cache
 from typing import Any
 
 import nonsmooth as ns
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
+from nonsmooth.kim_perkins import SECTION_4
 from nonsmooth.solver.space.attached import attach
 from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.structure import load
 
 ORDER = 6
+BELT = ns.StickSlip(**SECTION_4)
 
 
 @cache
@@ -28,10 +29,10 @@ MAKERS = {
     "sweep": lambda: ns.sweep(ns.scene("impact")(), ["hb", "ck-tau"], [4, 5, 6]),
     "family": lambda: ns.family(ns.scene("impact")(), "gap", [0.1, 0.2, 50.0], order=ORDER),
     "simulation": lambda: ns.simulate(ns.scene("impact")(), cycles=2),
-    "belt": lambda: ns.solve(DEFAULT, "c1", ORDER),
-    "exact-belt": lambda: ns.exact(DEFAULT),
-    "sweep-belt": lambda: ns.sweep(DEFAULT, ["hb", "c1"], [2, 3, 4]),
-    "family-belt": lambda: ns.family(DEFAULT, "belt_speed", [0.001, 0.5, 1.0], "hb", 5),
+    "belt": lambda: ns.solve(BELT, "c1", ORDER),
+    "exact-belt": lambda: ns.exact(BELT),
+    "sweep-belt": lambda: ns.sweep(BELT, ["hb", "c1"], [2, 3, 4]),
+    "family-belt": lambda: ns.family(BELT, "belt_speed", [0.001, 0.5, 1.0], "hb", 5),
     "modes": _modes,
     "study": lambda: convergence(attach(load("string-mass")), [Line("ritz-ck", 1)], (4, 8)),
 }

@@ -15,7 +15,6 @@ from nonsmooth.files.errors import FileError
 from nonsmooth.solver.accuracy.errors import SceneErrors
 from nonsmooth.solver.case.parameters import ParameterError
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.shortcuts.choice.choice import NotCertifiedOrbit
 from nonsmooth.solver.trade.choice import NotCertifiedScene, SceneTrial
 from nonsmooth.solver.trade.not_certified import TooSlow
 
@@ -31,7 +30,6 @@ ERRORS = (
     NoOrbit("none exists", True, ("one", "two")),
     TooSlow(1e-9, 0.5, "raise it"),
     NotCertifiedScene(1e-20, (TRIAL,), 0.0),
-    NotCertifiedOrbit({"period": 1e-20}, (), {"c1": 1e6}),
     Problem("--case: no\nsuch file", 1),
     SceneError("phases: none"),
     DerivationError("an integral is left"),

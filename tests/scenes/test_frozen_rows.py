@@ -1,13 +1,13 @@
 """The paper's oscillator as a scene like any other: the rows that its own solver had.
 
-`tests/frozen/solve.json` has what the solver written for the paper alone found: an orbit, or
+`frozen_rows.json` has what the solver written for the paper alone found: an orbit, or
 that there is none, for each method, alpha and order.
 """
 
 import json
+from pathlib import Path
 
 import pytest
-from frozen.compare import FOLDER
 
 import nonsmooth as ns
 from nonsmooth.solver.orbit.admissible import violations
@@ -34,7 +34,7 @@ def alpha_of(row) -> float:
     return numbers(row)["normal_force"] / 400
 
 
-ROWS = json.loads((FOLDER / "solve.json").read_text("utf-8"))
+ROWS = json.loads(Path(__file__).with_name("frozen_rows.json").read_text("utf-8"))
 GROUPS = sorted({(row["method"], alpha_of(row)) for row in ROWS if row["method"] in METHODS})
 
 

@@ -82,7 +82,7 @@ EVERY_RUN = (
 #: Every method on a scene, and each kind of phase in the others.
 CASES = [
     *(("impact", method) for method in methods(IMPACT)),
-    ("stick-slip", "hb-c1"),
+    *(("stick-slip", method) for method in ("hb", "hb-c1", "ck")),
     ("stick-slip-damped", "ck-tau"),
     ("stick-slip-damped", "hb"),
     ("contact", "ck-tau"),

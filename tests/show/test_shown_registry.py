@@ -51,7 +51,6 @@ def test_the_number_of_functions_is_two_at_an_impact_or_what_is_asked(
         (("impact", "--method", "hbc0"), "(did you mean hb-c0?)"),
         (("impact", "--method", "hb", "--functions", "2"), "--functions: got 2"),
         (("impact", "--method", "hb-ck", "--functions", "0"), "--functions: got 0"),
-        (("impact", "--expand", "2"), "--expand: got 2, expected no SCENE"),
         (("none.py",), "none.py: there is no such file"),
     ],
 )

@@ -9,11 +9,23 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth.codegen.shortcuts.reduced.elimination import rational_function, square
-from nonsmooth.solver.shortcuts.orbit import admissible
-from nonsmooth.solver.shortcuts.orbit.methods import METHODS
-from nonsmooth.solver.shortcuts.polynomials import c1_roots, real_roots
-from nonsmooth.solver.shortcuts.search import kernels
+from nonsmooth.kim_perkins import solutions
+from nonsmooth.solver.case import registry
+from nonsmooth.solver.flow import isolated, real_roots
+from nonsmooth.solver.iteration.attempt import attempt
+
+
+def belt_of(alpha: float) -> ns.StickSlip:
+    """Return an oscillator of this alpha whose units are those of the polynomials."""
+    return ns.StickSlip(
+        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
+    )
+
+
+def orbits(order: int, alpha: float) -> list[tuple[float, float]]:
+    """Return t1 and slip of the solutions that are orbits."""
+    found = solutions(belt_of(alpha), order)
+    return [(each.t1, each.slip) for each in found if not each.violations]
 
 
 def by_sympy(coefficients: list[int]) -> list[float]:
@@ -40,7 +52,7 @@ def test_isolation_finds_the_roots_that_sympy_finds(lower: list[int], lead: int)
 
 def test_an_exchange_of_rows_changes_the_sign_of_the_determinant() -> None:
     rows = [[Fraction(c) for c in row] for row in ([0, 1, 2], [4, 8, 28])]
-    assert c1_roots._eliminate(rows) == (-4, [3, 2])
+    assert isolated._eliminate(rows) == (-4, [3, 2])
 
 
 def test_a_multiple_root_is_refused() -> None:
@@ -51,56 +63,31 @@ def test_a_multiple_root_is_refused() -> None:
 @pytest.mark.parametrize("order", range(1, 9))
 @pytest.mark.parametrize("alpha", [0.05, 1.0, 7.0])
 def test_every_root_solves_the_kernels_equations(order: int, alpha: float) -> None:
-    solutions = c1_roots.solutions(order, alpha)
-    kernel = kernels.plain("c1")
-    for z in solutions:
-        R = np.empty(len(z))
-        kernel.residual(alpha, z, R)
-        size = np.abs(z).max() * (1 + (z[-1] - z[-2]) ** 2)
-        assert np.abs(R).max() < 1e-10 * size
+    belt = belt_of(alpha)
+    kernel = registry.kernel(belt.scene, "ck")
+    for times in isolated.isolated(order, alpha):
+        orbit = attempt(kernel, belt, order, np.array(times) / belt.units.time)
+        assert orbit.converged
+        assert orbit.durations == pytest.approx(times, rel=1e-9)
 
 
 @pytest.mark.parametrize(("order", "count"), [(1, 1), (2, 2), (3, 3), (4, 4), (7, 5), (8, 6)])
 def test_number_of_solutions_at_alpha_1(order: int, count: int) -> None:
-    assert len(c1_roots.solutions(order, 1.0)) == count
-    assert len(by_sympy(c1_roots.polynomial(order, 1.0))) == count
+    assert len(isolated.isolated(order, 1.0)) == len(solutions(belt_of(1.0), order)) == count
+    assert len(by_sympy(isolated.polynomial(order, 1.0))) == count
 
 
 @pytest.mark.parametrize("order", [5, 7, 8, 14, 20])
 @pytest.mark.parametrize("alpha", [0.1, 0.3, 1.0, 10.0])
 def test_exactly_one_solution_is_an_orbit_where_there_is_one(order: int, alpha: float) -> None:
-    belt = ns.StickSlip(
-        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
-    )
-    method = METHODS["c1"]
-    good = [
-        z
-        for z in c1_roots.solutions(order, alpha)
-        if not admissible.violations(method, order, belt, z)
-    ]
+    good = orbits(order, alpha)
     if (order, alpha) == (5, 0.1):
         assert not good
         with pytest.raises(ns.NoOrbit):
-            ns.solve(belt, "c1", order)
+            ns.solve(belt_of(alpha), "c1", order)
         return
     (only,) = good
-    assert ns.solve(belt, "c1", order).unknowns[-2:] == pytest.approx(only[-2:], rel=1e-9)
-
-
-@pytest.mark.parametrize("order", range(1, 9))
-def test_sympy_eliminates_to_the_same_rational_function(order: int) -> None:
-    below, above, _ = c1_roots._rational_function(order)
-    solver = sum(sp.Rational(c) * square**i for i, c in enumerate(above)) / sum(
-        sp.Rational(c) * square**i for i, c in enumerate(below)
-    )
-    assert sp.cancel(solver - rational_function(order)) == 0
-
-
-def test_minus_the_rational_function_approximates_tan() -> None:
-    order = 9
-    for s in (0.3, 2.0, 4.0, 5.5):
-        value = float(rational_function(order).subs(square, sp.Float(s, 30) ** 2))
-        assert value == pytest.approx(-np.tan(s / 2) / s, rel=1e-3)
+    assert ns.solve(belt_of(alpha), "c1", order).durations == pytest.approx(only, rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -110,23 +97,11 @@ def test_an_orbit_with_a_very_short_stick_is_among_the_solutions(
     alpha: float, order: int
 ) -> None:
     """Its t1 is 2 alpha: found from s to 64 bits, not as a difference of float64 numbers."""
-    belt = ns.StickSlip(
-        mass=1, stiffness=1, belt_speed=1, mu_s=1, mu_k=0.5, normal_force=2 * alpha
-    )
-    method = METHODS["c1"]
-    orbit = ns.solve(belt, "c1", order)
-    good = [
-        z
-        for z in c1_roots.solutions(order, alpha)
-        if not admissible.violations(method, order, belt, z)
-    ]
-    assert len(good) == 1
-    assert good[0][-2] == pytest.approx(orbit.unknowns[-2], rel=1e-6)
+    (only,) = orbits(order, alpha)
+    assert only[0] == pytest.approx(ns.solve(belt_of(alpha), "c1", order).t1, rel=1e-6)
 
 
 def test_rational_function_tends_to_the_exact_relation() -> None:
-    # alpha = -tan(s/2) for the exact orbit, and alpha = s E(s**2)/D(s**2) for the series.
-    below, above, _ = c1_roots._rational_function(12)
-    s = Fraction(9, 2)
-    D, E = (sum(c * s ** (2 * i) for i, c in enumerate(part)) for part in (below, above))
-    assert float(s * E / D) == pytest.approx(-np.tan(float(s) / 2), rel=1e-7)
+    for order, slip, rel in ((9, 0.3, 1e-3), (9, 5.5, 1e-3), (12, 4.5, 1e-7)):
+        expected = -np.tan(slip / 2)  # of the exact orbit
+        assert isolated.alpha_of(order, slip) == pytest.approx(expected, rel=rel)

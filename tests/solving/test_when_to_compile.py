@@ -11,8 +11,6 @@ from nonsmooth.solver import compiling
 from nonsmooth.solver.case import kernel, registry
 from nonsmooth.solver.compiling import COMPILE, LOAD, START, Account
 from nonsmooth.solver.iteration.attempt import attempt
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
-from nonsmooth.solver.shortcuts.search import kernels
 
 
 @pytest.fixture
@@ -84,19 +82,6 @@ def test_what_is_spent_is_counted_also_where_it_failed(account, monkeypatch) -> 
         failing()
     assert account.seconds == 0.25
     assert Account.total == account.seconds
-
-
-def test_solving_is_counted_and_switches(monkeypatch) -> None:
-    belt_account = kernels.account("c1")
-    monkeypatch.setattr(belt_account, "is_compiled", False)
-    monkeypatch.setattr(belt_account, "seconds", 0.0)
-    monkeypatch.setattr(Account, "total", 0.0)
-    first = ns.solve(DEFAULT, "c1", 13)
-    assert belt_account.seconds > 0
-    spent = belt_account.seconds
-    monkeypatch.setattr(belt_account, "pays", lambda: True)
-    assert ns.solve(DEFAULT, "c1", 13) == first  # to the last bit
-    assert belt_account.seconds == spent
 
 
 def test_a_scene_is_counted_and_switches(monkeypatch) -> None:

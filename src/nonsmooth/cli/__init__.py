@@ -14,9 +14,7 @@ from typing import Any, NoReturn
 
 import click
 
-from nonsmooth.room import room
-
-from . import equations, generate
+from . import equations, generate, paper
 from .problems import Problem, print_warnings, say
 from .scenes import command as scene_command
 from .scenes import simulate as simulation
@@ -91,21 +89,19 @@ def cli() -> None:
 
 
 def _verbs() -> Iterable[click.Command]:
-    """Return the commands of the default scene; those of any where they are left out."""
-    own = room(__name__, "commands")
-    if own is not None:
-        commands: Iterable[click.Command] = own.COMMANDS
-        return commands
-    generic = {
+    """Return the commands that take a scene, and without one are about the default scene."""
+    summaries = {
         "solve": "Compute periodic orbits.",
-        "sweep": "Compute them for many orders.",
-        "digits": "Measure the digits of float64.",
+        "sweep": "Compute them for many orders, or along a parameter.",
+        "digits": "Measure the digits of float64 at the extremes.",
         "tradeoff": "Measure time against error.",
     }
-    return [
-        scene_command.SceneCommand(name, module=name, own=False, help=help_)
-        for name, help_ in generic.items()
-    ]
+    for name, summary in summaries.items():
+        yield scene_command.SceneCommand(name, module=name, own=False, help=summary)
+    yield scene_command.SceneCommand(
+        "stability", module="stability", own=False, hidden=True,
+        help="The old name of `nonsmooth digits`.",
+    )  # fmt: skip
 
 
 #: Its command line is that of the scene, the default one too; this is what documentation shows.
@@ -121,6 +117,8 @@ for command in (
     equations.equations,
     *_verbs(),
     simulate,
+    paper.roots,
+    paper.report,
     modes.modes,
 ):
     cli.add_command(command)

@@ -3,11 +3,10 @@
 import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
-from nonsmooth.room import room
 from nonsmooth.scene_files.error import SceneFileError
 
 from . import tex
@@ -20,12 +19,6 @@ from .space.named import is_structure
 if TYPE_CHECKING:
     from nonsmooth.codegen.printing.sections import Section
 
-#: The equations of the default scene as its source has them, where they are not left out.
-OWN = room(__package__, "equations")
-
-#: The methods that these have.
-OF_OWN: tuple[str, ...] = () if OWN is None else (*OWN.METHODS, *OWN.SOLVED)
-
 #: What the suffix of a file says about its format.
 SUFFIXES = {".txt": "text", ".tex": "latex", ".html": "html", ".pdf": "pdf"}
 
@@ -36,45 +29,23 @@ Examples:
   nonsmooth equations --method hb
   nonsmooth equations -o equations.html
   nonsmooth equations --format latex --fragment -o equations.tex
-  nonsmooth equations --method c1 --expand 2
-  nonsmooth equations --method hb-symmetric    what is solved for hb, hb-c1
   nonsmooth equations impact --method ck-tau -o impact.pdf
   nonsmooth equations beam-mass
 """
-
-
-class _Method(click.Choice[str]):
-    """The methods of the paper; with another scene, those that it can be derived in."""
-
-    def convert(
-        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
-    ) -> Any:
-        scene = ctx.params.get("scene") if ctx else None
-        return value if _of_any_scene(scene, value) else super().convert(value, param, ctx)
-
-
-def _of_any_scene(scene: object, method: str | None) -> bool:
-    """Whether a scene in an expansion is meant, and not the equations of its source."""
-    if OWN is None:
-        return True
-    return isinstance(scene, str) and not (scene == DEFAULT and method in (None, *OF_OWN))
 
 
 @click.command(epilog=EPILOG)
 @click.argument("scene", required=False, is_eager=True)
 @click.option(
     "--method",
-    type=_Method(OF_OWN),
-    help="hb, hb-c1, c1: the paper's equations (default: all). hb-symmetric, c1-reduced: the "
-    "reduced systems that the solver uses. With a SCENE: hb, hb-ck, ck or ck-tau, also "
-    "spelled with its class, as c0-tau.",
+    help="hb, hb-ck, ck or ck-tau, also spelled with the class of the scene, as c0-tau; of the "
+    "default scene hb-c1 and c1 are Sections 3.2 and 3.3 of the paper.  [default: all]",
 )
 @click.option(
     "--functions",
     type=int,
     metavar="K",
-    help="With a SCENE and hb-ck: functions with a break at each switch; without it one, at "
-    "an impact two.",
+    help="Of hb-ck: functions with a break at each switch; without it one, at an impact two.",
 )
 @click.option("--motion", help="With a SCENE of several motions: one of them; else all.")
 @click.option(
@@ -82,48 +53,32 @@ def _of_any_scene(scene: object, method: str | None) -> bool:
     help="Output format; default: from the file extension, else text. pdf needs pdflatex.",
 )  # fmt: skip
 @click.option("--fragment", is_flag=True, help=r"LaTeX without a preamble, to \input.")
-@click.option(
-    "--expand", "order", type=int, metavar="N",
-    help="The equations of order N, 1 to 5, written out in full.",
-)  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file.")
 def equations(
     scene: str | None, method: str | None, functions: int | None, motion: str | None,
-    format_: str | None, fragment: bool, order: int | None, output: Path | None,
+    format_: str | None, fragment: bool, output: Path | None,
 ) -> None:  # fmt: skip
     """Print the equations that SymPy derives, with the numbers of the paper.
 
     SCENE is the name of an oscillator, or the path of its file, a program that is run, or a
-    structure of 'nonsmooth modes'; without it the equations are those of the paper.
+    structure of 'nonsmooth modes'; without it the oscillator of the paper is meant.
     Text is plain ASCII where the terminal has no other characters, or with LC_ALL=C.
     """
     check_target(output, ())
     chosen = _format(format_, output)
     if fragment and chosen != "latex":
         raise Problem(f"--fragment: got format {chosen}, expected latex")
-    of_any = _of_any_scene(scene, method)
-    if functions is not None and not of_any:
-        raise Problem(f"--functions: got {functions}, expected a SCENE and hb-ck with it")
-    if motion is not None and not of_any:
-        raise Problem(f"--motion: got {motion}, expected a SCENE that has several")
-    if order is not None and of_any:
-        raise Problem(
-            f"--expand: got {order}, expected no SCENE: only the paper's are written out"
-        )
     try:
         with busy("deriving the equations"):
             unicode = output is not None or _terminal_has_unicode()
-            if of_any or OWN is None:
-                name = DEFAULT if scene is None else scene
-                parts, title = _sections(name, method, functions, motion)
-                text = _text_of(parts, title, chosen, fragment, unicode)
-            else:
-                text = OWN.document(method, order, chosen, fragment, unicode)
+            name = DEFAULT if scene is None else scene
+            parts, title = _sections(name, method, functions, motion)
+            text = _text_of(parts, title, chosen, fragment, unicode)
     except SceneFileError as error:
         raise Problem(str(error)) from error
     except ValueError as error:
         name, _, expected = str(error).partition(": ")
-        option = {"order": "--expand", "scene": "SCENE"}.get(name, f"--{name}")
+        option = "SCENE" if name == "scene" else f"--{name}"
         raise Problem(f"{option}: {expected}") from error
     if output is None:
         click.echo(_for_stdout(text, chosen), nl=False)

@@ -83,14 +83,6 @@ def no_orbit(finding: "NoOrbit") -> Problem:
     return Problem(found, 1, below)
 
 
-def about_option(error: ValueError) -> Problem:
-    """Return the problem of a wrong order or number of C1 functions, naming its option."""
-    text = str(error)
-    if text.startswith("c1_terms"):
-        return Problem("--c1-terms" + text.removeprefix("c1_terms"))
-    return Problem(f"--orders: {text}")
-
-
 @contextmanager
 def as_problems(*, plural: bool = False) -> Iterator[None]:
     """Turn a wrong argument into the problem of the option of its name, or of its plural."""

@@ -5,6 +5,9 @@ from difflib import get_close_matches
 
 import click
 
+#: Flags of earlier versions, and what is asked in their place.
+RENAMED = {"--c1-terms": "--functions K, with --method hb-ck,"}
+
 
 def suggested(given: str, flags: Sequence[str]) -> list[str]:
     """Return the flags that begin with what was typed; else the closest, if one is close.
@@ -26,6 +29,8 @@ def suggested(given: str, flags: Sequence[str]) -> list[str]:
 
 def no_such_option(error: click.NoSuchOption) -> str:
     """Return what to say of a flag that a command does not have."""
+    if error.option_name in RENAMED:
+        return f"{error.option_name}: expected {RENAMED[error.option_name]} in its place"
     command = error.ctx.command if error.ctx else click.Command(None)
     flags = [name for q in command.params for name in q.opts if name.startswith("--")]
     meant = suggested(error.option_name, [*flags, "--help"])

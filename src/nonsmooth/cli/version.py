@@ -6,6 +6,8 @@ import platform
 import click
 from click.core import Context, Parameter
 
+from .scenes.default import DEFAULT
+
 
 def show_version(context: Context, _: Parameter, wanted: bool) -> None:
     """Print the version, the mathematics, the machine and the libraries, and leave."""
@@ -13,11 +15,11 @@ def show_version(context: Context, _: Parameter, wanted: bool) -> None:
         return
     from importlib.metadata import version  # noqa: PLC0415  (it takes 10 ms)
 
-    from nonsmooth.room import room  # noqa: PLC0415
+    from nonsmooth.solver.case import registry  # noqa: PLC0415
 
-    origin = room("nonsmooth.files", "origin")
-    mathematics = "" if origin is None else f", mathematics {origin.of_all_methods()}"
-    click.echo(f"nonsmooth {version('nonsmooth')}{mathematics}")
+    scene = registry.load(DEFAULT)
+    mathematics = registry.mathematics(scene, registry.methods(scene))
+    click.echo(f"nonsmooth {version('nonsmooth')}, mathematics of {DEFAULT} {mathematics}")
     click.echo(
         f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
         f"{os.cpu_count()} cores"

@@ -13,7 +13,6 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from ..room import room
 from ..scene_files.error import SceneFileError
 from .errors import FileError, damaged, other_kind
 from .json_text import check_digest, sealed
@@ -40,11 +39,10 @@ def save(thing: Savable, path: str | Path) -> None:
     Parameters
     ----------
     thing : orbit, sweep, family or modes, or a sequence of orbits, of families or of modes
-        What to save, of a `StickSlip`, of a case of any scene, or of one structure.
+        What to save, of a case of any scene, or of one structure.
     path : str or Path
-        Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs: that
-        of orbits has their motion over one period.  Only that of a sweep or a family of a
-        `StickSlip` can be loaded.
+        Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs, and
+        is not loaded: that of orbits has their motion over one period.
 
     Raises
     ------
@@ -66,12 +64,6 @@ def save(thing: Savable, path: str | Path) -> None:
     """
     target = Path(path)
     suffix = _suffix(target)
-    own = room(__package__, "content")
-    points = own and own.points_of(thing)
-    if points is not None:
-        with whole(target) as temporary:
-            own.write_points(points, temporary)  # type: ignore[union-attr]
-        return
     content = _content(thing)
     with whole(target) as temporary:
         if suffix == ".csv":
@@ -94,7 +86,7 @@ def load(path: str | Path, scene: object = None) -> Loaded:
     Parameters
     ----------
     path : str or Path
-        Of a ``.json``, ``.csv`` or ``.nc`` file.
+        Of a ``.json`` or ``.nc`` file.
     scene : str, Path or Scene, optional
         The scene of the file, as `nonsmooth.scene` takes it, if it is not shipped.
 
@@ -120,10 +112,7 @@ def load(path: str | Path, scene: object = None) -> Loaded:
     with source.open("rb"):  # a missing file is an OSError for every kind
         pass
     if suffix == ".csv":
-        own = room(__package__, "tables")
-        if own is None:
-            raise FileError(source, "CSV is for other programs; save as .json to load it")
-        return own.read(source)
+        raise FileError(source, "CSV is for other programs; save as .json to load it")
     if suffix == ".nc":
         return _from_netcdf(source, scene)
     return _from_document(source, _document(source), scene)
@@ -139,9 +128,7 @@ def _content(thing: Savable) -> Content:
     """
     from .space.content import content_of as content_of_modes  # noqa: PLC0415  (SciPy)
 
-    own = room(__package__, "content")
-    found: Content | None = (own and own.content_of(thing)) or content_of(thing)
-    found = found or content_of_modes(thing)
+    found: Content | None = content_of(thing) or content_of_modes(thing)
     if found is None:
         kinds = "an orbit, a family, modes, a sequence of one of these, or a sweep"
         raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
@@ -172,10 +159,7 @@ def _from_document(path: Path, document: Mapping[str, Any], scene: object = None
     """Return what a document holds."""
     check_schema(path, document.get("schema"))
     check_digest(path, document)
-    own = room(__package__, "texts")
     try:
-        if own is not None and own.is_of_the_paper(document):
-            return own.restored(path, document)
         if "structure" in document:
             from .space.restored import restored as restored_modes  # noqa: PLC0415  (SciPy)
 
@@ -218,10 +202,7 @@ def _from_open(path: Path, file: "Dataset", scene: object) -> tuple[Loaded, bool
         found = _from_document(path, netcdf.document_of(file), scene)
         netcdf.check_same(file, _content(found).tables())
         return found, True
-    own = room(__package__, "netcdf")
-    if own is None:
-        raise other_kind(path)
-    return own.read(path, file), False
+    raise other_kind(path)
 
 
 def _words(error: Exception) -> str:

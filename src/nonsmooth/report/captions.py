@@ -1,7 +1,7 @@
 """What stands beside each figure: what to see, in numbers of this case, and the command."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import nonsmooth as ns
@@ -44,14 +44,13 @@ def flags(belt: ns.StickSlip) -> str:
 
     Examples
     --------
-    >>> from dataclasses import replace
-    >>> flags(replace(DEFAULT, normal_force=98.1))
+    >>> flags(ns.StickSlip(**{**DEFAULT.values, "normal_force": 98.1}))
     ' --normal-force 98.1'
     """
-    usual = asdict(DEFAULT)
+    usual = DEFAULT.values
     return "".join(
         f" --{name.replace('_', '-')} {value!r}".removesuffix(".0")
-        for name, value in asdict(belt).items()
+        for name, value in belt.values.items()
         if value != usual[name]
     )
 
@@ -71,7 +70,7 @@ def reading(case: Case, order: int, methods: Iterable[str] = ("hb",)) -> str:
 def _oscillator(case: Case) -> dict[str, Any]:
     belt = case.belt
     friction = {"static": belt.mu_s, "kinetic": belt.mu_k}
-    return asdict(belt) | {
+    return dict(belt.values) | {
         name: number(mu * belt.normal_force) for name, mu in friction.items()
     }
 

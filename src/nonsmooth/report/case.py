@@ -1,8 +1,10 @@
 """One oscillator and its orbits, each solved when it is first asked for."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import nonsmooth as ns
+from nonsmooth.kim_perkins import ExactOrbit, Orbit
 from nonsmooth.solver.accuracy.rates import slope
 
 from .measures import MEASURES
@@ -25,16 +27,14 @@ class Case:
     """
 
     belt: ns.StickSlip
-    _found: dict[tuple[str, int], ns.Orbit | ns.NoOrbit] = field(
-        default_factory=dict, repr=False
-    )
+    _found: dict[tuple[str, int], Orbit | ns.NoOrbit] = field(default_factory=dict, repr=False)
 
-    @property
-    def exact(self) -> ns.ExactOrbit:
+    @cached_property
+    def exact(self) -> ExactOrbit:
         """The exact orbit."""
-        return ns.exact(self.belt)
+        return ExactOrbit.of(ns.exact(self.belt))
 
-    def orbit(self, method: str, order: int) -> ns.Orbit:
+    def orbit(self, method: str, order: int) -> Orbit:
         """Return one orbit.
 
         Raises
@@ -45,7 +45,7 @@ class Case:
         key = method, order
         if key not in self._found:
             try:
-                self._found[key] = ns.solve(self.belt, method, order)
+                self._found[key] = Orbit.of(ns.solve(self.belt, method, order))
             except ns.NoOrbit as finding:
                 known = "has no orbit" if finding.proven else "leads to no orbit"
                 reason = f"{method} {known} at N = {order}"
@@ -98,4 +98,5 @@ class Case:
 
 def at_alpha(belt: ns.StickSlip, alpha: float) -> Case:
     """Return the same oscillator under the normal force that gives this `alpha`."""
-    return Case(replace(belt, normal_force=belt.normal_force * (alpha / belt.alpha)))
+    force = belt.normal_force * (alpha / belt.alpha)
+    return Case(ns.StickSlip(**{**belt.values, "normal_force": force}))

@@ -17,7 +17,7 @@ from .claims import Claim, Part
 from .words import listed, number
 
 #: Values of alpha that are looked at, from the first to the last.
-FIRST, LAST, SCANNED = 0.01, 10.0, 97
+FIRST, LAST, SCANNED = 0.01, 10.0, 49
 
 #: An end of an interval is known to this factor.
 CLOSE = 1.005
@@ -37,7 +37,7 @@ def scan(
 ) -> Intervals:
     """Return the intervals of alpha in which each part holds.
 
-    What is narrower than a step of the scan, 7.5 %, can be missed.
+    What is narrower than a step of the scan, 15 %, can be missed.
 
     Parameters
     ----------

@@ -49,7 +49,8 @@ def _errors(case: Case, method: str, order: int) -> tuple[str, str]:
         return "no orbit", ""
     error = case.measured("acceleration", method, order)
     shown = percent(error) if error > FLOOR else "rounding"
-    return percent(case.measured("period", method, order)), shown
+    period = case.measured("period", method, order)
+    return percent(period) if period else "rounding", shown
 
 
 def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
@@ -95,7 +96,7 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         alphas=(f"{FIRST:g}", f"{LAST:g}"),
         space=in_space().values(),
         space_heads=EXPANSIONS,
-        equations=folded(equations_html(tuple(METHODS))),
+        equations=folded(equations_html()),
         equation_style=STYLE,
         hashes={method: mathematics(method) for method in METHODS},
     )

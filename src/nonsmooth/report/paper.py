@@ -1,27 +1,30 @@
-"""What only the paper's own rooms have: the one door through which the report reaches them."""
+"""What the report takes of the paper's oscillator beside its orbits."""
 
-import nonsmooth as ns
-from nonsmooth.codegen.shortcuts.document import equations_html
-from nonsmooth.solver.shortcuts.orbit.oscillator import DEFAULT
-from nonsmooth.solver.shortcuts.polynomials import c1_roots
-from nonsmooth.solver.shortcuts.search.kernels import module
+from nonsmooth.codegen.printing.html import fragment_of
+from nonsmooth.codegen.show import sections
+from nonsmooth.kim_perkins import METHODS, SCENE, SECTION_4, StickSlip, solutions
+from nonsmooth.solver.case import registry
 
 __all__ = ["DEFAULT", "METHODS", "all_times", "equations_html", "mathematics"]
 
-#: The three methods: their sections and what a table calls them.
-METHODS = {
-    "hb": ("3.1", "Fourier series"),
-    "hb-c1": ("3.2", "Fourier series + one C¹ function"),
-    "c1": ("3.3", "C¹ functions"),
-}
+#: The oscillator of Section 4.
+DEFAULT = StickSlip(**SECTION_4)
 
 
-def all_times(belt: ns.StickSlip, order: int) -> list[tuple[float, float]]:
+def equations_html() -> str:
+    """Return the equations of Sections 3.1 to 3.3 as a fragment of a page.
+
+    Equation (14) has the anchor ``eq-14``; the second of the same number, in another phase or
+    method, ``eq-14-2``.
+    """
+    return fragment_of(sections(SCENE, METHODS))
+
+
+def all_times(belt: StickSlip, order: int) -> list[tuple[float, float]]:
     """Return ``t1`` and ``T`` in s of all real solutions of (18) to (20), orbits or not."""
-    found = c1_roots.solutions(order, belt.alpha)
-    return [(float(z[-2]) * belt.time_unit, float(z[-1]) * belt.time_unit) for z in found]
+    return [(found.t1, found.period) for found in solutions(belt, order)]
 
 
 def mathematics(method: str) -> str:
     """Return the beginning of the hash of the symbolic expressions behind a method."""
-    return str(module(method).MATHEMATICS)[:16]
+    return registry.mathematics(registry.load(SCENE), [method])

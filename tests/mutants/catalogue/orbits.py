@@ -12,6 +12,7 @@ ORBITS = "tests/scenes/test_orbit_scenes.py"
 MULTIPLIERS = ("tests/stability/test_multipliers.py",)
 BALLS = ("tests/precision/test_balls.py",)
 DIGITS = "tests/precision/test_digits_of_scenes.py"
+PAPER = ("tests/accuracy/test_kim_perkins.py",)
 
 MUTANTS = (
     Mutant(
@@ -181,5 +182,40 @@ MUTANTS = (
         "None if abs(self.margin) <= self.rounding else self.margin > 0",
         "self.margin > -1e-9",
         MULTIPLIERS,
+    ),
+    Mutant(
+        "of the paper: the coefficient of the printed g1 with one power of T less",
+        "src/nonsmooth/kim_perkins.py",
+        "(self.durations[1], -3), (self.period, -1)",
+        "(self.durations[1], -3), (self.period, 0)",
+        PAPER,
+    ),
+    Mutant(
+        "of the paper: the signs of the powers of (15)",
+        "src/nonsmooth/kim_perkins.py",
+        "float((-1) ** (n + k) * math.comb(n, k)",
+        "float((-1) ** n * math.comb(n, k)",
+        PAPER,
+    ),
+    Mutant(
+        "of the paper: (22) is integrated over the jumps of the orbit",
+        "src/nonsmooth/kim_perkins.py",
+        "_ends(each)[1:-1] / _ends(each)[-1]",
+        "_ends(reference)[1:-1] / _ends(reference)[-1]",
+        PAPER,
+    ),
+    Mutant(
+        "of the paper: all solutions of (18) to (20) for the other sign of alpha",
+        "solver/flow/isolated.py",
+        "coefficients += [exact * D, -E]",
+        "coefficients += [exact * D, E]",
+        ("tests/solving/test_roots.py",),
+    ),
+    Mutant(
+        "of the paper: (12) is shown without its ramp",
+        "codegen/show/one_function.py",
+        "u**2 * (3 - 2 * u) - t / T",
+        "u**2 * (3 - 2 * u)",
+        ("tests/show/test_shown_equations.py",),
     ),
 )

@@ -5,9 +5,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.shell_completion import CompletionItem
 
 from ..case_files import read_case
 from ..problems import Problem, Verbose, as_problems
+from .named import known
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
@@ -23,6 +25,13 @@ class CommandOfScene(click.Command):
     def __init__(self, scene: "SceneNumbers", **options: Any) -> None:
         super().__init__(**options)
         self.scene = scene
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Complete options, and scenes where none is named."""
+        found = super().shell_complete(ctx, incomplete)
+        if " " in (ctx.info_name or "") or incomplete[:1] == "-":
+            return found
+        return [CompletionItem(name) for name in known() if name.startswith(incomplete)] + found
 
 
 def motion_options(scene: "SceneNumbers") -> list[click.Parameter]:
@@ -91,6 +100,7 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
     Problem
         With all mistakes at once.
     """
+    from nonsmooth.kim_perkins import as_in_paper  # noqa: PLC0415
     from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
 
     given = {
@@ -107,7 +117,7 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
     ]
     wrong: list[str] = []
     try:
-        case = scene(**(table | given), cycles=1 if cycles is None else cycles)
+        case = as_in_paper(scene(**(table | given), cycles=1 if cycles is None else cycles))
     except ParameterError as error:
         wrong = [_as_flag(line) for line in error.errors]
     where = f"{file}: " if file else ""

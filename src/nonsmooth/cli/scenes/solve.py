@@ -59,7 +59,6 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         click.Option(
             ["--all", "every"], is_flag=True, help="List every orbit found, of every motion."
         ),
-        click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
             ["-o", "--output"], type=click.Path(path_type=Path),
@@ -69,7 +68,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
     def callback(
         method: str | None, order: int | None, functions: int | None, tol: float | None,
-        budget: str | None, every: bool, no_shortcuts: bool, case: Path | None, json_: bool,
+        budget: str | None, every: bool, case: Path | None, json_: bool,
         output: Path | None, **flags: Any,
     ) -> int:  # fmt: skip
         check_target(output, SUFFIXES)

@@ -57,7 +57,6 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
             help="Follow the orbit along a parameter instead, by one method at one order.",
         ),
         click.Option(["--log"], is_flag=True, help="Space the values by a constant factor."),
-        click.Option(["--no-shortcuts"], is_flag=True, help="Generic kernels: here always."),
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
         click.Option(
             ["-o", "--output"], type=click.Path(path_type=Path),
@@ -67,7 +66,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
     def callback(
         methods: str | None, orders: str | None, functions: int | None, vary: str | None,
-        log: bool, no_shortcuts: bool, case: Path | None, json_: bool, output: Path | None,
+        log: bool, case: Path | None, json_: bool, output: Path | None,
         **flags: Any,
     ) -> int:  # fmt: skip
         check_target(output, SUFFIXES)

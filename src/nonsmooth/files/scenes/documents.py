@@ -77,6 +77,7 @@ def origin(case: "Case", methods: Iterable[str]) -> dict[str, Any]:
     from nonsmooth import __version__  # noqa: PLC0415
 
     units = {q.name: q.unit or "1" for q in case.scene.parameters} | UNITS
+    units |= dict.fromkeys(case.own_numbers, "s")
     return {
         "units": units,
         "version": __version__,

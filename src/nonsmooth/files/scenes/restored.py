@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.kim_perkins import Errors, StickSlip, as_in_paper
 from nonsmooth.scene import find
 from nonsmooth.solver.accuracy.errors import SceneErrors
 from nonsmooth.solver.case.case import Case
@@ -79,7 +80,7 @@ def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
     missing = [q.name for q in found.parameters if q.name not in given]
     if missing:
         raise checks.NotRightError(f"parameters without {', '.join(missing)}")
-    return Case(found, given, document.get("cycles", 1))
+    return as_in_paper(Case(found, given, document.get("cycles", 1)))
 
 
 def _check_mathematics(
@@ -95,7 +96,7 @@ def _check_mathematics(
 def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit:
     case = _case(path, document, scene)
     method = generic_method(case.scene, document["method"])
-    functions, order = document["functions"], document["order"]
+    functions, order = document.get("functions"), document["order"]
     every = [each["method"] for each in document.get("orbits", [document])]
     _check_mathematics(path, document, "an orbit", case.scene, [method], every)
     if document.get("outcome") is None:
@@ -110,7 +111,7 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit
     checks.residual(R, z)
     iterations = document["iterations"]
     made = Outcome(**outcome | {"unknowns": z})
-    orbit = SceneOrbit(case, method, order, made, iterations, functions)
+    orbit = case.presented(SceneOrbit(case, method, order, made, iterations, functions))
     durations = [phase["duration"] for phase in document["phases"]]
     checks.times(document, durations)
     checks.same("period", document["period"], orbit.period, "its unknowns")
@@ -129,9 +130,14 @@ def _sweep(path: Path, document: Mapping[str, Any], case: Case) -> SceneSweep:
 
 
 def _row(case: Case, row: Mapping[str, Any]) -> SceneRow:
-    values = dict(row) | {"method": generic_method(case.scene, row["method"])}
-    for name in ("errors", "estimate"):
-        values[name] = _errors(row, row[name])
+    values = {q.name: row[q.name] for q in fields(SceneRow) if q.name in row}
+    further = {name: value for name, value in row.items() if name not in values}
+    if row["status"] == "ok":
+        values["further"] = further
+    values["method"] = generic_method(case.scene, row["method"])
+    kind = Errors if isinstance(case, StickSlip) else SceneErrors
+    values |= {"errors": _errors(row, row["errors"], kind)}
+    values |= {"estimate": _errors(row, row["estimate"])}
     checks.not_negative("seconds", row["seconds"])
     return SceneRow(**values | _checked(row))
 
@@ -142,7 +148,7 @@ def _family(path: Path, document: Mapping[str, Any], case: Case) -> SceneFamily:
     if parameter not in case.values:
         raise checks.NotRightError(f"{parameter!r} varies, which is not a parameter")
     for row in document["rows"]:
-        Case(case.scene, dict(case.values) | {parameter: row["value"]}, case.cycles)
+        case.with_value(parameter, row["value"])
         values = dict(row) | {"estimate": _errors(row, row["estimate"])} | _checked(row)
         known = row["extremes"] if row["status"] == "ok" else None
         values["extremes"] = known and {name: tuple(pair) for name, pair in known.items()}
@@ -165,11 +171,13 @@ def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
     return {"durations": tuple(row["durations"])}
 
 
-def _errors(row: Mapping[str, Any], found: Mapping[str, Any]) -> SceneErrors | None:
+def _errors(
+    row: Mapping[str, Any], found: Mapping[str, Any], kind: type[SceneErrors] = SceneErrors
+) -> SceneErrors | None:
     """Return errors; None without an orbit, or where nothing is known of them."""
-    values = [found[field.name] for field in fields(SceneErrors)]
+    values = [found[field.name] for field in fields(kind)]
     if row["status"] != "ok" or all(value is None for value in values):
         return None
     for name in ("times", "discontinuous"):
         checks.not_negative(name, found[name])
-    return SceneErrors(*(float("inf") if value is None else value for value in values))
+    return kind(*(float("inf") if value is None else value for value in values))

@@ -49,8 +49,7 @@ def write_sweep(result: "SceneSweep", target: Path) -> None:
     case = result.case
     constants = {"scene": case.scene.name, "motion": case.scene.motion, "cycles": case.cycles}
     found = []
-    for row in result.rows:
-        values = row.as_dict()
+    for values in result.dictionaries():
         durations = values.pop("durations") or ()
         for name in ("errors", "estimate"):
             head = name.removesuffix("s")

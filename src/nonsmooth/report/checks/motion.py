@@ -27,7 +27,7 @@ def smooth(case: Case) -> Finding:
         getattr(exact, quantity)(after) - getattr(exact, quantity)(before)
         for quantity in ("displacement", "velocity", "acceleration")
     )
-    size = ROUNDING * (exact.amplitude + case.belt.slip_centre)
+    size = ROUNDING * (case.belt.amplitude + case.belt.slip_centre)
     continuous = max(*np.abs(x), *np.abs(v / omega)) <= size
     falls = jump(case.belt)
     holds = continuous and max(a) <= -falls + size * omega**2
@@ -53,7 +53,7 @@ def centred(case: Case) -> Finding:
     exact, centre = case.exact, case.belt.slip_centre
     part, weights = panels([exact.t1 / exact.period], 4)
     mean = float(weights @ exact.displacement(part * exact.period))
-    holds = abs(mean - centre) <= ROUNDING * (exact.amplitude + centre)
+    holds = abs(mean - centre) <= ROUNDING * (case.belt.amplitude + centre)
     return Finding(holds, f"x_s = {number(centre)} m")
 
 

@@ -3,10 +3,8 @@
 import textwrap
 from typing import TYPE_CHECKING
 
-from nonsmooth.room import room
+from nonsmooth.kim_perkins import CHOICE, SECTION_4, StickSlip
 from nonsmooth.solver.case.names import shown
-
-from ..default import DEFAULT
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
@@ -23,9 +21,10 @@ def caption(case: "Case") -> str:
     head = f"{scene.label}: {scene.title} (C{scene.k})"
     lines = [*textwrap.wrap(head, WIDTH), *_wrapped(case.description)]
     lines += [line for text in smoother(case) for line in textwrap.wrap(text, WIDTH)]
-    own = room("nonsmooth.cli", "parameters")
-    if own is not None and scene.name == DEFAULT and case == scene():
-        lines.append(own.CHOICE)
+    if isinstance(case, StickSlip):
+        lines.append(f"alpha = omega_n (mu_s - mu_k) F_N / (K V) = {case.alpha:.6g}")
+        if case.values == SECTION_4:
+            lines.append(CHOICE)
     return "\n".join(lines) + "\n"
 
 

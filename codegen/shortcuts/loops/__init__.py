@@ -1,1 +1,0 @@
-"""The loops of these kernels over their indices, as text."""

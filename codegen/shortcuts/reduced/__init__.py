@@ -1,1 +1,0 @@
-"""Section 3.3 as one scalar equation, for any order."""

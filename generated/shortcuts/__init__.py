@@ -1,1 +1,0 @@
-"""Kernels of the paper's methods; written by ``nonsmooth generate``."""

@@ -1,1 +1,0 @@
-"""Quicker ways to the orbits of the paper's oscillator, and everything that knows it."""

@@ -1,1 +1,0 @@
-"""Errors and estimates of the paper's methods, rates of convergence."""

@@ -1,1 +1,0 @@
-"""The cheapest method within a tolerance, the best within a time."""

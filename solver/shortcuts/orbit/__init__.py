@@ -1,1 +1,0 @@
-"""The paper's oscillator: its parameters, exact motion, orbits, what makes one admissible."""

@@ -1,1 +1,0 @@
-"""The C1 series: evaluation, batches over alpha, all real solutions."""

@@ -1,1 +1,0 @@
-"""The verbs: solve, sweep, families; kernels, starts, continuation."""

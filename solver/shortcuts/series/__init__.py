@@ -1,1 +1,0 @@
-"""Fourier series: a million harmonics without a matrix, errors summed over harmonics."""

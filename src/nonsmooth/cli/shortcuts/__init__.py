@@ -1,1 +1,0 @@
-"""The commands of the paper's oscillator: its flags, tables, pictures, families."""

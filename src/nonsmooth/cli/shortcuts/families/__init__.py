@@ -1,1 +1,0 @@
-"""``sweep --vary``: orbits along a parameter, in chunks that are kept."""

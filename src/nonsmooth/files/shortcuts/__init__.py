@@ -1,1 +1,0 @@
-"""Files of the paper's oscillator: orbits, sweeps and families as JSON, netCDF, CSV."""

@@ -1,1 +1,0 @@
-"""Pictures of the paper's oscillator, with its markers."""

@@ -1,1 +1,0 @@
-"""What is measured of the paper's oscillator alone: digits, trade, printed equations."""
