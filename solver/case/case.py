@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from ..no_orbit import NoOrbit
     from .numbers import SceneNumbers
 
-#: A periodic motion of a case.
-Motion = TypeVar("Motion")
+# A periodic motion of a case.
+_Motion = TypeVar("_Motion")
 
 #: Most periods of the forcing in one of the motion: more are beyond the orders of kernels.
 MOST_CYCLES = 100
@@ -123,7 +123,7 @@ class Case:
         """Return what documents of this case call a method: its generic name."""
         return method
 
-    def presented(self, motion: Motion) -> Motion:
+    def presented(self, motion: _Motion) -> _Motion:
         """Return an orbit of this case, exact or not, as users see it: as it is."""
         return motion
 
