@@ -11,9 +11,9 @@ import numpy as np
 
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.case.kernel import SceneKernel
+from nonsmooth.solver.case.kernel import Kernel
 from nonsmooth.solver.flow.exact import exact_orbit
-from nonsmooth.solver.orbit.motion import SceneMotion
+from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.solver.solve import COARSE, solve_case
 
 from .scene_rivals import Solve, njit
@@ -22,7 +22,7 @@ LIMIT = 40
 
 
 @cache
-def kernel(scene: str, method: str, functions: int | None = None) -> SceneKernel:
+def kernel(scene: str, method: str, functions: int | None = None) -> Kernel:
     """Return a compiled kernel."""
     return registry.kernel(registry.load(scene), method, functions, compile_it=True)
 
@@ -72,7 +72,7 @@ def newton(scene: str, method: str, functions: int | None = None) -> Solve:
     return solve
 
 
-def _from_times(kernel: SceneKernel, before: Solve) -> Solve:
+def _from_times(kernel: Kernel, before: Solve) -> Solve:
     """Return the iteration of a kernel that starts from times alone, as the solver has it."""
     iterate, size = kernel.iterate, kernel.size
 
@@ -118,6 +118,6 @@ def exact_flow(scene: str) -> Solve:
     return solve
 
 
-def _pair(orbit: SceneMotion) -> tuple[float, float]:
+def _pair(orbit: Motion) -> tuple[float, float]:
     first, *rest = orbit.durations
     return first, rest[0] if rest else float(orbit.forcing_phase or 0.0)

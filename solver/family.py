@@ -10,7 +10,7 @@ from typing import Any, overload
 
 import numpy as np
 
-from .accuracy.errors import SceneErrors
+from .accuracy.errors import Errors
 from .arrays import Vector
 from .case import registry
 from .case.case import Case
@@ -20,7 +20,7 @@ from .case.parameters import ParameterError
 from .iteration.attempt import attempt
 from .no_orbit import NoOrbit
 from .orbit.document import without_errors
-from .orbit.orbit import SceneOrbit
+from .orbit.orbit import Orbit
 from .results.notebook import of_rows
 from .results.table import Table, Tabular, flat
 from .solve import check_order, number_of_functions, solve_case
@@ -47,7 +47,7 @@ class FamilyRow:
         Of the phases of one period, in s.
     extremes : dict or None
         Least and largest ``displacement`` and ``velocity``.
-    estimate : SceneErrors or None
+    estimate : Errors or None
         Errors, as estimated.
     iterations : int
         Jacobians factorised.
@@ -65,7 +65,7 @@ class FamilyRow:
     forcing_phase: float | None
     durations: tuple[float, ...] | None
     extremes: dict[str, tuple[float, float]] | None
-    estimate: SceneErrors | None
+    estimate: Errors | None
     iterations: int
     followed: bool
     message: str = ""
@@ -91,7 +91,7 @@ UNITS = {
 
 
 @dataclass(frozen=True, repr=False)
-class SceneFamily(Tabular):
+class Family(Tabular):
     """The orbits of a case along a parameter, in the order of its values.
 
     Parameters
@@ -245,7 +245,7 @@ class SceneFamily(Tabular):
 class FamilyInterrupted(KeyboardInterrupt):
     """Ctrl-C while a family was computed; `done` is the family of the values before."""
 
-    def __init__(self, done: SceneFamily) -> None:
+    def __init__(self, done: Family) -> None:
         super().__init__(f"after {len(done)} values")
         self.done = done
 
@@ -258,7 +258,7 @@ def family_case(
     order: int = ORDER,
     functions: int | None = None,
     progress: Callable[[FamilyRow], None] = lambda row: None,
-) -> SceneFamily:
+) -> Family:
     """Return the orbits of a case while one parameter takes each of some values.
 
     Parameters
@@ -300,7 +300,7 @@ def family_case(
     count = number_of_functions(case, name, None) if functions is None else functions
     number = check_order(registry.kernel(scene.each_motion[0], name, count), order)
     rows: list[FamilyRow] = []
-    orbit: SceneOrbit | None = None
+    orbit: Orbit | None = None
     try:
         for each in cases:
             orbit, row = _next(each, name, number, count, orbit, each.values[parameter])
@@ -309,9 +309,9 @@ def family_case(
     except KeyboardInterrupt:
         if not rows:
             raise
-        done = SceneFamily(cases[0], parameter, name, number, count, tuple(rows))
+        done = Family(cases[0], parameter, name, number, count, tuple(rows))
         raise FamilyInterrupted(done) from None
-    return SceneFamily(cases[0], parameter, name, number, count, tuple(rows))
+    return Family(cases[0], parameter, name, number, count, tuple(rows))
 
 
 def _with_value(case: Case, parameter: str, value: object) -> Case:
@@ -323,9 +323,9 @@ def _with_value(case: Case, parameter: str, value: object) -> Case:
 
 
 def _next(
-    case: Case, method: str, order: int, functions: int | None, before: SceneOrbit | None,
+    case: Case, method: str, order: int, functions: int | None, before: Orbit | None,
     value: float,
-) -> tuple[SceneOrbit | None, FamilyRow]:  # fmt: skip
+) -> tuple[Orbit | None, FamilyRow]:  # fmt: skip
     """Return the orbit of a case, from the one before if that can be, and its row."""
     spent = 0
     if before is not None:
@@ -349,7 +349,7 @@ def _next(
     return found, _row(found, value, followed=False)
 
 
-def _row(orbit: SceneOrbit, value: float, *, followed: bool) -> FamilyRow:
+def _row(orbit: Orbit, value: float, *, followed: bool) -> FamilyRow:
     return FamilyRow(
         value, "ok", orbit.period, orbit.forcing_phase, orbit.durations, orbit.extremes,
         orbit.estimate, orbit.iterations, followed, motion=orbit.case.scene.motion,

@@ -12,9 +12,9 @@ import numpy as np
 from .arrays import Vector
 from .case import registry
 from .case.case import Case
-from .case.kernel import SceneKernel
+from .case.kernel import Kernel
 from .case.methods import FIRST
-from .flow.exact import ExactSceneOrbit, exact_orbit
+from .flow.exact import ExactOrbit, exact_orbit
 from .flow.existence import not_decided, shown_to_be_none, without_switches
 from .flow.known import known, known_orbits
 from .iteration.attempt import attempt
@@ -22,7 +22,7 @@ from .iteration.singular import is_reversible, is_singular
 from .iteration.start import PATIENCE, rough_times
 from .motions import of_any_motion
 from .no_orbit import NoOrbit
-from .orbit.orbit import SceneOrbit
+from .orbit.orbit import Orbit
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
@@ -42,7 +42,7 @@ def solve_case(
     order: int = 10,
     functions: int | None = None,
     motion: str | None = None,
-) -> SceneOrbit:
+) -> Orbit:
     """Return the periodic orbit of a case, converged and admissible.
 
     Parameters
@@ -119,7 +119,7 @@ def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
 
 def orbits_of(
     case: Case, method: str = FIRST, order: int = 10, functions: int | None = None
-) -> list[SceneOrbit]:
+) -> list[Orbit]:
     """Return every admissible orbit of a case that is found, of every motion, stable first.
 
     Where all solutions of the exact equations can be listed, those are all there are;
@@ -138,7 +138,7 @@ def orbits_of(
     method = registry.generic_method(case.scene, method)
     if functions is None:
         functions = number_of_functions(case, method, None)
-    found: list[SceneOrbit] = []
+    found: list[Orbit] = []
     for each in case.each_motion:
         kernel = registry.kernel(each.scene, method, functions)
         search = _Search(each, method, check_order(kernel, order), functions)
@@ -176,11 +176,11 @@ class _Search:
     tried: list[str] = field(default_factory=list)
 
     @cached_property
-    def kernel(self) -> SceneKernel:
+    def kernel(self) -> Kernel:
         """The method's kernel in the form that is quicker by now."""
         return registry.quicker_kernel(self.case.scene, self.method, self.functions, self.order)
 
-    def run(self) -> SceneOrbit:
+    def run(self) -> Orbit:
         """Return an orbit.
 
         Raises
@@ -209,25 +209,25 @@ class _Search:
         yield from not_decided(self.case)
         yield from without_switches(self.case)
 
-    def from_exact(self, exact: ExactSceneOrbit) -> SceneOrbit | None:
+    def from_exact(self, exact: ExactOrbit) -> Orbit | None:
         """Return the orbit of the method next to an exact one, if it has one."""
         self.words = "the times of the exact orbit"
         return self.orbit(exact.times)
 
-    def orbit(self, times: Vector) -> SceneOrbit | None:
+    def orbit(self, times: Vector) -> Orbit | None:
         """Return the orbit to which times lead, if they lead to one."""
         found = self.note(attempt(self.kernel, self.case, self.order, times, self.functions))
         if not found.confirmed:
             found = self.less_smooth(found, times)
         return found if found.confirmed else None
 
-    def note(self, found: SceneOrbit) -> SceneOrbit:
+    def note(self, found: Orbit) -> Orbit:
         """Return a result with all iterations, after its failure, if it is one, was noted."""
         found = replace(found, iterations=self.iterations + found.outcome.iterations)
         self.count(found)
         return found
 
-    def count(self, found: SceneOrbit) -> None:
+    def count(self, found: Orbit) -> None:
         """Count the iterations of a result, and note its failure if it is one."""
         self.iterations += found.outcome.iterations
         why = "" if found.converged else found.outcome.reason
@@ -235,7 +235,7 @@ class _Search:
         if why:
             self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
 
-    def less_smooth(self, failed: SceneOrbit, times: Vector) -> SceneOrbit:
+    def less_smooth(self, failed: Orbit, times: Vector) -> Orbit:
         """Return the orbit by functions of class C^1, if no smoother ones can be told apart.
 
         That is so where the conditions of the method are singular at that orbit.  In any other
@@ -300,13 +300,13 @@ class _Search:
 
 
 @lru_cache(maxsize=512)
-def _coarse_orbit(case: Case, method: str, order: int, times: tuple[float, ...]) -> SceneOrbit:
+def _coarse_orbit(case: Case, method: str, order: int, times: tuple[float, ...]) -> Orbit:
     """Return where a coarse method leads from rough times; every method asks for the same."""
     kernel = registry.quicker_kernel(case.scene, method, None, order)
     return attempt(kernel, case, order, np.array(times))
 
 
-def check_order(kernel: SceneKernel, value: object) -> int:
+def check_order(kernel: Kernel, value: object) -> int:
     """Return an order as a whole number that the method can compute.
 
     Raises

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, overload
 
-from .accuracy.errors import SceneErrors
+from .accuracy.errors import Errors
 from .accuracy.rates import Rate, rate
 from .case import registry
 from .case.case import Case
@@ -19,7 +19,7 @@ from .solve import check_order, number_of_functions, solve_case, with_motion
 
 
 @dataclass(frozen=True)
-class SceneRow:
+class SweepRow:
     """One method at one order.
 
     Parameters
@@ -36,14 +36,14 @@ class SceneRow:
         Of the phases of one period, in s.
     iterations : int
         Jacobians factorised.
-    errors, estimate : SceneErrors or None
+    errors, estimate : Errors or None
         Against the exact orbit; as estimated without it.
     seconds : float
         Time of the search; of one of them compilation too, if there is enough to compute.
     message : str
         Why there is no orbit; empty if there is one.
     further : mapping
-        See `SceneOrbit`.
+        See `Orbit`.
     """
 
     method: str
@@ -53,8 +53,8 @@ class SceneRow:
     forcing_phase: float | None
     durations: tuple[float, ...] | None
     iterations: int
-    errors: SceneErrors | None
-    estimate: SceneErrors | None
+    errors: Errors | None
+    estimate: Errors | None
     seconds: float
     message: str = ""
     further: Mapping[str, float] = field(default_factory=dict, hash=False)
@@ -74,26 +74,26 @@ UNITS = {"period": "s", "forcing_phase": "rad", "seconds": "s", "t1": "s"}
 
 
 @dataclass(frozen=True, repr=False)
-class SceneSweep(Tabular, Sequence[SceneRow]):
+class Sweep(Tabular, Sequence[SweepRow]):
     """The rows of a sweep of a case, in the order in which they were asked for."""
 
     case: Case
-    rows: tuple[SceneRow, ...]
+    rows: tuple[SweepRow, ...]
     functions: int | None = None
 
     @overload
-    def __getitem__(self, index: int) -> SceneRow: ...
+    def __getitem__(self, index: int) -> SweepRow: ...
 
     @overload
-    def __getitem__(self, index: slice) -> tuple[SceneRow, ...]: ...
+    def __getitem__(self, index: slice) -> tuple[SweepRow, ...]: ...
 
-    def __getitem__(self, index: int | slice) -> SceneRow | tuple[SceneRow, ...]:
+    def __getitem__(self, index: int | slice) -> SweepRow | tuple[SweepRow, ...]:
         return self.rows[index]
 
     def __len__(self) -> int:
         return len(self.rows)
 
-    def of(self, method: str) -> tuple[SceneRow, ...]:
+    def of(self, method: str) -> tuple[SweepRow, ...]:
         """Return the rows of one method, by either of its names."""
         wanted = registry.generic_method(self.case.scene, method)
         return tuple(row for row in self.rows if row.method == wanted)
@@ -141,7 +141,7 @@ class SceneSweep(Tabular, Sequence[SceneRow]):
         ax : matplotlib Axes, optional
             Where; new ones, with a legend, without it.
         quantity : {"times", "discontinuous", "period"}
-            The field of `SceneErrors`.
+            The field of `Errors`.
         **style
             Of the lines, as `matplotlib.axes.Axes.plot` takes it.
 
@@ -192,9 +192,9 @@ def sweep_case(
     methods: str | Sequence[str] | None = None,
     orders: Iterable[int] = range(1, 21),
     functions: int | None = None,
-    progress: Callable[[SceneRow], None] = lambda row: None,
+    progress: Callable[[SweepRow], None] = lambda row: None,
     motion: str | None = None,
-) -> SceneSweep:
+) -> Sweep:
     """Solve for each method and order, and compare with the exact orbit.
 
     Parameters
@@ -242,23 +242,23 @@ def sweep_case(
         made = _row(case, method, order, count) if none is None else _empty(method, order, none)
         rows.append(made)
         progress(rows[-1])
-    return SceneSweep(case, tuple(rows), functions)
+    return Sweep(case, tuple(rows), functions)
 
 
-def _empty(method: str, order: int, finding: NoOrbit, seconds: float = 0.0) -> SceneRow:
+def _empty(method: str, order: int, finding: NoOrbit, seconds: float = 0.0) -> SweepRow:
     """Return the row of an orbit that was not found."""
     nothing = (None, None, None, finding.iterations, None, None)
-    return SceneRow(method, order, finding.status, *nothing, seconds, str(finding))
+    return SweepRow(method, order, finding.status, *nothing, seconds, str(finding))
 
 
-def _row(case: Case, method: str, order: int, functions: int | None) -> SceneRow:
+def _row(case: Case, method: str, order: int, functions: int | None) -> SweepRow:
     begin = time.perf_counter()
     try:
         orbit = solve_case(case, method, order, functions)
     except NoOrbit as finding:
         return _empty(method, order, finding, time.perf_counter() - begin)
     seconds = time.perf_counter() - begin
-    return SceneRow(
+    return SweepRow(
         orbit.method, order, "ok", orbit.period, orbit.forcing_phase, orbit.durations,
         orbit.iterations, orbit.errors, orbit.estimate, seconds, further=orbit.further,
     )  # fmt: skip

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import Orbit
+from nonsmooth.kim_perkins import StickSlipOrbit
 from nonsmooth.report.case import FLOORS, MOST, Case
 from nonsmooth.report.paper import DEFAULT
 from nonsmooth.solver.accuracy.rates import slope
@@ -54,7 +54,7 @@ def case(belt: ns.StickSlip = DEFAULT) -> Case:
     return Case(belt)
 
 
-def orbits(belt: ns.StickSlip, method: str, last: int = MOST) -> dict[int, Orbit]:
+def orbits(belt: ns.StickSlip, method: str, last: int = MOST) -> dict[int, StickSlipOrbit]:
     """Return the orbits of a method by order, up to one."""
     return {N: case(belt).orbit(method, N) for N in case(belt).orders(method) if last >= N}
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from nonsmooth.solver.case.case import Case
 from nonsmooth.solver.case.numbers import SceneNumbers
-from nonsmooth.solver.orbit.motion import SceneMotion
+from nonsmooth.solver.orbit.motion import Motion
 
 FREQUENCY = ("frequency", "Omega", "rad/s", 1.0, "angular frequency", "positive", None)
 SCALE = ("scale", "a", "", 1.0, "a number", "", None)
@@ -66,7 +66,7 @@ def made(
 
 
 @dataclass(frozen=True, eq=False)
-class Given(SceneMotion):
+class Given(Motion):
     """A motion that is given: coefficients of a polynomial in u, the same on each phase."""
 
     case: Case

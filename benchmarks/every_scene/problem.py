@@ -12,7 +12,7 @@ import numpy as np
 
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.flow.exact import ExactSceneOrbit, exact_orbit
+from nonsmooth.solver.flow.exact import ExactOrbit, exact_orbit
 from nonsmooth.solver.solve import with_motion
 
 #: How rough the times are: durations are too long and too short by turns, the angle is off.
@@ -30,12 +30,12 @@ class Problem:
     ----------
     case : Case
         Of one motion.
-    exact : ExactSceneOrbit
+    exact : ExactOrbit
         What errors are measured against: Newton's method on the closed-form flow.
     """
 
     case: Case
-    exact: ExactSceneOrbit
+    exact: ExactOrbit
 
     @property
     def name(self) -> str:

@@ -10,12 +10,12 @@ import numpy as np
 
 from ..arrays import Vector
 from ..orbit import chebyshev
-from ..orbit.motion import SceneMotion
+from ..orbit.motion import Motion
 from .quadrature import panels
 
 
 @dataclass(frozen=True)
-class SceneErrors:
+class Errors:
     """Errors of an orbit.
 
     Parameters
@@ -35,12 +35,12 @@ class SceneErrors:
     discontinuous: float
 
 
-def difference(found: SceneMotion, reference: SceneMotion, waves: int) -> SceneErrors:
+def difference(found: Motion, reference: Motion, waves: int) -> Errors:
     """Return the errors of one motion against another of the same case.
 
     Parameters
     ----------
-    found, reference : SceneMotion
+    found, reference : Motion
         The two.
     waves : int
         Most waves of either on a phase, for quadrature.
@@ -52,14 +52,14 @@ def difference(found: SceneMotion, reference: SceneMotion, waves: int) -> SceneE
     if cell.forced:
         turn = math.remainder(found.angle - reference.angle, 2 * math.pi)
         times = max(times, abs(turn) / cell.omega)
-    return SceneErrors(
+    return Errors(
         period=float(np.sum(here - there)) / total,
         times=times / (total * cell.cells),
         discontinuous=_ofderivative(found, reference, waves),
     )
 
 
-def _ofderivative(found: SceneMotion, reference: SceneMotion, waves: int) -> float:
+def _ofderivative(found: Motion, reference: Motion, waves: int) -> float:
     u, weights = panels([], max(waves, 2))
     order = found.case.cell.k + 1
     apart = size = 0.0
@@ -71,12 +71,12 @@ def _ofderivative(found: SceneMotion, reference: SceneMotion, waves: int) -> flo
     return math.sqrt(apart / size) if size else math.sqrt(apart)
 
 
-def derivative(motion: SceneMotion, p: int, u: Vector, order: int) -> Vector:
+def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
     """Return a derivative by time of any order on a phase, without units.
 
     Parameters
     ----------
-    motion : SceneMotion
+    motion : Motion
     p : int
         The phase of the cell.
     u : ndarray
@@ -90,3 +90,38 @@ def derivative(motion: SceneMotion, p: int, u: Vector, order: int) -> Vector:
     duration = float(motion.cell_durations[p])
     further = order - 2
     return chebyshev.derivative_at(parts, u, further) / duration**further
+
+
+def acceleration_error(found: Motion, reference: Motion, waves: int) -> float:
+    """Return (22) of the paper: the relative L2 difference over normalised time.
+
+    Parameters
+    ----------
+    found, reference : Motion
+        The two, whose accelerations are compared.
+    waves : int
+        Most waves of either on a period, for quadrature.
+    """
+    breaks = [
+        float(end) for each in (found, reference) for end in _ends(each)[1:-1] / _ends(each)[-1]
+    ]
+    theta, weights = panels(breaks, max(waves, 2))
+    expected = _at(reference, theta)
+    apart = _at(found, theta) - expected
+    return math.sqrt(float(weights @ apart**2) / float(weights @ expected**2))
+
+
+def _ends(motion: Motion) -> Vector:
+    ends: Vector = np.append(0.0, np.cumsum(motion.cell_durations))
+    return ends
+
+
+def _at(motion: Motion, theta: Vector) -> Vector:
+    """Return the acceleration at parts of the period, without units."""
+    ends = _ends(motion)
+    t = theta * ends[-1]
+    values = np.empty(len(t))
+    for p, s in enumerate(motion.cell_durations):
+        here = (t >= ends[p]) & (t < ends[p + 1])
+        values[here] = motion.part(p, (t[here] - ends[p]) / s, 2)
+    return values

@@ -18,8 +18,8 @@ import numpy as np
 from ..case import registry
 from ..case.methods import FIRST
 from ..iteration.attempt import attempt
-from ..orbit.orbit import SceneOrbit
-from .errors import SceneErrors, difference
+from ..orbit.orbit import Orbit
+from .errors import Errors, difference
 from .skeel import condition
 
 #: The order of the better orbit: so many more than the orbit's, and no less than that; nor more
@@ -37,10 +37,10 @@ SAME, SAME_DERIVATIVE = 1e-6, 1e-3
 #: What one rounding is, as a part of a number.
 EPSILON = float(np.finfo(float).eps)
 
-NOTHING = SceneErrors(math.inf, math.inf, math.inf)
+NOTHING = Errors(math.inf, math.inf, math.inf)
 
 
-def estimate(orbit: SceneOrbit) -> SceneErrors:
+def estimate(orbit: Orbit) -> Errors:
     """Return the estimated errors of an orbit, without sign; infinite where none is known."""
     if FIRST not in registry.methods(orbit.case.scene):
         return _against_the_exact_orbit(orbit)
@@ -55,7 +55,7 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(better[0])
     free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
     turned = 2 * math.pi * shared  # times are parts of a period, and this of a radian
-    return SceneErrors(
+    return Errors(
         period=abs(apart.period) + abs(doubt.period) + left + max(ROUNDING, free),
         times=apart.times + doubt.times + left + max(ROUNDING, shared),
         discontinuous=apart.discontinuous
@@ -65,17 +65,15 @@ def estimate(orbit: SceneOrbit) -> SceneErrors:
     )
 
 
-def _against_the_exact_orbit(orbit: SceneOrbit) -> SceneErrors:
+def _against_the_exact_orbit(orbit: Orbit) -> Errors:
     """Return the errors themselves, where no better orbit says what they are."""
     found = orbit.errors
     if found is None:
         return NOTHING
-    return SceneErrors(abs(found.period), found.times, found.discontinuous)
+    return Errors(abs(found.period), found.times, found.discontinuous)
 
 
-def _neighbour(
-    orbit: SceneOrbit, order: int, is_orbit: bool
-) -> tuple[SceneOrbit, SceneErrors] | None:
+def _neighbour(orbit: Orbit, order: int, is_orbit: bool) -> tuple[Orbit, Errors] | None:
     """Return the orbit of the better method to which the times of an orbit lead, and how far.
 
     Where the conditions of that method are singular, by its functions of class C^1.  What is
@@ -95,6 +93,6 @@ def _neighbour(
     return None
 
 
-def _same(change: SceneErrors) -> bool:
+def _same(change: Errors) -> bool:
     """Whether two solutions are so near to each other that either is an orbit if one is."""
     return change.times <= SAME and change.discontinuous <= SAME_DERIVATIVE

@@ -9,10 +9,10 @@ import math
 import numpy as np
 
 from ..flow.exact_system import exact_kernel, unknowns_of
-from ..orbit.motion import SceneMotion
+from ..orbit.motion import Motion
 
 
-def condition(motion: SceneMotion) -> float:
+def condition(motion: Motion) -> float:
     """Return Skeel's condition number of the exact equations, near one of their solutions.
 
     ``|J^-1| |J| |z|`` with the Jacobian J at the unknowns z, of the time that answers most, as
@@ -22,7 +22,7 @@ def condition(motion: SceneMotion) -> float:
 
     Parameters
     ----------
-    motion : SceneMotion
+    motion : Motion
         An orbit, of an expansion or exact.
 
     Examples

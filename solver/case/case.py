@@ -12,7 +12,7 @@ from .parameters import ParameterError, is_number
 from .units import Units, UnitsError, units_of
 
 if TYPE_CHECKING:
-    from ..flow.exact import ExactSceneOrbit
+    from ..flow.exact import ExactOrbit
     from ..no_orbit import NoOrbit
     from .numbers import SceneNumbers
 
@@ -127,9 +127,7 @@ class Case:
         """Return an orbit of this case, exact or not, as users see it: as it is."""
         return motion
 
-    def completed(
-        self, document: dict[str, Any], exact: "ExactSceneOrbit | None"
-    ) -> dict[str, Any]:
+    def completed(self, document: dict[str, Any], exact: "ExactOrbit | None") -> dict[str, Any]:
         """Return the document of an orbit that is not there with all keys of one that is."""
         errors = dict.fromkeys(self.own_errors) | document["errors"]
         return document | dict.fromkeys(self.own_numbers) | {"errors": errors}

@@ -27,7 +27,7 @@ PLAIN = (
 
 
 @dataclass(frozen=True)
-class SceneKernel:
+class Kernel:
     """The equations of one method for one scene over arrays, and their solver.
 
     Parameters
@@ -78,13 +78,13 @@ class SceneKernel:
 
 
 @cache
-def plain(module: types.ModuleType) -> SceneKernel:
+def plain(module: types.ModuleType) -> Kernel:
     """Return the kernel of a generated module as plain Python."""
     return _kernel(module, vars(module), iteration_of(vars(module), rebuilt), account(module))
 
 
 @cache
-def once_continuous(module: types.ModuleType) -> SceneKernel | None:
+def once_continuous(module: types.ModuleType) -> Kernel | None:
     """Return the kernel for functions of class C^1, where a smoother scene's module has it.
 
     Accelerations are polynomials of degree N on each phase, tested to degree N, and need not be
@@ -112,7 +112,7 @@ def account(module: types.ModuleType) -> Account:
     return Account(entry.__code__.co_filename, f"{entry.__name__}_{fingerprint(module)}")
 
 
-def quicker(module: types.ModuleType, order: int = 0) -> SceneKernel:
+def quicker(module: types.ModuleType, order: int = 0) -> Kernel:
     """Return the kernel of a module in the form that is the better one by now.
 
     Parameters
@@ -129,7 +129,7 @@ def quicker(module: types.ModuleType, order: int = 0) -> SceneKernel:
 
 
 @cache
-def compiled(module: types.ModuleType) -> SceneKernel:
+def compiled(module: types.ModuleType) -> Kernel:
     """Return the kernel of a generated module compiled by numba, cached where possible."""
     namespace = dict(vars(module))
     own = [
@@ -165,9 +165,9 @@ def _kernel(
     functions: dict[str, Any],
     iterate: Iteration,
     spent: Account | None = None,
-) -> SceneKernel:
+) -> Kernel:
     names = ("size", "residual", "jacobian", "motion", "coefficients")
-    return SceneKernel(
+    return Kernel(
         method=str(module.METHOD).partition(",")[0],
         durations=int(module.DURATIONS),
         forced=bool(module.FORCED),

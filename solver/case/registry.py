@@ -15,7 +15,7 @@ from .numbers import SCENE, SceneNumbers
 from .sealed import Kept
 
 if TYPE_CHECKING:
-    from .kernel import SceneKernel
+    from .kernel import Kernel
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
 
@@ -144,7 +144,7 @@ def class_one(scene: SceneNumbers, method: str) -> str | None:
 
 def kernel(
     scene: SceneNumbers, method: str, number: int | None = None, *, compile_it: bool = False
-) -> "SceneKernel":
+) -> "Kernel":
     """Return the kernel of a method for a scene, as plain Python or compiled by numba.
 
     Parameters
@@ -170,7 +170,7 @@ def kernel(
 
 def quicker_kernel(
     scene: SceneNumbers, method: str, number: int | None = None, order: int = 0
-) -> "SceneKernel":
+) -> "Kernel":
     """Return the kernel in the form, plain or compiled, that is the better one by now.
 
     The same as `kernel`, which see; `order` is that for which it is wanted.
@@ -181,7 +181,7 @@ def quicker_kernel(
     return _once(scene, method, found) or quicker(found, order)
 
 
-def _once(scene: SceneNumbers, method: str, module: types.ModuleType) -> "SceneKernel | None":
+def _once(scene: SceneNumbers, method: str, module: types.ModuleType) -> "Kernel | None":
     """Return the kernel of class C^1 if that is the method; else None."""
     from .kernel import once_continuous  # noqa: PLC0415  (NumPy: lists of scenes need none)
 

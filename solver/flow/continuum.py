@@ -10,7 +10,7 @@ from ..case.cell import Cell, Form, Memory, Phase
 from .exact_system import exact_kernel, unknowns_of
 
 if TYPE_CHECKING:
-    from ..orbit.motion import SceneMotion
+    from ..orbit.motion import Motion
 
 #: How far beside an orbit another is looked for, as a part of its largest unknown; what is
 #: rounding of their equations; the singular value, as a part of the largest, that is none.
@@ -20,7 +20,7 @@ BESIDE, ROUNDING, SINGULAR = 1e-3, 1e-11, 1e-7
 STEPS = 12
 
 
-def is_one_of_a_continuum(motion: "SceneMotion") -> bool:
+def is_one_of_a_continuum(motion: "Motion") -> bool:
     """Return whether the exact equations of a whole period have another solution close by.
 
     Where they are singular, a step is made along what they do not fix, and from there the
@@ -28,7 +28,7 @@ def is_one_of_a_continuum(motion: "SceneMotion") -> bool:
 
     Parameters
     ----------
-    motion : SceneMotion
+    motion : Motion
         An orbit: exact, or near an exact one.
     """
     cell = whole_period(motion.case.cell)
@@ -78,7 +78,7 @@ def whole_period(cell: Cell) -> Cell | None:
     return replace(cell, phases=phases, sign=1, guess=(), memory=memory)
 
 
-def _unknowns(motion: "SceneMotion") -> Vector:
+def _unknowns(motion: "Motion") -> Vector:
     """Return the unknowns of the exact equations of a whole period, as a motion has them."""
     cell, z = motion.case.cell, unknowns_of(motion)
     if cell.sign > 0:

@@ -9,16 +9,16 @@ from ..case.case import Case
 from ..iteration.start import PATIENCE, RoughTimes, rough_times
 from ..motions import of_any_motion
 from ..no_orbit import NoOrbit
-from .exact_motion import ExactSceneOrbit, from_times
+from .exact_motion import ExactOrbit, from_times
 from .existence import not_decided, shown_to_be_none, without_switches
 from .known import known, known_orbits
 
-__all__ = ["ExactSceneOrbit", "exact_orbit"]
+__all__ = ["ExactOrbit", "exact_orbit"]
 
 
 def exact_orbit(
     case: Case, durations: Sequence[float] = (), forcing_phase: float = 0.0
-) -> ExactSceneOrbit:
+) -> ExactOrbit:
     """Return the exact orbit of a case.
 
     Parameters

@@ -7,17 +7,17 @@ import numpy as np
 
 from ..arrays import Vector
 from ..case.case import Case
-from ..case.kernel import SceneKernel
+from ..case.kernel import Kernel
 from ..iteration.newton import Outcome, newton
 from ..iteration.start import RoughTimes, with_coefficients
 from ..orbit import admissible
-from ..orbit.motion import SceneMotion
+from ..orbit.motion import Motion
 from ..stability.words import in_words
 from .exact_system import exact_kernel
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ExactSceneOrbit(SceneMotion):
+class ExactOrbit(Motion):
     """The exact periodic orbit of a case, from the closed-form flow of its phases.
 
     Parameters
@@ -32,7 +32,7 @@ class ExactSceneOrbit(SceneMotion):
     outcome: Outcome
 
     @cached_property
-    def _kernel(self) -> SceneKernel:
+    def _kernel(self) -> Kernel:
         return exact_kernel(self.case.cell)
 
     @property
@@ -95,9 +95,9 @@ class ExactSceneOrbit(SceneMotion):
         return f"<exact orbit of {self.case.scene.label}: {self._times}>"
 
 
-def from_times(case: Case, start: RoughTimes) -> ExactSceneOrbit:
+def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     """Return where Newton's method leads from rough times: an orbit only if it says so."""
     kernel = exact_kernel(case.cell)
     times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
     z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
-    return case.presented(ExactSceneOrbit(case, newton(kernel.iterate, case.cell, z)))
+    return case.presented(ExactOrbit(case, newton(kernel.iterate, case.cell, z)))

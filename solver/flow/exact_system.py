@@ -15,18 +15,18 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..case.cell import Cell
-from ..case.kernel import SceneKernel
+from ..case.kernel import Kernel
 from ..case.linking import linked
 from . import flow
 
 if TYPE_CHECKING:
-    from ..orbit.motion import SceneMotion
+    from ..orbit.motion import Motion
 
 
-def exact_kernel(cell: Cell) -> SceneKernel:
+def exact_kernel(cell: Cell) -> Kernel:
     """Return the exact equations of a cell; the case of its functions is the cell."""
     count = len(cell.phases)
-    return SceneKernel(
+    return Kernel(
         method="exact",
         durations=count,
         forced=cell.forced,
@@ -40,7 +40,7 @@ def exact_kernel(cell: Cell) -> SceneKernel:
     )
 
 
-def unknowns_of(motion: "SceneMotion") -> Vector:
+def unknowns_of(motion: "Motion") -> Vector:
     """Return the unknowns of the exact equations of a cell, as a motion has them."""
     start, phases = np.zeros(1), range(len(motion.case.cell.phases))
     states = [float(motion.part(p, start, j)[0]) for p in phases for j in (0, 1)]

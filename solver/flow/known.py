@@ -18,7 +18,7 @@ from ..iteration.newton import Outcome
 from ..iteration.start import RoughTimes
 from ..stability.monodromy import NoMultipliersError
 from . import one_phase, two_phases
-from .exact_motion import ExactSceneOrbit, from_times
+from .exact_motion import ExactOrbit, from_times
 from .exact_system import residual
 
 #: Differences of times, as parts of a cell, below which two solutions are one.
@@ -34,9 +34,9 @@ class Known:
 
     Parameters
     ----------
-    orbits : tuple of ExactSceneOrbit
+    orbits : tuple of ExactOrbit
         Those that are orbits, the stable ones first.
-    refused : tuple of ExactSceneOrbit
+    refused : tuple of ExactOrbit
         Those that violate an inequality.
     complete : bool
         Whether it is shown that there are no others.
@@ -46,8 +46,8 @@ class Known:
         Whether they were listed, as far as float64 allows: no blind search finds more.
     """
 
-    orbits: tuple[ExactSceneOrbit, ...] = ()
-    refused: tuple[ExactSceneOrbit, ...] = ()
+    orbits: tuple[ExactOrbit, ...] = ()
+    refused: tuple[ExactOrbit, ...] = ()
     complete: bool = False
     infinite: bool = False
     listed: bool = False
@@ -78,7 +78,7 @@ def known(case: Case) -> Known:
     if not two_phases.applies(cell):
         return Known()
     scan = two_phases.solutions(cell)
-    orbits: list[ExactSceneOrbit] = []
+    orbits: list[ExactOrbit] = []
     complete = scan.complete
     for start in (*scan.found, *scan.doubtful):
         orbit = from_times(case, RoughTimes(*start, "the scan"))
@@ -89,7 +89,7 @@ def known(case: Case) -> Known:
     return replace(_sorted(orbits, complete), listed=True)
 
 
-def known_orbits(case: Case) -> list[ExactSceneOrbit]:
+def known_orbits(case: Case) -> list[ExactOrbit]:
     """Return the orbits that are known of each motion of a case, the stable ones first."""
     return stable_first(
         replace(orbit, case=each) if orbit.case.scene.folder != each.scene.folder else orbit
@@ -98,7 +98,7 @@ def known_orbits(case: Case) -> list[ExactSceneOrbit]:
     )  # a copy of a scene is equal to it, but for the methods that it has
 
 
-def others(orbit: ExactSceneOrbit) -> list[ExactSceneOrbit]:
+def others(orbit: ExactOrbit) -> list[ExactOrbit]:
     """Return the orbits of the same oscillator, of any motion, that are known beside one."""
     return [
         other
@@ -108,13 +108,13 @@ def others(orbit: ExactSceneOrbit) -> list[ExactSceneOrbit]:
     ]
 
 
-def stable_first(orbits: Iterable[ExactSceneOrbit]) -> list[ExactSceneOrbit]:
+def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:
     """Return orbits in their order, but for the stable ones, which come first."""
     orbits = list(orbits)
     return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: is_stable(q) is not True)
 
 
-def is_stable(orbit: ExactSceneOrbit) -> bool | None:
+def is_stable(orbit: ExactOrbit) -> bool | None:
     """Return whether an orbit is stable; None where that cannot be told."""
     try:
         return orbit.stable
@@ -122,14 +122,14 @@ def is_stable(orbit: ExactSceneOrbit) -> bool | None:
         return None
 
 
-def _sorted(found: Iterable[ExactSceneOrbit], complete: bool) -> Known:
+def _sorted(found: Iterable[ExactOrbit], complete: bool) -> Known:
     found = list(found)
     orbits = tuple(stable_first(q for q in found if q.admissible))
     refused = tuple(q for q in found if not q.admissible)
     return Known(orbits, refused, complete)
 
 
-def _apart(orbit: ExactSceneOrbit, durations: tuple[float, ...], angle: float) -> float:
+def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> float:
     """Return how far the times of a solution are from others, as a part of the cell."""
     if not orbit.outcome.converged:
         return math.inf
@@ -139,14 +139,14 @@ def _apart(orbit: ExactSceneOrbit, durations: tuple[float, ...], angle: float) -
     return float(off / cell.duration)
 
 
-def _same(one: ExactSceneOrbit, other: ExactSceneOrbit) -> bool:
+def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
     return _apart(one, tuple(other.cell_durations), other.angle) <= SAME
 
 
-def _of_state(case: Case, state: tuple[float, float, float]) -> ExactSceneOrbit:
+def _of_state(case: Case, state: tuple[float, float, float]) -> ExactOrbit:
     """Return a solution in closed form as an orbit, admissible or not."""
     x, v, angle = state
     z, R = np.array([x, v, case.cell.duration, angle]), np.empty(4)
     residual(case.cell, z, R)
     norm = float(np.abs(R).max())
-    return ExactSceneOrbit(case, Outcome(z, True, 0, 0.0, norm, "converged"))
+    return ExactOrbit(case, Outcome(z, True, 0, 0.0, norm, "converged"))

@@ -11,7 +11,7 @@ import numpy as np
 from ..arrays import Vector
 from ..case.case import Case
 from ..case.cell import Cell
-from ..case.kernel import SceneKernel
+from ..case.kernel import Kernel
 from ..scaling import equilibrated
 from .start import with_coefficients
 
@@ -27,12 +27,12 @@ def is_reversible(cell: Cell) -> bool:
     )
 
 
-def is_singular(kernel: SceneKernel, case: Case, order: int, times: Vector) -> bool:
+def is_singular(kernel: Kernel, case: Case, order: int, times: Vector) -> bool:
     """Return whether the Jacobian of a kernel is singular at given times.
 
     Parameters
     ----------
-    kernel, case, order : SceneKernel, Case, int
+    kernel, case, order : Kernel, Case, int
         See `attempt`.
     times : ndarray
         Durations and, if the scene is forced, the phase of the forcing; without units.

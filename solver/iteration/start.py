@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arrays import Vector
 from ..case.cell import Cell
-from ..case.kernel import SceneKernel
+from ..case.kernel import Kernel
 
 #: Phases of the forcing from which a blind search starts.
 ANGLES = 12
@@ -65,12 +65,12 @@ def _splits(cell: Cell) -> Iterator[tuple[tuple[float, ...], str]]:
             yield durations, f"a {word} phase {phase.name}"
 
 
-def with_coefficients(kernel: SceneKernel, case: Any, size: int, times: Vector) -> Vector:
+def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Vector:
     """Return the unknowns of a kernel: the coefficients of best fit, and the given times.
 
     Parameters
     ----------
-    kernel : SceneKernel
+    kernel : Kernel
         Whose conditions are linear in the coefficients.
     case : object
         What its residual takes.

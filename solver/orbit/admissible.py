@@ -15,7 +15,7 @@ from ..case.cell import Form
 from . import chebyshev
 from .crossings import met_before
 from .forms import scale_of, terms, vanishes_by_event
-from .motion import SceneMotion
+from .motion import Motion
 
 #: What a demand may be below 0, as a part of its scale, where rounding is all that is off.
 ROUNDING = 1e-9
@@ -43,13 +43,13 @@ def only_rounding(p: int, form: Form) -> float:
 
 
 def violations(
-    orbit: SceneMotion, allowed: Allowance = only_rounding, unmet: float = 0.0
+    orbit: Motion, allowed: Allowance = only_rounding, unmet: float = 0.0
 ) -> tuple[str, ...]:
     """Return what an orbit violates, in words with numbers in SI units; empty if nothing.
 
     Parameters
     ----------
-    orbit : SceneMotion
+    orbit : Motion
         A solution of the equations.
     allowed : callable
         How far below 0 a demand may fall; see `allowance` for those of an expansion.
@@ -80,7 +80,7 @@ def violations(
     return tuple(found) or _repeated(orbit)
 
 
-def _unmet(orbit: SceneMotion, unmet: float) -> list[str]:
+def _unmet(orbit: Motion, unmet: float) -> list[str]:
     """Return that the first phase ends before its event or beyond it, if it does."""
     phase = orbit.cell.phases[0]
     begin, end = terms(orbit, 0, phase.event, np.array([0.0, 1.0])).sum(axis=0)
@@ -93,7 +93,7 @@ def _unmet(orbit: SceneMotion, unmet: float) -> list[str]:
     ]
 
 
-def _with_unmet(orbit: SceneMotion, allowed: Allowance, unmet: float) -> Allowance:
+def _with_unmet(orbit: Motion, allowed: Allowance, unmet: float) -> Allowance:
     """Return what demands are allowed where that of the first event is allowed as much."""
 
     def more(p: int, form: Form) -> float:
@@ -105,7 +105,7 @@ def _with_unmet(orbit: SceneMotion, allowed: Allowance, unmet: float) -> Allowan
     return more
 
 
-def _too_late(orbit: SceneMotion, p: int, allowed: Allowance) -> list[str]:
+def _too_late(orbit: Motion, p: int, allowed: Allowance) -> list[str]:
     """Return that a phase would have ended before its end, where no demand says so."""
     phase = orbit.cell.phases[p]
     u = met_before(orbit, p, ROUNDING)
@@ -115,9 +115,7 @@ def _too_late(orbit: SceneMotion, p: int, allowed: Allowance) -> list[str]:
     return [f"{phase.name} would end {_state(orbit, p, u)}: its event is met there"]
 
 
-def _at_switch(
-    orbit: SceneMotion, p: int, words: str, form: Form, allowed: Allowance
-) -> list[str]:
+def _at_switch(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
     """Return how a demand where a phase ends is violated, if it is."""
     scale = scale_of(orbit, p, form)
     value = float(terms(orbit, p, form, np.ones(1)).sum())
@@ -130,7 +128,7 @@ def _at_switch(
     ]
 
 
-def _repeated(orbit: SceneMotion) -> tuple[str, ...]:
+def _repeated(orbit: Motion) -> tuple[str, ...]:
     """Return that an orbit of several cycles is one of fewer, again and again, if it is."""
     phases, cycles = orbit.phases, orbit.cell.cycles
     sizes = [max(map(abs, ends)) for ends in orbit.extremes.values()] if cycles > 1 else []
@@ -154,7 +152,7 @@ def _repeated(orbit: SceneMotion) -> tuple[str, ...]:
     return ()
 
 
-def _held(orbit: SceneMotion, p: int) -> list[str]:
+def _held(orbit: Motion, p: int) -> list[str]:
     phase, s = orbit.cell.phases[p], float(orbit.cell_durations[p])
     if not (phase.held and phase.speed):
         return []
@@ -168,9 +166,7 @@ def _held(orbit: SceneMotion, p: int) -> list[str]:
     ]
 
 
-def _demand(
-    orbit: SceneMotion, p: int, words: str, form: Form, allowed: Allowance
-) -> list[str]:
+def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
     """Return how a demand on a phase is violated, if it is."""
     phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
 
@@ -205,7 +201,7 @@ def _demand(
     return []
 
 
-def _state(orbit: SceneMotion, p: int, u: float) -> str:
+def _state(orbit: Motion, p: int, u: float) -> str:
     """Return when something happens, and the state there, in words."""
     units, at = orbit.case.units, np.array([u])
     t = (float(np.sum(orbit.cell_durations[:p])) + u * float(orbit.cell_durations[p])) * (

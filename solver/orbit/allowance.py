@@ -20,7 +20,7 @@ from . import chebyshev
 from .admissible import ROUNDING, Allowance
 from .extremes import LOOK
 from .forms import scale_of
-from .motion import SceneMotion
+from .motion import Motion
 
 #: Times the measured error, for the errors of the start of each phase and the growth since.
 FACTOR = 2.0
@@ -29,7 +29,7 @@ FACTOR = 2.0
 MOST = 0.25
 
 
-def defect(orbit: SceneMotion, p: int) -> tuple[float, float]:
+def defect(orbit: Motion, p: int) -> tuple[float, float]:
     """Return the sizes of velocity and displacement that the residual on a phase would give.
 
     Both without units; on a held phase the residual is the acceleration.  Where a phase is
@@ -58,7 +58,7 @@ def defect(orbit: SceneMotion, p: int) -> tuple[float, float]:
     return s * rate, s * s * travel
 
 
-def by_residual(orbit: SceneMotion) -> Allowance:
+def by_residual(orbit: Motion) -> Allowance:
     """Return what each demand of an orbit may fall below 0, as a part of its scale.
 
     The residual is looked at when the first demand asks.

@@ -12,18 +12,18 @@ from ..arrays import Vector
 from ..case.cell import Form
 from . import chebyshev
 from .forms import scale_of, terms
-from .motion import SceneMotion
+from .motion import Motion
 
 #: Halvings of the interval in which a sign changes.
 HALVINGS = 60
 
 
-def met_before(orbit: SceneMotion, p: int, allowed: float) -> float | None:
+def met_before(orbit: Motion, p: int, allowed: float) -> float | None:
     """Return the local time at which a phase would end before its end, if there is one.
 
     Parameters
     ----------
-    orbit : SceneMotion
+    orbit : Motion
     p : int
         A phase of its cell with no demand that ends with it.
     allowed : float
@@ -36,7 +36,7 @@ def met_before(orbit: SceneMotion, p: int, allowed: float) -> float | None:
     return None
 
 
-def _changes(orbit: SceneMotion, p: int, allowed: float) -> list[tuple[float, float]]:
+def _changes(orbit: Motion, p: int, allowed: float) -> list[tuple[float, float]]:
     """Return the intervals in which the event changes its sign for more than rounding."""
     form = orbit.cell.phases[p].event
     scale = scale_of(orbit, p, form)
@@ -51,11 +51,11 @@ def _changes(orbit: SceneMotion, p: int, allowed: float) -> list[tuple[float, fl
     return [(float(points[kept[i]]), float(points[kept[i + 1]])) for i in turns]
 
 
-def _value(orbit: SceneMotion, p: int, form: Form, u: Vector) -> Vector:
+def _value(orbit: Motion, p: int, form: Form, u: Vector) -> Vector:
     return np.asarray(terms(orbit, p, form, u).sum(axis=0))
 
 
-def _between(orbit: SceneMotion, p: int, before: float, after: float) -> float:
+def _between(orbit: Motion, p: int, before: float, after: float) -> float:
     """Return where the event vanishes between two places of different sign."""
     form = orbit.cell.phases[p].event
     sign = np.sign(_value(orbit, p, form, np.array([before])))
@@ -68,7 +68,7 @@ def _between(orbit: SceneMotion, p: int, before: float, after: float) -> float:
     return after
 
 
-def _is_a_switch(orbit: SceneMotion, p: int, u: float, allowed: float) -> bool:
+def _is_a_switch(orbit: Motion, p: int, u: float, allowed: float) -> bool:
     """Return whether the phase would end where its event vanishes on the way."""
     cell, phase, at = orbit.cell, orbit.cell.phases[p], np.array([u])
 

@@ -10,15 +10,15 @@ from ..stability import words as stability
 if TYPE_CHECKING:
     from ..case.case import Case
     from ..case.cell import Phase
-    from ..flow.exact import ExactSceneOrbit
+    from ..flow.exact import ExactOrbit
     from ..no_orbit import NoOrbit
-    from .orbit import SceneOrbit
+    from .orbit import Orbit
 
 #: Of the document's keys and their meaning.
 SCHEMA = 1
 
 
-def document(orbit: "SceneOrbit") -> dict[str, Any]:
+def document(orbit: "Orbit") -> dict[str, Any]:
     """Return an orbit as a document of JSON: numbers, text, lists; None for what is unknown."""
     exact, errors = orbit.exact, orbit.errors
     content = {
@@ -63,7 +63,7 @@ def document(orbit: "SceneOrbit") -> dict[str, Any]:
 
 def document_without_orbit(
     case: "Case", method: str, order: int | None, functions: int | None, finding: "NoOrbit",
-    exact: "ExactSceneOrbit | None",
+    exact: "ExactOrbit | None",
 ) -> dict[str, Any]:  # fmt: skip
     """Return the document of an orbit that is not there: the same keys, and its status."""
     ends = dict.fromkeys(("displacement", "velocity"))
@@ -114,7 +114,7 @@ def without_errors() -> dict[str, None]:
     return dict.fromkeys(("period", "times", "discontinuous"))
 
 
-def _of_exact(exact: "ExactSceneOrbit | None") -> dict[str, Any]:
+def _of_exact(exact: "ExactOrbit | None") -> dict[str, Any]:
     return {
         "period": exact and exact.period,
         "forcing_phase": exact and exact.forcing_phase,
@@ -122,7 +122,7 @@ def _of_exact(exact: "ExactSceneOrbit | None") -> dict[str, Any]:
     }
 
 
-def _of_other(exact: "ExactSceneOrbit") -> dict[str, Any]:
+def _of_other(exact: "ExactOrbit") -> dict[str, Any]:
     """Return what is said of an orbit that exists beside another."""
     motion = {"motion": exact.case.scene.motion}
     return motion | _of_exact(exact) | stability.document(exact)

@@ -8,13 +8,13 @@ from ..arrays import Vector
 from . import chebyshev
 
 if TYPE_CHECKING:
-    from .motion import SceneMotion
+    from .motion import Motion
 
 #: Points of a phase at which the size of a motion is looked at.
 LOOK = np.linspace(0.0, 1.0, 65)
 
 
-def extremes(motion: "SceneMotion", derivative: int) -> tuple[float, float]:
+def extremes(motion: "Motion", derivative: int) -> tuple[float, float]:
     """Return the least and the largest value of a derivative over a period, in SI units."""
     cell, count = motion.case.cell, len(motion.case.cell.phases)
     size = max(float(np.abs(motion.part(p, LOOK, derivative)).max()) for p in range(count))

@@ -4,10 +4,10 @@ import numpy as np
 
 from ..arrays import Vector
 from ..case.cell import Form
-from .motion import SceneMotion
+from .motion import Motion
 
 
-def terms(orbit: SceneMotion, p: int, form: Form, u: Vector) -> Vector:
+def terms(orbit: Motion, p: int, form: Form, u: Vector) -> Vector:
     """Return the terms of a linear form in the state, at local times of a phase."""
     cell, durations = orbit.cell, orbit.cell_durations
     angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
@@ -24,12 +24,12 @@ def terms(orbit: SceneMotion, p: int, form: Form, u: Vector) -> Vector:
     )
 
 
-def scale_of(orbit: SceneMotion, p: int, form: Form) -> float:
+def scale_of(orbit: Motion, p: int, form: Form) -> float:
     """Return the size of a form on a phase: of its terms, added without sign."""
     return float(np.abs(form) @ orbit.sizes[p])
 
 
-def vanishes_by_event(orbit: SceneMotion, p: int, form: Form) -> bool:
+def vanishes_by_event(orbit: Motion, p: int, form: Form) -> bool:
     """Whether a demand is the event that ends the phase, but for a factor."""
     event_form, sizes = orbit.cell.phases[p].event, orbit.sizes[p]
     demand, event = np.array(form) * sizes, np.array(event_form) * sizes

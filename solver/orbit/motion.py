@@ -41,7 +41,7 @@ class OrbitPhase:
     velocity: float
 
 
-class SceneMotion(Shown):
+class Motion(Shown):
     """Displacement, velocity and acceleration of a periodic motion at any time, in SI units.
 
     A subclass says its case, and without units: durations, forcing phase, motion on a phase.

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..accuracy.errors import SceneErrors, difference
+from ..accuracy.errors import Errors, difference
 from ..arrays import Vector
 from ..case import registry
 from ..case.case import Case
-from ..case.kernel import SceneKernel
+from ..case.kernel import Kernel
 from ..case.methods import about
 from ..case.names import shown
-from ..flow.exact_motion import ExactSceneOrbit, from_times
+from ..flow.exact_motion import ExactOrbit, from_times
 from ..iteration.newton import Outcome
 from ..iteration.start import RoughTimes
 from ..scaling import product_of_powers
@@ -23,7 +23,7 @@ from ..stability.words import in_words
 from . import admissible
 from .allowance import by_residual
 from .document import document
-from .motion import SceneMotion
+from .motion import Motion
 
 if TYPE_CHECKING:
     from ..stability.stability import Stability
@@ -34,7 +34,7 @@ FAR = 0.05
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class SceneOrbit(SceneMotion):
+class Orbit(Motion):
     """A periodic orbit of a case, computed by one method at one order.
 
     Parameters
@@ -61,7 +61,7 @@ class SceneOrbit(SceneMotion):
     functions: int | None = None
 
     @cached_property
-    def _kernel(self) -> SceneKernel:
+    def _kernel(self) -> Kernel:
         return registry.kernel(self.case.scene, self.method, self.functions)
 
     @property
@@ -158,20 +158,20 @@ class SceneOrbit(SceneMotion):
         return self.exact is not None or math.isfinite(self.estimate.times)
 
     @cached_property
-    def _exact_solution(self) -> ExactSceneOrbit | None:
+    def _exact_solution(self) -> ExactOrbit | None:
         """The solution of the exact equations to which its times lead, if to one."""
         own = RoughTimes(tuple(map(float, self.cell_durations)), self.angle, "its own times")
         found = from_times(self.case, own)
         return found if found.outcome.converged else None
 
     @property
-    def exact(self) -> ExactSceneOrbit | None:
+    def exact(self) -> ExactOrbit | None:
         """The exact orbit next to this one; None if there is none to be found."""
         found = self._exact_solution
         return found if found is not None and found.admissible else None
 
     @property
-    def others(self) -> list[ExactSceneOrbit]:
+    def others(self) -> list[ExactOrbit]:
         """Exact orbits of the same oscillator, of any motion, that are known beside this one.
 
         All there are where all solutions of the exact equations can be listed: of one or two
@@ -182,12 +182,12 @@ class SceneOrbit(SceneMotion):
         return [] if self.exact is None else others(self.exact)
 
     @cached_property
-    def errors(self) -> SceneErrors | None:
+    def errors(self) -> Errors | None:
         """Errors against the exact orbit; None if there is none to be found."""
         return None if self.exact is None else difference(self, self.exact, self.order)
 
     @cached_property
-    def estimate(self) -> SceneErrors:
+    def estimate(self) -> Errors:
         """Errors as they are estimated without the exact orbit; see `estimate`."""
         from ..accuracy.estimate import estimate  # noqa: PLC0415  (it computes orbits)
 

@@ -3,14 +3,14 @@
 import numpy as np
 
 from ..case.cell import cell_of
-from ..flow.exact import ExactSceneOrbit
+from ..flow.exact import ExactOrbit
 from ..flow.exact_system import exact_kernel
 
 #: Relative change of a parameter: the error of the central difference is its square.
 STEP = 2.0**-17
 
 
-def condition(orbit: ExactSceneOrbit) -> float:
+def condition(orbit: ExactOrbit) -> float:
     """Return the condition number of the times of an orbit as functions of its parameters.
 
     The sum over the parameters of ``|p dt/dp|``, for the time t that answers most, as a part
@@ -21,7 +21,7 @@ def condition(orbit: ExactSceneOrbit) -> float:
 
     Parameters
     ----------
-    orbit : ExactSceneOrbit
+    orbit : ExactOrbit
         The exact orbit of a case.
     """
     case, kernel = orbit.case, exact_kernel(orbit.case.cell)

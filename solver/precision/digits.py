@@ -10,10 +10,10 @@ import numpy as np
 from ..arrays import Vector
 from ..case import registry
 from ..case.case import Case
-from ..case.kernel import SceneKernel
+from ..case.kernel import Kernel
 from ..case.methods import in_order
 from ..case.parameters import ParameterError
-from ..flow.exact import ExactSceneOrbit, exact_orbit
+from ..flow.exact import ExactOrbit, exact_orbit
 from ..flow.exact_system import exact_kernel
 from ..iteration.attempt import attempt
 from ..no_orbit import NoOrbit
@@ -183,14 +183,14 @@ def at(
             yield _of_method(words, exact, name, order, sensitive)
 
 
-def _of_exact(words: str, orbit: ExactSceneOrbit, sensitive: float) -> Kept:
+def _of_exact(words: str, orbit: ExactOrbit, sensitive: float) -> Kept:
     kernel, cell = exact_kernel(orbit.case.cell), orbit.case.cell
     head, tail = (words, EXACT, None), (sensitive, orbit.outcome.iterations)
     return _kept(head, tail, kernel, orbit.case, cell, orbit.outcome.unknowns, True)
 
 
 def _of_method(
-    words: str, exact: ExactSceneOrbit, method: str, order: int, sensitive: float
+    words: str, exact: ExactOrbit, method: str, order: int, sensitive: float
 ) -> Kept:
     case = exact.case
     functions = number_of_functions(case, method, None)
@@ -206,7 +206,7 @@ def _of_method(
 
 
 def _kept(
-    head: tuple[str, str, int | None], tail: tuple[float, int], kernel: SceneKernel,
+    head: tuple[str, str, int | None], tail: tuple[float, int], kernel: Kernel,
     case: Case, arguments: Any, z: Vector, exact: bool,
 ) -> Kept:  # fmt: skip
     """Return how a solution of a kernel's equations compares with that in balls."""

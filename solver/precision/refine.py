@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb, ctx
 
 from ..arrays import Matrix, Vector
-from ..case.kernel import SceneKernel
+from ..case.kernel import Kernel
 from .balls import Residual, precision, residual_in_balls
 
 #: Digits carried at first beyond those asked for; most that are tried; most steps.
@@ -40,7 +40,7 @@ class Refined:
 
 
 def refine(
-    kernel: SceneKernel,
+    kernel: Kernel,
     arguments: Any,
     start: Vector,
     digits: int,
@@ -50,7 +50,7 @@ def refine(
 
     Parameters
     ----------
-    kernel : SceneKernel
+    kernel : Kernel
         In plain Python: a generated one, or with `in_balls` any.
     arguments : object
         What its functions call the case; floats stand for their exact binary values.
@@ -90,7 +90,7 @@ def _inverse(J: Matrix) -> Matrix:
 
 
 def _refined(
-    kernel: SceneKernel, residual: Residual, arguments: Any, start: Vector, inverse: Matrix,
+    kernel: Kernel, residual: Residual, arguments: Any, start: Vector, inverse: Matrix,
     digits: int,
 ) -> Refined | None:  # fmt: skip
     """Refine at the precision in force; None if its balls are too wide for `digits`."""

@@ -27,7 +27,7 @@ def instants(motion: WithDurations, points: int = POINTS) -> Vector:
 
     Parameters
     ----------
-    motion : SceneMotion or any other with durations
+    motion : Motion or any other with durations
         What is looked at.
     points : int
         How many times on each phase.

@@ -17,7 +17,7 @@ from ..flow import flow
 from .linear_maps import Switch, contraction, determinant, rates, saltation, transition
 
 if TYPE_CHECKING:
-    from ..orbit.motion import SceneMotion
+    from ..orbit.motion import Motion
 
 #: Rounding that a check allows, as a part of the size of what it adds.
 ROUNDING = 1e-10
@@ -50,7 +50,7 @@ class Monodromy:
     forgotten: int
 
 
-def monodromy(motion: "SceneMotion") -> Monodromy:
+def monodromy(motion: "Motion") -> Monodromy:
     """Return the monodromy of a cell of an orbit, checked.
 
     Raises
@@ -95,7 +95,7 @@ def _forgotten(cell: Cell) -> int:
     return max(*held, *sets)
 
 
-def _states(motion: "SceneMotion") -> tuple[Matrix, Matrix]:
+def _states(motion: "Motion") -> tuple[Matrix, Matrix]:
     """Return displacement and velocity at the start and at the end of each phase."""
     both = np.array([0.0, 1.0])
     phases = range(len(motion.case.cell.phases))
@@ -103,7 +103,7 @@ def _states(motion: "SceneMotion") -> tuple[Matrix, Matrix]:
     return found[:, :, 0], found[:, :, 1]
 
 
-def _switch(motion: "SceneMotion", p: int, starts: Matrix, ends: Matrix) -> Switch:
+def _switch(motion: "Motion", p: int, starts: Matrix, ends: Matrix) -> Switch:
     """Return the switch at the end of a phase; the motion after it is not yet mirrored."""
     cell, raw = motion.cell, motion.case.cell
     phase, after = cell.phases[p], (p + 1) % len(cell.phases)

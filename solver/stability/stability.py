@@ -10,7 +10,7 @@ from ..arrays import Vector
 from .monodromy import Monodromy, monodromy
 
 if TYPE_CHECKING:
-    from ..orbit.motion import SceneMotion
+    from ..orbit.motion import Motion
 
 Complex: TypeAlias = npt.NDArray[np.complex128]
 
@@ -48,12 +48,12 @@ class Stability:
         return None if abs(self.margin) <= self.rounding else self.margin > 0
 
 
-def stability(motion: "SceneMotion") -> Stability:
+def stability(motion: "Motion") -> Stability:
     """Return the multipliers of an orbit, at its own times and states.
 
     Parameters
     ----------
-    motion : SceneMotion
+    motion : Motion
         An orbit: of an expansion or exact.
 
     Raises

@@ -6,7 +6,7 @@ from ..flow.continuum import is_one_of_a_continuum
 from .monodromy import NoMultipliersError
 
 if TYPE_CHECKING:
-    from ..orbit.motion import SceneMotion
+    from ..orbit.motion import Motion
 
 #: What `stable` means.
 VERDICTS = {True: "stable", False: "unstable", None: "neither stable nor unstable to rounding"}
@@ -16,7 +16,7 @@ CONTINUUM = "the orbit is one of a continuum, none isolated"
 FIRST_ORDER = "the orbit is not isolated to first order"
 
 
-def in_words(motion: "SceneMotion") -> str:
+def in_words(motion: "Motion") -> str:
     """Return the multipliers of an orbit and whether it is stable, in one line.
 
     Examples
@@ -52,7 +52,7 @@ def _numbers(values: list[complex]) -> str:
     return ", ".join(parts)
 
 
-def document(motion: "SceneMotion") -> dict[str, Any]:
+def document(motion: "Motion") -> dict[str, Any]:
     """Return the multipliers of an orbit and its verdict; None for what there is not."""
     try:
         values, stable = motion.multipliers, motion.stable

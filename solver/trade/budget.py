@@ -7,17 +7,16 @@ from ..case.case import Case
 from ..case.methods import about, in_order
 from ..case.parameters import is_number
 from ..no_orbit import NoOrbit
-from ..orbit.orbit import SceneOrbit
+from ..orbit.orbit import Orbit
 from ..solve import number_of_functions, solve_case
-from .choice import SceneChoice, SceneTrial, size
+from .choice import Choice, TooSlow, Trial, size
 from .measured import FACTOR_ORDERS, POWER_ORDERS
-from .not_certified import TooSlow
 from .timing import median_seconds
 
 
 def choose_within(
     case: Case, budget: float, method: str | None = None, functions: int | None = None
-) -> SceneChoice:
+) -> Choice:
     """Return the orbit with the smallest estimated errors that is solved within a time.
 
     Every candidate is solved and timed here, with its search from rough times and its checks;
@@ -47,8 +46,8 @@ def choose_within(
         raise ValueError(f"budget: got {budget!r}, expected a positive number of seconds")
     scene = case.scene
     names = in_order(registry.methods(scene)) if method is None else (method,)
-    trials: list[SceneTrial] = []
-    best: SceneOrbit | None = None
+    trials: list[Trial] = []
+    best: Orbit | None = None
     finding: NoOrbit | None = None
     for name in (registry.generic_method(scene, name) for name in names):
         count = number_of_functions(case, name, functions)
@@ -60,25 +59,23 @@ def choose_within(
                 orbit, seconds = _timed(case, name, order, count)
             except NoOrbit as found:
                 finding = found
-                trials.append(SceneTrial(name, order, None))
+                trials.append(Trial(name, order, None))
                 continue
-            trials.append(SceneTrial(name, order, orbit.estimate, seconds))
+            trials.append(Trial(name, order, orbit.estimate, seconds))
             if seconds > budget:
                 break
             if best is None or size(orbit.estimate) < size(best.estimate):
                 best = orbit
     if best is not None:
-        return SceneChoice(best, tuple(trials))
+        return Choice(best, tuple(trials))
     times = [trial.seconds for trial in trials if trial.seconds is not None]
     if finding is not None and not times:
         raise finding
     raise TooSlow(budget, min(times, default=math.inf))
 
 
-def _timed(
-    case: Case, method: str, order: int, functions: int | None
-) -> tuple[SceneOrbit, float]:
-    def solved() -> SceneOrbit:
+def _timed(case: Case, method: str, order: int, functions: int | None) -> tuple[Orbit, float]:
+    def solved() -> Orbit:
         return solve_case(case, method, order, functions)
 
     return solved(), median_seconds(solved)

@@ -3,20 +3,22 @@
 import math
 from dataclasses import dataclass
 
-from ..accuracy.errors import SceneErrors
+from ..accuracy.errors import Errors
 from ..accuracy.estimate import ROUNDING
-from ..orbit.orbit import SceneOrbit
-from .not_certified import MARGIN, NotCertified
+from ..orbit.orbit import Orbit
+
+#: Part of a tolerance that an estimate may use up; it is itself off by a few per cent.
+MARGIN = 0.9
 
 
 @dataclass(frozen=True)
-class SceneTrial:
+class Trial:
     """One order that was tried.
 
     Parameters
     ----------
     method, order : str, int
-    estimate : SceneErrors or None
+    estimate : Errors or None
         Of its errors; None where it has no orbit.
     seconds : float or None
         Of one solve, measured; None where nothing was to be measured.
@@ -24,24 +26,33 @@ class SceneTrial:
 
     method: str
     order: int
-    estimate: SceneErrors | None
+    estimate: Errors | None
     seconds: float | None = None
 
 
 @dataclass(frozen=True)
-class SceneChoice:
+class Choice:
     """What a tolerance or budget led to: the orbit, and all that was tried on the way."""
 
-    orbit: SceneOrbit
-    trials: tuple[SceneTrial, ...]
+    orbit: Orbit
+    trials: tuple[Trial, ...]
 
 
-class NotCertifiedScene(NotCertified):
-    """No order of a method is as accurate as asked for, as far as the estimate can say."""
+class NotCertified(Exception):  # noqa: N818  (a finding, not a fault)
+    """No orbit in float64 is as accurate as asked for, as far as the estimate can say.
 
-    def __init__(self, tol: float, trials: tuple[SceneTrial, ...], needed: float) -> None:
-        super().__init__(tol, trials, needed)
-        self.tol, self.tried, self.needed = tol, trials, needed
+    Parameters
+    ----------
+    tol : float
+        What was asked for.
+    tried : tuple of Trial
+    needed : float
+        The order at which the errors, as they fall, would meet it; infinite where they do not.
+    """
+
+    def __init__(self, tol: float, tried: tuple[Trial, ...], needed: float) -> None:
+        super().__init__(tol, tried, needed)
+        self.tol, self.tried, self.needed = tol, tried, needed
 
     def __str__(self) -> str:
         parts = [f"times to {self.tol:g}"]
@@ -59,6 +70,28 @@ class NotCertifiedScene(NotCertified):
         return "; ".join(parts)
 
 
-def size(errors: SceneErrors) -> float:
+class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
+    """No orbit is computed within the budget.
+
+    Parameters
+    ----------
+    budget, fastest : float
+        Seconds.
+    hint : str
+        What to do instead, if something.
+    """
+
+    def __init__(self, budget: float, fastest: float, hint: str = "") -> None:
+        super().__init__(budget, fastest, hint)
+        self.budget = budget
+        self.fastest = fastest
+        self.hint = hint
+
+    def __str__(self) -> str:
+        found = f"a budget of {self.budget:.2g} s: the fastest orbit takes {self.fastest:.2g} s"
+        return f"{found} here{self.hint and '; '}{self.hint}"
+
+
+def size(errors: Errors) -> float:
     """Return what a tolerance bounds: the error of the times, and of a free period."""
     return max(errors.times, abs(errors.period))

@@ -13,10 +13,9 @@ from ..case.methods import FIRST, about
 from ..case.names import shown
 from ..case.parameters import is_number
 from ..no_orbit import NoOrbit
-from ..orbit.orbit import SceneOrbit
+from ..orbit.orbit import Orbit
 from ..solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case, with_motion
-from .choice import NotCertifiedScene, SceneChoice, SceneTrial, size
-from .not_certified import MARGIN
+from .choice import MARGIN, Choice, NotCertified, Trial, size
 
 #: Up to here every order is tried; beyond, each is larger than the last by a part of it.
 EVERY, STEP = 24, 0.15
@@ -37,7 +36,7 @@ def choose_order(
     method: str = FIRST,
     functions: int | None = None,
     motion: str | None = None,
-) -> SceneChoice:
+) -> Choice:
     """Return the orbit of the lowest order, of those tried, that meets a tolerance.
 
     Parameters
@@ -53,7 +52,7 @@ def choose_order(
     ------
     ValueError
         If `tol` is not between 0 and 1, or there is no such method.
-    NotCertifiedScene
+    NotCertified
         If no order meets it: rounding, or more orders than can be computed.
     NoOrbit
         If no order that was tried has an orbit.
@@ -66,19 +65,19 @@ def choose_order(
     kernel = registry.kernel(case.scene.each_motion[0], name, count)
     search = _Search(case, tol, name, count, [])
     if MARGIN * tol <= ROUNDING:
-        raise NotCertifiedScene(tol, (), math.nan)
+        raise NotCertified(tol, (), math.nan)
     last = kernel.lowest
     for order in _orders(kernel.lowest):
         orbit = search.meets(order)
         if orbit is not None:
             orbit = search.lowest(last, order, orbit)
-            return SceneChoice(orbit, tuple(search.trials))
+            return Choice(orbit, tuple(search.trials))
         if search.hopeless():
             break
         last = order
     if search.finding is not None and not search.known():
         raise search.finding
-    raise NotCertifiedScene(tol, tuple(search.trials), search.needed())
+    raise NotCertified(tol, tuple(search.trials), search.needed())
 
 
 def _orders(lowest: int) -> Iterator[int]:
@@ -95,23 +94,23 @@ class _Search:
     tol: float
     method: str
     functions: int | None
-    trials: list[SceneTrial]
+    trials: list[Trial]
     finding: NoOrbit | None = None
 
-    def meets(self, order: int) -> SceneOrbit | None:
+    def meets(self, order: int) -> Orbit | None:
         """Return the orbit of an order if it is within the tolerance; note what it is."""
         name = shown(self.case.scene, self.method)
         try:
             orbit = solve_case(self.case, self.method, order, self.functions)
         except NoOrbit as finding:
             self.finding = finding
-            self.trials.append(SceneTrial(name, order, None))
+            self.trials.append(Trial(name, order, None))
             return None
         name = shown(self.case.scene, orbit.method)
-        self.trials.append(SceneTrial(name, order, orbit.estimate))
+        self.trials.append(Trial(name, order, orbit.estimate))
         return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
 
-    def lowest(self, fails: int, meets: int, orbit: SceneOrbit) -> SceneOrbit:
+    def lowest(self, fails: int, meets: int, orbit: Orbit) -> Orbit:
         """Return the orbit of the lowest order between one that fails and one that meets."""
         while meets - fails > 1:
             middle = (fails + meets) // 2

@@ -33,16 +33,16 @@ if TYPE_CHECKING:
     from .solver.case.case import Case
     from .solver.case.parameters import ParameterError
     from .solver.case.registry import UnknownScene
-    from .solver.family import SceneFamily
-    from .solver.flow.exact import ExactSceneOrbit
+    from .solver.family import Family
+    from .solver.flow.exact import ExactOrbit
     from .solver.no_orbit import NoOrbit
-    from .solver.orbit.orbit import SceneOrbit
+    from .solver.orbit.orbit import Orbit
     from .solver.simulation.record import Simulation
     from .solver.space.mode import Mode
     from .solver.space.modes import Modes, ToleranceNotMet, modes
     from .solver.space.structure import UnknownStructure
     from .solver.space.structure import names as structures
-    from .solver.sweep import SceneSweep
+    from .solver.sweep import Sweep
 
     __version__: str
 
@@ -50,23 +50,23 @@ if TYPE_CHECKING:
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
     "Case": ("solver.case.case", "Case"),
-    "ExactSceneOrbit": ("solver.flow.exact", "ExactSceneOrbit"),
+    "ExactOrbit": ("solver.flow.exact", "ExactOrbit"),
     "FileError": ("files.errors", "FileError"),
     "FileWarning": ("files.errors", "FileWarning"),
     "MissingExtra": ("extras", "MissingExtra"),
     "Mode": ("solver.space.mode", "Mode"),
     "Modes": ("solver.space.modes", "Modes"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
-    "NotCertified": ("solver.trade.not_certified", "NotCertified"),
+    "NotCertified": ("solver.trade.choice", "NotCertified"),
     "ParameterError": ("solver.case.parameters", "ParameterError"),
-    "SceneFamily": ("solver.family", "SceneFamily"),
+    "Family": ("solver.family", "Family"),
     "SceneFileError": ("scene_files.error", "SceneFileError"),
-    "SceneOrbit": ("solver.orbit.orbit", "SceneOrbit"),
-    "SceneSweep": ("solver.sweep", "SceneSweep"),
+    "Orbit": ("solver.orbit.orbit", "Orbit"),
+    "Sweep": ("solver.sweep", "Sweep"),
     "Simulation": ("solver.simulation.record", "Simulation"),
     "StickSlip": ("kim_perkins", "StickSlip"),
     "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),
-    "TooSlow": ("solver.trade.not_certified", "TooSlow"),
+    "TooSlow": ("solver.trade.choice", "TooSlow"),
     "UnknownScene": ("solver.case.registry", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
     "equations": ("codegen", "derive"),
@@ -85,7 +85,8 @@ _HOMES = {
 
 __all__ = [
     "Case",
-    "ExactSceneOrbit",
+    "ExactOrbit",
+    "Family",
     "FileError",
     "FileWarning",
     "MissingExtra",
@@ -93,13 +94,12 @@ __all__ = [
     "Modes",
     "NoOrbit",
     "NotCertified",
+    "Orbit",
     "ParameterError",
-    "SceneFamily",
     "SceneFileError",
-    "SceneOrbit",
-    "SceneSweep",
     "Simulation",
     "StickSlip",
+    "Sweep",
     "ToleranceNotMet",
     "TooSlow",
     "UnknownScene",

@@ -10,27 +10,19 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
-
-from .solver.accuracy.errors import SceneErrors, difference
-from .solver.accuracy.quadrature import panels
+from .all_solutions import solutions
+from .solver.accuracy.errors import Errors, acceleration_error, difference
 from .solver.case.case import Case
 from .solver.case.names import shown
 from .solver.case.parameters import ParameterError
-from .solver.case.registry import kernel as kernel_of
 from .solver.case.registry import load
-from .solver.flow.exact_motion import ExactSceneOrbit
-from .solver.flow.isolated import isolated
-from .solver.iteration.attempt import attempt
+from .solver.flow.exact_motion import ExactOrbit
 from .solver.no_orbit import NoOrbit
-from .solver.orbit.motion import SceneMotion
-from .solver.orbit.orbit import SceneOrbit
+from .solver.orbit.motion import Motion
+from .solver.orbit.orbit import Orbit
 from .solver.scaling import product_of_powers
-
-if TYPE_CHECKING:
-    from .solver.arrays import Vector
 
 #: The scene, and its parameters in Section 4.  The paper does not give F_N; 400 N is assumed:
 #: it makes alpha = 1, and is the roundest force at which nearly all claims of Fig. 4 hold.
@@ -169,11 +161,10 @@ class StickSlip(Case):
 
     def presented(self, motion: Any) -> Any:
         """Return an orbit of this case, exact or not, as the paper has it."""
-        return (ExactOrbit if isinstance(motion, ExactSceneOrbit) else Orbit).of(motion)
+        kind = ExactStickSlipOrbit if isinstance(motion, ExactOrbit) else StickSlipOrbit
+        return kind.of(motion)
 
-    def completed(
-        self, document: dict[str, Any], exact: ExactSceneOrbit | None
-    ) -> dict[str, Any]:
+    def completed(self, document: dict[str, Any], exact: ExactOrbit | None) -> dict[str, Any]:
         """Return the document of an orbit that is not there with all keys of one that is."""
         known = document["exact"] | {"t1": exact and exact.durations[0]}
         return super().completed(document, exact) | {
@@ -208,13 +199,13 @@ def as_in_paper(case: Case) -> Case:
 
 
 @dataclass(frozen=True)
-class Errors(SceneErrors):
+class StickSlipErrors(Errors):
     """Errors of an orbit, with those of the paper beside.
 
     Parameters
     ----------
     period, times, discontinuous : float
-        See `SceneErrors`.
+        See `Errors`.
     t1 : float
         ``t1/t1_exact - 1``, signed.
     acceleration : float
@@ -229,7 +220,7 @@ class Errors(SceneErrors):
     acceleration_aligned: float
 
 
-class _Belt(SceneMotion):
+class _Belt(Motion):
     """What orbits of the belt have, exact or not."""
 
     case: StickSlip
@@ -244,21 +235,21 @@ class _Belt(SceneMotion):
         return f"T = {self.period:.10g} s, t1 = {self.t1:.10g} s"
 
 
-class ExactOrbit(_Belt, ExactSceneOrbit):
+class ExactStickSlipOrbit(_Belt, ExactOrbit):
     """The exact orbit of Section 2."""
 
     @classmethod
-    def of(cls, motion: ExactSceneOrbit) -> "ExactOrbit":
+    def of(cls, motion: ExactOrbit) -> "ExactStickSlipOrbit":
         """Return an exact orbit as Section 2 has it."""
         assert isinstance(motion.case, StickSlip)
         return cls(motion.case, motion.outcome)
 
 
-class Orbit(_Belt, SceneOrbit):
+class StickSlipOrbit(_Belt, Orbit):
     """A converged, admissible periodic orbit of the belt."""
 
     @classmethod
-    def of(cls, motion: SceneOrbit) -> "Orbit":
+    def of(cls, motion: Orbit) -> "StickSlipOrbit":
         """Return an orbit as the paper has it."""
         assert isinstance(motion.case, StickSlip)
         return cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})
@@ -269,15 +260,15 @@ class Orbit(_Belt, SceneOrbit):
         return self.phases[1].displacement / self.case.static_limit - 1
 
     @cached_property
-    def errors(self) -> SceneErrors | None:
-        """Errors against the exact orbit: `Errors`; None if there is none to be found."""
+    def errors(self) -> Errors | None:
+        """Errors against the exact orbit: `StickSlipErrors`; None if none is found."""
         if self.exact is None:
             return None
         found = difference(self, self.exact, self.order)
         t1 = self.durations[0] / self.exact.durations[0] - 1
         apart = acceleration_error(self, self.exact, self.order)
         own = (t1, apart, found.discontinuous)
-        return Errors(found.period, found.times, found.discontinuous, *own)
+        return StickSlipErrors(found.period, found.times, found.discontinuous, *own)
 
     @cached_property
     def coefficients(self) -> dict[str, float | list[float]]:
@@ -322,76 +313,3 @@ class Orbit(_Belt, SceneOrbit):
         if self.exact is not None:
             found["exact"]["t1"] = self.exact.durations[0]
         return found | {"transition_mismatch": self.transition_mismatch}
-
-
-def acceleration_error(found: SceneMotion, reference: SceneMotion, waves: int) -> float:
-    """Return (22): the relative L2 difference of accelerations over normalised time."""
-    breaks = [
-        float(end) for each in (found, reference) for end in _ends(each)[1:-1] / _ends(each)[-1]
-    ]
-    theta, weights = panels(breaks, max(waves, 2))
-    expected = _at(reference, theta)
-    apart = _at(found, theta) - expected
-    return math.sqrt(float(weights @ apart**2) / float(weights @ expected**2))
-
-
-def _ends(motion: SceneMotion) -> "Vector":
-    ends: Vector = np.append(0.0, np.cumsum(motion.cell_durations))
-    return ends
-
-
-def _at(motion: SceneMotion, theta: "Vector") -> "Vector":
-    """Return the acceleration at parts of the period, without units."""
-    ends = _ends(motion)
-    t = theta * ends[-1]
-    values = np.empty(len(t))
-    for p, s in enumerate(motion.cell_durations):
-        here = (t >= ends[p]) & (t < ends[p + 1])
-        values[here] = motion.part(p, (t[here] - ends[p]) / s, 2)
-    return values
-
-
-@dataclass(frozen=True)
-class Solution:
-    """A real solution of (18) to (20).
-
-    Parameters
-    ----------
-    slip, t1, period : float
-        In s; `t1` may be negative.
-    violations : tuple of str
-        What keeps it from being an orbit; empty of the orbit.
-    transition_mismatch : float or None
-        See `Orbit`; None where `t1` is not positive.
-    """
-
-    slip: float
-    t1: float
-    period: float
-    violations: tuple[str, ...]
-    transition_mismatch: float | None
-
-
-def solutions(belt: StickSlip, order: int) -> list[Solution]:
-    """Return all real solutions of (18) to (20), orbits or not, by their durations of slip.
-
-    Raises
-    ------
-    ArithmeticError
-        If two of them coincide.
-    """
-    kernel, found = kernel_of(belt.scene, "ck"), []
-    for t1, slip in isolated(order, belt.alpha):
-        stick, rest = t1 / belt.omega_n, slip / belt.omega_n
-        violations: tuple[str, ...] = (f"stick lasts {stick:.3g} s",)
-        off = None
-        if t1 > 0:
-            times = np.array([stick, rest]) / belt.units.time
-            orbit = Orbit.of(attempt(kernel, belt, order, times))
-            violations, off = orbit.violations, orbit.transition_mismatch
-        turns = slip / (2 * math.pi)
-        if turns > 1 + 1 / (2 * order):
-            words = f"slip lasts {turns:.4g} natural periods: within one, the velocity is back"
-            violations = (f"{words} at V", *violations)
-        found.append(Solution(rest, stick, stick + rest, violations, off))
-    return found

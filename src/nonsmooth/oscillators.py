@@ -8,11 +8,11 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from .solver.case.case import Case
-    from .solver.family import SceneFamily
-    from .solver.flow.exact import ExactSceneOrbit
-    from .solver.orbit.orbit import SceneOrbit
+    from .solver.family import Family
+    from .solver.flow.exact import ExactOrbit
+    from .solver.orbit.orbit import Orbit
     from .solver.simulation.record import Simulation
-    from .solver.sweep import SceneSweep
+    from .solver.sweep import Sweep
 
 #: N where none is named, as on the command line.
 ORDER = 10
@@ -28,7 +28,7 @@ def solve(
     budget: float | None = None,
     motion: str | None = None,
     cycles: int | None = None,
-) -> "SceneOrbit":
+) -> "Orbit":
     """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
 
     Parameters
@@ -119,7 +119,7 @@ def sweep(
     *,
     functions: int | None = None,
     progress: Callable[[Any], None] = lambda row: None,
-) -> "SceneSweep":
+) -> "Sweep":
     """Solve for each method and order, and compare with the exact orbit.
 
     Parameters
@@ -174,7 +174,7 @@ def family(
     *,
     functions: int | None = None,
     progress: Callable[[Any], None] = lambda row: None,
-) -> "SceneFamily":
+) -> "Family":
     """Return the orbits of an oscillator as one of its parameters takes many values.
 
     Parameters
@@ -232,7 +232,7 @@ def family(
     return family_case(case, parameter, numbers, **given, **more)
 
 
-def exact(case: "Case") -> "ExactSceneOrbit":
+def exact(case: "Case") -> "ExactOrbit":
     """Return the exact periodic orbit of an oscillator.
 
     Parameters
@@ -242,7 +242,7 @@ def exact(case: "Case") -> "ExactSceneOrbit":
 
     Returns
     -------
-    ExactSceneOrbit
+    ExactOrbit
         Period, times and motion, from the closed-form flow of each phase.
 
     Raises

@@ -7,9 +7,9 @@ import pytest
 from computed import Exact
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import acceleration_error
 from nonsmooth.report.paper import DEFAULT
 from nonsmooth.solver.accuracy import quadrature
+from nonsmooth.solver.accuracy.errors import acceleration_error
 
 EXACT = Exact(DEFAULT)
 

@@ -24,7 +24,7 @@ from nonsmooth.solver.flow.exact_motion import from_times
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.start import RoughTimes
-from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.orbit.orbit import Orbit
 from nonsmooth.solver.precision import exact_balls
 from nonsmooth.solver.precision.condition import condition
 from nonsmooth.solver.precision.refine import refine
@@ -104,7 +104,7 @@ def solutions(case: Case) -> list[float]:
     return [angle for _, speed, angle in one_phase.solutions(case.cell).found if speed < 0]
 
 
-def orbits(case: Case, order: int) -> list[SceneOrbit]:
+def orbits(case: Case, order: int) -> list[Orbit]:
     """Return the orbits of one impact a period by `ck-tau`, each from its exact times."""
     kernel = registry.quicker_kernel(case.scene, "ck-tau", None, order)
     starts = [RoughTimes((case.cell.duration,), angle, "") for angle in solutions(case)]
@@ -113,7 +113,7 @@ def orbits(case: Case, order: int) -> list[SceneOrbit]:
     return [orbit for orbit in found if orbit.converged and orbit.exact is not None]
 
 
-def error_of(orbit: SceneOrbit) -> float:
+def error_of(orbit: Orbit) -> float:
     """Return the largest error of a time against 40 digits, as a part of the period."""
     case, kernel = orbit.case, exact_kernel(orbit.case.cell)
     near = orbit.exact.outcome.unknowns
@@ -150,7 +150,7 @@ def test_near_a_fold_the_estimate_holds(values, order: int) -> None:
         assert orbit.estimate.times <= 20 * EPSILON * condition(orbit.exact)
 
 
-def near_folds(count: int, seed: int) -> Iterator[SceneOrbit]:
+def near_folds(count: int, seed: int) -> Iterator[Orbit]:
     """Yield orbits at random distances from folds, which bisection finds in closed form."""
     rng = np.random.default_rng(seed)
     while count:

@@ -11,7 +11,7 @@ from computed import LIGHT, Exact
 from paper import METHODS, Problem, cosine, one, sine
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import SECTION_4, ExactOrbit, Orbit, as_in_paper
+from nonsmooth.kim_perkins import SECTION_4, ExactStickSlipOrbit, StickSlipOrbit, as_in_paper
 
 BELT = ns.StickSlip(
     mass=0.7, stiffness=30.0, belt_speed=0.4, mu_s=0.6, mu_k=0.2, normal_force=5.0
@@ -20,11 +20,11 @@ EXACT = Exact(BELT)
 CASES = [*itertools.product(METHODS, (3, 7)), ("hb", 20), ("hb-c1", 20)]
 
 
-def problem(orbit: Orbit) -> Problem:
+def problem(orbit: StickSlipOrbit) -> Problem:
     return Problem(orbit.t1, orbit.period, EXACT.omega, EXACT.centre)
 
 
-def from_coefficients(method: str, orbit: Orbit):
+def from_coefficients(method: str, orbit: StickSlipOrbit):
     """Return x(t) and its acceleration: (3), (11) with (12), or (15) and (16)."""
     p, found = problem(orbit), orbit.coefficients
     if method == "c1":
@@ -84,7 +84,7 @@ def test_errors_are_those_against_the_closed_form(method: str, order: int) -> No
 
 def test_the_exact_orbit_has_the_papers_times() -> None:
     exact = ns.exact(BELT)
-    assert isinstance(exact, ExactOrbit)
+    assert isinstance(exact, ExactStickSlipOrbit)
     assert (exact.t1, exact.period) == pytest.approx((EXACT.t1, EXACT.period), rel=1e-15)
 
 
@@ -96,7 +96,7 @@ def test_a_case_of_the_scene_is_the_papers() -> None:
     orbit = ns.solve(BELT, "c1", 7)
     again = pickle.loads(pickle.dumps((BELT, orbit, ns.exact(BELT))))
     assert again == (BELT, orbit, ns.exact(BELT))
-    assert [type(each) for each in again] == [ns.StickSlip, Orbit, ExactOrbit]
+    assert [type(each) for each in again] == [ns.StickSlip, StickSlipOrbit, ExactStickSlipOrbit]
 
 
 def test_without_a_drop_of_friction_there_is_no_belt() -> None:

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import Orbit
+from nonsmooth.kim_perkins import StickSlipOrbit
 from nonsmooth.report.paper import DEFAULT
 
 scale = st.floats(-12, 12).map(lambda exponent: 10.0**exponent)
@@ -46,7 +46,7 @@ def test_change_of_units_changes_nothing_but_units(
     assert float(there) == pytest.approx(float(here) * m, abs=1e-12 * size)
 
 
-def belt_length(orbit: Orbit) -> float:
+def belt_length(orbit: StickSlipOrbit) -> float:
     return float(np.abs(orbit.displacement(np.linspace(0, orbit.period, 50))).max())
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth.report.paper import DEFAULT
-from nonsmooth.solver.trade.not_certified import MARGIN
+from nonsmooth.solver.trade.choice import MARGIN
 
 EXAMPLES = int(os.environ.get("EXAMPLES", "800"))
 
@@ -22,7 +22,7 @@ def belt_at(alpha: float) -> ns.StickSlip:
     )
 
 
-def true_errors(orbit: ns.SceneOrbit) -> float:
+def true_errors(orbit: ns.Orbit) -> float:
     """Return the largest error of a time, as a part of the period, against 40 digits."""
     with mp.workdps(40):
         alpha = mp.mpf(orbit.case.alpha)

@@ -12,8 +12,8 @@ from nonsmooth.plots.trade import trade_figure
 from nonsmooth.solver.case.registry import load
 from nonsmooth.solver.trade import budget as budgets
 from nonsmooth.solver.trade import measured as trades
+from nonsmooth.solver.trade.choice import TooSlow
 from nonsmooth.solver.trade.measured import EXACT, Trade, TradePoint, front, trade
-from nonsmooth.solver.trade.not_certified import TooSlow
 
 IMPACT = load("impact")
 

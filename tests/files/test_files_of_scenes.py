@@ -45,7 +45,7 @@ def test_what_is_loaded_is_what_was_saved(kind: str, suffix: str, made, tmp_path
     found = ns.load(path)
     assert type(found) is type(made[kind])
     assert found == made[kind]
-    if isinstance(found, ns.SceneOrbit):
+    if isinstance(found, ns.Orbit):
         assert found.outcome.reason == "converged"
         assert found.iterations == made[kind].iterations
         assert found.as_dict() == made[kind].as_dict()

@@ -12,16 +12,15 @@ from nonsmooth.cli.problems import Problem
 from nonsmooth.codegen.scene.error import SceneError
 from nonsmooth.codegen.system import DerivationError
 from nonsmooth.files.errors import FileError
-from nonsmooth.solver.accuracy.errors import SceneErrors
+from nonsmooth.solver.accuracy.errors import Errors
 from nonsmooth.solver.case.parameters import ParameterError
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.trade.choice import NotCertifiedScene, SceneTrial
-from nonsmooth.solver.trade.not_certified import TooSlow
+from nonsmooth.solver.trade.choice import NotCertified, TooSlow, Trial
 
-TRIAL = SceneTrial("ck", 4, SceneErrors(1e-3, 1e-4, 1e-2), 0.1)
+TRIAL = Trial("ck", 4, Errors(1e-3, 1e-4, 1e-2), 0.1)
 
 #: What exceptions of the package are derived from.
-BASES = {"Exception", "ValueError", "ArithmeticError", "ImportError", "NotCertified"}
+BASES = {"Exception", "ValueError", "ArithmeticError", "ImportError"}
 
 #: One of each class that has an ``__init__``, and of two that have none.
 ERRORS = (
@@ -29,7 +28,7 @@ ERRORS = (
     ParameterError(["mass: got -1", "gapp: not a parameter"]),
     NoOrbit("none exists", True, ("one", "two")),
     TooSlow(1e-9, 0.5, "raise it"),
-    NotCertifiedScene(1e-20, (TRIAL,), 0.0),
+    NotCertified(1e-20, (TRIAL,), 0.0),
     Problem("--case: no\nsuch file", 1),
     SceneError("phases: none"),
     DerivationError("an integral is left"),

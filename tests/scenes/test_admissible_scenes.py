@@ -77,9 +77,9 @@ def test_a_phase_without_duration_solves_the_equations_and_is_refused() -> None:
     R = np.empty(6)
     kernel.residual(cell, z, R)
     assert np.abs(R).max() < 1e-12
-    from nonsmooth.solver.flow.exact import ExactSceneOrbit
+    from nonsmooth.solver.flow.exact import ExactOrbit
 
-    orbit = ExactSceneOrbit(scene(), newton(kernel.iterate, cell, z))
+    orbit = ExactOrbit(scene(), newton(kernel.iterate, cell, z))
     orbit.outcome.unknowns[:] = z
     assert any("has no duration" in line for line in orbit.violations)
     assert exact_orbit(scene(), (1.9, 4.8)).admissible

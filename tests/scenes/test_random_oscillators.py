@@ -7,7 +7,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact_motion import ExactSceneOrbit
+from nonsmooth.solver.flow.exact_motion import ExactOrbit
 from nonsmooth.solver.simulation.machine import Machine, State
 from nonsmooth.solver.simulation.record import Simulation
 from nonsmooth.solver.simulation.settle import settled
@@ -53,7 +53,7 @@ def drawn(random):
         return None
 
 
-def closes(orbit: ExactSceneOrbit) -> bool:
+def closes(orbit: ExactOrbit) -> bool:
     """Return whether a simulation from within the first phase comes back to its start."""
     case, u = orbit.case, np.array([0.37])
     s = float(orbit.cell_durations[0]) * u[0]

@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import solutions
+from nonsmooth.all_solutions import solutions
 from nonsmooth.solver.case import registry
 from nonsmooth.solver.flow import isolated, real_roots
 from nonsmooth.solver.iteration.attempt import attempt

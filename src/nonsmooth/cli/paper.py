@@ -19,7 +19,8 @@ from .scenes.named import scene_named
 from .scenes.options import PREFIX, case_from
 
 if TYPE_CHECKING:
-    from nonsmooth.kim_perkins import Solution, StickSlip
+    from nonsmooth.all_solutions import Solution
+    from nonsmooth.kim_perkins import StickSlip
 
 #: Flags, with what their help says.
 FLAGS = {
@@ -92,7 +93,7 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
     With the coefficients eliminated they are the positive roots of one polynomial in the
     slip duration, alpha D(s**2) = s E(s**2), isolated in exact arithmetic.
     """
-    from nonsmooth.kim_perkins import solutions  # noqa: PLC0415
+    from nonsmooth.all_solutions import solutions  # noqa: PLC0415
 
     belt = belt_from(case, flags)
     with busy(f"all solutions of order {order}"):

@@ -13,7 +13,7 @@ from .axes import axes_or_new, check_quantity
 
 if TYPE_CHECKING:
     from nonsmooth.solver.arrays import Vector
-    from nonsmooth.solver.family import FamilyRow, SceneFamily
+    from nonsmooth.solver.family import Family, FamilyRow
 
 #: What can be drawn, and what the axis says; of the third, where there are several phases.
 QUANTITIES = {
@@ -25,14 +25,12 @@ QUANTITIES = {
 }
 
 
-def draw(
-    result: "SceneFamily", ax: Any = None, quantity: str = "displacement", **style: Any
-) -> Any:
+def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
     """Draw one quantity of a family along its parameter and return the axes.
 
     Parameters
     ----------
-    result : SceneFamily
+    result : Family
         What is drawn.
     ax : matplotlib Axes, optional
         Where; new ones without it.
@@ -66,23 +64,21 @@ def draw(
     return axes
 
 
-def name_of(result: "SceneFamily") -> str:
+def name_of(result: "Family") -> str:
     """Return what the axis of the parameter says."""
     parameter = next(q for q in result.case.scene.parameters if q.name == result.parameter)
     unit = f" [{parameter.unit}]" if parameter.unit else ""
     return f"{parameter.name.replace('_', ' ')} {parameter.symbol}{unit}"
 
 
-def _ends(result: "SceneFamily", name: str, end: int) -> "Vector":
+def _ends(result: "Family", name: str, end: int) -> "Vector":
     def value(row: "FamilyRow") -> float:
         return np.nan if row.extremes is None else row.extremes[name][end]
 
     return np.array([value(row) for row in result.rows])
 
 
-def _draw_times(
-    axes: Any, result: "SceneFamily", along: "Vector", style: dict[str, Any]
-) -> None:
+def _draw_times(axes: Any, result: "Family", along: "Vector", style: dict[str, Any]) -> None:
     """Draw the phase of the forcing, or the durations of the phases as parts of the period."""
     names = result.case.scene.phases
     if len(names) == 1:
@@ -99,7 +95,7 @@ def _draw_times(
     axes.legend(frameon=False)
 
 
-def family_figure(result: "SceneFamily", log: bool = False) -> Figure:
+def family_figure(result: "Family", log: bool = False) -> Figure:
     """Draw ends of displacement and velocity, the times, and the estimated error."""
     scene = result.case.scene
     figure = Figure(figsize=(8, 6), layout="constrained")

@@ -12,8 +12,8 @@ from ..style import EXACT
 from .axes import axes_or_new, check_quantity, frame
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.flow.exact import ExactSceneOrbit
-    from nonsmooth.solver.orbit.orbit import SceneOrbit
+    from nonsmooth.solver.flow.exact import ExactOrbit
+    from nonsmooth.solver.orbit.orbit import Orbit
 
 #: What can be drawn of a motion: the phase plane, or one of these over a period.
 PLANE = "plane"
@@ -31,7 +31,7 @@ def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> An
 
     Parameters
     ----------
-    motion : SceneMotion or Motion
+    motion : Motion or Motion
         What is drawn.
     ax : matplotlib Axes, optional
         Where; new ones without it.
@@ -80,7 +80,7 @@ def motions_figure(
     return figure
 
 
-def orbit_figure(orbits: "list[SceneOrbit]", exact: "ExactSceneOrbit | None") -> Figure:
+def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
     """Draw some orbits of a case, and the exact one."""
     every = [*([] if exact is None else [exact]), *orbits]
     case = every[0].case

@@ -11,23 +11,23 @@ from .axes import axes_or_new, check_quantity, draw_errors, frame
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.numbers import SceneNumbers
-    from nonsmooth.solver.sweep import SceneSweep
+    from nonsmooth.solver.sweep import Sweep
 
 #: The errors that can be drawn.
 QUANTITIES = ("times", "discontinuous", "period")
 
 
-def draw(result: "SceneSweep", ax: Any = None, quantity: str = "times", **style: Any) -> Any:
+def draw(result: "Sweep", ax: Any = None, quantity: str = "times", **style: Any) -> Any:
     """Draw one error of a sweep against the order, a line a method, and return the axes.
 
     Parameters
     ----------
-    result : SceneSweep
+    result : Sweep
         What is drawn.
     ax : matplotlib Axes, optional
         Where; new ones, with a legend, without it.
     quantity : {"times", "discontinuous", "period"}
-        The field of `SceneErrors`.
+        The field of `Errors`.
     **style
         Of the lines, as `matplotlib.axes.Axes.plot` takes it.
 
@@ -55,7 +55,7 @@ def _name(scene: "SceneNumbers", quantity: str) -> str:
     return f"the {quantity}"
 
 
-def convergence_figure(result: "SceneSweep") -> Figure:
+def convergence_figure(result: "Sweep") -> Figure:
     """Draw the errors of the times and of the derivative that jumps against the order."""
     figure = Figure(figsize=(8, 4.2), layout="constrained")
     both = figure.subplots(1, 2)

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import ExactOrbit, Orbit
+from nonsmooth.kim_perkins import ExactStickSlipOrbit, StickSlipOrbit
 from nonsmooth.solver.accuracy.rates import slope
 
 from .measures import MEASURES
@@ -12,7 +12,7 @@ from .measures import MEASURES
 #: Highest order that a claim is checked at: that of Fig. 3.
 MOST = 40
 
-#: Errors below these are rounding: of the period, and of the measure (22).
+#: StickSlipErrors below these are rounding: of the period, and of the measure (22).
 FLOORS = {"period": 1e-12, "acceleration": 1e-6}
 
 
@@ -27,14 +27,16 @@ class Case:
     """
 
     belt: ns.StickSlip
-    _found: dict[tuple[str, int], Orbit | ns.NoOrbit] = field(default_factory=dict, repr=False)
+    _found: dict[tuple[str, int], StickSlipOrbit | ns.NoOrbit] = field(
+        default_factory=dict, repr=False
+    )
 
     @cached_property
-    def exact(self) -> ExactOrbit:
+    def exact(self) -> ExactStickSlipOrbit:
         """The exact orbit."""
-        return ExactOrbit.of(ns.exact(self.belt))
+        return ExactStickSlipOrbit.of(ns.exact(self.belt))
 
-    def orbit(self, method: str, order: int) -> Orbit:
+    def orbit(self, method: str, order: int) -> StickSlipOrbit:
         """Return one orbit.
 
         Raises
@@ -45,7 +47,7 @@ class Case:
         key = method, order
         if key not in self._found:
             try:
-                self._found[key] = Orbit.of(ns.solve(self.belt, method, order))
+                self._found[key] = StickSlipOrbit.of(ns.solve(self.belt, method, order))
             except ns.NoOrbit as finding:
                 known = "has no orbit" if finding.proven else "leads to no orbit"
                 reason = f"{method} {known} at N = {order}"

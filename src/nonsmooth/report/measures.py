@@ -7,7 +7,8 @@ import numpy as np
 from numpy.polynomial import Legendre
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import ExactOrbit, Orbit, acceleration_error
+from nonsmooth.kim_perkins import ExactStickSlipOrbit, StickSlipOrbit
+from nonsmooth.solver.accuracy.errors import acceleration_error
 from nonsmooth.solver.accuracy.quadrature import panels
 from nonsmooth.solver.arrays import Vector
 
@@ -20,7 +21,7 @@ def jump(belt: ns.StickSlip) -> float:
     return belt.largest_jump
 
 
-def peak(orbit: Orbit) -> tuple[float, float]:
+def peak(orbit: StickSlipOrbit) -> tuple[float, float]:
     """Return time and size, in SI units, of the highest ripple before the end of stick."""
     times = np.linspace(orbit.t1 / 2, orbit.t1, SAMPLES, endpoint=False)
     values = orbit.acceleration(times)
@@ -28,7 +29,7 @@ def peak(orbit: Orbit) -> tuple[float, float]:
     return float(times[best]), float(values[best])
 
 
-def overshoot(orbit: Orbit, exact: ExactOrbit) -> float:
+def overshoot(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
     """Return how far the acceleration swings beyond 0 before its jump, in jumps.
 
     At the end of stick the exact one falls from 0; what is above 0 in the second half of
@@ -37,7 +38,7 @@ def overshoot(orbit: Orbit, exact: ExactOrbit) -> float:
     return peak(orbit)[1] / jump(exact.case)
 
 
-def differences(orbit: Orbit, exact: ExactOrbit, quantity: str) -> Vector:
+def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str) -> Vector:
     """Return the errors of stick and of slip, each laid over the exact phase.
 
     Of the acceleration in jumps; of displacement, velocity and jerk in the exact amplitude.
@@ -53,7 +54,7 @@ def differences(orbit: Orbit, exact: ExactOrbit, quantity: str) -> Vector:
     return np.abs(here - there) / size
 
 
-def _by_phases(motion: Orbit | ExactOrbit, quantity: str) -> Vector:
+def _by_phases(motion: StickSlipOrbit | ExactStickSlipOrbit, quantity: str) -> Vector:
     """Return a quantity in stick and in slip; the jerk in slip only.
 
     There the acceleration of a C1 series is a polynomial of the degree of its order, and the
@@ -64,24 +65,24 @@ def _by_phases(motion: Orbit | ExactOrbit, quantity: str) -> Vector:
     times = np.array([motion.t1 * u, motion.t1 + slip * u])
     if quantity != "jerk":
         return np.asarray(getattr(motion, quantity)(times))
-    if isinstance(motion, ExactOrbit):
+    if isinstance(motion, ExactStickSlipOrbit):
         return -(motion.case.omega_n**2) * motion.velocity(times[1])
     fitted = Legendre.fit(u, motion.acceleration(times[1]), motion.order, domain=[0, 1])
     return np.asarray(fitted.deriv()(u)) / slip
 
 
-def largest(quantity: str) -> Callable[[Orbit, ExactOrbit], float]:
+def largest(quantity: str) -> Callable[[StickSlipOrbit, ExactStickSlipOrbit], float]:
     """Return what measures the largest of the `differences`."""
     return lambda orbit, exact: float(differences(orbit, exact, quantity).max())
 
 
-def inside(orbit: Orbit, exact: ExactOrbit) -> float:
+def inside(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
     """Return the largest error of the acceleration in the middle half of each phase."""
     quarter = SAMPLES // 4
     return float(differences(orbit, exact, "acceleration")[:, quarter:-quarter].max())
 
 
-def error_at_equal_times(orbit: Orbit, exact: ExactOrbit) -> float:
+def error_at_equal_times(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
     """Return (22) with both accelerations at the same t, from 0 to the exact T.
 
     The other reading of (21): the paper integrates from 0 to T and does not say whose T that
@@ -96,7 +97,7 @@ def error_at_equal_times(orbit: Orbit, exact: ExactOrbit) -> float:
 
 
 #: By the names that the checks of the claims have for them.
-MEASURES: dict[str, Callable[[Orbit, ExactOrbit], float]] = {
+MEASURES: dict[str, Callable[[StickSlipOrbit, ExactStickSlipOrbit], float]] = {
     "period": lambda orbit, exact: orbit.period / exact.period - 1,
     "acceleration": lambda orbit, exact: acceleration_error(orbit, exact, orbit.order),
     "acceleration at equal times": error_at_equal_times,

@@ -1,8 +1,9 @@
 """What the report takes of the paper's oscillator beside its orbits."""
 
+from nonsmooth.all_solutions import solutions
 from nonsmooth.codegen.printing.html import fragment_of
 from nonsmooth.codegen.show import sections
-from nonsmooth.kim_perkins import METHODS, SCENE, SECTION_4, StickSlip, solutions
+from nonsmooth.kim_perkins import METHODS, SCENE, SECTION_4, StickSlip
 from nonsmooth.solver.case import registry
 
 __all__ = ["DEFAULT", "METHODS", "all_times", "equations_html", "mathematics"]

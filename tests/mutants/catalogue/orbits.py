@@ -199,7 +199,7 @@ MUTANTS = (
     ),
     Mutant(
         "of the paper: (22) is integrated over the jumps of the orbit",
-        "src/nonsmooth/kim_perkins.py",
+        "solver/accuracy/errors.py",
         "_ends(each)[1:-1] / _ends(each)[-1]",
         "_ends(reference)[1:-1] / _ends(reference)[-1]",
         PAPER,

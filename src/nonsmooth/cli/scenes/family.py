@@ -14,7 +14,7 @@ from ..values.vary import Vary, parse_vary
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.case.numbers import SceneNumbers
-    from nonsmooth.solver.family import FamilyRow, SceneFamily
+    from nonsmooth.solver.family import Family, FamilyRow
 
 
 def vary_of(scene: "SceneNumbers", text: str, log: bool, given: dict[str, Any]) -> Vary:
@@ -90,7 +90,7 @@ def run(
     return 0 if all(row.status == "ok" for row in result.rows) else 1
 
 
-def _write(output: Path, text: str, result: "SceneFamily", log: bool) -> None:
+def _write(output: Path, text: str, result: "Family", log: bool) -> None:
     suffix = output.suffix.lower()
     if suffix == ".json":
         write_text(output, text)

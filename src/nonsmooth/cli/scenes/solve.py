@@ -15,9 +15,9 @@ from .wanted import ORDER, Wanted, exact_near, search
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.case.numbers import SceneNumbers
-    from nonsmooth.solver.flow.exact import ExactSceneOrbit
-    from nonsmooth.solver.orbit.orbit import SceneOrbit
-    from nonsmooth.solver.trade.choice import SceneChoice
+    from nonsmooth.solver.flow.exact import ExactOrbit
+    from nonsmooth.solver.orbit.orbit import Orbit
+    from nonsmooth.solver.trade.choice import Choice
 
 #: Estimated error of the times above which an orbit is not returned without a word.
 FAR_OFF = 0.1
@@ -102,10 +102,10 @@ def method_names(scene: "SceneNumbers") -> list[str]:
 def run(case: "Case", wanted: Wanted) -> int:
     """Solve as wanted, show it, write it; the exit status."""
     from nonsmooth.files.scenes import documents  # noqa: PLC0415
-    from nonsmooth.solver.orbit.orbit import SceneOrbit  # noqa: PLC0415
+    from nonsmooth.solver.orbit.orbit import Orbit  # noqa: PLC0415
 
     choice, found = search(case, wanted)
-    orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
+    orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
     case = orbits[0].case if orbits else case
     exact = exact_near(case, orbits)
     order = (ORDER if wanted.order is None else wanted.order) if wanted.tol is None else None
@@ -130,7 +130,7 @@ def run(case: "Case", wanted: Wanted) -> int:
     return 0 if len(orbits) == len(found) else 1
 
 
-def _why(choice: "SceneChoice", wanted: Wanted) -> str:
+def _why(choice: "Choice", wanted: Wanted) -> str:
     """Return why this method and order were taken."""
     if wanted.tol is None:
         names = ", ".join(dict.fromkeys(trial.method for trial in choice.trials))
@@ -141,7 +141,7 @@ def _why(choice: "SceneChoice", wanted: Wanted) -> str:
     return f"{last.method}, N = {choice.orbit.order}: {words}\nwithin {wanted.tol:g}."
 
 
-def _warn(orbits: "list[SceneOrbit]") -> None:
+def _warn(orbits: "list[Orbit]") -> None:
     for orbit in orbits:
         off = orbit.estimate.times
         if off > FAR_OFF:
@@ -149,9 +149,7 @@ def _warn(orbits: "list[SceneOrbit]") -> None:
             click.echo(f"nonsmooth: {orbit.method}, N = {orbit.order}: {hint}", err=True)
 
 
-def write(
-    output: Path, text: str, orbits: "list[SceneOrbit]", exact: "ExactSceneOrbit | None"
-) -> None:
+def write(output: Path, text: str, orbits: "list[Orbit]", exact: "ExactOrbit | None") -> None:
     """Write orbits as data or as a picture; a document as its text."""
     suffix = output.suffix.lower()
     if suffix == ".json":

@@ -17,7 +17,7 @@ from .solve import FUNCTIONS, method_names
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.case.numbers import SceneNumbers
-    from nonsmooth.solver.sweep import SceneRow, SceneSweep
+    from nonsmooth.solver.sweep import Sweep, SweepRow
 
 #: Orders of a sweep that names none.
 ORDERS = "1-20"
@@ -101,7 +101,7 @@ def run(
         total = len(names or method_names(case.scene)) * len(numbers)
         with progress(total, "sweep") as advance:
 
-            def done(row: "SceneRow") -> None:
+            def done(row: "SweepRow") -> None:
                 advance(f"{shown(case.scene, row.method)}, N = {row.order}")
 
             result = sweep_case(case, names, numbers, functions, done)
@@ -127,13 +127,13 @@ def _methods(scene: "SceneNumbers", text: str) -> list[str]:
     return list(dict.fromkeys(names))
 
 
-def _text(result: "SceneSweep") -> str:
+def _text(result: "Sweep") -> str:
     from nonsmooth.files.scenes import documents  # noqa: PLC0415
 
     return documents.text(result.case, result.as_dict(), result.rates())
 
 
-def _write(output: Path, text: str, result: "SceneSweep") -> None:
+def _write(output: Path, text: str, result: "Sweep") -> None:
     suffix = output.suffix.lower()
     if suffix == ".json":
         write_text(output, text)

@@ -10,10 +10,10 @@ from ..progress import busy
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.flow.exact import ExactSceneOrbit
+    from nonsmooth.solver.flow.exact import ExactOrbit
     from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.orbit.orbit import SceneOrbit
-    from nonsmooth.solver.trade.choice import SceneChoice
+    from nonsmooth.solver.orbit.orbit import Orbit
+    from nonsmooth.solver.trade.choice import Choice
 
 #: N without ``--order``.
 ORDER = 10
@@ -37,9 +37,7 @@ class Wanted:
         return len(self.methods) == 1 or self.tol is not None or self.budget is not None
 
 
-def search(
-    case: "Case", wanted: Wanted
-) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
+def search(case: "Case", wanted: Wanted) -> "tuple[Choice | None, dict[str, Orbit | NoOrbit]]":
     """Return what a tolerance or a budget chose, and what was found by method.
 
     Where the scene has several motions, that which occurs is found first.
@@ -61,7 +59,7 @@ def search(
         check_one_method(list(wanted.methods), "--budget" if wanted.tol is None else "--tol")
         return _choose(case, chosen[0] if chosen else None, wanted)
     names = chosen or tuple(in_order(methods(scene)))
-    found: dict[str, SceneOrbit | NoOrbit] = {}
+    found: dict[str, Orbit | NoOrbit] = {}
     try:
         with busy("looking for a motion"):
             case = with_motion(case, ORDER if wanted.order is None else wanted.order)
@@ -82,7 +80,7 @@ def search(
 
 def _solve(
     case: "Case", method: str, order: int, functions: int | None, said: set[str]
-) -> "SceneOrbit | NoOrbit":
+) -> "Orbit | NoOrbit":
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
 
@@ -96,12 +94,11 @@ def _solve(
 
 def _choose(
     case: "Case", method: str | None, wanted: Wanted
-) -> "tuple[SceneChoice | None, dict[str, SceneOrbit | NoOrbit]]":
+) -> "tuple[Choice | None, dict[str, Orbit | NoOrbit]]":
     from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
     from nonsmooth.solver.trade.budget import choose_within  # noqa: PLC0415
-    from nonsmooth.solver.trade.choice import NotCertifiedScene  # noqa: PLC0415
-    from nonsmooth.solver.trade.not_certified import TooSlow  # noqa: PLC0415
+    from nonsmooth.solver.trade.choice import NotCertified, TooSlow  # noqa: PLC0415
     from nonsmooth.solver.trade.tolerance import choose_order  # noqa: PLC0415
 
     option = "--budget" if wanted.tol is None else "--tol"
@@ -118,7 +115,7 @@ def _choose(
         else:
             with as_problems(), busy(f"{name} to {wanted.tol:g}"):
                 choice = choose_order(case, wanted.tol, name, wanted.functions)
-    except NotCertifiedScene as finding:
+    except NotCertified as finding:
         raise Problem(f"no orbit is certified: {finding}", 1) from finding
     except TooSlow as finding:
         raise Problem(str(finding), 1) from finding
@@ -144,7 +141,7 @@ def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
     said.update((whole, same))
 
 
-def exact_near(case: "Case", orbits: "list[SceneOrbit]") -> "ExactSceneOrbit | None":
+def exact_near(case: "Case", orbits: "list[Orbit]") -> "ExactOrbit | None":
     """Return the exact orbit next to the orbits, or any if there are none."""
     from nonsmooth.solver.flow.exact import exact_orbit  # noqa: PLC0415
     from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415

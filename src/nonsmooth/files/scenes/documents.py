@@ -5,16 +5,16 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.solver.case.registry import mathematics
 from nonsmooth.solver.orbit.document import document_without_orbit
-from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.orbit.orbit import Orbit
 
 from ..json_text import sealed
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.family import SceneFamily
-    from nonsmooth.solver.flow.exact import ExactSceneOrbit
+    from nonsmooth.solver.family import Family
+    from nonsmooth.solver.flow.exact import ExactOrbit
     from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.sweep import SceneSweep
+    from nonsmooth.solver.sweep import Sweep
 
 #: Units of what is in a document, beside the parameters'; what is not here is a plain number.
 UNITS = {
@@ -28,7 +28,7 @@ UNITS = {
 }
 
 
-def of_orbits(orbits: Sequence[SceneOrbit]) -> dict[str, Any]:
+def of_orbits(orbits: Sequence[Orbit]) -> dict[str, Any]:
     """Return the document of one orbit, or of several of any cases."""
     found = [orbit.as_dict() | origin(orbit.case, [orbit.method]) for orbit in orbits]
     if len(found) == 1:
@@ -36,24 +36,24 @@ def of_orbits(orbits: Sequence[SceneOrbit]) -> dict[str, Any]:
     return {"scene": orbits[0].case.scene.name, "orbits": found}
 
 
-def of_sweep(result: "SceneSweep") -> dict[str, Any]:
+def of_sweep(result: "Sweep") -> dict[str, Any]:
     """Return the document of a sweep over orders."""
     return result.as_dict() | origin(result.case, result.rates())
 
 
-def of_family(result: "SceneFamily") -> dict[str, Any]:
+def of_family(result: "Family") -> dict[str, Any]:
     """Return the document of a family along a parameter."""
     return result.as_dict() | origin(result.case, [result.method])
 
 
 def of_each(
-    case: "Case", found: "Mapping[str, SceneOrbit | NoOrbit]", order: int | None,
-    functions: int | None, exact: "ExactSceneOrbit | None",
+    case: "Case", found: "Mapping[str, Orbit | NoOrbit]", order: int | None,
+    functions: int | None, exact: "ExactOrbit | None",
 ) -> list[dict[str, Any]]:  # fmt: skip
     """Return the document of each orbit, with null for what an absent one lacks."""
     return [
         orbit.as_dict()
-        if isinstance(orbit, SceneOrbit)
+        if isinstance(orbit, Orbit)
         else document_without_orbit(case, method, order, functions, orbit, exact)
         for method, orbit in found.items()
     ]

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.kim_perkins import Errors, StickSlip, as_in_paper
+from nonsmooth.kim_perkins import StickSlip, StickSlipErrors, as_in_paper
 from nonsmooth.scene import find
-from nonsmooth.solver.accuracy.errors import SceneErrors
+from nonsmooth.solver.accuracy.errors import Errors
 from nonsmooth.solver.case.case import Case
 from nonsmooth.solver.case.numbers import SceneNumbers
 from nonsmooth.solver.case.registry import (
@@ -19,10 +19,10 @@ from nonsmooth.solver.case.registry import (
     mathematics,
     of_motion,
 )
-from nonsmooth.solver.family import FamilyRow, SceneFamily
+from nonsmooth.solver.family import Family, FamilyRow
 from nonsmooth.solver.iteration.newton import Outcome
-from nonsmooth.solver.orbit.orbit import SceneOrbit
-from nonsmooth.solver.sweep import SceneRow, SceneSweep
+from nonsmooth.solver.orbit.orbit import Orbit
+from nonsmooth.solver.sweep import Sweep, SweepRow
 
 from .. import checks
 from ..errors import FileError, other_kind
@@ -93,7 +93,7 @@ def _check_mathematics(
         raise FileError(path, f"{what} of other equations ({found}): compute it anew")
 
 
-def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit:
+def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
     case = _case(path, document, scene)
     method = generic_method(case.scene, document["method"])
     functions, order = document.get("functions"), document["order"]
@@ -111,7 +111,7 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit
     checks.residual(R, z)
     iterations = document["iterations"]
     made = Outcome(**outcome | {"unknowns": z})
-    orbit = case.presented(SceneOrbit(case, method, order, made, iterations, functions))
+    orbit = case.presented(Orbit(case, method, order, made, iterations, functions))
     durations = [phase["duration"] for phase in document["phases"]]
     checks.times(document, durations)
     checks.same("period", document["period"], orbit.period, "its unknowns")
@@ -122,27 +122,27 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> SceneOrbit
     return orbit
 
 
-def _sweep(path: Path, document: Mapping[str, Any], case: Case) -> SceneSweep:
+def _sweep(path: Path, document: Mapping[str, Any], case: Case) -> Sweep:
     methods = {row["method"] for row in document["rows"]}
     _check_mathematics(path, document, "a sweep", case.scene, methods)
     rows = tuple(_row(case, row) for row in document["rows"])
-    return SceneSweep(case, rows, document["functions"])
+    return Sweep(case, rows, document["functions"])
 
 
-def _row(case: Case, row: Mapping[str, Any]) -> SceneRow:
-    values = {q.name: row[q.name] for q in fields(SceneRow) if q.name in row}
+def _row(case: Case, row: Mapping[str, Any]) -> SweepRow:
+    values = {q.name: row[q.name] for q in fields(SweepRow) if q.name in row}
     further = {name: value for name, value in row.items() if name not in values}
     if row["status"] == "ok":
         values["further"] = further
     values["method"] = generic_method(case.scene, row["method"])
-    kind = Errors if isinstance(case, StickSlip) else SceneErrors
+    kind = StickSlipErrors if isinstance(case, StickSlip) else Errors
     values |= {"errors": _errors(row, row["errors"], kind)}
     values |= {"estimate": _errors(row, row["estimate"])}
     checks.not_negative("seconds", row["seconds"])
-    return SceneRow(**values | _checked(row))
+    return SweepRow(**values | _checked(row))
 
 
-def _family(path: Path, document: Mapping[str, Any], case: Case) -> SceneFamily:
+def _family(path: Path, document: Mapping[str, Any], case: Case) -> Family:
     _check_mathematics(path, document, "a family", case.scene, [document["method"]])
     parameter, rows = document["vary"]["parameter"], []
     if parameter not in case.values:
@@ -157,7 +157,7 @@ def _family(path: Path, document: Mapping[str, Any], case: Case) -> SceneFamily:
         raise checks.NotRightError(f"{len(rows)} rows of {document['vary']['count']}")
     method = generic_method(case.scene, document["method"])
     how = (parameter, method, document["order"], document["functions"])
-    return SceneFamily(case, *how, tuple(rows))
+    return Family(case, *how, tuple(rows))
 
 
 def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
@@ -172,8 +172,8 @@ def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _errors(
-    row: Mapping[str, Any], found: Mapping[str, Any], kind: type[SceneErrors] = SceneErrors
-) -> SceneErrors | None:
+    row: Mapping[str, Any], found: Mapping[str, Any], kind: type[Errors] = Errors
+) -> Errors | None:
     """Return errors; None without an orbit, or where nothing is known of them."""
     values = [found[field.name] for field in fields(kind)]
     if row["status"] != "ok" or all(value is None for value in values):

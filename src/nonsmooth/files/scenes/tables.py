@@ -11,15 +11,15 @@ from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.results.motion import SAMPLES
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.family import SceneFamily
-    from nonsmooth.solver.orbit.orbit import SceneOrbit
+    from nonsmooth.solver.family import Family
+    from nonsmooth.solver.orbit.orbit import Orbit
     from nonsmooth.solver.simulation.record import Simulation
-    from nonsmooth.solver.sweep import SceneSweep
+    from nonsmooth.solver.sweep import Sweep
 
 COLUMNS = ("method", "t", "displacement", "velocity", "acceleration")
 
 
-def write_orbits(orbits: "Iterable[SceneOrbit]", target: Path) -> None:
+def write_orbits(orbits: "Iterable[Orbit]", target: Path) -> None:
     """Write displacement, velocity and acceleration over a period: s, m, m/s, m/s**2."""
 
     def rows() -> Iterator[Iterable[Any]]:
@@ -44,7 +44,7 @@ def write_simulation(motion: "Simulation", target: Path) -> None:
     _write(target, ("phase", *COLUMNS[1:]), rows())
 
 
-def write_sweep(result: "SceneSweep", target: Path) -> None:
+def write_sweep(result: "Sweep", target: Path) -> None:
     """Write the rows of a sweep, each with the scene and its parameters behind it."""
     case = result.case
     constants = {"scene": case.scene.name, "motion": case.scene.motion, "cycles": case.cycles}
@@ -59,7 +59,7 @@ def write_sweep(result: "SceneSweep", target: Path) -> None:
     _write_dictionaries(target, found)
 
 
-def write_family(result: "SceneFamily", target: Path) -> None:
+def write_family(result: "Family", target: Path) -> None:
     """Write one line a value, with the scene and its other parameters behind it."""
     fixed = {name: v for name, v in result.case.values.items() if name != result.parameter}
     constants = {

@@ -6,7 +6,7 @@ from pathlib import Path
 import matplotlib as mpl
 
 from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.flow.exact import ExactSceneOrbit
+from nonsmooth.solver.flow.exact import ExactOrbit
 from nonsmooth.style import save
 
 from ..build import SUFFIXES
@@ -26,7 +26,7 @@ def count(case: Case) -> int:
 
 
 def build(
-    case: Case, exact: ExactSceneOrbit, source: str, folder: Path, done: Callable[[str], None]
+    case: Case, exact: ExactOrbit, source: str, folder: Path, done: Callable[[str], None]
 ) -> None:
     """Write the report on a case into an empty folder.
 
@@ -36,7 +36,7 @@ def build(
         The oscillator.
     source : str
         The name of its scene, or the path of its file: its equations are derived from it.
-    exact : ExactSceneOrbit
+    exact : ExactOrbit
         Its exact orbit.
     folder : Path
         An empty folder.

@@ -12,10 +12,10 @@ from nonsmooth.solver.case import registry
 from nonsmooth.solver.case.case import Case
 from nonsmooth.solver.case.methods import FIRST, about, in_order
 from nonsmooth.solver.case.names import shown
-from nonsmooth.solver.flow.exact import ExactSceneOrbit
+from nonsmooth.solver.flow.exact import ExactOrbit
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.orbit.motion import SceneMotion
-from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.orbit.motion import Motion
+from nonsmooth.solver.orbit.orbit import Orbit
 from nonsmooth.solver.solve import solve_case
 
 #: Order of the orbits that are drawn beside the exact one; of the series that rings.
@@ -64,24 +64,24 @@ class Collected:
     ----------
     case : Case
         The oscillator.
-    exact : ExactSceneOrbit
+    exact : ExactOrbit
         Its exact orbit.
-    small : dict of str to SceneOrbit
+    small : dict of str to Orbit
         Orbits of low order, by the names of their ways.
-    ringing : dict of str to SceneOrbit
+    ringing : dict of str to Orbit
         Orbits of higher order, for the derivative that jumps.
     curves : dict of Way to list of Point
         Errors over the orders.
     """
 
     case: Case
-    exact: ExactSceneOrbit
-    small: dict[str, SceneOrbit]
-    ringing: dict[str, SceneOrbit]
+    exact: ExactOrbit
+    small: dict[str, Orbit]
+    ringing: dict[str, Orbit]
     curves: dict[Way, list[Point]]
 
     @cached_property
-    def best(self) -> SceneOrbit:
+    def best(self) -> Orbit:
         """The orbit of the most accurate method at the highest order of its curve."""
         return solve_case(self.case, FIRST, FACTOR_ORDERS[-1])
 
@@ -101,14 +101,14 @@ def steps(case: Case) -> int:
     return 2 + sum(1 for _ in ways(case))
 
 
-def collect(case: Case, exact: ExactSceneOrbit, done: Callable[[str], None]) -> Collected:
+def collect(case: Case, exact: ExactOrbit, done: Callable[[str], None]) -> Collected:
     """Compute what the page says.
 
     Parameters
     ----------
     case : Case
         The oscillator.
-    exact : ExactSceneOrbit
+    exact : ExactOrbit
         Its exact orbit.
     done : callable
         Called `steps` times with what has just been done, in words.
@@ -127,14 +127,14 @@ def collect(case: Case, exact: ExactSceneOrbit, done: Callable[[str], None]) -> 
     return Collected(case, exact, small, ringing, curves)
 
 
-def _orbit(case: Case, way: Way, order: int) -> SceneOrbit | None:
+def _orbit(case: Case, way: Way, order: int) -> Orbit | None:
     try:
         return solve_case(case, way.method, order, way.functions)
     except (NoOrbit, ValueError):  # there is none, or the order is below the lowest
         return None
 
 
-def _orbits(case: Case, chosen: list[Way], order: int) -> Iterator[tuple[str, SceneOrbit]]:
+def _orbits(case: Case, chosen: list[Way], order: int) -> Iterator[tuple[str, Orbit]]:
     for way in chosen:
         orbit = _orbit(case, way, order)
         if orbit is not None:
@@ -148,7 +148,7 @@ def _curve(case: Case, way: Way) -> Iterator[Point]:
             yield Point(order, orbit.errors.times, orbit.errors.discontinuous)
 
 
-def jump(exact: SceneMotion, p: int) -> float:
+def jump(exact: Motion, p: int) -> float:
     """Return the jump of the derivative of order k + 1 at switch `p`, without units."""
     cell = exact.case.cell
     before, sign = (p - 1, 1) if p else (len(cell.phases) - 1, cell.sign)
@@ -157,7 +157,7 @@ def jump(exact: SceneMotion, p: int) -> float:
     return float(derivative(exact, p, np.zeros(1), order)[0] - sign * left)
 
 
-def overshoot(orbit: SceneOrbit, exact: SceneMotion) -> float:
+def overshoot(orbit: Orbit, exact: Motion) -> float:
     """Return by how much the derivative that jumps goes beyond its jump, as a part of it.
 
     At the largest jump, on the side where the phase begins: what the derivative exceeds the

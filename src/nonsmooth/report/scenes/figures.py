@@ -13,7 +13,7 @@ from nonsmooth.plots.orbits import line
 from nonsmooth.solver.accuracy.errors import derivative
 from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.case.methods import about
-from nonsmooth.solver.orbit.motion import SceneMotion
+from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.style import EXACT
 
 from .collected import Collected, Way
@@ -73,7 +73,7 @@ def history(axes: Any, found: Collected) -> None:
     )  # fmt: skip
 
 
-def _whole_period(motion: SceneMotion, order: int) -> tuple[Vector, Vector]:
+def _whole_period(motion: Motion, order: int) -> tuple[Vector, Vector]:
     """Return ``t/T`` and a derivative in SI units over one period, gaps at the switches."""
     cell, unit = motion.case.cell, motion.case.units
     u = np.linspace(0.0, 1.0, POINTS)

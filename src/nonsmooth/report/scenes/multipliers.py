@@ -3,7 +3,7 @@
 import cmath
 from dataclasses import dataclass
 
-from nonsmooth.solver.flow.exact import ExactSceneOrbit
+from nonsmooth.solver.flow.exact import ExactOrbit
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 from nonsmooth.solver.stability.words import in_words
 
@@ -36,7 +36,7 @@ class Multipliers:
     shift: bool
 
 
-def multipliers(exact: ExactSceneOrbit) -> Multipliers:
+def multipliers(exact: ExactOrbit) -> Multipliers:
     """Return the multipliers of the exact orbit, each with its modulus and argument."""
     _, _, verdict = in_words(exact).partition(": ")
     try:

@@ -9,7 +9,7 @@ from nonsmooth.solver.case.names import shown
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.case.numbers import SceneNumbers
-    from nonsmooth.solver.family import SceneFamily
+    from nonsmooth.solver.family import Family
 
 #: Columns of a table and of what stands above it.
 WIDTH = 80
@@ -28,7 +28,7 @@ def caption(case: "Case") -> str:
     return "\n".join(lines) + "\n"
 
 
-def caption_of_family(result: "SceneFamily") -> str:
+def caption_of_family(result: "Family") -> str:
     """Return the scene, what of its parameters varies, and how the orbits are computed."""
     scene, values = result.case.scene, result["value"]
     parameter = next(q for q in scene.parameters if q.name == result.parameter)

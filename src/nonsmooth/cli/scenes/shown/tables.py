@@ -9,7 +9,7 @@ import click
 
 from nonsmooth.solver.case.names import shown
 from nonsmooth.solver.flow.known import is_stable, others
-from nonsmooth.solver.orbit.orbit import SceneOrbit
+from nonsmooth.solver.orbit.orbit import Orbit
 from nonsmooth.solver.stability.words import VERDICTS, in_words
 
 from ...columns import (
@@ -23,21 +23,21 @@ from .captions import WIDTH, derivative
 
 if TYPE_CHECKING:
     from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.family import SceneFamily
-    from nonsmooth.solver.flow.exact import ExactSceneOrbit
+    from nonsmooth.solver.family import Family
+    from nonsmooth.solver.flow.exact import ExactOrbit
     from nonsmooth.solver.flow.existence import WithoutSwitches
     from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.orbit.motion import SceneMotion
-    from nonsmooth.solver.sweep import SceneSweep
+    from nonsmooth.solver.orbit.motion import Motion
+    from nonsmooth.solver.sweep import Sweep
     from nonsmooth.solver.trade.measured import Trade
 
 #: Points of a printed family.
 ROWS = 25
 
-Found = Mapping[str, "SceneOrbit | NoOrbit"]
+Found = Mapping[str, "Orbit | NoOrbit"]
 
 
-def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> None:
+def solutions(case: "Case", exact: "ExactOrbit | None", found: Found) -> None:
     """Print the orbit by each method, below the exact one."""
     scene = case.scene
     phases = scene.phases if len(scene.phases) > 1 and not scene.motions else ()
@@ -48,7 +48,7 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
     )  # fmt: skip
     table.add_row("exact", "", *(["none found"] if exact is None else _times(exact)))
     for method, orbit in found.items():
-        if not isinstance(orbit, SceneOrbit):
+        if not isinstance(orbit, Orbit):
             table.add_row(shown(scene, method), "", orbit.status)
             continue
         errors = orbit.errors
@@ -61,19 +61,19 @@ def solutions(case: "Case", exact: "ExactSceneOrbit | None", found: Found) -> No
             str(orbit.iterations),
         )
     print_table(table)
-    orbits = [orbit for orbit in found.values() if isinstance(orbit, SceneOrbit)]
+    orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
     for motion, words in [(exact, "exact"), *((q, name_of(q)) for q in orbits)]:
         if motion is not None:
             line = f"{words}: {in_words(motion)}"
             click.echo(textwrap.fill(line, WIDTH, subsequent_indent="  "))
             break
     for orbit in found.values():
-        if isinstance(orbit, SceneOrbit) and orbit.estimate.times < MORE_DIGITS:
+        if isinstance(orbit, Orbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
             click.echo(textwrap.fill(words, WIDTH, subsequent_indent="  "))
 
 
-def tell_of_others(exact: "ExactSceneOrbit | None") -> None:
+def tell_of_others(exact: "ExactOrbit | None") -> None:
     """Print that there are other orbits beside one, if they are known."""
     found = [] if exact is None else others(exact)
     if found:
@@ -83,7 +83,7 @@ def tell_of_others(exact: "ExactSceneOrbit | None") -> None:
         click.echo(textwrap.fill(words[0].upper() + words[1:], WIDTH))
 
 
-def every(orbits: "Sequence[SceneOrbit]", still: "Sequence[WithoutSwitches]") -> None:
+def every(orbits: "Sequence[Orbit]", still: "Sequence[WithoutSwitches]") -> None:
     """Print one row an orbit, and one a motion without switches."""
     names = ("motion", "T [s]", "phi [rad]", "least x [m]", "largest x [m]", "estimate", "")
     table = table_of(*names)
@@ -105,14 +105,14 @@ def every(orbits: "Sequence[SceneOrbit]", still: "Sequence[WithoutSwitches]") ->
     print_table(table)
 
 
-def name_of(orbit: SceneOrbit) -> str:
+def name_of(orbit: Orbit) -> str:
     """Return a method as tables show it, with its functions where they are not the default."""
     name = shown(orbit.case.scene, orbit.method)
     default = {None, 2 if orbit.case.scene.k == 0 else 1}
     return name if orbit.functions in default else f"{name}({orbit.functions})"
 
 
-def _times(motion: "SceneMotion") -> list[str]:
+def _times(motion: "Motion") -> list[str]:
     """Return period, phase of the forcing and, of several phases, the durations of a cell."""
     count = len(motion.case.cell.phases)
     turn = motion.forcing_phase
@@ -127,7 +127,7 @@ def _errors(*errors: float) -> tuple[str, ...]:
     return tuple(f"{error:.2e}" for error in errors)
 
 
-def _in_full(orbit: SceneOrbit) -> str:
+def _in_full(orbit: Orbit) -> str:
     """Return the times of an orbit by the digits that its estimated errors leave."""
     part, turn = orbit.estimate.times, orbit.forcing_phase
     words = [f"T = {certain_digits(orbit.period, abs(orbit.estimate.period))} s"]
@@ -145,7 +145,7 @@ def _forcing_period(case: "Case") -> float:
     return 2 * math.pi / float(case.values[str(case.scene.frequency)])
 
 
-def family(result: "SceneFamily") -> None:
+def family(result: "Family") -> None:
     """Print some of the points along a parameter, and what holds for all."""
     scene = result.case.scene
     parameter = next(q for q in scene.parameters if q.name == result.parameter)
@@ -201,7 +201,7 @@ def trade(result: "Trade") -> None:
     print_table(table)
 
 
-def convergence(result: "SceneSweep") -> None:
+def convergence(result: "Sweep") -> None:
     """Print one row a method and order, and how fast each method converges."""
     scene = result.case.scene
     forced = scene.frequency is not None
