@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.iteration.start import with_coefficients
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import with_coefficients
 
 METHODS = ("hb", "hb-c1", "ck", "ck-tau")
 

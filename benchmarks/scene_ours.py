@@ -9,11 +9,11 @@ from functools import cache
 
 import numpy as np
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.case.kernel import Kernel
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.kernel import Kernel
 from nonsmooth.solver.orbit.motion import Motion
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.solve import COARSE, solve_case
 
 from .scene_rivals import Solve, njit

@@ -18,7 +18,7 @@ from pathlib import Path
 import numba
 from numba.core.dispatcher import Dispatcher
 
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 
 from . import scene_ours, scene_rivals, scene_simulation
 from . import scene_references as references

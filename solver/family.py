@@ -10,19 +10,19 @@ from typing import Any, overload
 
 import numpy as np
 
-from .accuracy.errors import Errors
 from .arrays import Vector
-from .case import registry
-from .case.case import Case
-from .case.methods import FIRST
-from .case.names import shown
-from .case.parameters import ParameterError
-from .iteration.attempt import attempt
+from .kernels import registry
 from .no_orbit import NoOrbit
-from .orbit.document import without_errors
-from .orbit.orbit import Orbit
-from .results.notebook import of_rows
-from .results.table import Table, Tabular, flat
+from .orbit.attempt import attempt
+from .orbit.errors import Errors
+from .presentation.notebook import of_rows
+from .presentation.table import Table, Tabular, flat
+from .results.document import without_errors
+from .results.orbit import Orbit
+from .scenes.case import Case
+from .scenes.method_names import shown
+from .scenes.methods import FIRST
+from .scenes.parameter_error import ParameterError
 from .solve import check_order, number_of_functions, solve_case
 
 #: Order at which the times of a smooth motion in each phase are at rounding.
@@ -160,7 +160,7 @@ class Family(Tabular):
     def durations_of(self, row: FamilyRow) -> dict[str, float]:
         """Return the durations of a cell's phases in s, by name; empty without an orbit."""
         scene = self.case.scene
-        own = registry.of_motion(scene, row.motion) if row.motion else scene
+        own = scene.of_motion(row.motion) if row.motion else scene
         return dict(zip(own.phases, row.durations or (), strict=False))
 
     def plot(self, ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
@@ -286,7 +286,7 @@ def family_case(
 
     Examples
     --------
-    >>> from nonsmooth.solver.case import registry
+    >>> from nonsmooth.solver.kernels import registry
     >>> case = registry.load(registry.names()[0])()
     >>> name = case.scene.parameters[0].name
     >>> [row.status for row in family_case(case, name, [1.0, 1.1], order=8).rows]
@@ -336,17 +336,18 @@ def _next(
         times[durations] *= before.case.units.time / case.units.time
         found = attempt(kernel, here, order, times, functions)
         if found.converged and found.admissible:
-            return found, _row(found, value, followed=True)
+            orbit = Orbit.of(found)
+            return orbit, _row(orbit, value, followed=True)
         spent = found.iterations
     try:
-        found = solve_case(case, method, order, functions)
+        orbit = solve_case(case, method, order, functions)
     except NoOrbit as finding:
         nothing = (None, None, None, None, None)
         iterations = finding.iterations + spent
         row = FamilyRow(value, finding.status, *nothing, iterations, False, str(finding))
         return None, row
-    found = replace(found, iterations=found.iterations + spent)
-    return found, _row(found, value, followed=False)
+    orbit = replace(orbit, iterations=orbit.iterations + spent)
+    return orbit, _row(orbit, value, followed=False)
 
 
 def _row(orbit: Orbit, value: float, *, followed: bool) -> FamilyRow:

@@ -9,20 +9,21 @@ from itertools import islice, product
 
 import numpy as np
 
+from .any_motion import of_any_motion
 from .arrays import Vector
-from .case import registry
-from .case.case import Case
-from .case.kernel import Kernel
-from .case.methods import FIRST
-from .flow.exact import ExactOrbit, exact_orbit
-from .flow.existence import not_decided, shown_to_be_none, without_switches
-from .flow.known import known, known_orbits
-from .iteration.attempt import attempt
-from .iteration.singular import is_reversible, is_singular
-from .iteration.start import PATIENCE, rough_times
-from .motions import of_any_motion
+from .exact import ExactOrbit, exact_orbit
+from .existence.known import known, known_orbits
+from .existence.reasons import not_decided, shown_to_be_none, without_switches
+from .kernels import registry
+from .kernels.kernel import Kernel
+from .kernels.singular import is_reversible, is_singular
+from .kernels.start import PATIENCE, rough_times
 from .no_orbit import NoOrbit
-from .orbit.orbit import Orbit
+from .orbit.attempt import attempt
+from .orbit.solution import Solution
+from .results.orbit import Orbit
+from .scenes.case import Case
+from .scenes.methods import FIRST
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
@@ -72,7 +73,7 @@ def solve_case(
 
     Examples
     --------
-    >>> from nonsmooth.solver.case import registry
+    >>> from nonsmooth.solver.kernels import registry
     >>> case = registry.load(registry.names()[0])()
     >>> solve_case(case, order=12).admissible
     True
@@ -221,13 +222,14 @@ class _Search:
             found = self.less_smooth(found, times)
         return found if found.confirmed else None
 
-    def note(self, found: Orbit) -> Orbit:
+    def note(self, found: Solution) -> Orbit:
         """Return a result with all iterations, after its failure, if it is one, was noted."""
-        found = replace(found, iterations=self.iterations + found.outcome.iterations)
-        self.count(found)
-        return found
+        total = self.iterations + found.outcome.iterations
+        orbit = Orbit.of(replace(found, iterations=total))
+        self.count(orbit)
+        return orbit
 
-    def count(self, found: Orbit) -> None:
+    def count(self, found: Solution) -> None:
         """Count the iterations of a result, and note its failure if it is one."""
         self.iterations += found.outcome.iterations
         why = "" if found.converged else found.outcome.reason
@@ -300,7 +302,7 @@ class _Search:
 
 
 @lru_cache(maxsize=512)
-def _coarse_orbit(case: Case, method: str, order: int, times: tuple[float, ...]) -> Orbit:
+def _coarse_orbit(case: Case, method: str, order: int, times: tuple[float, ...]) -> Solution:
     """Return where a coarse method leads from rough times; every method asks for the same."""
     kernel = registry.quicker_kernel(case.scene, method, None, order)
     return attempt(kernel, case, order, np.array(times))

@@ -5,16 +5,16 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, overload
 
-from .accuracy.errors import Errors
 from .accuracy.rates import Rate, rate
-from .case import registry
-from .case.case import Case
-from .case.methods import in_order
-from .case.names import shown
+from .kernels import registry
 from .no_orbit import NoOrbit
-from .orbit.document import without_errors
-from .results.notebook import of_rows
-from .results.table import Table, Tabular, flat
+from .orbit.errors import Errors
+from .presentation.notebook import of_rows
+from .presentation.table import Table, Tabular, flat
+from .results.document import without_errors
+from .scenes.case import Case
+from .scenes.method_names import shown
+from .scenes.methods import in_order
 from .solve import check_order, number_of_functions, solve_case, with_motion
 
 

@@ -6,9 +6,9 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.case.numbers import SceneNumbers
 from nonsmooth.solver.orbit.motion import Motion
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.loaded import LoadedScene
 
 FREQUENCY = ("frequency", "Omega", "rad/s", 1.0, "angular frequency", "positive", None)
 SCALE = ("scale", "a", "", 1.0, "a number", "", None)
@@ -62,7 +62,7 @@ def made(
         requires=lambda _: (),
         guess=lambda _: guess,
     )
-    return SceneNumbers(module, folder)
+    return LoadedScene(module, folder)
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,7 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 
 from . import shown
 from .measured import ROUNDS, Point, measure

@@ -5,8 +5,8 @@ from functools import cache
 import numba
 import numpy as np
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.solve import COARSE, number_of_functions
 
 from .problem import Problem
@@ -26,7 +26,7 @@ def newton(scene, method):
 
     Parameters
     ----------
-    scene : SceneNumbers
+    scene : LoadedScene
         Of one motion.
     method : str
     """

@@ -10,9 +10,9 @@ from functools import cache
 
 import numpy as np
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.flow.exact import ExactOrbit, exact_orbit
+from nonsmooth.solver.exact import ExactOrbit, exact_orbit
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.solve import with_motion
 
 #: How rough the times are: durations are too long and too short by turns, the angle is off.

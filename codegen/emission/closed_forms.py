@@ -6,7 +6,7 @@ from typing import Any
 
 import sympy as sp
 
-from .printer import NumericPrinter
+from ..python_text import NumericPrinter
 
 
 @dataclass(frozen=True)

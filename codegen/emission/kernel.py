@@ -8,8 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks, closure
+from ..python_text import digest, math_names, python
 from . import class_one, condensed
-from .expressions import math_names, python
 from .functions import function, prologue
 from .loops import (
     Row,
@@ -19,7 +19,6 @@ from .loops import (
     rows_of,
     size,
 )
-from .printer import digest
 from .runtime import breaks as broken
 from .runtime import condensed as following
 from .runtime import harmonics, moments, phases

@@ -3,7 +3,7 @@
 from types import ModuleType
 
 from .. import expansions
-from .printer import digest
+from ..python_text import digest
 
 HEADER = '''"""The methods that every scene has: what tables, fits and pictures know of them.
 

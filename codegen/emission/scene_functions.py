@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import sympy as sp
 
+from ..python_text import python
 from ..scene import Phase, Scene, linear_phase, state_row, v
 from ..scene.extremes import at_extremes
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
-from .expressions import python
 
 
 def _linear(demands: Mapping[str, sp.Expr]) -> list[tuple[str, sp.Expr]]:

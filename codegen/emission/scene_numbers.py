@@ -4,12 +4,11 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
+from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
 from ..scene.memory import power_of_time
 from ..scene.smoothness import classes_of
 from ..scene.units import dimension_of
-from .expressions import math_names
-from .printer import digest
 from .scene_functions import Function, extremes, guess, of_phases, whole, words_of
 
 HEADER = '''"""{name}: {title} (C{k}), in numbers.

@@ -10,7 +10,7 @@ from ..galerkin import Block, Condition, GalerkinConditions, Table
 from ..galerkin.condition import N
 from ..galerkin.tables import by_time
 from ..galerkin.weights import weights
-from .expressions import python
+from ..python_text import python
 
 
 @dataclass(frozen=True)

@@ -9,11 +9,11 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from ..emission.expressions import floating, python
 from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
+from ..python_text import floating, python
 from ..scene import Phase, Scene, Switch, switches, v
 
 METHOD = "hb"

@@ -15,13 +15,13 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..emission.expressions import floating, python
 from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, closure
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, b, ends_of_phases, equations, n
 from ..galerkin.legendre import in_legendre
 from ..galerkin.tables import tables_with_rates
+from ..python_text import floating, python
 from ..scene import Phase, Scene, switches
 from . import hb
 

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..emission.expressions import floating, python
 from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, breaks, closure
 from ..galerkin.harmonics import Harmonics, ends_of_phases, equations, j
 from ..galerkin.tables import tables_with_rates
+from ..python_text import floating, python
 from ..scene import Phase, Scene, Switch, switches, v
 from . import hb
 

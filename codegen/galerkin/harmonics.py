@@ -12,7 +12,7 @@ from functools import cached_property, partial
 import sympy as sp
 from sympy.simplify.fu import TR8
 
-from ..emission.expressions import floating, python
+from ..python_text import floating, python
 from ..scene import LinearPhase, Scene, linear_phase
 from .condition import N
 from .tables import Table, tables_with_rates

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..emission.expressions import python
+from ..python_text import python
 from .weights import weights
 
 l = sp.Symbol("l", integer=True, nonnegative=True)

@@ -7,12 +7,12 @@ class of continuity at each switch is deduced from the equations of motion.
 Nothing here knows an expansion, and nothing names an oscillator.
 """
 
-from .data import Event, Memory, Parameter, Phase, Scene
+from .data import Event, Memory, Parameter, Phase, a, forcing, t, v, x
 from .error import SceneError
 from .linear import LinearPhase, State, linear_phase, state_row
 from .saltation import Saltation, saltations
+from .scene import Scene
 from .smoothness import Switch, switches
-from .symbols import a, forcing, t, v, x
 
 __all__ = [
     "Event",

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
-from .data import Phase, Scene
+from .data import STATE_UNITS, Phase, SceneData, forcing, v, x
 from .entries import check_entries
 from .error import SceneError, named
 from .extremes import check_extremes
@@ -14,14 +14,13 @@ from .parameters import check_parameters
 from .phases import Units, check_neighbours, check_phase, check_same_units
 from .scales import scales
 from .smoothness import switches
-from .symbols import STATE_UNITS, forcing, v, x
 from .units import balance, dimension_of, spelled
 
 #: The units that a scene may say, and what they are in SI.
 SCALES = {"mass": "kg", "time": "s", "length": "m"}
 
 
-def check(scene: Scene) -> None:
+def check(scene: SceneData) -> None:
     """Check a scene.
 
     Raises
@@ -42,7 +41,7 @@ def check(scene: Scene) -> None:
         check_extremes(scene)
 
 
-def _check_motion(scene: Scene) -> None:
+def _check_motion(scene: SceneData) -> None:
     """Check a scene with one order of phases."""
     _check_phases(scene)
     check_parameters(scene.parameters, [phase.name for phase in scene.phases])
@@ -63,7 +62,7 @@ def _check_motion(scene: Scene) -> None:
     switches(scene)
 
 
-def _check_motions(scene: Scene) -> None:
+def _check_motions(scene: SceneData) -> None:
     """Check each motion of a scene by itself, and what they must have in common."""
     if scene.phases:
         raise SceneError("motions: got phases beside them, expected only one of both")
@@ -90,7 +89,7 @@ def _check_motions(scene: Scene) -> None:
         first = first or found
 
 
-def _check_phases(scene: Scene) -> None:
+def _check_phases(scene: SceneData) -> None:
     if not scene.phases:
         raise SceneError("phases: got none, expected at least one")
     names = [phase.name for phase in scene.phases]
@@ -102,7 +101,7 @@ def _check_phases(scene: Scene) -> None:
         raise SceneError("phases: got only held ones, expected one that moves freely")
 
 
-def _check_frequency(scene: Scene) -> None:
+def _check_frequency(scene: SceneData) -> None:
     if scene.frequency is None:
         return
     found = [q for q in scene.parameters if q.symbol == scene.frequency]
@@ -114,7 +113,7 @@ def _check_frequency(scene: Scene) -> None:
         raise SceneError(f"frequency: got {scene.frequency}, expected a positive symbol")
 
 
-def _check_whole(scene: Scene, units: Units) -> None:
+def _check_whole(scene: SceneData, units: Units) -> None:
     known = set(scene.symbols)
     for words, expression in scene.requires.items():
         with named(f"requires {words!r}"):
@@ -141,7 +140,7 @@ def _check_whole(scene: Scene, units: Units) -> None:
             _check_free(duration, known)
 
 
-def _check_start(scene: Scene, units: Units) -> None:
+def _check_start(scene: SceneData, units: Units) -> None:
     if not scene.start:
         return
     if scene.frequency is not None:
@@ -155,7 +154,7 @@ def _check_start(scene: Scene, units: Units) -> None:
             _check_free(value, set(scene.symbols))
 
 
-def _check_used(scene: Scene) -> None:
+def _check_used(scene: SceneData) -> None:
     phases = [phase for motion in scene.each_motion for phase in motion.phases]
     driven = [e for phase in phases for e in (phase.equation, phase.ends.zero)]
     if scene.frequency is not None and not any(sp.sympify(e).has(forcing) for e in driven):

@@ -1,10 +1,19 @@
-"""The types of a scene: parameters, phases with what ends them, and the whole."""
+"""The types of a scene: symbols, parameters, phases with what ends them, and the whole."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Self
 
 import sympy as sp
+
+t, x, v, a = sp.symbols("t x v a", real=True)
+
+#: ``cos(Omega t + phi)``, of amplitude one; ``t = 0`` at the first switch, ``phi`` unknown.
+forcing = sp.Symbol("forcing", real=True)
+
+#: What is not a parameter, with its unit.
+STATE_UNITS = {x: "m", v: "m/s", a: "m/s^2", forcing: "", t: "s"}
 
 
 @dataclass(frozen=True)
@@ -107,50 +116,8 @@ class Memory:
 
 
 @dataclass(frozen=True)
-class Scene:
-    """An oscillator: its parameters, the phases of its motion in their order, its forcing.
-
-    Parameters
-    ----------
-    name, title : str
-        ``"impact"``, of lower-case letters, digits and dashes; and what it is in a few words.
-    parameters : tuple of Parameter
-        All symbols of the equations.
-    phases : tuple of Phase
-        One cell of the motion, from the first switch.  After the last comes the first again.
-    source : str
-        Where the model is from.
-    frequency : Symbol, optional
-        Angular frequency of the forcing; without it the oscillator is autonomous.
-    half_period : bool
-        The cell is half a period, and ``x(t + T/2) = -x(t)``.
-    requires : mapping of str to Expr
-        What must not be negative of the parameters, by the words that say so.
-    scales : mapping of str to Expr
-        ``"mass"``, ``"time"`` and ``"length"`` that make the equations dimensionless, in the
-        parameters or as numbers in SI units; what is left out is worked out.
-    guess : tuple of Expr
-        Rough durations of the phases, in the parameters; without it they are worked out.
-        Of several motions, a mapping from some of their names to such tuples.
-    motions : mapping of str to tuple of Phase
-        Several orders of phases, by name, in place of `phases`; any of them may occur.
-    memory : tuple of Memory
-        Constants that switches set.
-    start : mapping of Symbol to Expr
-        ``{x: ...}`` or ``{v: ...}``: what the state in which the first phase begins is on the
-        exact orbit, if that is known.  Functions that begin at switches impose it in place of
-        the event that ends the first phase, as the paper does in (9).
-    extremes : mapping of str to mapping of Symbol to Expr
-        Where digits are easily lost, by words: the parameters that differ there from those of
-        a case, in its parameters or as numbers in SI units.  ``nonsmooth digits`` goes there.
-    motion : str
-        Which of several motions these `phases` are; see `of_motion`.
-
-    Raises
-    ------
-    SceneError
-        Naming the field that is wrong, what was found and what was expected.
-    """
+class SceneData:
+    """The fields of a `Scene`, not checked yet, and what follows from them at once."""
 
     name: str
     title: str
@@ -168,11 +135,6 @@ class Scene:
     extremes: Mapping[str, Mapping[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     motion: str = ""
 
-    def __post_init__(self) -> None:
-        from .check import check  # noqa: PLC0415  (the checks read this type)
-
-        check(self)
-
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The symbols of the parameters, in their order."""
@@ -189,13 +151,13 @@ class Scene:
         return f"{self.name}, {self.motion}" if self.motion else self.name
 
     @property
-    def each_motion(self) -> "tuple[Scene, ...]":
+    def each_motion(self) -> tuple[Self, ...]:
         """The scene once for each of its motions, as if there were no other; itself if one."""
         return tuple(map(self.of_motion, self.motions)) or (self,)
 
-    def of_motion(self, name: str) -> "Scene":
+    def of_motion(self, name: str) -> Self:
         """Return the scene with one of its motions alone."""
-        made: dict[str, Scene] = self.__dict__.setdefault("_made", {})
+        made: dict[str, Self] = self.__dict__.setdefault("_made", {})
         if name not in made:
             guess = self.guess.get(name, ()) if isinstance(self.guess, Mapping) else ()
             phases = self.motions[name]

@@ -7,14 +7,14 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from .data import Event, Memory, Parameter, Phase, Scene
+from .data import Event, Memory, Parameter, Phase, SceneData
 from .error import INSTEAD, SceneError, named
 
 #: What a number must not be, anywhere in an expression.
 _NO_NUMBERS = (sp.I, sp.nan, sp.oo, -sp.oo, sp.zoo)
 
 
-def check_entries(scene: Scene) -> None:
+def check_entries(scene: SceneData) -> None:
     """Check that every field holds what its type says.
 
     Raises

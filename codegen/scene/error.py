@@ -6,7 +6,7 @@ from contextlib import contextmanager
 
 import sympy as sp
 
-from .symbols import a, forcing, t, v, x
+from .data import a, forcing, t, v, x
 
 #: What a scene can be, and what others are for.
 INSTEAD = (

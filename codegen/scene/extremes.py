@@ -4,14 +4,13 @@ from collections.abc import Iterator, Mapping
 
 import sympy as sp
 
-from .data import Scene
+from .data import STATE_UNITS, SceneData
 from .error import SceneError, named
 from .parameters import bounds, within
-from .symbols import STATE_UNITS
 from .units import balance, dimension_of, spelled
 
 
-def check_extremes(scene: Scene) -> None:
+def check_extremes(scene: SceneData) -> None:
     """Check that each extreme gives parameters of the scene values that they may have.
 
     Raises
@@ -58,7 +57,7 @@ def _expression(value: object) -> sp.Expr:
         raise SceneError(f"got {value!r}, expected a number or an expression") from None
 
 
-def at_extremes(scene: Scene) -> Iterator[tuple[sp.Expr, ...]]:
+def at_extremes(scene: SceneData) -> Iterator[tuple[sp.Expr, ...]]:
     """Yield all parameters in their order at each extreme; others keep their symbols."""
     for values in scene.extremes.values():
         yield tuple(sp.sympify(values.get(symbol, symbol)) for symbol in scene.symbols)

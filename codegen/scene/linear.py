@@ -5,9 +5,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .data import Phase
+from .data import Phase, a, forcing, v, x
 from .error import INSTEAD, SceneError, check_linear, named
-from .symbols import a, forcing, v, x
 
 
 @dataclass(frozen=True)

@@ -4,16 +4,15 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from .data import Memory, Scene
+from .data import STATE_UNITS, Memory, SceneData, a, forcing, t
 from .error import SceneError, named
 from .linear import state_row
 from .names import check_meaning, check_name
-from .symbols import STATE_UNITS, a, forcing, t
 from .units import Dimension, balance, dimension_of, spelled
 
 
 def check_memory(
-    scene: Scene, units: Mapping[sp.Symbol, Dimension]
+    scene: SceneData, units: Mapping[sp.Symbol, Dimension]
 ) -> dict[sp.Symbol, Dimension]:
     """Check the memory of a scene, and return the unit of each.
 
@@ -36,14 +35,14 @@ def check_memory(
     return found
 
 
-def power_of_time(scene: Scene, memory: Memory) -> int:
+def power_of_time(scene: SceneData, memory: Memory) -> int:
     """Return the p of the unit of a memory, a length over a time to the power p."""
     units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
     units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
     return -int(balance(sp.expand(memory.value), units)[2])
 
 
-def _check_symbol(field: str, memory: Memory, scene: Scene, taken: set[sp.Symbol]) -> None:
+def _check_symbol(field: str, memory: Memory, scene: SceneData, taken: set[sp.Symbol]) -> None:
     symbol = memory.symbol
     if symbol != sp.Symbol(symbol.name, real=True):
         raise SceneError(f"{field}: symbol: got other assumptions, expected real=True")
@@ -53,7 +52,7 @@ def _check_symbol(field: str, memory: Memory, scene: Scene, taken: set[sp.Symbol
     check_meaning(f"{field}: symbol", symbol.name, [phase.name for phase in scene.phases])
 
 
-def _unit(memory: Memory, scene: Scene, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
+def _unit(memory: Memory, scene: SceneData, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
     value = sp.sympify(memory.value)
     if value.has(t, a):
         raise SceneError(f"got {value}, expected x, v, forcing and parameters")

@@ -5,10 +5,9 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from .data import Parameter
+from .data import STATE_UNITS, Parameter
 from .error import SceneError, named
 from .names import TAKEN, check_meaning, check_name
-from .symbols import STATE_UNITS
 from .units import dimension_of
 
 

@@ -4,10 +4,9 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from .data import Phase
+from .data import Phase, a, forcing, v, x
 from .error import SceneError, check_kind, named
 from .linear import fixed, linear_phase, state_row, without_modulus
-from .symbols import a, forcing, v, x
 from .units import Dimension, balance, spelled
 
 Units = Mapping[sp.Symbol, Dimension]

@@ -11,10 +11,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .data import Memory, Phase, Scene
+from .data import Memory, Phase, SceneData, forcing, v, x
 from .linear import state_row
 from .smoothness import switches
-from .symbols import forcing, v, x
 
 #: The state whose perturbations a switch maps.
 STATE = (x, v)
@@ -46,7 +45,7 @@ class Saltation:
         return sp.factor(self.matrix.det())
 
 
-def saltations(scene: Scene) -> tuple[Saltation, ...]:
+def saltations(scene: SceneData) -> tuple[Saltation, ...]:
     """Return the saltation at the end of each phase of a cell.
 
     Where the last phase leads into the mirror image of the first, it is the state of the motion

@@ -2,12 +2,12 @@
 
 import sympy as sp
 
-from .data import Scene
+from .data import SceneData
 from .error import SceneError
 from .linear import LinearPhase, linear_phase
 
 
-def scales(scene: Scene) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Return the units of mass, time and length, in the parameters.
 
     What the scene does not say: the mass that moves; ``1/Omega``, or ``sqrt(m/k)`` where
@@ -28,7 +28,7 @@ def scales(scene: Scene) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return mass, time, length
 
 
-def _time(scene: Scene, free: list[LinearPhase]) -> sp.Expr:
+def _time(scene: SceneData, free: list[LinearPhase]) -> sp.Expr:
     if scene.frequency is not None:
         return 1 / scene.frequency
     for phase in free:
@@ -37,7 +37,7 @@ def _time(scene: Scene, free: list[LinearPhase]) -> sp.Expr:
     raise SceneError("scales: no time can be worked out (no forcing, no spring): give 'time'")
 
 
-def _length(scene: Scene, free: list[LinearPhase], mass: sp.Expr, time: sp.Expr) -> sp.Expr:
+def _length(scene: SceneData, free: list[LinearPhase], mass: sp.Expr, time: sp.Expr) -> sp.Expr:
     for phase in free:
         if phase.g != 0:
             return sp.simplify(sp.Abs(phase.g) * time**2 / mass)

@@ -14,10 +14,9 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from .data import Phase, Scene
+from .data import Phase, SceneData, v, x
 from .error import SceneError
 from .linear import fixed, linear_phase, state_row
-from .symbols import v, x
 
 #: Derivatives that are looked at; a phase that differs from the next differs in these.
 HIGHEST = 8
@@ -50,7 +49,7 @@ class Switch:
         return "x" + "'" * self.jumps
 
 
-def switches(scene: Scene) -> tuple[Switch, ...]:
+def switches(scene: SceneData) -> tuple[Switch, ...]:
     """Return the switches of a cell: that which begins the first phase, the second, and so on.
 
     Raises
@@ -65,7 +64,7 @@ def switches(scene: Scene) -> tuple[Switch, ...]:
     )
 
 
-def classes_of(scene: Scene, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[int, ...]:
+def classes_of(scene: SceneData, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[int, ...]:
     """Return the k at each switch for values of the parameters: above the general for some.
 
     It is `HIGHEST` where nothing changes for them.
@@ -92,7 +91,7 @@ def generator(
     return found
 
 
-def place(scene: Scene, p: int) -> sp.Expr | None:
+def place(scene: SceneData, p: int) -> sp.Expr | None:
     """Return the displacement at which phase `p` of a cell is held, if it is known.
 
     It is where the phase is at rest, and the phase before it ends at a displacement.
@@ -103,7 +102,7 @@ def place(scene: Scene, p: int) -> sp.Expr | None:
     return sign * found if at_rest and found is not None else None
 
 
-def known_rows(scene: Scene, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
+def known_rows(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
     """Return the rows in y that vanish at the switch between two phases of ``scene.cell``.
 
     `sign` is what the motion is multiplied by there: y is that of the right side.
@@ -126,7 +125,7 @@ def known_rows(scene: Scene, left: Phase, right: Phase, sign: int) -> list[list[
     return known
 
 
-def _class(scene: Scene, left: Phase, right: Phase, sign: int) -> int:
+def _class(scene: SceneData, left: Phase, right: Phase, sign: int) -> int:
     found = _order(scene, left, right, sign, {})
     if found is None:
         raise SceneError(
@@ -136,7 +135,7 @@ def _class(scene: Scene, left: Phase, right: Phase, sign: int) -> int:
 
 
 def _order(
-    scene: Scene, left: Phase, right: Phase, sign: int, values: Mapping[sp.Symbol, sp.Expr]
+    scene: SceneData, left: Phase, right: Phase, sign: int, values: Mapping[sp.Symbol, sp.Expr]
 ) -> int | None:
     """Return the k of a switch for values of some parameters; None where nothing changes."""
     jump = dict(left.ends.jump)

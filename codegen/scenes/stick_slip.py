@@ -21,6 +21,16 @@ SLIP = Phase(
     demands={"the mass stays slower than the belt": V - v},
 )
 
+#: The numbers that the paper gives to these equations.
+NUMBERS = {
+    "motion_stick": "1",
+    "motion_slip": "1",
+    "held_stick": "2",
+    "demands_stick": "2",
+    "event_slip": "10",
+    "event_slip_after": "10",
+}
+
 #: Normal force for which alpha = 1.
 UNIT = V * sp.sqrt(K * M) / (mu_s - mu_k)
 

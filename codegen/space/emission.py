@@ -7,7 +7,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import expm1
 
 from ..emission.closed_forms import ClosedForm, function_source
-from ..emission.printer import digest
+from ..python_text import digest
 from ..scene import Parameter
 from . import collapse, forced_modes, green, matching, series
 from .data import Structure, a, b, beta, x

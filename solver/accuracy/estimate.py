@@ -15,11 +15,11 @@ import math
 
 import numpy as np
 
-from ..case import registry
-from ..case.methods import FIRST
-from ..iteration.attempt import attempt
-from ..orbit.orbit import Orbit
-from .errors import Errors, difference
+from ..kernels import registry
+from ..orbit.attempt import attempt
+from ..orbit.errors import Errors, difference
+from ..orbit.solution import Solution
+from ..scenes.methods import FIRST
 from .skeel import condition
 
 #: The order of the better orbit: so many more than the orbit's, and no less than that; nor more
@@ -40,7 +40,7 @@ EPSILON = float(np.finfo(float).eps)
 NOTHING = Errors(math.inf, math.inf, math.inf)
 
 
-def estimate(orbit: Orbit) -> Errors:
+def estimate(orbit: Solution) -> Errors:
     """Return the estimated errors of an orbit, without sign; infinite where none is known."""
     if FIRST not in registry.methods(orbit.case.scene):
         return _against_the_exact_orbit(orbit)
@@ -65,7 +65,7 @@ def estimate(orbit: Orbit) -> Errors:
     )
 
 
-def _against_the_exact_orbit(orbit: Orbit) -> Errors:
+def _against_the_exact_orbit(orbit: Solution) -> Errors:
     """Return the errors themselves, where no better orbit says what they are."""
     found = orbit.errors
     if found is None:
@@ -73,7 +73,7 @@ def _against_the_exact_orbit(orbit: Orbit) -> Errors:
     return Errors(abs(found.period), found.times, found.discontinuous)
 
 
-def _neighbour(orbit: Orbit, order: int, is_orbit: bool) -> tuple[Orbit, Errors] | None:
+def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, Errors] | None:
     """Return the orbit of the better method to which the times of an orbit lead, and how far.
 
     Where the conditions of that method are singular, by its functions of class C^1.  What is

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..case.methods import about
+from ..scenes.methods import about
 
 #: Orders above rounding that a fit takes at least: fewer say too little.
 FEWEST = 6

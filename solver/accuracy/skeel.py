@@ -27,8 +27,8 @@ def condition(motion: Motion) -> float:
 
     Examples
     --------
-    >>> from nonsmooth.solver.case import registry
-    >>> from nonsmooth.solver.flow.exact import exact_orbit
+    >>> from nonsmooth.solver.kernels import registry
+    >>> from nonsmooth.solver.exact import exact_orbit
     >>> round(condition(exact_orbit(registry.load("impact")())), 1)
     5.3
     """

@@ -1,1 +1,1 @@
-"""Exact motion: the flow of a linear phase in closed form, and the orbit made of phases."""
+"""The flow of a linear phase in closed form, and the exact equations of a cell."""

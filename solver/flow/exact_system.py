@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..case.cell import Cell
-from ..case.kernel import Kernel
-from ..case.linking import linked
+from ..kernels.kernel import Kernel
+from ..kernels.linking import linked
+from ..scenes.cell import Cell
 from . import flow
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..case.cell import Phase
+from ..scenes.cell import Phase
 from .divided import Waves, of_three, of_two
 
 

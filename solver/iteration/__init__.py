@@ -1,1 +1,1 @@
-"""From rough times to a solution: starts, Newton's method, linear algebra."""
+"""Newton's method over arrays: iterations, and the linear algebra of bands."""

@@ -1,1 +1,1 @@
-"""A periodic orbit of a scene, and whether it is one: motion, extremes, demands."""
+"""Motions as data: exact or by a method, their errors, and whether they are orbits."""

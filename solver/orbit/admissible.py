@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ..arrays import Vector
-from ..case.cell import Form
+from ..scenes.cell import Form
 from . import chebyshev
 from .crossings import met_before
 from .forms import scale_of, terms, vanishes_by_event

@@ -15,7 +15,7 @@ from functools import cache
 import numpy as np
 
 from ..arrays import Vector
-from ..case.cell import Form
+from ..scenes.cell import Form
 from . import chebyshev
 from .admissible import ROUNDING, Allowance
 from .extremes import LOOK

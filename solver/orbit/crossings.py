@@ -9,7 +9,7 @@ is crossed from beyond, as by a mass that comes back through the place where it 
 import numpy as np
 
 from ..arrays import Vector
-from ..case.cell import Form
+from ..scenes.cell import Form
 from . import chebyshev
 from .forms import scale_of, terms
 from .motion import Motion

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..arrays import Vector
-from ..case.cell import Form
+from ..scenes.cell import Form
 from .motion import Motion
 
 

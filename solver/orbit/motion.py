@@ -3,19 +3,17 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ..arrays import Matrix, Vector
-from ..case.case import Case
-from ..case.cell import Cell
-from ..results.motion import Shown
+from ..presentation.showing import Shown
+from ..scenes.case import Case
+from ..scenes.cell import Cell
+from ..stability.stability import Complex, Stability, stability
 from .extremes import LOOK, extremes
-
-if TYPE_CHECKING:
-    from ..stability.stability import Complex, Stability
 
 #: Points of a phase, at most, at which values are kept.
 FEW = len(LOOK)
@@ -239,7 +237,7 @@ class Motion(Shown):
         }
 
     @cached_property
-    def stability(self) -> "Stability":
+    def stability(self) -> Stability:
         """What a period makes of small perturbations, with the rounding of that.
 
         Raises
@@ -247,12 +245,10 @@ class Motion(Shown):
         NoMultipliersError
             If an event is touched and not crossed, or a check of the computation failed.
         """
-        from ..stability.stability import stability  # noqa: PLC0415  (it reads this type)
-
         return stability(self)
 
     @property
-    def multipliers(self) -> "Complex":
+    def multipliers(self) -> Complex:
         """The Floquet multipliers of a whole period, the largest first; see `stability`.
 
         Without forcing, that of a shift in time is left out: it is `trivial_multiplier`.

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..case.cell import cell_of
-from ..flow.exact import ExactOrbit
+from ..exact import ExactOrbit
 from ..flow.exact_system import exact_kernel
+from ..scenes.cell import cell_of
 
 #: Relative change of a parameter: the error of the central difference is its square.
 STEP = 2.0**-17

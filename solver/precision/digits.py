@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Vector
-from ..case import registry
-from ..case.case import Case
-from ..case.kernel import Kernel
-from ..case.methods import in_order
-from ..case.parameters import ParameterError
-from ..flow.exact import ExactOrbit, exact_orbit
+from ..exact import ExactOrbit, exact_orbit
 from ..flow.exact_system import exact_kernel
-from ..iteration.attempt import attempt
+from ..kernels import registry
+from ..kernels.kernel import Kernel
 from ..no_orbit import NoOrbit
+from ..orbit.attempt import attempt
 from ..scaling import equilibrated
+from ..scenes.case import Case
+from ..scenes.methods import EXACT, in_order
+from ..scenes.parameter_error import ParameterError
 from ..solve import number_of_functions
 from . import exact_balls
 from .condition import condition
@@ -32,9 +32,6 @@ TARGET = 1e-13
 
 #: What one rounding is, as a part of a number.
 EPSILON = float(np.finfo(float).eps)
-
-#: The method that is none: the exact equations, solved in float64.
-EXACT = "exact"
 
 #: Orders that are measured without others.
 ORDERS: tuple[int, ...] = (5, 10, 20, 40)

@@ -9,7 +9,7 @@ from typing import Any
 
 from flint import arb, arb_mat
 
-from ..case.cell import Cell, Form, Phase
+from ..scenes.cell import Cell, Form, Phase
 
 
 def residual(cell: Cell, z: Sequence[Any], R: Any) -> None:

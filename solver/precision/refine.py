@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb, ctx
 
 from ..arrays import Matrix, Vector
-from ..case.kernel import Kernel
+from ..kernels.kernel import Kernel
 from .balls import Residual, precision, residual_in_balls
 
 #: Digits carried at first beyond those asked for; most that are tried; most steps.

@@ -1,1 +1,1 @@
-"""What every result can do: draw itself, become a table, show itself in a notebook."""
+"""What users hold of an orbit, and the document of it."""

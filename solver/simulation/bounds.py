@@ -9,7 +9,7 @@ derivatives over a window, from their values at its start alone.
 import math
 from dataclasses import dataclass
 
-from ..case.cell import Form, Phase
+from ..scenes.cell import Form, Phase
 
 #: Taylor coefficients that are used; the bound is for the derivative of this order.
 TERMS = 6

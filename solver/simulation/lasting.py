@@ -8,7 +8,7 @@ phase demands is held against the least value that response and transient leave.
 import cmath
 import math
 
-from ..case.cell import Form, Phase
+from ..scenes.cell import Form, Phase
 
 #: Rounding, as a part of the size of the terms of a form: what is below zero by that only
 #: touches it, and is not an event.

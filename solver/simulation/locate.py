@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Vector
-from ..case.cell import Form, Phase
 from ..flow import flow
+from ..scenes.cell import Form, Phase
 from .bounds import TERMS, Local, bound, local, taylor, window
 from .zeros import DEPTH, first_zero
 

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from ..case.cell import Cell, Form
+from ..scenes.cell import Cell, Form
 from .bounds import local
 from .locate import NOISE, sign_after
 from .nodes import Node, nodes

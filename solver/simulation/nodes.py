@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..case.cell import Cell, Form, Phase
+from ..scenes.cell import Cell, Form, Phase
 
 if TYPE_CHECKING:
     from .machine import State

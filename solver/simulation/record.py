@@ -10,12 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ..arrays import Vector
-from ..case.case import Case
-from ..case.cell import Phase
 from ..flow import flow
-from ..results.motion import UNITS as COURSE
-from ..results.notebook import of_rows
-from ..results.table import Table, Tabular
+from ..presentation.notebook import of_rows
+from ..presentation.showing import UNITS as COURSE
+from ..presentation.table import Table, Tabular
+from ..scenes.case import Case
+from ..scenes.cell import Phase
 from .bounds import window
 
 #: Of the document's keys and their meaning.

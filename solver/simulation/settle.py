@@ -16,10 +16,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..case.case import Case
-from ..case.cell import Cell
 from ..flow import flow
-from ..iteration.start import RoughTimes
+from ..kernels.start import RoughTimes
+from ..scenes.case import Case
+from ..scenes.cell import Cell
 from .lasting import lasts
 from .machine import Machine, State
 from .record import Segment, Simulation
@@ -73,7 +73,7 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
 
     Examples
     --------
-    >>> from nonsmooth.solver.case import registry
+    >>> from nonsmooth.solver.kernels import registry
     >>> found = next(rough_times_by_simulation(registry.load("impact")()))
     >>> f"{found.times.angle:.6f}", found.words
     ('0.929644', 'a simulation settles on flight')

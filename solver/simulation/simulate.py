@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..case.case import Case
-from ..case.cell import Cell, Form, Phase
+from ..scenes.case import Case
+from ..scenes.cell import Cell, Form, Phase
 from .bounds import local, window
 from .chatter import accumulates, end_of, time_left
 from .clock import Clock
@@ -73,7 +73,7 @@ def simulate(
 
     Examples
     --------
-    >>> from nonsmooth.solver.case import registry
+    >>> from nonsmooth.solver.kernels import registry
     >>> motion = simulate(registry.load("impact")(), cycles=3)
     >>> [f"{phase.start:.6f}" for phase in motion.phases]
     ['0.000000', '0.468885', '4.237267', '7.641000']
@@ -302,7 +302,7 @@ def cycle(cell: Cell) -> float:
 
 
 def _number(name: str, value: object, expected: str) -> float:
-    from ..case.parameters import is_number  # noqa: PLC0415
+    from ..scenes.parameter_error import is_number  # noqa: PLC0415
 
     if not is_number(value):
         raise ValueError(f"{name}: got {value!r:.80}, expected {expected}")

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..arrays import Vector
-from ..case.parameters import ParameterError, is_number
+from ..scenes.parameter_error import ParameterError, is_number
 from .eigenvalues.bracketing import EPS
 from .position import Integers, as_position, sines
 from .structure import Structure

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..results.table import Table, Tabular, flat
+from ..presentation.table import Table, Tabular, flat
 from .attached import Attached
 from .eigenvalues import secular
 from .eigenvalues.exact import exact_modes

@@ -7,9 +7,9 @@ from typing import Any, overload
 
 import numpy as np
 
-from ..case.parameters import is_number
-from ..results.notebook import of_rows
-from ..results.table import Table, Tabular, flat
+from ..presentation.notebook import of_rows
+from ..presentation.table import Table, Tabular, flat
+from ..scenes.parameter_error import is_number
 from .attached import POSITION, Attached, attach
 from .eigenvalues import bounds, secular
 from .eigenvalues.exact import ExactModes, exact_modes

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..case.cell import Phase
 from ..flow import flow
+from ..scenes.cell import Phase
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..case.cell import Cell, Phase
 from ..flow import flow
+from ..scenes.cell import Cell, Phase
 from .linear_maps import Switch, contraction, determinant, rates, saltation, transition
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
-from ..flow.continuum import is_one_of_a_continuum
+from .continuum import is_one_of_a_continuum
 from .monodromy import NoMultipliersError
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ def in_words(motion: "Motion") -> str:
 
     Examples
     --------
-    >>> from nonsmooth.solver.case import registry
-    >>> from nonsmooth.solver.flow.exact import exact_orbit
+    >>> from nonsmooth.solver.kernels import registry
+    >>> from nonsmooth.solver.exact import exact_orbit
     >>> in_words(exact_orbit(registry.load("impact")()))
     'multipliers 0.42775 +- 0.26638i of modulus 0.50391: stable'
     >>> in_words(exact_orbit(registry.load("stick-slip")()))

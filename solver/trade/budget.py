@@ -2,12 +2,12 @@
 
 import math
 
-from ..case import registry
-from ..case.case import Case
-from ..case.methods import about, in_order
-from ..case.parameters import is_number
+from ..kernels import registry
 from ..no_orbit import NoOrbit
-from ..orbit.orbit import Orbit
+from ..results.orbit import Orbit
+from ..scenes.case import Case
+from ..scenes.methods import about, in_order
+from ..scenes.parameter_error import is_number
 from ..solve import number_of_functions, solve_case
 from .choice import Choice, TooSlow, Trial, size
 from .measured import FACTOR_ORDERS, POWER_ORDERS

@@ -3,9 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from ..accuracy.errors import Errors
 from ..accuracy.estimate import ROUNDING
-from ..orbit.orbit import Orbit
+from ..orbit.errors import Errors
+from ..results.orbit import Orbit
 
 #: Part of a tolerance that an estimate may use up; it is itself off by a few per cent.
 MARGIN = 0.9

@@ -4,11 +4,11 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from ..case import registry
-from ..case.case import Case
-from ..case.methods import about, in_order
-from ..flow.exact import exact_orbit
+from ..exact import exact_orbit
+from ..kernels import registry
 from ..no_orbit import NoOrbit
+from ..scenes.case import Case
+from ..scenes.methods import EXACT, about, in_order
 from ..solve import number_of_functions, solve_case
 from .timing import median_seconds
 
@@ -18,9 +18,6 @@ FACTOR_ORDERS = (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18, 20)
 
 #: An error below this is as good as any other in float64.
 ROUNDING = 2e-16
-
-#: What the way by the exact flow is called where methods are.
-EXACT = "exact"
 
 
 @dataclass(frozen=True)

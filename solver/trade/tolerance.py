@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..accuracy.estimate import ROUNDING
-from ..case import registry
-from ..case.case import Case
-from ..case.methods import FIRST, about
-from ..case.names import shown
-from ..case.parameters import is_number
+from ..kernels import registry
 from ..no_orbit import NoOrbit
-from ..orbit.orbit import Orbit
+from ..results.orbit import Orbit
+from ..scenes.case import Case
+from ..scenes.method_names import shown
+from ..scenes.methods import FIRST, about
+from ..scenes.parameter_error import is_number
 from ..solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case, with_motion
 from .choice import MARGIN, Choice, NotCertified, Trial, size
 

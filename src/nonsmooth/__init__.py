@@ -23,20 +23,20 @@ if TYPE_CHECKING:
     from .codegen import derive as equations
     from .extras import MissingExtra
     from .files.api import load, save
-    from .files.errors import FileError, FileWarning
+    from .files.file_errors import FileError, FileWarning
     from .kim_perkins import StickSlip
     from .oscillators import exact, family, simulate, solve, sweep
     from .plots.plot import plot
     from .scene import find as scene
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
-    from .solver.case.case import Case
-    from .solver.case.parameters import ParameterError
-    from .solver.case.registry import UnknownScene
+    from .solver.exact import ExactOrbit
     from .solver.family import Family
-    from .solver.flow.exact import ExactOrbit
     from .solver.no_orbit import NoOrbit
-    from .solver.orbit.orbit import Orbit
+    from .solver.results.orbit import Orbit
+    from .solver.scenes.case import Case
+    from .solver.scenes.loaded import UnknownScene
+    from .solver.scenes.parameter_error import ParameterError
     from .solver.simulation.record import Simulation
     from .solver.space.mode import Mode
     from .solver.space.modes import Modes, ToleranceNotMet, modes
@@ -49,25 +49,25 @@ if TYPE_CHECKING:
 #: Where each public name lives.  Nothing is imported before it is asked for: SymPy takes a
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
-    "Case": ("solver.case.case", "Case"),
-    "ExactOrbit": ("solver.flow.exact", "ExactOrbit"),
-    "FileError": ("files.errors", "FileError"),
-    "FileWarning": ("files.errors", "FileWarning"),
+    "Case": ("solver.scenes.case", "Case"),
+    "ExactOrbit": ("solver.exact", "ExactOrbit"),
+    "FileError": ("files.file_errors", "FileError"),
+    "FileWarning": ("files.file_errors", "FileWarning"),
     "MissingExtra": ("extras", "MissingExtra"),
     "Mode": ("solver.space.mode", "Mode"),
     "Modes": ("solver.space.modes", "Modes"),
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "NotCertified": ("solver.trade.choice", "NotCertified"),
-    "ParameterError": ("solver.case.parameters", "ParameterError"),
+    "ParameterError": ("solver.scenes.parameter_error", "ParameterError"),
     "Family": ("solver.family", "Family"),
     "SceneFileError": ("scene_files.error", "SceneFileError"),
-    "Orbit": ("solver.orbit.orbit", "Orbit"),
+    "Orbit": ("solver.results.orbit", "Orbit"),
     "Sweep": ("solver.sweep", "Sweep"),
     "Simulation": ("solver.simulation.record", "Simulation"),
     "StickSlip": ("kim_perkins", "StickSlip"),
     "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),
     "TooSlow": ("solver.trade.choice", "TooSlow"),
-    "UnknownScene": ("solver.case.registry", "UnknownScene"),
+    "UnknownScene": ("solver.scenes.loaded", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),

@@ -6,16 +6,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .solver.case.registry import kernel
-from .solver.flow.isolated import isolated
-from .solver.iteration.attempt import attempt
+from .solver.existence.isolated import isolated
+from .solver.kernels.registry import kernel
+from .solver.orbit.attempt import attempt
 
 if TYPE_CHECKING:
     from .kim_perkins import StickSlip
 
 
 @dataclass(frozen=True)
-class Solution:
+class RealSolution:
     """A real solution of (18) to (20).
 
     Parameters
@@ -35,7 +35,7 @@ class Solution:
     transition_mismatch: float | None
 
 
-def solutions(belt: "StickSlip", order: int) -> list[Solution]:
+def solutions(belt: "StickSlip", order: int) -> list[RealSolution]:
     """Return all real solutions of (18) to (20), orbits or not, by their durations of slip.
 
     Raises
@@ -56,5 +56,5 @@ def solutions(belt: "StickSlip", order: int) -> list[Solution]:
         if turns > 1 + 1 / (2 * order):
             words = f"slip lasts {turns:.4g} natural periods: within one, the velocity is back"
             violations = (f"{words} at V", *violations)
-        found.append(Solution(rest, stick, stick + rest, violations, off))
+        found.append(RealSolution(rest, stick, stick + rest, violations, off))
     return found

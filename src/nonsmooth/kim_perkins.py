@@ -13,16 +13,17 @@ from functools import cached_property
 from typing import Any
 
 from .all_solutions import solutions
-from .solver.accuracy.errors import Errors, acceleration_error, difference
-from .solver.case.case import Case
-from .solver.case.names import shown
-from .solver.case.parameters import ParameterError
-from .solver.case.registry import load
-from .solver.flow.exact_motion import ExactOrbit
+from .solver.kernels.registry import load
 from .solver.no_orbit import NoOrbit
+from .solver.orbit.errors import Errors, acceleration_error, difference
+from .solver.orbit.exact_orbit import ExactOrbit
 from .solver.orbit.motion import Motion
-from .solver.orbit.orbit import Orbit
+from .solver.orbit.solution import Solution
+from .solver.results.orbit import Orbit
 from .solver.scaling import product_of_powers
+from .solver.scenes.case import Case
+from .solver.scenes.method_names import shown
+from .solver.scenes.parameter_error import ParameterError
 
 #: The scene, and its parameters in Section 4.  The paper does not give F_N; 400 N is assumed:
 #: it makes alpha = 1, and is the roundest force at which nearly all claims of Fig. 4 hold.
@@ -249,7 +250,7 @@ class StickSlipOrbit(_Belt, Orbit):
     """A converged, admissible periodic orbit of the belt."""
 
     @classmethod
-    def of(cls, motion: Orbit) -> "StickSlipOrbit":
+    def of(cls, motion: Solution) -> "StickSlipOrbit":
         """Return an orbit as the paper has it."""
         assert isinstance(motion.case, StickSlip)
         return cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})

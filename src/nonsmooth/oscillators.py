@@ -4,13 +4,24 @@ from collections.abc import Callable, Iterable, Sequence
 from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from .solver.exact import exact_orbit
+from .solver.family import family_case
+from .solver.scenes.case import Case
+from .solver.scenes.methods import FIRST
+from .solver.simulation.simulate import simulate as simulated
+from .solver.solve import solve_case
+from .solver.sweep import sweep_case
+from .solver.trade.budget import choose_within
+from .solver.trade.tolerance import choose_order
+
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from .solver.case.case import Case
+    from .solver.exact import ExactOrbit
     from .solver.family import Family
-    from .solver.flow.exact import ExactOrbit
-    from .solver.orbit.orbit import Orbit
+    from .solver.results.orbit import Orbit
     from .solver.simulation.record import Simulation
     from .solver.sweep import Sweep
 
@@ -19,7 +30,7 @@ ORDER = 10
 
 
 def solve(
-    case: "Case",
+    case: Case,
     method: str | None = None,
     order: int | None = None,
     *,
@@ -88,9 +99,6 @@ def solve(
     >>> print(f"{ns.solve(belt, method='c1', order=7).t1:.6f} s")
     0.200007 s
     """
-    from .solver.case.methods import FIRST  # noqa: PLC0415  (nothing is loaded for --help)
-    from .solver.solve import solve_case  # noqa: PLC0415
-
     _check(case)
     functions = _whole(functions)
     if cycles is not None:
@@ -101,19 +109,17 @@ def solve(
     if budget is not None:
         if tol is not None:
             raise ValueError(f"budget: got {budget!r} beside a tolerance, expected one of them")
-        from .solver.trade.budget import choose_within  # noqa: PLC0415
 
         return choose_within(case, budget, method, functions).orbit
     chosen = FIRST if method is None else method
     if tol is None:
         return solve_case(case, chosen, ORDER if order is None else order, functions, motion)
-    from .solver.trade.tolerance import choose_order  # noqa: PLC0415  (it loads SciPy)
 
     return choose_order(case, tol, chosen, functions, motion).orbit
 
 
 def sweep(
-    case: "Case",
+    case: Case,
     methods: str | Sequence[str] | None = None,
     orders: Iterable[int] = range(1, 21),
     *,
@@ -155,8 +161,6 @@ def sweep(
     c0-tau      4      3.490658504   8.84e-04   2.87e-02   8.8e-04
     c0-tau      8      3.490658504   1.97e-09   7.97e-05   2.0e-09
     """
-    from .solver.sweep import sweep_case  # noqa: PLC0415
-
     _check(case)
     named = methods
     if not (methods is None or isinstance(methods, str)):
@@ -166,7 +170,7 @@ def sweep(
 
 
 def family(
-    case: "Case",
+    case: Case,
     parameter: str,
     values: "npt.ArrayLike",
     method: str | None = None,
@@ -214,10 +218,6 @@ def family(
     >>> orbits["period"].round(6)
     array([0.806889, 0.671239, 0.635589])
     """
-    import numpy as np  # noqa: PLC0415
-
-    from .solver.family import family_case  # noqa: PLC0415
-
     _check(case)
     try:
         if np.iscomplexobj(values):
@@ -232,7 +232,7 @@ def family(
     return family_case(case, parameter, numbers, **given, **more)
 
 
-def exact(case: "Case") -> "ExactOrbit":
+def exact(case: Case) -> "ExactOrbit":
     """Return the exact periodic orbit of an oscillator.
 
     Parameters
@@ -262,14 +262,12 @@ def exact(case: "Case") -> "ExactOrbit":
     >>> print(f"{ns.exact(ns.scene('impact')()).forcing_phase:.10f} rad")
     0.9296439860 rad
     """
-    from .solver.flow.exact import exact_orbit  # noqa: PLC0415
-
     _check(case)
     return exact_orbit(case)
 
 
 def simulate(
-    case: "Case",
+    case: Case,
     state: Sequence[float] | None = None,
     cycles: float | None = None,
     *,
@@ -318,8 +316,6 @@ def simulate(
     >>> print(motion.displacement([0, 1, 2]).round(6))
     [ 0.        0.023297 -0.395435]
     """
-    from .solver.simulation.simulate import simulate as simulated  # noqa: PLC0415
-
     _check(case)
     return simulated(case, state, cycles, time=time, forcing_phase=forcing_phase)
 
@@ -351,7 +347,5 @@ def _check(case: object) -> None:
     TypeError
         If it is not.
     """
-    from .solver.case.case import Case  # noqa: PLC0415
-
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a case of ns.scene(...)")

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
         v,
         x,
     )
-    from .solver.case.numbers import SceneNumbers
+    from .solver.scenes.loaded import LoadedScene
 
 __all__ = [
     "Event", "Memory", "Parameter", "Phase", "Scene", "SceneError",
@@ -37,7 +37,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-def find(what: object) -> "SceneNumbers":
+def find(what: object) -> "LoadedScene":
     """Return a scene, derived first if it is new; ``nonsmooth.scene(what)`` is the same.
 
     Parameters
@@ -49,7 +49,7 @@ def find(what: object) -> "SceneNumbers":
 
     Returns
     -------
-    SceneNumbers
+    LoadedScene
         The scene; called with parameters in SI units it makes a case.
 
     Raises
@@ -76,7 +76,7 @@ def __getattr__(name: str) -> Any:
 class _Callable(ModuleType):
     """A module that is a function as well: ``nonsmooth.scene`` is both."""
 
-    def __call__(self, what: object) -> "SceneNumbers":
+    def __call__(self, what: object) -> "LoadedScene":
         return find(what)
 
 

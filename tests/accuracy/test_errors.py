@@ -8,8 +8,8 @@ from computed import Exact
 
 import nonsmooth as ns
 from nonsmooth.report.paper import DEFAULT
-from nonsmooth.solver.accuracy import quadrature
-from nonsmooth.solver.accuracy.errors import acceleration_error
+from nonsmooth.solver.orbit import quadrature
+from nonsmooth.solver.orbit.errors import acceleration_error
 
 EXACT = Exact(DEFAULT)
 

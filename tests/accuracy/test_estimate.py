@@ -13,21 +13,21 @@ from hypothesis import strategies as st
 import nonsmooth as ns
 from nonsmooth.report.paper import DEFAULT
 from nonsmooth.solver.accuracy import estimate as estimates
-from nonsmooth.solver.accuracy.errors import difference
 from nonsmooth.solver.accuracy.estimate import EPSILON, ROUNDING
 from nonsmooth.solver.accuracy.skeel import condition as skeel
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.flow import one_phase
-from nonsmooth.solver.flow.exact import exact_orbit
-from nonsmooth.solver.flow.exact_motion import from_times
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.flow.exact_system import exact_kernel
-from nonsmooth.solver.iteration.attempt import attempt
-from nonsmooth.solver.iteration.start import RoughTimes
-from nonsmooth.solver.orbit.orbit import Orbit
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import RoughTimes
+from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.errors import difference
+from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.precision import exact_balls
 from nonsmooth.solver.precision.condition import condition
 from nonsmooth.solver.precision.refine import refine
+from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.scenes.case import Case
 
 EXAMPLES = int(os.environ.get("EXAMPLES", "1200")) // 20
 
@@ -110,7 +110,7 @@ def orbits(case: Case, order: int) -> list[Orbit]:
     starts = [RoughTimes((case.cell.duration,), angle, "") for angle in solutions(case)]
     exact = [from_times(case, start) for start in starts]
     found = [attempt(kernel, case, order, q.times) for q in exact if q.admissible]
-    return [orbit for orbit in found if orbit.converged and orbit.exact is not None]
+    return [Orbit.of(q) for q in found if q.converged and q.exact is not None]
 
 
 def error_of(orbit: Orbit) -> float:

@@ -16,7 +16,7 @@ from nonsmooth.codegen import generate
 from nonsmooth.codegen.scenes import dry_friction
 from nonsmooth.scene_files import find, store
 from nonsmooth.solver import ownership
-from nonsmooth.solver.case import modules, sealed
+from nonsmooth.solver.scenes import modules, sealed
 
 HAS_USERS = pytest.mark.skipif(not hasattr(os, "getuid"), reason="no numbers of users")
 

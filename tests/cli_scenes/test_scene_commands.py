@@ -10,8 +10,8 @@ import pytest
 from refusals import refused
 
 import nonsmooth as ns
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.solve import solve_case
 
 #: The keys of `solve --json` of a scene, as they are fixed, and those of every file.
@@ -418,7 +418,7 @@ def test_full_digits_are_those_that_the_estimate_leaves(run) -> None:
 def test_a_scene_that_was_never_generated_is(run, tmp_path, monkeypatch) -> None:
     """What it would be generated from is there; its kernels are not."""
     from nonsmooth.codegen import generate
-    from nonsmooth.solver.case import registry
+    from nonsmooth.solver.kernels import registry
 
     others = tuple(name for name in registry.names() if name != "impact-two-sided")
     monkeypatch.setattr(registry, "names", lambda: others)

@@ -9,7 +9,7 @@ from refusals import refused
 pytest.importorskip("flint")
 
 from nonsmooth.cli import progress
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.precision import digits
 
 ARGUMENTS = ("impact", "--methods", "hb,c0-tau", "--orders", "4,6")

@@ -9,11 +9,12 @@ from matplotlib.figure import Figure
 
 import nonsmooth as ns
 from nonsmooth.plots.trade import trade_figure
-from nonsmooth.solver.case.registry import load
+from nonsmooth.solver.kernels.registry import load
+from nonsmooth.solver.scenes.methods import EXACT
 from nonsmooth.solver.trade import budget as budgets
 from nonsmooth.solver.trade import measured as trades
 from nonsmooth.solver.trade.choice import TooSlow
-from nonsmooth.solver.trade.measured import EXACT, Trade, TradePoint, front, trade
+from nonsmooth.solver.trade.measured import Trade, TradePoint, front, trade
 
 IMPACT = load("impact")
 

@@ -16,7 +16,7 @@ import nonsmooth as ns
 from nonsmooth.codegen import generate
 from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.scene_files import content, find, store
-from nonsmooth.solver.case import sealed
+from nonsmooth.solver.scenes import sealed
 
 pytestmark = pytest.mark.usefixtures("cache")
 
@@ -149,7 +149,7 @@ def test_a_scene_that_has_become_a_shipped_one_is_refused(
 ) -> None:
     path = write(tmp_path)
     run("scenes", path)
-    from nonsmooth.solver.case import registry
+    from nonsmooth.solver.kernels import registry
 
     monkeypatch.setattr(registry, "names", lambda: ("bouncing-ball",))
     assert "shipped scene" in refused(run, "scenes", path)

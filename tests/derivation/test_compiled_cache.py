@@ -16,7 +16,7 @@ import pytest
 
 from nonsmooth.codegen.emission.kernel import module_source
 from nonsmooth.codegen.show.registry import conditions, scene_named
-from nonsmooth.solver.case import kernel
+from nonsmooth.solver.kernels import kernel
 
 SOLVER = Path(kernel.__file__).parents[1]
 
@@ -95,7 +95,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 def solved(folder: Path) -> tuple[tuple[object, ...], int]:
     """Solve with the copy as a new process would; what is found, and hits of the cache."""
     forget()
-    copy = importlib.import_module("edited.solver.case.kernel")
+    copy = importlib.import_module("edited.solver.kernels.kernel")
     iterate, z = (
         copy.compiled(imported(folder.parents[1] / "small.py")).iterate,
         np.array([1.5, 1.0]),

@@ -117,23 +117,6 @@ def test_random_edits(seed: int, results: Path) -> None:
     check(results, names, seed, refused=changes)
 
 
-@pytest.mark.filterwarnings("ignore::nonsmooth.FileWarning")  # of the digest
-@pytest.mark.parametrize("kind", ["orbit", "sweep", "family"])
-def test_a_result_under_the_name_of_another_scene(kind: str, tmp_path: Path) -> None:
-    """With the same parameters and methods."""
-    case, path = ns.scene("impact")(), tmp_path / "result.json"
-    made = {
-        "orbit": lambda: ns.solve(case, order=6),
-        "sweep": lambda: ns.sweep(case, ["ck-tau"], [5]),
-        "family": lambda: ns.family(case, "gap", [0.1], order=6),
-    }
-    ns.save(made[kind](), path)
-    text = path.read_text("utf-8").replace('"scene": "impact"', '"scene": "impact-two-sided"')
-    path.write_text(text, "utf-8")
-    with pytest.raises(ns.FileError, match=f"{kind} of other equations"):
-        ns.load(path)
-
-
 def test_a_mistake_in_the_scene_is_not_one_of_the_result(results: Path) -> None:
     path = results / "mistaken.py"
     path.write_text(BALL.replace('"flight"', '"2 flights"'), "utf-8")

@@ -9,6 +9,7 @@ import units
 from units import BELT
 
 import nonsmooth as ns
+from nonsmooth.solver.kernels.registry import mathematics
 
 SWEPT = ["t1", "duration_1", "duration_2", "period", "seconds"]
 ENDS = {
@@ -16,42 +17,38 @@ ENDS = {
 }
 
 
-@pytest.fixture(scope="module")
-def made():
-    """Return one of each kind."""
-    return {
-        "orbits": [ns.solve(BELT, method, 7) for method in ("hb", "c1")],
-        "sweep": ns.sweep(BELT, ["c1"], [5, 6]),
-        "family": ns.family(BELT, "stiffness", [700.0, 787.5], "c1", 9),
-    }
+MAKERS = {
+    "orbits": lambda: [ns.solve(BELT, method, 7) for method in ("hb", "c1")],
+    "sweep": lambda: ns.sweep(BELT, ["c1"], [5, 6]),
+    "family": lambda: ns.family(BELT, "stiffness", [700.0, 787.5], "c1", 9),
+}
 
 
-@pytest.mark.parametrize("kind", ["orbits", "sweep", "family"])
-def test_the_units_in_a_document(kind: str, made, tmp_path: Path) -> None:
-    ns.save(made[kind], tmp_path / "result.json")
+@pytest.mark.parametrize("kind", MAKERS)
+def test_the_units_in_a_document_and_in_a_netcdf(kind: str, tmp_path: Path) -> None:
+    made = MAKERS[kind]()
+    ns.save(made, tmp_path / "result.json")
     document = json.loads((tmp_path / "result.json").read_text())
     for each in document.get("orbits", [document]):
         expected = units.PARAMETERS | units.OF_ANY_SCENE | units.WALL_TIME | {"period": "s"}
         assert expected.items() <= each["units"].items()
         assert all(unit == units.SCALARS[name] for name, unit in each["units"].items())
+        assert (each["schema"], each["version"]) == (1, ns.__version__)
+        own = ["hb"] if each.get("method") == "hb" else ["ck"]
+        assert each["mathematics"] == mathematics(BELT.scene, own)
 
-
-@pytest.mark.parametrize("kind", ["orbits", "sweep", "family"])
-def test_the_units_in_a_netcdf(kind: str, made, tmp_path: Path) -> None:
     netcdf4 = pytest.importorskip("netCDF4")
-    ns.save(made[kind], tmp_path / "result.nc")
-    times = dict.fromkeys(SWEPT, "s")
+    ns.save(made, tmp_path / "result.nc")
     ends = {name: units.MOTION[name.partition("_")[2]] for name in ENDS}
-    known = units.SCALARS | times | ends
+    known = units.SCALARS | dict.fromkeys(SWEPT, "s") | ends
     with netcdf4.Dataset(tmp_path / "result.nc") as file:
         numbers = {v.name: v.units for v in file.variables.values() if v.dtype == "f8"}
         assert len(numbers) >= 4
         assert numbers == {name: known.get(name, "1") for name in numbers}
         if kind == "orbits":
             assert numbers.keys() == units.MOTION.keys()
-            orbit = made[kind][1]
-            for name in list(numbers)[1:]:
-                assert np.array_equal(file[name][1], getattr(orbit, name)(file["t"][1]))
+            for name in numbers.keys() - {"t"}:
+                assert np.array_equal(file[name][1], getattr(made[1], name)(file["t"][1]))
         own = {name for name in units.PARAMETERS if (kind, name) != ("family", "stiffness")}
         assert {name: file.getncattr(name) for name in own} == {
             name: BELT.values[name] for name in own

@@ -11,12 +11,12 @@ from nonsmooth.codegen.emission.condensed.order import _solved, remaining
 from nonsmooth.codegen.emission.condensed.order import order as order_of
 from nonsmooth.codegen.emission.loops import Row, rows_of
 from nonsmooth.codegen.galerkin.condition import Condition, N
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.registry import kernel as kernel_of
 from nonsmooth.solver.iteration import bands
-from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.bands import factorise_band, solve_columns, substitute
 from nonsmooth.solver.iteration.linear import least_squares
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.registry import kernel as kernel_of
+from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.solve import solve_case
 
 #: C1, not forced, with a held phase; C0; C2, two bands; C2 with memory, half a cell.

@@ -18,7 +18,6 @@ from every_run import tried
 from galerkin.derived import REFERENCES, conditions, module, pairs, source
 from galerkin.oscillators import SCENES, case_of
 
-from nonsmooth.codegen.emission.expressions import floating, math_names, python
 from nonsmooth.codegen.emission.kernel import RUNTIME, module_source
 from nonsmooth.codegen.emission.orthogonal import with_known
 from nonsmooth.codegen.emission.terms import terms
@@ -27,6 +26,7 @@ from nonsmooth.codegen.galerkin import Block, Condition
 from nonsmooth.codegen.galerkin.condition import N
 from nonsmooth.codegen.galerkin.tables import Table, by_time
 from nonsmooth.codegen.galerkin.weights import weights
+from nonsmooth.codegen.python_text import floating, math_names, python
 from nonsmooth.codegen.scene.names import reserved
 
 PAIRS = tried(pairs(("S1", "S2b", "S3b", "S5a")), every_run=set(pairs(("S1", "S3b"))))

@@ -10,7 +10,8 @@ from nonsmooth.codegen import expansions, generate
 from nonsmooth.codegen.expansions import ck
 from nonsmooth.codegen.galerkin import polynomials
 from nonsmooth.codegen.scenes import load
-from nonsmooth.solver.case.registry import load_folder, methods
+from nonsmooth.solver.kernels.registry import methods
+from nonsmooth.solver.scenes.loaded import load_folder
 from nonsmooth.solver.solve import solve_case
 
 #: Step 1: the file.  The tests are sums of neighbouring Legendre polynomials, which span the

@@ -9,10 +9,10 @@ pytest.importorskip("flint")
 
 from flint import arb, ctx
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
-from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.precision import exact_balls
 from nonsmooth.solver.precision import refine as refining
 from nonsmooth.solver.precision.balls import (
@@ -46,7 +46,7 @@ ROWS = [
 def kernel_of(name, kernel):
     scene, motion, _ = CASES[name]
     found = registry.load(scene)
-    return registry.kernel(registry.of_motion(found, motion) if motion else found, *kernel)
+    return registry.kernel(found.of_motion(motion) if motion else found, *kernel)
 
 
 @pytest.mark.parametrize(("name", "row"), ROWS, ids=lambda q: q if isinstance(q, str) else "")
@@ -58,7 +58,7 @@ def test_solutions_have_the_digits_of_another_program(name, row) -> None:
     arguments = (*map(float, parameters), *cycles)
     rough = np.array([float(f"{float(t):.5g}") for t in row["times"]])
     from nonsmooth.solver.iteration.newton import newton
-    from nonsmooth.solver.iteration.start import with_coefficients
+    from nonsmooth.solver.kernels.start import with_coefficients
 
     start = with_coefficients(kernel, arguments, kernel.size(row["order"]), rough)
     z = newton(kernel.iterate, arguments, start).unknowns

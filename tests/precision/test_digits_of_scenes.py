@@ -6,11 +6,11 @@ import sympy as sp
 
 pytest.importorskip("flint")
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.parameters import ParameterError
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.precision import digits
 from nonsmooth.solver.precision.condition import condition
+from nonsmooth.solver.scenes.parameter_error import ParameterError
 
 #: ck-tau has singular equations for orbits that are their own reflection in time.
 SINGULAR = {("clearance", "no damping", "ck-tau")}

@@ -11,10 +11,10 @@ from shown import ROOT
 from nonsmooth.cli.problems import Problem
 from nonsmooth.codegen.scene.error import SceneError
 from nonsmooth.codegen.system import DerivationError
-from nonsmooth.files.errors import FileError
-from nonsmooth.solver.accuracy.errors import Errors
-from nonsmooth.solver.case.parameters import ParameterError
+from nonsmooth.files.file_errors import FileError
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.errors import Errors
+from nonsmooth.solver.scenes.parameter_error import ParameterError
 from nonsmooth.solver.trade.choice import NotCertified, TooSlow, Trial
 
 TRIAL = Trial("ck", 4, Errors(1e-3, 1e-4, 1e-2), 0.1)

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 from results_things import MAKERS, thing
 
-from nonsmooth.solver.results import notebook
+from nonsmooth.solver.presentation import notebook
 
 #: What each kind says of itself in one line.
 LINES = {

@@ -12,7 +12,7 @@ from results_things import MAKERS, MOTIONS, thing
 
 import nonsmooth as ns
 from nonsmooth.plots.axes import LEAST, draw_errors
-from nonsmooth.solver.case.methods import about
+from nonsmooth.solver.scenes.methods import about
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import pytest
 from results_things import MAKERS, MOTIONS, thing
 
 import nonsmooth as ns
-from nonsmooth.solver.results.frames import column
+from nonsmooth.solver.presentation.frames import column
 
 WHY = "not installed: pip install 'nonsmooth[pandas,xarray]'"
 

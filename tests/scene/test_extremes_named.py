@@ -8,7 +8,7 @@ import sympy as sp
 from nonsmooth.codegen import scenes
 from nonsmooth.codegen.emission.scene_numbers import scene_source
 from nonsmooth.codegen.scene import SceneError
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 
 IMPACT = scenes.load("impact")
 m, c, k, F, Omega, g, r = IMPACT.symbols

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
-from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.newton import newton
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit import admissible, chebyshev
 from nonsmooth.solver.orbit.allowance import MOST, by_residual, defect
+from nonsmooth.solver.orbit.attempt import attempt
 
 IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")
@@ -28,8 +28,8 @@ def polynomial_with(roots):
 
 def exact_roots(case, starts):
     """Return what the exact equations have as roots, admissible or not."""
-    from nonsmooth.solver.flow.exact_motion import from_times
-    from nonsmooth.solver.iteration.start import RoughTimes
+    from nonsmooth.solver.kernels.start import RoughTimes
+    from nonsmooth.solver.orbit.exact_orbit import from_times
 
     found = (from_times(case, RoughTimes(durations, angle, "")) for durations, angle in starts)
     return [orbit for orbit in found if orbit.outcome.converged]
@@ -77,7 +77,7 @@ def test_a_phase_without_duration_solves_the_equations_and_is_refused() -> None:
     R = np.empty(6)
     kernel.residual(cell, z, R)
     assert np.abs(R).max() < 1e-12
-    from nonsmooth.solver.flow.exact import ExactOrbit
+    from nonsmooth.solver.exact import ExactOrbit
 
     orbit = ExactOrbit(scene(), newton(kernel.iterate, cell, z))
     orbit.outcome.unknowns[:] = z

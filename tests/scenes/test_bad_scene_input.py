@@ -5,9 +5,8 @@ import math
 import pytest
 from refusals import refused
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.parameters import ParameterError
-from nonsmooth.solver.iteration import start
+from nonsmooth.solver.kernels import registry, start
+from nonsmooth.solver.scenes.parameter_error import ParameterError
 
 PARAMETERS = [(name, q) for name in registry.names() for q in registry.load(name).parameters]
 

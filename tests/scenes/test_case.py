@@ -6,12 +6,12 @@ import pickle
 
 import pytest
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.numbers import SceneNumbers
-from nonsmooth.solver.case.parameters import ParameterError
-from nonsmooth.solver.case.registry import UnknownScene
-from nonsmooth.solver.case.units import _in_units
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scaling import product_of_powers
+from nonsmooth.solver.scenes import loaded
+from nonsmooth.solver.scenes.dimensionless import _in_units
+from nonsmooth.solver.scenes.loaded import LoadedScene, UnknownScene
+from nonsmooth.solver.scenes.parameter_error import ParameterError
 
 IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")
@@ -20,7 +20,7 @@ DAMPED = registry.load("stick-slip-damped")
 def test_shipped_scenes_are_found_by_looking() -> None:
     assert {"impact", "stick-slip-damped"} <= set(registry.names())
     assert registry.load("stick_slip_damped") == DAMPED
-    assert registry.load_folder(IMPACT.folder) == IMPACT != DAMPED
+    assert loaded.load_folder(IMPACT.folder) == IMPACT != DAMPED
     assert "ck-tau" in registry.methods(IMPACT)
     assert "scene" not in registry.methods(IMPACT)
 
@@ -31,7 +31,7 @@ def test_unknown_names_get_the_nearest_known_one(tmp_path) -> None:
     with pytest.raises(UnknownScene, match="expected one of"):
         registry.load(3)  # type: ignore[arg-type]
     with pytest.raises(UnknownScene, match=r"no scene\.py"):
-        registry.load_folder(tmp_path)
+        loaded.load_folder(tmp_path)
     with pytest.raises(UnknownScene, match="did you mean ck-tau"):
         registry.kernel(IMPACT, "ck-tao")
     assert registry.generic_method(IMPACT, "c0-tau") == "ck-tau"
@@ -125,7 +125,7 @@ def test_cases_are_values() -> None:
 
 
 @pytest.mark.parametrize("scene", [IMPACT, *registry.load("dry-friction").each_motion])
-def test_scenes_are_values(scene: SceneNumbers) -> None:
+def test_scenes_are_values(scene: LoadedScene) -> None:
     for again in (pickle.loads(pickle.dumps(scene)), copy.copy(scene), copy.deepcopy(scene)):
         assert again == scene
         assert again.motion == scene.motion

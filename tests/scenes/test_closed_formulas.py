@@ -9,12 +9,13 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from made_scenes import made
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.smoothness import classes
-from nonsmooth.solver.flow import flow, one_phase
-from nonsmooth.solver.flow.exact import exact_orbit
-from nonsmooth.solver.flow.existence import shown_to_be_none
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence import one_phase
+from nonsmooth.solver.existence.reasons import shown_to_be_none
+from nonsmooth.solver.flow import flow
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.scenes.classes import classes
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.stability.monodromy import monodromy
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from made_scenes import made
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow import exact
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver import exact
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence.known import Known
 from nonsmooth.solver.flow.exact_system import exact_kernel
-from nonsmooth.solver.flow.known import Known
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 
 IMPACT = registry.load("impact")

@@ -8,12 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_scenes import made
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow import one_phase
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence import one_phase
+from nonsmooth.solver.existence.reasons import not_decided, shown_to_be_none, without_switches
 from nonsmooth.solver.flow.exact_system import residual
-from nonsmooth.solver.flow.existence import not_decided, shown_to_be_none, without_switches
-from nonsmooth.solver.iteration import start
+from nonsmooth.solver.kernels import registry, start
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.solve import solve_case
 

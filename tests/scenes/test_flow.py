@@ -6,9 +6,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from nonsmooth.solver.case.cell import Phase
 from nonsmooth.solver.flow import flow
 from nonsmooth.solver.flow.divided import of_three, of_two
+from nonsmooth.solver.scenes.cell import Phase
 
 START, ANGLE = (0.7, -0.4), 0.9
 

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact import exact_orbit
-from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.stability.words import in_words
 

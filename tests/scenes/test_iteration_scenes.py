@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from made_scenes import made
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.kernel import fingerprint
-from nonsmooth.solver.case.linking import linked
-from nonsmooth.solver.iteration.attempt import attempt
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
-from nonsmooth.solver.iteration.start import rough_times, with_coefficients
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.kernel import fingerprint
+from nonsmooth.solver.kernels.linking import linked
+from nonsmooth.solver.kernels.start import rough_times, with_coefficients
+from nonsmooth.solver.orbit.attempt import attempt
 
 IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")

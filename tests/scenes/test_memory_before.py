@@ -16,8 +16,8 @@ from nonsmooth.codegen.emission.scene_numbers import scene_source
 from nonsmooth.codegen.expansions import ck_tau, hb
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, v
 from nonsmooth.codegen.scenes import elastic_plastic as plain
-from nonsmooth.solver.case.numbers import SceneNumbers
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.scenes.loaded import LoadedScene
 
 
 def cut_elsewhere():
@@ -60,7 +60,7 @@ REVERSAL = -2.4412849059311371584
 
 @cache
 def exact_orbit_cut_elsewhere():
-    numbers = SceneNumbers(module_of(scene_source(cut_elsewhere())), Path("none"))
+    numbers = LoadedScene(module_of(scene_source(cut_elsewhere())), Path("none"))
     return exact_orbit(numbers(), [0.45, 2.8, 0.67], 2.9)
 
 

@@ -8,13 +8,12 @@ import pytest
 from made_scenes import Given, made
 from numpy.polynomial import Polynomial
 
-from nonsmooth.solver import solve
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow import exact
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver import exact, solve
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence.known import Known
+from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.flow.exact_system import exact_kernel
-from nonsmooth.solver.flow.existence import motions_without_switches
-from nonsmooth.solver.flow.known import Known
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.admissible import violations
 from nonsmooth.solver.solve import orbits_of, solve_case, with_motion

@@ -10,11 +10,12 @@ from made_scenes import Given, made
 
 from nonsmooth.solver import solve
 from nonsmooth.solver.accuracy import estimate as estimates
-from nonsmooth.solver.accuracy.errors import difference
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact import exact_orbit
-from nonsmooth.solver.flow.known import Known
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence.known import Known
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.errors import difference
+from nonsmooth.solver.scenes import loaded
 from nonsmooth.solver.solve import solve_case
 
 IMPACT, BACKLASH = registry.load("impact"), registry.load("backlash")
@@ -204,7 +205,7 @@ def test_errors_of_the_forcing_phase_go_the_short_way_round() -> None:
 def test_a_scene_of_its_own_needs_no_other_method(tmp_path) -> None:
     for name in ("scene", "hb"):
         copy(IMPACT.folder / f"{name}.py", tmp_path)
-    own = registry.load_folder(tmp_path)
+    own = loaded.load_folder(tmp_path)
     assert registry.methods(own) == ("hb",)
     orbit = solve_case(own(), "hb", 5)
     assert orbit.durations == solve_case(S1, "hb", 5).durations

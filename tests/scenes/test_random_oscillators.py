@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact_motion import ExactOrbit
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
 from nonsmooth.solver.simulation.machine import Machine, State
 from nonsmooth.solver.simulation.record import Simulation
 from nonsmooth.solver.simulation.settle import settled

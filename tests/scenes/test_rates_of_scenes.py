@@ -11,7 +11,7 @@ import math
 import numpy as np
 import pytest
 
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.solve import solve_case
 
 #: A scene of each class: its k, r of the decisive event, the orders of the fit.

@@ -7,10 +7,10 @@ import pytest
 from galerkin.derived import REFERENCES
 from galerkin.oscillators import CYCLES, SCENES, parameters_of
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.smoothness import classes
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.scenes.classes import classes
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.sweep import sweep_case
 

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nonsmooth.solver.case.linking import _single
 from nonsmooth.solver.compiling import rebuilt
 from nonsmooth.solver.iteration.iteration import (
     ANGLE_STEP,
@@ -19,6 +18,7 @@ from nonsmooth.solver.iteration.iteration import (
     SINGULAR,
     TOO_MANY,
 )
+from nonsmooth.solver.kernels.linking import _single
 
 
 def solve(function, slope, start, durations=1, forced=False, limit=40):

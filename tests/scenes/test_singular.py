@@ -5,9 +5,9 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.solver import solve
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.iteration.attempt import attempt
-from nonsmooth.solver.iteration.singular import is_reversible, is_singular
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.singular import is_reversible, is_singular
+from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.trade import tolerance
 
 CLEARANCE, BACKLASH = registry.load("clearance"), registry.load("backlash")

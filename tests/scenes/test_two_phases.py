@@ -7,13 +7,13 @@ import pytest
 from every_run import tried
 
 import nonsmooth as ns
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow import enclosure, two_phases
-from nonsmooth.solver.flow.exact import exact_orbit
-from nonsmooth.solver.flow.exact_motion import from_times
-from nonsmooth.solver.flow.existence import not_decided, shown_to_be_none
-from nonsmooth.solver.flow.known import known
-from nonsmooth.solver.iteration.start import RoughTimes
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence import enclosure, two_phases
+from nonsmooth.solver.existence.known import known
+from nonsmooth.solver.existence.reasons import not_decided, shown_to_be_none
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import RoughTimes
+from nonsmooth.solver.orbit.exact_orbit import from_times
 
 CLEARANCE, BACKLASH = registry.load("clearance"), registry.load("backlash")
 PLASTIC, FRICTION = registry.load("elastic-plastic"), registry.load("dry-friction")

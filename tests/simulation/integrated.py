@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 from scipy.integrate import solve_ivp
 
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 
 
 def modes(scene, q, load):

@@ -2,7 +2,7 @@
 
 from made_scenes import made
 
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 
 IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
-from nonsmooth.solver.case.cell import Phase
 from nonsmooth.solver.flow import flow
+from nonsmooth.solver.scenes.cell import Phase
 from nonsmooth.solver.simulation.bounds import TERMS, bound, local, taylor, window
 from nonsmooth.solver.simulation.locate import first_event, sign_after
 from nonsmooth.solver.simulation.zeros import first_zero

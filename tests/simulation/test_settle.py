@@ -10,9 +10,9 @@ from made_scenes import made
 from reached import EVERY_RUN, IMPACT, REACHED, dry
 
 import nonsmooth as ns
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow import flow
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts

@@ -16,7 +16,7 @@ from made_scenes import made
 from reached import BELT, DAMPED, EVERY_RUN, IMPACT, REACHED, dry
 
 import nonsmooth as ns
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
 
 
 @pytest.mark.parametrize("name", tried(REACHED, every_run=EVERY_RUN))

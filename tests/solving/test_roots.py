@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth.all_solutions import solutions
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow import isolated, real_roots
-from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.existence import isolated, real_roots
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.orbit.attempt import attempt
 
 
 def belt_of(alpha: float) -> ns.StickSlip:

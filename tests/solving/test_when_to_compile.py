@@ -8,9 +8,9 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.solver import compiling
-from nonsmooth.solver.case import kernel, registry
 from nonsmooth.solver.compiling import COMPILE, LOAD, START, Account
-from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.kernels import kernel, registry
+from nonsmooth.solver.orbit.attempt import attempt
 
 
 @pytest.fixture

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.continuum import is_one_of_a_continuum, whole_period
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
-from nonsmooth.solver.iteration.attempt import attempt
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.simulation.simulate import simulate
+from nonsmooth.solver.stability.continuum import is_one_of_a_continuum, whole_period
 from nonsmooth.solver.stability.words import in_words
 
 FRICTION, PLASTIC = registry.load("dry-friction"), registry.load("elastic-plastic")

@@ -11,8 +11,8 @@ from made_scenes import made
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.stability import monodromy as module
 from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy

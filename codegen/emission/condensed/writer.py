@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from ...galerkin import GalerkinConditions
-from ..expressions import python
+from ...python_text import python
 from ..functions import prologue
 from ..loops import Lines, Rate, Row, combined, indented, residual_lines
 from ..terms import Term

@@ -3,6 +3,8 @@
 Results go to stdout, progress and messages to stderr.  Exit status: 0 done, 1 no converged
 and admissible orbit (or, for ``generate --check``, a difference), 2 bad input, 130
 interrupted.
+
+A command imports what it runs when it runs: help and completion need neither NumPy nor SymPy.
 """
 
 import contextlib

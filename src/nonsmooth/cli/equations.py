@@ -119,8 +119,8 @@ def _sections(
     """Return the sections on a scene, or on a structure, and their title."""
     methods = [method] if method else []
     if is_structure(scene):
-        from nonsmooth.codegen.space import structure_named  # noqa: PLC0415
-        from nonsmooth.codegen.space.show import sections  # noqa: PLC0415
+        from nonsmooth.codegen.space import structure_named
+        from nonsmooth.codegen.space.show import sections
 
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {scene} has forced modes, all shown")
@@ -128,7 +128,7 @@ def _sections(
             raise ValueError(f"motion: got {motion!r}, expected a SCENE that has several")
         name = scene.replace("_", "-")
         return sections(name, methods), f"Modes of {structure_named(name).title}"
-    from nonsmooth.codegen import show  # noqa: PLC0415
+    from nonsmooth.codegen import show
 
     title = f"Galerkin equations of {show.scene_named(scene).title}"
     return show.sections(scene, methods, functions, motion), title
@@ -138,7 +138,7 @@ def _text_of(
     shown: "list[Section]", title: str, format_: str, fragment: bool, unicode: bool
 ) -> str:
     """Return the document of some sections."""
-    from nonsmooth.codegen.printing import html, latex, text  # noqa: PLC0415
+    from nonsmooth.codegen.printing import html, latex, text
 
     if format_ == "html":
         return html.page_of(shown, title)

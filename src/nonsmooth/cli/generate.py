@@ -27,7 +27,7 @@ def generate(check: bool) -> int:
     or the path of a scene file, of that scene alone. A scene file is Python and is run.
     """
     with busy("deriving the equations"):
-        from nonsmooth.codegen import generate as stage  # noqa: PLC0415
+        from nonsmooth.codegen import generate as stage
 
         return _compare(stage) if check else _write(stage)
 

@@ -56,6 +56,7 @@ def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
         need_matplotlib()
     if path.suffix.lower() == ".nc":
         need("netCDF4", "-o: netCDF", "netcdf")
+        need("xarray", "-o: netCDF", "netcdf")
 
 
 def need_matplotlib() -> None:
@@ -99,7 +100,7 @@ def write_whole(path: Path, write: Callable[[Path], None]) -> None:
 
 def write_file(path: Path, thing: "Savable") -> None:
     """Write orbits, a sweep or families as .json, .csv or .nc."""
-    from nonsmooth.files.api import save  # noqa: PLC0415
+    from nonsmooth.files.api import save
 
     try:
         save(thing, path)
@@ -110,7 +111,7 @@ def write_file(path: Path, thing: "Savable") -> None:
 
 def write_picture(path: Path, figure: "Callable[[], Figure]") -> None:
     """Write what a function draws as .png, .svg or .pdf."""
-    from nonsmooth.plots.axes import write  # noqa: PLC0415
+    from nonsmooth.plots.axes import write
 
     write_whole(path, lambda target: write(figure, target))
 

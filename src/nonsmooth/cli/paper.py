@@ -19,7 +19,7 @@ from .scenes.named import scene_named
 from .scenes.options import PREFIX, case_from
 
 if TYPE_CHECKING:
-    from nonsmooth.all_solutions import Solution
+    from nonsmooth.all_solutions import RealSolution
     from nonsmooth.kim_perkins import StickSlip
 
 #: Flags, with what their help says.
@@ -73,8 +73,8 @@ def belt_from(case: Path | None, flags: dict[str, Any]) -> "StickSlip":
     Problem
         With all mistakes at once.
     """
-    from nonsmooth.kim_perkins import StickSlip  # noqa: PLC0415
-    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
+    from nonsmooth.kim_perkins import StickSlip
+    from nonsmooth.solver.scenes.parameter_error import ParameterError
 
     found = case_from(scene_named(DEFAULT), case, flags)
     try:
@@ -93,7 +93,7 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
     With the coefficients eliminated they are the positive roots of one polynomial in the
     slip duration, alpha D(s**2) = s E(s**2), isolated in exact arithmetic.
     """
-    from nonsmooth.all_solutions import solutions  # noqa: PLC0415
+    from nonsmooth.all_solutions import solutions
 
     belt = belt_from(case, flags)
     with busy(f"all solutions of order {order}"):
@@ -103,16 +103,16 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
         document = {"order": order, "parameters": dict(belt.values), "roots": rows}
         click.echo(as_json(document))
     else:
-        from .scenes.shown.captions import caption  # noqa: PLC0415
+        from .scenes.shown.captions import caption
 
         click.echo(caption(belt))
         _print(found)
     return 0 if any(not each.violations for each in found) else 1
 
 
-def _print(found: "list[Solution]") -> None:
+def _print(found: "list[RealSolution]") -> None:
     """Print one row a solution; a long verdict goes on in the next line."""
-    from .columns import print_table, table_of  # noqa: PLC0415  (rich)
+    from .columns import print_table, table_of
 
     table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch")
     table.add_column("verdict", overflow="fold", max_width=VERDICT)
@@ -147,7 +147,7 @@ def report(case: Path | None, figure: str | None, output: Path, **flags: float |
     if figure is not None:
         check_target(output, PICTURES)
     belt = belt_from(case, flags)
-    from nonsmooth.report.build import FILES, STEPS, build, write_plate  # noqa: PLC0415
+    from nonsmooth.report.build import FILES, STEPS, build, write_plate
 
     if figure is not None:
         write_whole(output, lambda target: write_plate(belt, int(figure), target))

@@ -37,7 +37,7 @@ def progress(total: int, task: str) -> Iterator[Callable[[str], None]]:
     if console is None:
         yield _counter(total, task)
         return
-    from rich.progress import Progress  # noqa: PLC0415
+    from rich.progress import Progress
 
     bar = Progress(console=console, transient=True)
     job = bar.add_task(task, total=total)
@@ -65,7 +65,7 @@ def _terminal() -> "Console | None":
     """Return what draws on stderr; None where that is not a terminal."""
     if not sys.stderr.isatty():
         return None
-    from rich.console import Console  # noqa: PLC0415
+    from rich.console import Console
 
     console = Console(stderr=True)
     return console if console.is_terminal else None

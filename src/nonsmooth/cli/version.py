@@ -13,9 +13,9 @@ def show_version(context: Context, _: Parameter, wanted: bool) -> None:
     """Print the version, the mathematics, the machine and the libraries, and leave."""
     if not wanted or context.resilient_parsing:
         return
-    from importlib.metadata import version  # noqa: PLC0415  (it takes 10 ms)
+    from importlib.metadata import version
 
-    from nonsmooth.solver.case import registry  # noqa: PLC0415
+    from nonsmooth.solver.kernels import registry
 
     scene = registry.load(DEFAULT)
     mathematics = registry.mathematics(scene, registry.methods(scene))
@@ -31,7 +31,7 @@ def show_version(context: Context, _: Parameter, wanted: bool) -> None:
 
 def _libraries() -> list[str]:
     """Return the libraries that compute, draw or write: all but those of the developers."""
-    from importlib.metadata import requires  # noqa: PLC0415
+    from importlib.metadata import requires
 
     needed = [line.partition(";") for line in requires("nonsmooth") or []]
     names = [
@@ -43,7 +43,7 @@ def _libraries() -> list[str]:
 
 
 def _version(name: str) -> str:
-    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415
+    from importlib.metadata import PackageNotFoundError, version
 
     try:
         return version(name)

@@ -1,1 +1,1 @@
-"""Orbits, sweeps and families as files: `save` and `load` in ``api``, a module a format."""
+"""Orbits, sweeps, families and modes as files: `save` and `load` are in ``api``."""

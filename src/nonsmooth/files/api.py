@@ -6,26 +6,19 @@ Numbers are in SI units, and every file says with which version and which mathem
 made.
 """
 
-import json
-import reprlib
 from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
-from ..scene_files.error import SceneFileError
-from .errors import FileError, damaged, other_kind
-from .json_text import check_digest, sealed
-from .kinds import Content
-from .scenes.content import content_of
-from .scenes.restored import restored
-from .schema import check_schema
+from . import csv_rows, documents
+from .file_errors import FileError, other_kind, refused
+from .json_text import check_digest, parsed, sealed
+from .restore_orbits import result_in
+from .savable import kind_of
 from .whole import whole
 
-if TYPE_CHECKING:
-    from netCDF4 import Dataset
-
-#: An orbit, a sweep or a family of any oscillator, modes; or several orbits, families, modes.
+#: An orbit, a sweep or a family of any oscillator, modes; or several orbits or modes.
 Savable: TypeAlias = Any
 Loaded: TypeAlias = Any
 
@@ -38,7 +31,7 @@ def save(thing: Savable, path: str | Path) -> None:
 
     Parameters
     ----------
-    thing : orbit, sweep, family or modes, or a sequence of orbits, of families or of modes
+    thing : orbit, sweep, family or modes, or a sequence of orbits or of modes
         What to save, of a case of any scene, or of one structure.
     path : str or Path
         Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs, and
@@ -47,7 +40,7 @@ def save(thing: Savable, path: str | Path) -> None:
     Raises
     ------
     FileError
-        A `ValueError`: if the name ends otherwise, or netCDF4 is not installed.
+        A `ValueError`: if the name ends otherwise, or what netCDF needs is not installed.
     TypeError
         If `thing` is none of these, or a sequence that is empty or of several kinds.
     OSError
@@ -64,17 +57,17 @@ def save(thing: Savable, path: str | Path) -> None:
     """
     target = Path(path)
     suffix = _suffix(target)
-    content = _content(thing)
+    kind, several = kind_of(thing)
     with whole(target) as temporary:
         if suffix == ".csv":
-            content.write_csv(temporary)
-            return
-        if suffix == ".json":
-            temporary.write_text(sealed(content.document()), "utf-8", newline="")
+            csv_rows.write(temporary, csv_rows.ROWS[kind](several))
+        elif suffix == ".json":
+            text = sealed(documents.document_of(kind, several))
+            temporary.write_text(text, "utf-8", newline="")
         else:
             from . import netcdf  # noqa: PLC0415  (an extra)
 
-            netcdf.write(content.title, content.document(), content.tables(), temporary)
+            netcdf.write(kind, several, temporary)
 
 
 def load(path: str | Path, scene: object = None) -> Loaded:
@@ -92,7 +85,7 @@ def load(path: str | Path, scene: object = None) -> Loaded:
 
     Returns
     -------
-    orbit, sweep, family or modes, or a list of orbits, of families or of modes
+    orbit, sweep, family or modes, or a list of orbits or of modes
         With the bits of what was saved.
 
     Raises
@@ -113,25 +106,14 @@ def load(path: str | Path, scene: object = None) -> Loaded:
         pass
     if suffix == ".csv":
         raise FileError(source, "CSV is for other programs; save as .json to load it")
-    if suffix == ".nc":
-        return _from_netcdf(source, scene)
-    return _from_document(source, _document(source), scene)
+    if suffix == ".json":
+        return _restored(source, parsed(source, source.read_bytes()), scene)
+    from . import netcdf  # noqa: PLC0415  (an extra)
 
-
-def _content(thing: Savable) -> Content:
-    """Return what is to be written of a result.
-
-    Raises
-    ------
-    TypeError
-        If it is not a result, or not one that is saved.
-    """
-    from .space.content import content_of as content_of_modes  # noqa: PLC0415  (SciPy)
-
-    found: Content | None = content_of(thing) or content_of_modes(thing)
-    if found is None:
-        kinds = "an orbit, a family, modes, a sequence of one of these, or a sweep"
-        raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
+    file = netcdf.read(source)
+    found = _restored(source, parsed(source, str(file[netcdf.DOCUMENT].values)), scene)
+    with refused(source):
+        netcdf.check_same(file, netcdf.arrays_of(*kind_of(found)))
     return found
 
 
@@ -139,82 +121,20 @@ def _suffix(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise FileError(path, f"expected a name that ends in one of {', '.join(SUFFIXES)}")
-    if suffix == ".nc" and find_spec("netCDF4") is None:
-        raise FileError(path, "netCDF needs netCDF4: pip install 'nonsmooth[netcdf]'")
+    if suffix == ".nc" and not (find_spec("netCDF4") and find_spec("xarray")):
+        needed = "netCDF needs netCDF4 and xarray"
+        raise FileError(path, f"{needed}: pip install 'nonsmooth[netcdf]'")
     return suffix
 
 
-def _document(path: Path) -> dict[str, Any]:
-    """Return the document of a JSON file."""
-    try:
-        document = json.loads(path.read_bytes().decode("utf-8"))
-    except (ValueError, RecursionError) as error:  # of the encoding, or of the JSON
-        raise damaged(path, f"not JSON: {error}") from error
-    if not isinstance(document, dict):
-        raise FileError(path, "not a file of nonsmooth")
-    return document
-
-
-def _from_document(path: Path, document: Mapping[str, Any], scene: object = None) -> Loaded:
-    """Return what a document holds."""
-    check_schema(path, document.get("schema"))
+def _restored(path: Path, document: Mapping[str, Any], scene: object) -> Loaded:
+    """Return the result that a document holds."""
     check_digest(path, document)
-    try:
+    with refused(path):
         if "structure" in document:
-            from .space.restored import restored as restored_modes  # noqa: PLC0415  (SciPy)
+            from .restore_modes import modes_in  # noqa: PLC0415  (SciPy)
 
-            return restored_modes(path, document)
-        if "scene" not in document:
-            raise other_kind(path)
-        return restored(path, document, scene)
-    except (FileError, SceneFileError):
-        raise
-    except (AttributeError, KeyError, TypeError, ValueError) as error:
-        raise damaged(path, _words(error)) from error
-
-
-def _from_netcdf(path: Path, scene: object) -> Loaded:
-    """Return what a netCDF file holds."""
-    from netCDF4 import Dataset  # noqa: PLC0415  (an extra)
-
-    from .netcdf_seal import has_seal, warn_without  # noqa: PLC0415
-
-    is_sealed = has_seal(path)
-    try:
-        with Dataset(path) as file:
-            file.set_auto_mask(False)
-            check_schema(path, _whole_number(getattr(file, "schema", 0)))
-            found, has_digest = _from_open(path, file, scene)
-    except (FileError, SceneFileError):
-        raise
-    except (AttributeError, IndexError, KeyError, OSError, RuntimeError, ValueError) as error:
-        raise damaged(path, _words(error)) from error
-    if not (is_sealed or has_digest):
-        warn_without(path)
-    return found
-
-
-def _from_open(path: Path, file: "Dataset", scene: object) -> tuple[Loaded, bool]:
-    """Return what an open file holds, and whether it has a digest of its own."""
-    from . import netcdf  # noqa: PLC0415  (an extra)
-
-    if netcdf.DOCUMENT in file.variables:
-        found = _from_document(path, netcdf.document_of(file), scene)
-        netcdf.check_same(file, _content(found).tables())
-        return found, True
-    raise other_kind(path)
-
-
-def _words(error: Exception) -> str:
-    """Return what is wrong, in words: an error of Python with its name."""
-    from .checks import NotRightError  # noqa: PLC0415
-
-    return str(error) if isinstance(error, NotRightError) else f"{type(error).__name__} {error}"
-
-
-def _whole_number(value: Any) -> object:
-    """Return a number of a file as an int; what is not one as it is."""
-    try:
-        return int(value)
-    except (TypeError, ValueError):
-        return value
+            return modes_in(path, document)
+        if "scene" in document:
+            return result_in(path, document, scene)
+        raise other_kind(path)

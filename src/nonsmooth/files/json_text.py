@@ -9,10 +9,11 @@ import json
 import math
 import warnings
 from collections.abc import Mapping
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 
-from .errors import FileWarning
+from .file_errors import FileError, FileWarning, damaged
 
 #: Version of what is in the files; a file with a higher one is from a newer program.
 SCHEMA = 1
@@ -38,26 +39,10 @@ def as_json(document: dict[str, Any]) -> str:
     return json.dumps(finite({"schema": SCHEMA} | document), indent=2, allow_nan=False)
 
 
-class Digest:
-    """The SHA-256 of a document that is written bit by bit.
-
-    Parameters
-    ----------
-    head : mapping
-        The document without its rows.
-    """
-
-    def __init__(self, head: Mapping[str, Any]) -> None:
-        left = {key: value for key, value in head.items() if key not in (DIGEST, ROWS)}
-        self._hash = hashlib.sha256(_canonical(left))
-
-    def add(self, row: Any) -> None:
-        """Add a row."""
-        self._hash.update(_canonical(row))
-
-    def hexdigest(self) -> str:
-        """Return the digest of all so far."""
-        return self._hash.hexdigest()
+def sealed(document: dict[str, Any]) -> str:
+    """Return a JSON document that ends with the digest of its content."""
+    content = finite({"schema": SCHEMA} | document)
+    return as_json(content | {DIGEST: digest(content)}) + "\n"
 
 
 def digest(document: Mapping[str, Any]) -> str:
@@ -68,22 +53,45 @@ def digest(document: Mapping[str, Any]) -> str:
     >>> digest({"a": 1, "b": [0.5]}) == digest({"b": [0.5], "a": 1.0, "sha256": "any"})
     True
     """
-    found = Digest(document)
+    head = {key: value for key, value in document.items() if key not in (DIGEST, ROWS)}
     rows = document.get(ROWS)
+    found = hashlib.sha256(_canonical(head))
     for row in rows if isinstance(rows, list) else [rows]:
-        found.add(row)
+        found.update(_canonical(row))
     return found.hexdigest()
 
 
-def sealed(document: dict[str, Any]) -> str:
-    """Return a JSON document that ends with the digest of its content."""
-    content = finite({"schema": SCHEMA} | document)
-    return end(as_json(document).removesuffix("\n}") + ",\n", digest(content))
+def parsed(path: Path, text: bytes | str) -> dict[str, Any]:
+    """Return the document that is the text of a file, or stands in it.
+
+    Raises
+    ------
+    FileError
+        If it is not the text of a document, or of one of a schema that is not known here.
+    """
+    try:
+        document = json.loads(text if isinstance(text, str) else text.decode("utf-8"))
+    except (ValueError, RecursionError) as error:  # of the encoding, or of the JSON
+        raise damaged(path, f"not JSON: {error}") from error
+    if not isinstance(document, dict):
+        raise FileError(path, "not a file of nonsmooth")
+    check_schema(path, document.get("schema"))
+    return document
 
 
-def end(text: str, found: str) -> str:
-    """Return a document whose text so far is `text`, ended with its digest."""
-    return f'{text}  "{DIGEST}": "{found}"\n}}\n'
+def check_schema(path: Path, schema: object) -> None:
+    """Check that the file is of a schema known here.
+
+    Raises
+    ------
+    FileError
+        If it is not.
+    """
+    if isinstance(schema, Integral) and int(schema) > SCHEMA:
+        newer = f"schema {schema} is from a newer nonsmooth"
+        raise FileError(path, f"{newer}; this one knows up to {SCHEMA}")
+    if schema != SCHEMA:
+        raise FileError(path, "not a file of nonsmooth: it has no schema")
 
 
 def check_digest(path: Path, document: Mapping[str, Any]) -> None:

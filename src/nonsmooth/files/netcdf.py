@@ -1,124 +1,150 @@
-"""netCDF-4 of orbits, sweeps, families, modes: arrays over coordinates, and the document.
+"""netCDF-4 of results, by xarray: arrays over coordinates, the document, a digest of all.
 
 The arrays are for other programs; what is loaded is the document, a text beside them, and it
-is refused if they do not say the same.  By netCDF4, the extra ``netcdf``.
+is refused if they do not say the same.  Needs the extra ``netcdf``.
 """
 
 import errno
-import json
+import hashlib
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from netCDF4 import Dataset
+import xarray as xr
 
-from nonsmooth.solver.results.frames import arrays
-from nonsmooth.solver.results.table import Table
+from nonsmooth.solver.presentation.frames import dataset
+from nonsmooth.solver.presentation.table import Table
 
-from .checks import SAME, NotRightError
-from .json_text import SCHEMA, sealed
-from .netcdf_seal import seal_of
+from .checks import SAME, check
+from .documents import document_of, same_of_all
+from .file_errors import damaged, other_kind, refused
+from .json_text import SCHEMA, check_schema, sealed
 
 #: The variable that holds the document.
 DOCUMENT = "document"
 
-#: What is in a document, by a key that only it has; without these, orbits.
-KINDS = {"structure": "modes", "rates": "sweep", "vary": "family"}
+#: What the seal behind the content starts with, and its length.
+SEAL = b"nonsmooth sha256 "
+SEALED = len(SEAL) + 64
 
-#: What columns of a kind are stored as.
-TYPES = {"b": "i1", "i": "i8", "f": "f8", "U": str}
+#: What is said of each orbit of several, or of all rows.
+HOW = ("method", "order")
 
 
-@contextmanager
-def created(target: Path, attributes: Mapping[str, Any]) -> Iterator[Dataset]:
-    """Create a file with attributes, and seal it when it is complete.
+def write(kind: str, several: Sequence[Any], target: Path) -> None:
+    """Write results of a kind, and seal the file when it is complete.
 
     Raises
     ------
     OSError
         If it cannot be written.
     """
+    document, file = document_of(kind, several), arrays_of(kind, several)
+    for variable in file.variables.values():
+        if variable.dtype.kind == "f":
+            variable.attrs.setdefault("units", "1")
+    words = {"description": "the same and more as JSON: what nonsmooth loads"}
+    file[DOCUMENT] = ((), sealed(document), words)
+    name = document["structure" if kind == "modes" else "scene"]
+    title = {"title": f"{name}: {kind}", "kind": kind}
+    origin = {key: document[key] for key in ("version", "mathematics") if key in document}
+    file.attrs = {"schema": SCHEMA} | title | origin | file.attrs
     try:
-        with Dataset(target, "w", format="NETCDF4") as file:
-            file.setncatts({"schema": SCHEMA, **attributes})
-            yield file
+        file.to_netcdf(target, engine="netcdf4", format="NETCDF4")
     except RuntimeError as error:  # the library's word for a disk that is full
         raise OSError(errno.EIO, f"{os.strerror(errno.EIO)} ({error})") from error
-    with target.open("ab") as sealed:
-        sealed.write(seal_of(target, target.stat().st_size))
+    seal = _seal(target.read_bytes())
+    with target.open("ab") as end:
+        end.write(seal)
 
 
-def write(
-    title: str, document: Mapping[str, Any], tables: Sequence[Table], target: Path
-) -> None:
-    """Write a document and its tables.
+def arrays_of(kind: str, several: Sequence[Any]) -> xr.Dataset:
+    """Return results of a kind as arrays, with `method` and `order` where these are known.
 
-    Parameters
-    ----------
-    title : str
-        What it is.
-    document : mapping
-        As JSON has it, without its digest.
-    tables : sequence of Table
-        One; or several motions, which get a dimension ``orbit``.
-    target : Path
-        The file.
+    They are over the coordinates of a result; of several orbits over ``orbit`` and ``sample``,
+    of several modes over ``expansion`` and ``number``.
     """
-    first, *others = (table.about for table in tables)
-    about = {n: v for n, v in first.items() if all(q.get(n) == v for q in others)}
-    origin = {name: document[name] for name in ("version", "mathematics") if name in document}
-    kind = next((kind for key, kind in KINDS.items() if key in document), "orbits")
-    with created(target, {"title": title, "kind": kind} | origin | about) as file:
-        for name, (dimensions, values, unit) in variables(tables).items():
-            for dimension, length in zip(dimensions, np.shape(values), strict=True):
-                if dimension not in file.dimensions:
-                    file.createDimension(dimension, length)
-            stored: Any = TYPES[values.dtype.kind]
-            variable = file.createVariable(name, stored, dimensions)
-            if unit or stored == "f8":
-                variable.units = unit or "1"
-            variable[...] = values.astype(object) if stored is str else values
-        text = np.array(sealed(dict(document)), dtype=object)
-        file.createVariable(DOCUMENT, str, ())[...] = text
-        file[DOCUMENT].description = "the same and more as JSON: what nonsmooth loads"
-        if len(tables) > 1:
-            for name in set(tables[0].columns) - {"t"}:
-                file[name].coordinates = "t method order"
+    tables = [result.table() for result in several]
+    if len(tables) > 1 and kind == "orbits":
+        return _motions(tables)
+    table = tables[0] if len(tables) == 1 else _joined(tables)
+    found: xr.Dataset = dataset(table)
+    known = {q: table.about[q] for q in HOW if q in table.about and q not in found}
+    return found.assign_coords(known)
 
 
-def variables(tables: Sequence[Table]) -> dict[str, tuple[tuple[str, ...], Any, str | None]]:
-    """Return the variables of tables: dimensions, values, unit.
-
-    Of one table over its index; of several motions over ``orbit`` and ``sample``, with
-    coordinates `method`, `order` and `t`.
-    """
-    units = tables[0].units
-    found = {}
-    if len(tables) == 1:
-        for name, (dimensions, values) in arrays(tables[0]).items():
-            found[name] = (dimensions, values, units.get(name))
-        for name in ("method", "order"):
-            if name in tables[0].about and name not in found:
-                found[name] = ((), np.array(tables[0].about[name]), None)
-        return found
+def _motions(tables: Sequence[Table]) -> xr.Dataset:
+    """Return several motions as arrays, with the coordinates `t`, `method` and `order`."""
+    about, units = [table.about for table in tables], tables[0].units
+    arrays: dict[str, Any] = {name: ("orbit", [each[name] for each in about]) for name in HOW}
     for name in tables[0].columns:
         values = np.array([table.columns[name] for table in tables])
-        found[name] = (("orbit", "sample"), values, units.get(name))
-    for name in ("method", "order"):
-        found[name] = (("orbit",), np.array([table.about[name] for table in tables]), None)
-    return found
+        unit = {"units": units[name]} if name in units else {}
+        arrays[name] = (("orbit", "sample"), values, unit)
+    return xr.Dataset(arrays, attrs=same_of_all(about)).set_coords(["t", *HOW])
 
 
-def document_of(file: Dataset) -> dict[str, Any]:
-    """Return the document in an open file."""
-    found: dict[str, Any] = json.loads(str(file[DOCUMENT][...]))
-    return found
+def _joined(tables: Sequence[Table]) -> Table:
+    """Return the rows of several modes over `expansion`, from 1, and `number`.
+
+    What is the same of all is said of the whole; what is not has a column.
+    """
+    same = same_of_all([table.about for table in tables])
+    rows = [
+        {"expansion": place} | row
+        for place, table in enumerate(tables, 1)
+        for row in table.rows()
+    ]
+    columns = {name: [row[name] for row in rows] for name in rows[0] if name not in same}
+    return Table(("expansion", "number"), columns, tables[0].units, same)
 
 
-def check_same(file: Dataset, tables: Sequence[Table]) -> None:
+def read(path: Path) -> xr.Dataset:
+    """Return what a file holds, in memory.
+
+    Raises
+    ------
+    FileError
+        If it is damaged, or not a file of a schema known here.
+    """
+    check_seal(path)
+    with (
+        refused(path, OSError, RuntimeError),
+        xr.open_dataset(path, engine="netcdf4", decode_cf=False) as file,
+    ):
+        check_schema(path, file.attrs.get("schema"))
+        if DOCUMENT not in file:
+            raise other_kind(path)
+        return file.load()
+
+
+def check_seal(path: Path) -> None:
+    """Check the bytes of a file that is sealed, before HDF5 sees them: some would crash it.
+
+    A file that another program wrote has no seal.
+
+    Raises
+    ------
+    FileError
+        If the file has a seal, and its bytes are others.
+    """
+    with path.open("rb") as file:
+        size = max(path.stat().st_size - SEALED, 0)
+        file.seek(size)
+        found = file.read()
+        file.seek(0)
+        if found.startswith(SEAL) and found != _seal(file.read(size)):
+            raise damaged(path, "its bytes are not those of its digest (sha256)")
+
+
+def _seal(content: bytes) -> bytes:
+    """Return what stands behind the content of a file, which HDF5 does not read."""
+    return SEAL + hashlib.sha256(content).hexdigest().encode()
+
+
+def check_same(file: xr.Dataset, expected: xr.Dataset) -> None:
     """Check that the arrays of a file say what its document does.
 
     Raises
@@ -126,14 +152,12 @@ def check_same(file: Dataset, tables: Sequence[Table]) -> None:
     NotRightError
         Naming the first that does not.
     """
-    for name, (_, values, _) in variables(tables).items():
-        if name not in file.variables:
-            raise NotRightError(f"{name} is missing")
-        there = np.asarray(file[name][...])
-        equal = there.shape == values.shape
-        if equal and values.dtype.kind in "OU":
-            equal = there.astype(str).tolist() == values.astype(str).tolist()
+    for name, variable in expected.variables.items():
+        check(name in file.variables, f"{name} is missing")
+        there, here = file[name].values, variable.values
+        equal = there.shape == here.shape
+        if equal and here.dtype.kind in "OU":
+            equal = there.astype(str).tolist() == here.astype(str).tolist()
         elif equal:
-            equal = np.allclose(there.astype(float), values.astype(float), SAME, 0, True)
-        if not equal:
-            raise NotRightError(f"{name} is not what its document says")
+            equal = np.allclose(there.astype(float), here.astype(float), SAME, 0, True)
+        check(equal, f"{name} is not what its document says")

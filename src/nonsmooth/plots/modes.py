@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.case.methods import about
+from nonsmooth.solver.scenes.methods import about
 
 from ..style import EXACT
 from .axes import LEAST, axes_or_new, check_quantity, frame

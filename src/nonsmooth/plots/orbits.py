@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.results.instants import instants
+from nonsmooth.plots.instants import instants
 
 from ..style import EXACT
 from .axes import axes_or_new, check_quantity, frame
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.flow.exact import ExactOrbit
-    from nonsmooth.solver.orbit.orbit import Orbit
+    from nonsmooth.solver.exact import ExactOrbit
+    from nonsmooth.solver.results.orbit import Orbit
 
 #: What can be drawn of a motion: the phase plane, or one of these over a period.
 PLANE = "plane"

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.case.methods import about
+from nonsmooth.solver.scenes.methods import about
 
 from .axes import axes_or_new, check_quantity
 from .orbits import HISTORIES, PLANE

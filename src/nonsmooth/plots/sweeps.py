@@ -4,13 +4,13 @@ from typing import TYPE_CHECKING, Any
 
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.case.methods import about
-from nonsmooth.solver.case.names import shown
+from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import about
 
 from .axes import axes_or_new, check_quantity, draw_errors, frame
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.loaded import LoadedScene
     from nonsmooth.solver.sweep import Sweep
 
 #: The errors that can be drawn.
@@ -49,7 +49,7 @@ def draw(result: "Sweep", ax: Any = None, quantity: str = "times", **style: Any)
     return axes
 
 
-def _name(scene: "SceneNumbers", quantity: str) -> str:
+def _name(scene: "LoadedScene", quantity: str) -> str:
     if quantity == "discontinuous":
         return "$x" + "'" * (scene.k + 1) + "$"
     return f"the {quantity}"

@@ -4,9 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.case.methods import about
-from nonsmooth.solver.case.names import shown
-from nonsmooth.solver.trade.measured import EXACT as FLOW
+from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import EXACT, about
 
 from .axes import frame
 
@@ -24,8 +23,8 @@ def trade_figure(result: "Trade") -> Figure:
     axes.step(*zip(*best, strict=True), where="post", label="the front", **wide)
     for method in dict.fromkeys(point.method for point in result.points):
         points = [(p.seconds, p.error) for p in result.points if p.method == method]
-        look = {"color": "0.2", "marker": "*"} if method == FLOW else about(method).look
-        words = "exact flow" if method == FLOW else shown(case.scene, method)
+        look = {"color": "0.2", "marker": "*"} if method == EXACT else about(method).look
+        words = "exact flow" if method == EXACT else shown(case.scene, method)
         times, errors = zip(*points, strict=True)
         axes.plot(times, errors, label=words, markersize=5, zorder=2, **look)
     axes.set(xscale="log", yscale="log", xlabel="time of one orbit [s]")

@@ -8,9 +8,9 @@ from numpy.polynomial import Legendre
 
 import nonsmooth as ns
 from nonsmooth.kim_perkins import ExactStickSlipOrbit, StickSlipOrbit
-from nonsmooth.solver.accuracy.errors import acceleration_error
-from nonsmooth.solver.accuracy.quadrature import panels
 from nonsmooth.solver.arrays import Vector
+from nonsmooth.solver.orbit.errors import acceleration_error
+from nonsmooth.solver.orbit.quadrature import panels
 
 #: Samples of each phase where a largest value is looked for.
 SAMPLES = 2000

@@ -4,7 +4,7 @@ from nonsmooth.all_solutions import solutions
 from nonsmooth.codegen.printing.html import fragment_of
 from nonsmooth.codegen.show import sections
 from nonsmooth.kim_perkins import METHODS, SCENE, SECTION_4, StickSlip
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 
 __all__ = ["DEFAULT", "METHODS", "all_times", "equations_html", "mathematics"]
 

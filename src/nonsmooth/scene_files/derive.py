@@ -58,7 +58,7 @@ def check_name(name: str, where: str) -> None:
     SceneFileError
         If it is.
     """
-    from nonsmooth.solver.case.registry import names  # noqa: PLC0415  (as light as needed)
+    from nonsmooth.solver.kernels.registry import names  # noqa: PLC0415  (as light as needed)
 
     if name.replace("_", "-") in names():
         raise SceneFileError(

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.solver.case import registry, sealed
-from nonsmooth.solver.case.numbers import SceneNumbers
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.scenes import loaded, sealed
+from nonsmooth.solver.scenes.loaded import LoadedScene
 
 from .content import key_of_scene, key_of_text
 from .derive import check_name, derive
@@ -21,12 +22,12 @@ def say_on_stderr(line: str) -> None:
     print(f"nonsmooth: {line}", file=sys.stderr, flush=True)
 
 
-def find_scene(what: object, say: Say = say_on_stderr) -> SceneNumbers:
+def find_scene(what: object, say: Say = say_on_stderr) -> LoadedScene:
     """Return a scene, derived first if it is new.
 
     Parameters
     ----------
-    what : str, Path, Scene or SceneNumbers
+    what : str, Path, Scene or LoadedScene
         See `nonsmooth.scene`.
     say : callable
         Takes the progress of a derivation, a line at a time.
@@ -40,7 +41,7 @@ def find_scene(what: object, say: Say = say_on_stderr) -> SceneNumbers:
     SceneFileError
         If a scene file, or the scene in it, is not as it must be.
     """
-    if isinstance(what, SceneNumbers):
+    if isinstance(what, LoadedScene):
         return what
     if isinstance(what, str) and not is_path(what):
         return registry.load(what)
@@ -82,22 +83,22 @@ def _is_scene(what: object) -> bool:
     return module is not None and isinstance(what, module.Scene)
 
 
-def _of_file(path: Path, say: Say) -> SceneNumbers:
+def _of_file(path: Path, say: Say) -> LoadedScene:
     text = text_of(path)
     return _kept(key_of_text(text), lambda: read_scene(path, text), str(path), say)
 
 
-def _of_object(scene: Any, say: Say) -> SceneNumbers:
+def _of_object(scene: Any, say: Say) -> LoadedScene:
     return _kept(key_of_scene(scene), lambda: scene, "scene", say)
 
 
-def _kept(key: str, made: Callable[[], Any], where: str, say: Say) -> SceneNumbers:
+def _kept(key: str, made: Callable[[], Any], where: str, say: Say) -> LoadedScene:
     """Return the scene of a key, if it is kept; else that which is made, derived and kept."""
     folder = stored(key)
     if folder is None:
         folder = keep(key, derive(made(), where, say), say)
     try:
-        found = registry.load_folder(folder, sealed.read(folder))
+        found = loaded.load_folder(folder, sealed.read(folder))
     except Exception as error:
         raise SceneFileError(f"{where}: its kernels cannot be read ({error})") from error
     check_name(found.name, where)

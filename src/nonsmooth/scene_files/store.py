@@ -11,9 +11,11 @@ import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from nonsmooth.solver.case import sealed
-from nonsmooth.solver.case.modules import with_code
+from platformdirs import user_cache_path
+
 from nonsmooth.solver.ownership import NotPrivate, check_private
+from nonsmooth.solver.scenes import sealed
+from nonsmooth.solver.scenes.modules import with_code
 
 from .error import SceneFileError
 
@@ -26,9 +28,7 @@ _FOR_NOW: dict[str, Path] = {}
 
 def root() -> Path:
     """Return the folder in which the kernels of users' scenes are kept."""
-    given = os.environ.get("XDG_CACHE_HOME", "")
-    base = Path(given) if os.path.isabs(given) else Path(os.path.expanduser("~/.cache"))
-    return base / "nonsmooth" / "scenes"
+    return user_cache_path("nonsmooth", appauthor=False) / "scenes"
 
 
 def stored(key: str) -> Path | None:

@@ -3,7 +3,6 @@
 from ..mutant import Mutant
 
 CHANGED = "tests/files/test_changed_files.py"
-SCENES = ("tests/files/test_files_of_scenes.py",)
 MODES = ("tests/space/test_space_files.py",)
 KEPT = "tests/cli_scenes/test_kept_kernels.py"
 CACHE = "tests/solving/test_cache_that_fails.py"
@@ -19,10 +18,10 @@ MUTANTS = (
     ),
     Mutant(
         "a seal of which only the name is looked at",
-        "src/nonsmooth/files/netcdf_seal.py",
-        "if found != seal_of(path, size):",
-        "if found[:9] != seal_of(path, size)[:9]:",
-        ("tests/files/test_files.py::test_every_byte_that_is_changed_is_noticed",),
+        "src/nonsmooth/files/netcdf.py",
+        "found != _seal(file.read(size))",
+        "found[:9] != _seal(file.read(size))[:9]",
+        (f"{CHANGED}::test_every_byte_that_is_changed_is_noticed",),
     ),
     Mutant(
         "a failed save leaves a part of a file",
@@ -33,35 +32,35 @@ MUTANTS = (
     ),
     Mutant(
         "the equations of a loaded orbit are not checked",
-        "src/nonsmooth/files/scenes/restored.py",
-        "    checks.residual(R, z)\n",
-        "",
-        SCENES,
+        "src/nonsmooth/files/restore_orbits.py",
+        "checks.check(off <= allowed,",
+        "checks.check(True,",
+        (CHANGED,),
     ),
     Mutant(
         "modes of other equations are loaded",
-        "src/nonsmooth/files/space/restored.py",
-        "if found != mathematics(structure):",
+        "src/nonsmooth/files/restore_modes.py",
+        "if found != mathematics_of_modes(structure):",
         "if False:",
         MODES,
     ),
     Mutant(
         "a folder of kernels is read whatever its seal",
-        "solver/case/sealed.py",
+        "solver/scenes/sealed.py",
         "if found.pop(SEAL, None) != _seal(folder.name, found):",
         "if found.pop(SEAL, None) is None:",
         (f"{KEPT}::test_one_digit_that_was_changed",),
     ),
     Mutant(
         "the kernels of one scene are those of another",
-        "solver/case/sealed.py",
+        "solver/scenes/sealed.py",
         "digest = hashlib.sha256(name.encode())",
         "digest = hashlib.sha256()",
         (f"{KEPT}::test_the_folder_of_another_scene_is_not_taken",),
     ),
     Mutant(
         "a kernel that others may write to is read",
-        "solver/case/sealed.py",
+        "solver/scenes/sealed.py",
         "        check_status(path, os.fstat(file.fileno()))\n",
         "",
         (f"{KEPT}::test_what_others_could_have_written_is_not_run",),

@@ -15,9 +15,9 @@ from .options import case_from, command_of, motion_options
 from .solve import method_names
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
     from nonsmooth.solver.precision.digits import Kept
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 HELP = """Measure the digits that float64 keeps of the times of orbits of {name}.
 
@@ -32,7 +32,7 @@ Examples:
 """
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth digits`` of a scene, which the user called so."""
     names = method_names(scene)
     options: list[click.Parameter] = [
@@ -65,16 +65,16 @@ def run(
     output: Path | None,
 ) -> int:  # fmt: skip
     """Measure, show, write; the exit status."""
-    from nonsmooth.solver.case import registry  # noqa: PLC0415
-    from nonsmooth.solver.case.names import shown  # noqa: PLC0415
-    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.precision.digits import (  # noqa: PLC0415
+    from nonsmooth.solver.kernels import registry
+    from nonsmooth.solver.precision.digits import (
         ORDERS,
         QUICK_ORDERS,
         extremes,
         measure,
     )
-    from nonsmooth.solver.solve import HIGHEST_ORDER  # noqa: PLC0415
+    from nonsmooth.solver.scenes.method_names import shown
+    from nonsmooth.solver.scenes.parameter_error import ParameterError
+    from nonsmooth.solver.solve import HIGHEST_ORDER
 
     if quick and orders is not None:
         raise Problem(f"--quick: got --orders {orders} beside it, expected one of them")
@@ -106,21 +106,21 @@ def run(
     if json_:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, digits  # noqa: PLC0415
+        from .shown import captions, digits
 
         click.echo(captions.caption(case))
         digits.table(case, found)
     if output is not None and output.suffix.lower() == ".json":
         write_text(output, text)
     elif output is not None:
-        from .shown.digits_picture import digits_picture  # noqa: PLC0415
+        from .shown.digits_picture import digits_picture
 
         write_whole(output, lambda target: digits_picture(case, found, target))
     return 1 if any(kept.lost for kept in found) else 0
 
 
 def _text(case: "Case", found: "list[Kept]", names: list[str]) -> str:
-    from nonsmooth.files.scenes import documents  # noqa: PLC0415
+    from nonsmooth.files import documents
 
     rows = [
         asdict(kept) | {"digits": kept.digits, "met": kept.met, "conditioned": kept.conditioned}

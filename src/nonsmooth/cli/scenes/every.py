@@ -8,10 +8,10 @@ import click
 from ..aliases import check_one_method
 from ..problems import Problem, as_problems
 from ..progress import busy
-from .wanted import ORDER, Wanted, tell
+from .wanted import ORDER, Wanted, tell, write_orbits
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.scenes.case import Case
 
 LEGEND = (
     "T: period; phi: phase of the forcing at the first switch; least x, largest x: of the "
@@ -21,14 +21,13 @@ LEGEND = (
 
 def list_every(case: "Case", wanted: Wanted) -> int:
     """List every orbit by one method, the stable ones first, write them; the exit status."""
-    from nonsmooth.files.scenes import documents  # noqa: PLC0415
-    from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
-    from nonsmooth.solver.flow.existence import motions_without_switches  # noqa: PLC0415
-    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.solve import orbits_of  # noqa: PLC0415
+    from nonsmooth.files import documents
+    from nonsmooth.solver.existence.reasons import motions_without_switches
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.scenes.methods import FIRST
+    from nonsmooth.solver.solve import orbits_of
 
-    from .shown import captions, tables  # noqa: PLC0415
-    from .solve import write  # noqa: PLC0415
+    from .shown import captions, tables
 
     for option, value in (("--tol", wanted.tol), ("--budget", wanted.budget)):
         if value is not None:
@@ -52,5 +51,5 @@ def list_every(case: "Case", wanted: Wanted) -> int:
         tables.every(orbits, still)
         click.echo(f"\n{textwrap.fill(LEGEND, captions.WIDTH)}")
     if wanted.output is not None:
-        write(wanted.output, text, orbits, None)
+        write_orbits(wanted.output, text, orbits, None)
     return 0 if every else 1

@@ -12,12 +12,12 @@ from ..values.orders import is_whole
 from ..values.vary import Vary, parse_vary
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
     from nonsmooth.solver.family import Family, FamilyRow
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 
-def vary_of(scene: "SceneNumbers", text: str, log: bool, given: dict[str, Any]) -> Vary:
+def vary_of(scene: "LoadedScene", text: str, log: bool, given: dict[str, Any]) -> Vary:
     """Return what ``--vary`` asks for, of a scene.
 
     Raises
@@ -25,7 +25,7 @@ def vary_of(scene: "SceneNumbers", text: str, log: bool, given: dict[str, Any]) 
     Problem
         If it cannot be computed, or a flag gives the parameter as well.
     """
-    from nonsmooth.solver.family import MOST_VALUES  # noqa: PLC0415
+    from nonsmooth.solver.family import MOST_VALUES
 
     names = [q.name for q in scene.parameters]
     last = scene.parameters[-1]
@@ -47,14 +47,14 @@ def run(
     Problem
         If an argument is wrong; or after Ctrl-C, once what was computed is shown and written.
     """
-    from nonsmooth.files.scenes import documents  # noqa: PLC0415
-    from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
-    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.family import (  # noqa: PLC0415
+    from nonsmooth.files import documents
+    from nonsmooth.solver.family import (
         ORDER,
         FamilyInterrupted,
         family_case,
     )
+    from nonsmooth.solver.scenes.methods import FIRST
+    from nonsmooth.solver.scenes.parameter_error import ParameterError
 
     if orders is not None and not is_whole(orders):
         raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
@@ -79,7 +79,7 @@ def run(
     if json_:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, tables  # noqa: PLC0415
+        from .shown import captions, tables
 
         click.echo(captions.caption_of_family(result))
         tables.family(result)
@@ -97,6 +97,6 @@ def _write(output: Path, text: str, result: "Family", log: bool) -> None:
     elif suffix in DATA:
         write_file(output, result)
     else:
-        from nonsmooth.plots.families import family_figure  # noqa: PLC0415
+        from nonsmooth.plots.families import family_figure
 
         write_picture(output, lambda: family_figure(result, log))

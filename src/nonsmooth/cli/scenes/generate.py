@@ -12,7 +12,7 @@ from ..progress import busy
 from .named import scene_named
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 HELP = """Derive the equations of {name} with SymPy and write its kernels.
 
@@ -38,7 +38,7 @@ class NotGenerated:
         return Path(self.name.replace("-", "_"))
 
 
-def named(text: str) -> "SceneNumbers | NotGenerated":
+def named(text: str) -> "LoadedScene | NotGenerated":
     """Return the scene of a name or of a file, also one that was never generated.
 
     Raises
@@ -57,7 +57,7 @@ def named(text: str) -> "SceneNumbers | NotGenerated":
         return new
 
 
-def command(scene: "SceneNumbers | NotGenerated", said: str) -> click.Command:
+def command(scene: "LoadedScene | NotGenerated", said: str) -> click.Command:
     """Return ``nonsmooth generate`` of a scene, which the user called so."""
     words = "Only compare, write nothing; exit 1 on a difference."
     return click.Command(
@@ -69,15 +69,15 @@ def command(scene: "SceneNumbers | NotGenerated", said: str) -> click.Command:
     )
 
 
-def run(scene: "SceneNumbers | NotGenerated", check: bool) -> int:
+def run(scene: "LoadedScene | NotGenerated", check: bool) -> int:
     """Derive the kernels of a scene, and compare or write them; the exit status."""
-    from nonsmooth.solver.case.registry import names  # noqa: PLC0415
+    from nonsmooth.solver.kernels.registry import names
 
     if not isinstance(scene, NotGenerated) and scene.name not in names():
         click.echo(f"{scene.name}: its kernels are in {scene.folder}")
         return 0
     with busy(f"deriving the equations of {scene.name}"):
-        from nonsmooth.codegen import generate, scenes  # noqa: PLC0415
+        from nonsmooth.codegen import generate, scenes
 
         fresh = dict(generate.scene_sources(scenes.load(scene.name)))
     folder = generate.FOLDER / scene.folder.name
@@ -97,7 +97,7 @@ def _text(path: Path) -> str | None:
 
 
 def _write(folder: Path, files: dict[str, str]) -> None:
-    from nonsmooth.files.whole import whole  # noqa: PLC0415
+    from nonsmooth.files.whole import whole
 
     try:
         for name, text in files.items():

@@ -7,10 +7,10 @@ import click
 from ..problems import Problem
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 
-def scene_named(text: str) -> "SceneNumbers":
+def scene_named(text: str) -> "LoadedScene":
     """Return a scene by its name or by the path of its file, derived first if it is new.
 
     Raises
@@ -20,9 +20,9 @@ def scene_named(text: str) -> "SceneNumbers":
     Problem
         If its file is not as it must be.
     """
-    from nonsmooth.scene_files.error import SceneFileError  # noqa: PLC0415
-    from nonsmooth.scene_files.find import find_scene  # noqa: PLC0415
-    from nonsmooth.solver.case.registry import UnknownScene  # noqa: PLC0415
+    from nonsmooth.scene_files.error import SceneFileError
+    from nonsmooth.scene_files.find import find_scene
+    from nonsmooth.solver.scenes.loaded import UnknownScene
 
     try:
         return find_scene(text)
@@ -36,6 +36,6 @@ def scene_named(text: str) -> "SceneNumbers":
 
 def known() -> tuple[str, ...]:
     """Return the names of the shipped scenes."""
-    from nonsmooth.solver.case.registry import names  # noqa: PLC0415
+    from nonsmooth.solver.kernels.registry import names
 
     return names()

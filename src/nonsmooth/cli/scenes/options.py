@@ -12,8 +12,8 @@ from ..problems import Problem, Verbose, as_problems
 from .named import known
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import Parameter, SceneNumbers
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
 #: Before the names of a scene's parameters among the arguments of a command.
 PREFIX = "of_scene_"
@@ -22,7 +22,7 @@ PREFIX = "of_scene_"
 class CommandOfScene(click.Command):
     """A command built for a scene."""
 
-    def __init__(self, scene: "SceneNumbers", **options: Any) -> None:
+    def __init__(self, scene: "LoadedScene", **options: Any) -> None:
         super().__init__(**options)
         self.scene = scene
 
@@ -34,7 +34,7 @@ class CommandOfScene(click.Command):
         return [CompletionItem(name) for name in known() if name.startswith(incomplete)] + found
 
 
-def motion_options(scene: "SceneNumbers") -> list[click.Parameter]:
+def motion_options(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options that say which motion of a scene is meant."""
     found: list[click.Parameter] = []
     if scene.motions:
@@ -48,7 +48,7 @@ def motion_options(scene: "SceneNumbers") -> list[click.Parameter]:
 
 
 def command_of(
-    scene: "SceneNumbers", callback: Callable[..., int], options: list[click.Parameter],
+    scene: "LoadedScene", callback: Callable[..., int], options: list[click.Parameter],
     help_: str, epilog: str,
 ) -> click.Command:  # fmt: skip
     """Return a command of a scene: its own options, then ``--case`` and the parameters."""
@@ -67,7 +67,7 @@ def flag(parameter: "Parameter") -> str:
     return f"--{parameter.name.replace('_', '-')}"
 
 
-def _parameter_options(scene: "SceneNumbers") -> list[click.Parameter]:
+def _parameter_options(scene: "LoadedScene") -> list[click.Parameter]:
     table = _tables(scene)[0]
     file = click.Option(
         ["--case"],
@@ -86,11 +86,11 @@ def _help(q: "Parameter") -> str:
     return f"{q.symbol}{unit}: {q.what}; {q.expected}.  [default: {q.default:g}]"
 
 
-def _tables(scene: "SceneNumbers") -> tuple[str, str]:
+def _tables(scene: "LoadedScene") -> tuple[str, str]:
     return scene.name.replace("-", "_"), scene.name
 
 
-def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]) -> "Case":
+def case_from(scene: "LoadedScene", file: Path | None, flags: Mapping[str, Any]) -> "Case":
     """Return the case that the command line describes, of the motion that it names if any.
 
     Without a case file, what no flag gives has its default.
@@ -100,8 +100,8 @@ def case_from(scene: "SceneNumbers", file: Path | None, flags: Mapping[str, Any]
     Problem
         With all mistakes at once.
     """
-    from nonsmooth.kim_perkins import as_in_paper  # noqa: PLC0415
-    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
+    from nonsmooth.kim_perkins import as_in_paper
+    from nonsmooth.solver.scenes.parameter_error import ParameterError
 
     given = {
         name.removeprefix(PREFIX): value

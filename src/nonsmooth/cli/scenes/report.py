@@ -12,8 +12,8 @@ from ..progress import progress
 from .options import case_from, command_of
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 HELP = """Write a page on {name}: what it is, its orbit, and how fast each expansion finds it.
 
@@ -26,7 +26,7 @@ Examples:
 """
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth report`` of a scene, which the user called so."""
     folder = click.Option(
         ["-o", "--output"], type=click.Path(path_type=Path), required=True,
@@ -47,9 +47,9 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
 def run(case: "Case", said: str, output: Path) -> int:
     """Compute and write; the exit status."""
-    from nonsmooth.report.scenes.build import FILES, build, count  # noqa: PLC0415
-    from nonsmooth.solver.flow.exact import exact_orbit  # noqa: PLC0415
-    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
+    from nonsmooth.report.scenes.build import FILES, build, count
+    from nonsmooth.solver.exact import exact_orbit
+    from nonsmooth.solver.no_orbit import NoOrbit
 
     check_folder(output, FILES)
     try:

@@ -11,8 +11,8 @@ from ..progress import busy
 from .options import case_from, command_of
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
     from nonsmooth.solver.simulation.record import Simulation
 
 #: What a motion can be written as.
@@ -57,7 +57,7 @@ def options() -> list[click.Parameter]:
     ]  # fmt: skip
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth simulate`` of a scene, which the user called so."""
 
     def callback(
@@ -92,7 +92,7 @@ def run(
     output: Path | None,
 ) -> int:  # fmt: skip
     """Simulate, show it, write it; the exit status."""
-    from nonsmooth.solver.simulation.simulate import simulate  # noqa: PLC0415
+    from nonsmooth.solver.simulation.simulate import simulate
 
     try:
         with busy(f"simulating {case.scene.name}"):
@@ -104,7 +104,7 @@ def run(
     if json_:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, transient  # noqa: PLC0415
+        from .shown import captions, transient
 
         click.echo(captions.caption(case))
         transient.table(motion)
@@ -116,7 +116,7 @@ def run(
 
 
 def _text(motion: "Simulation") -> str:
-    from nonsmooth.files.scenes import documents  # noqa: PLC0415
+    from nonsmooth.files import documents
 
     return documents.text(motion.case, motion.as_dict(), ())
 
@@ -126,10 +126,11 @@ def _write(output: Path, text: str, motion: "Simulation") -> None:
     if suffix == ".json":
         write_text(output, text)
     elif suffix == ".csv":
-        from nonsmooth.files.scenes.tables import write_simulation  # noqa: PLC0415
+        from nonsmooth.files import csv_rows
 
-        write_whole(output, lambda target: write_simulation(motion, target))
+        rows = csv_rows.of_simulation(motion)
+        write_whole(output, lambda target: csv_rows.write(target, rows))
     else:
-        from nonsmooth.plots.simulations import simulation_figure  # noqa: PLC0415
+        from nonsmooth.plots.simulations import simulation_figure
 
         write_picture(output, lambda: simulation_figure(motion))

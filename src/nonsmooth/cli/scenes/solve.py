@@ -7,16 +7,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..aliases import Aliased, OneOrder, split_methods
-from ..output import DATA, PICTURES, check_target, write_file, write_picture, write_text
+from ..output import DATA, PICTURES, check_target
 from ..values.seconds import parse_seconds
 from .options import case_from, command_of, motion_options
-from .wanted import ORDER, Wanted, exact_near, search
+from .wanted import ORDER, Wanted, exact_near, search, write_orbits
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
-    from nonsmooth.solver.flow.exact import ExactOrbit
-    from nonsmooth.solver.orbit.orbit import Orbit
+    from nonsmooth.solver.results.orbit import Orbit
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
     from nonsmooth.solver.trade.choice import Choice
 
 #: Estimated error of the times above which an orbit is not returned without a word.
@@ -41,7 +40,7 @@ Examples:
 FUNCTIONS = "Functions of hb-ck at each switch.  [default: 1; 2 where x' jumps]"
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth solve`` of a scene, which the user called so."""
     names = method_names(scene)
     options: list[click.Parameter] = [
@@ -78,7 +77,7 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
         )
         found = case_from(scene, case, flags)
         if every:
-            from .every import list_every  # noqa: PLC0415
+            from .every import list_every
 
             return list_every(found, wanted)
         return run(found, wanted)
@@ -90,19 +89,19 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
     return command_of(scene, callback, options, HELP.format(**words), epilog)
 
 
-def method_names(scene: "SceneNumbers") -> list[str]:
+def method_names(scene: "LoadedScene") -> list[str]:
     """Return the methods of a scene as they are shown, in their order."""
-    from nonsmooth.solver.case.methods import in_order  # noqa: PLC0415
-    from nonsmooth.solver.case.names import shown  # noqa: PLC0415
-    from nonsmooth.solver.case.registry import methods  # noqa: PLC0415
+    from nonsmooth.solver.kernels.registry import methods
+    from nonsmooth.solver.scenes.method_names import shown
+    from nonsmooth.solver.scenes.methods import in_order
 
     return [shown(scene, method) for method in in_order(methods(scene))]
 
 
 def run(case: "Case", wanted: Wanted) -> int:
     """Solve as wanted, show it, write it; the exit status."""
-    from nonsmooth.files.scenes import documents  # noqa: PLC0415
-    from nonsmooth.solver.orbit.orbit import Orbit  # noqa: PLC0415
+    from nonsmooth.files import documents
+    from nonsmooth.solver.results.orbit import Orbit
 
     choice, found = search(case, wanted)
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
@@ -116,7 +115,7 @@ def run(case: "Case", wanted: Wanted) -> int:
     if wanted.json:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, tables  # noqa: PLC0415
+        from .shown import captions, tables
 
         click.echo(captions.caption(case))
         tables.solutions(case, exact, found)
@@ -126,7 +125,7 @@ def run(case: "Case", wanted: Wanted) -> int:
         click.echo(f"\n{captions.legend(case.scene)}")
     _warn(orbits if choice is None else [])
     if wanted.output is not None:
-        write(wanted.output, text, orbits, exact)
+        write_orbits(wanted.output, text, orbits, exact)
     return 0 if len(orbits) == len(found) else 1
 
 
@@ -147,18 +146,3 @@ def _warn(orbits: "list[Orbit]") -> None:
         if off > FAR_OFF:
             hint = f"its times are off by {off:.0%} of the period, by the estimate"
             click.echo(f"nonsmooth: {orbit.method}, N = {orbit.order}: {hint}", err=True)
-
-
-def write(output: Path, text: str, orbits: "list[Orbit]", exact: "ExactOrbit | None") -> None:
-    """Write orbits as data or as a picture; a document as its text."""
-    suffix = output.suffix.lower()
-    if suffix == ".json":
-        write_text(output, text)
-    elif not orbits:
-        click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
-    elif suffix in DATA:
-        write_file(output, orbits)
-    else:
-        from nonsmooth.plots.orbits import orbit_figure  # noqa: PLC0415
-
-        write_picture(output, lambda: orbit_figure(orbits, exact))

@@ -7,12 +7,12 @@ import click
 from . import digits
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 WORDS = "it is now `nonsmooth digits`; whether an orbit is stable is said by `solve`"
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth digits`` of a scene, with a word on its name."""
     found = digits.command(scene, said)
     measure: Any = found.callback

@@ -15,8 +15,8 @@ from .options import PREFIX, case_from, command_of, motion_options
 from .solve import FUNCTIONS, method_names
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
     from nonsmooth.solver.sweep import Sweep, SweepRow
 
 #: Orders of a sweep that names none.
@@ -38,7 +38,7 @@ Examples:
 """
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth sweep`` of a scene, which the user called so."""
     names = method_names(scene)
     options: list[click.Parameter] = [
@@ -92,8 +92,8 @@ def run(
     json_: bool, output: Path | None,
 ) -> int:  # fmt: skip
     """Sweep, show it, write it; the exit status."""
-    from nonsmooth.solver.case.names import shown  # noqa: PLC0415
-    from nonsmooth.solver.sweep import sweep_case  # noqa: PLC0415
+    from nonsmooth.solver.scenes.method_names import shown
+    from nonsmooth.solver.sweep import sweep_case
 
     numbers = parse_orders(ORDERS if orders is None else orders)
     with as_problems(plural=True):
@@ -110,7 +110,7 @@ def run(
     if json_:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, tables  # noqa: PLC0415
+        from .shown import captions, tables
 
         click.echo(captions.caption(case))
         tables.convergence(result)
@@ -120,15 +120,15 @@ def run(
     return 0 if all(row.status == "ok" for row in result.rows) else 1
 
 
-def _methods(scene: "SceneNumbers", text: str) -> list[str]:
-    from nonsmooth.solver.case.registry import generic_method  # noqa: PLC0415
+def _methods(scene: "LoadedScene", text: str) -> list[str]:
+    from nonsmooth.solver.kernels.registry import generic_method
 
     names = [generic_method(scene, name) for name in split_methods(text)]
     return list(dict.fromkeys(names))
 
 
 def _text(result: "Sweep") -> str:
-    from nonsmooth.files.scenes import documents  # noqa: PLC0415
+    from nonsmooth.files import documents
 
     return documents.text(result.case, result.as_dict(), result.rates())
 
@@ -140,6 +140,6 @@ def _write(output: Path, text: str, result: "Sweep") -> None:
     elif suffix in DATA:
         write_file(output, result)
     else:
-        from nonsmooth.plots.sweeps import convergence_figure  # noqa: PLC0415
+        from nonsmooth.plots.sweeps import convergence_figure
 
         write_picture(output, lambda: convergence_figure(result))

@@ -11,8 +11,8 @@ from ..progress import progress
 from .options import case_from, command_of
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 HELP = """Measure time against error of the times: each method of {name}, and its exact flow.
 
@@ -29,7 +29,7 @@ LEGEND = """times: largest error of a duration{and_phase}, as a part of T;
 estimate: the same, without the exact orbit; exact: by the flow of each phase."""
 
 
-def command(scene: "SceneNumbers", said: str) -> click.Command:
+def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth tradeoff`` of a scene, which the user called so."""
     options: list[click.Parameter] = [
         click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
@@ -52,9 +52,9 @@ def command(scene: "SceneNumbers", said: str) -> click.Command:
 
 def run(case: "Case", json_: bool, output: Path | None) -> int:
     """Measure, show, write; the exit status."""
-    from nonsmooth.files.scenes import documents  # noqa: PLC0415
-    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.trade.measured import trade, ways  # noqa: PLC0415
+    from nonsmooth.files import documents
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.trade.measured import trade, ways
 
     try:
         with progress(1 + len(ways(case)), "tradeoff") as advance:
@@ -66,7 +66,7 @@ def run(case: "Case", json_: bool, output: Path | None) -> int:
     if json_:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, tables  # noqa: PLC0415
+        from .shown import captions, tables
 
         click.echo(captions.caption(case))
         tables.trade(result)
@@ -75,7 +75,7 @@ def run(case: "Case", json_: bool, output: Path | None) -> int:
     if output is not None and output.suffix.lower() == ".json":
         write_text(output, text)
     elif output is not None:
-        from nonsmooth.plots.trade import trade_figure  # noqa: PLC0415
+        from nonsmooth.plots.trade import trade_figure
 
         write_picture(output, lambda: trade_figure(result))
     return 0

@@ -4,15 +4,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import click
+
 from ..aliases import check_one_method
+from ..output import DATA, write_file, write_picture, write_text
 from ..problems import Problem, as_problems, reasons, say
 from ..progress import busy
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.flow.exact import ExactOrbit
+    from nonsmooth.solver.exact import ExactOrbit
     from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.orbit.orbit import Orbit
+    from nonsmooth.solver.results.orbit import Orbit
+    from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.trade.choice import Choice
 
 #: N without ``--order``.
@@ -47,10 +50,10 @@ def search(case: "Case", wanted: Wanted) -> "tuple[Choice | None, dict[str, Orbi
     Problem
         If something wanted cannot be computed.
     """
-    from nonsmooth.solver.case.methods import in_order  # noqa: PLC0415
-    from nonsmooth.solver.case.registry import generic_method, methods  # noqa: PLC0415
-    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.solve import number_of_functions, with_motion  # noqa: PLC0415
+    from nonsmooth.solver.kernels.registry import generic_method, methods
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.scenes.methods import in_order
+    from nonsmooth.solver.solve import number_of_functions, with_motion
 
     scene = case.scene
     with as_problems():
@@ -81,8 +84,8 @@ def search(case: "Case", wanted: Wanted) -> "tuple[Choice | None, dict[str, Orbi
 def _solve(
     case: "Case", method: str, order: int, functions: int | None, said: set[str]
 ) -> "Orbit | NoOrbit":
-    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.solve import solve_case
 
     try:
         with as_problems(), busy(f"{method}, N = {order}"):
@@ -95,11 +98,11 @@ def _solve(
 def _choose(
     case: "Case", method: str | None, wanted: Wanted
 ) -> "tuple[Choice | None, dict[str, Orbit | NoOrbit]]":
-    from nonsmooth.solver.case.methods import FIRST  # noqa: PLC0415
-    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
-    from nonsmooth.solver.trade.budget import choose_within  # noqa: PLC0415
-    from nonsmooth.solver.trade.choice import NotCertified, TooSlow  # noqa: PLC0415
-    from nonsmooth.solver.trade.tolerance import choose_order  # noqa: PLC0415
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.scenes.methods import FIRST
+    from nonsmooth.solver.trade.budget import choose_within
+    from nonsmooth.solver.trade.choice import NotCertified, TooSlow
+    from nonsmooth.solver.trade.tolerance import choose_order
 
     option = "--budget" if wanted.tol is None else "--tol"
     if wanted.order is not None:
@@ -143,8 +146,8 @@ def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
 
 def exact_near(case: "Case", orbits: "list[Orbit]") -> "ExactOrbit | None":
     """Return the exact orbit next to the orbits, or any if there are none."""
-    from nonsmooth.solver.flow.exact import exact_orbit  # noqa: PLC0415
-    from nonsmooth.solver.no_orbit import NoOrbit  # noqa: PLC0415
+    from nonsmooth.solver.exact import exact_orbit
+    from nonsmooth.solver.no_orbit import NoOrbit
 
     for orbit in orbits:
         if orbit.exact is not None:
@@ -155,3 +158,20 @@ def exact_near(case: "Case", orbits: "list[Orbit]") -> "ExactOrbit | None":
         return exact_orbit(case)
     except NoOrbit:
         return None
+
+
+def write_orbits(
+    output: Path, text: str, orbits: "list[Orbit]", exact: "ExactOrbit | None"
+) -> None:
+    """Write orbits as data or as a picture; a document as its text."""
+    suffix = output.suffix.lower()
+    if suffix == ".json":
+        write_text(output, text)
+    elif not orbits:
+        click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
+    elif suffix in DATA:
+        write_file(output, orbits)
+    else:
+        from nonsmooth.plots.orbits import orbit_figure
+
+        write_picture(output, lambda: orbit_figure(orbits, exact))

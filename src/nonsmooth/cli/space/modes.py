@@ -61,13 +61,13 @@ def modes(json_: bool) -> None:
     STRUCTURE is one of those that are listed without it; 'nonsmooth modes STRUCTURE --help'
     has its parameters.
     """
-    from nonsmooth.solver.space.structure import load  # noqa: PLC0415
+    from nonsmooth.solver.space.structure import load
 
-    from ..scenes.shown.listing import columns  # noqa: PLC0415
+    from ..scenes.shown.listing import columns
 
     structures = [load(name) for name in known()]
     if json_:
-        from nonsmooth.files.json_text import as_json  # noqa: PLC0415
+        from nonsmooth.files.json_text import as_json
 
         listed = [
             {"name": q.name, "class": f"C{q.k}", "what": q.title, "source": q.source}
@@ -133,9 +133,9 @@ def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
     Problem
         If there are none such; with status 1 if no order is within the tolerance.
     """
-    from nonsmooth.solver.space.expansions.methods import METHODS  # noqa: PLC0415
-    from nonsmooth.solver.space.modes import ToleranceNotMet  # noqa: PLC0415
-    from nonsmooth.solver.space.modes import modes as modes_of  # noqa: PLC0415
+    from nonsmooth.solver.space.expansions.methods import METHODS
+    from nonsmooth.solver.space.modes import ToleranceNotMet
+    from nonsmooth.solver.space.modes import modes as modes_of
 
     given = {name: value for name, value in wanted.items() if value is not None}
     methods = METHODS if given.get("method") == ALL else (given.get("method"),)
@@ -160,12 +160,12 @@ def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
 
 def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path | None) -> int:
     """Compute the modes, show them, write them; the exit status."""
-    from nonsmooth.files.space import documents  # noqa: PLC0415
+    from nonsmooth.files import documents
 
-    from . import shown  # noqa: PLC0415
+    from . import shown
 
     found = compute(attached, wanted)
-    text = documents.text(attached.structure, documents.of_modes(found))
+    text = documents.text_of_modes(attached.structure, documents.of_modes(found))
     if json_:
         click.echo(text, nl=False)
     else:
@@ -176,12 +176,10 @@ def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path 
     if output is not None:
         if output.suffix.lower() == ".json":
             write_text(output, text)
-        elif output.suffix.lower() == ".csv":
-            write_whole(output, lambda target: documents.write_modes(found, target))
-        elif output.suffix.lower() == ".nc":
+        elif output.suffix.lower() in DATA:
             write_file(output, found)
         else:
-            from nonsmooth.plots.modes import modes_figure  # noqa: PLC0415
+            from nonsmooth.plots.modes import modes_figure
 
             with as_problems():
                 write_picture(output, lambda: modes_figure(found))
@@ -200,10 +198,10 @@ def run_family(
     output: Path | None,
 ) -> int:  # fmt: skip
     """Compute the modes over a parameter, show them, write them; the exit status."""
-    from nonsmooth.files.space import documents  # noqa: PLC0415
+    from nonsmooth.files import csv_rows, documents
 
-    from . import shown  # noqa: PLC0415
-    from .vary import parse_vary  # noqa: PLC0415
+    from . import shown
+    from .vary import parse_vary
 
     if wanted["method"] == ALL:
         raise Problem("--vary: got --method all with it, expected one method")
@@ -213,9 +211,8 @@ def run_family(
         for value, each in zip(over.labels, over.structures, strict=True):
             found += compute(each, wanted)
             advance(f"{over.name} = {value}")
-    text = documents.text(
-        attached.structure, documents.of_family(over.name, over.values, found)
-    )
+    document = documents.of_varied_modes(over.name, over.values, found)
+    text = documents.text_of_modes(attached.structure, document)
     if json_:
         click.echo(text, nl=False)
     else:
@@ -231,14 +228,12 @@ def run_family(
         if output.suffix.lower() == ".json":
             write_text(output, text)
         elif output.suffix.lower() == ".csv":
-            write_whole(
-                output,
-                lambda target: documents.write_modes(found, target, over.name, over.values),
-            )
+            rows = csv_rows.of_modes(found, over.name, over.values)
+            write_whole(output, lambda target: csv_rows.write(target, rows))
         elif output.suffix.lower() == ".nc":
             write_file(output, found)
         else:
-            from nonsmooth.plots.modes import family_figure  # noqa: PLC0415
+            from nonsmooth.plots.modes import family_figure
 
             write_picture(
                 output, lambda: family_figure(over.name, over.values, found, over.log)

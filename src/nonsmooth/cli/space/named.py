@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def known() -> tuple[str, ...]:
     """Return the names of the structures."""
-    from nonsmooth.solver.space.structure import names  # noqa: PLC0415
+    from nonsmooth.solver.space.structure import names
 
     return names()
 
@@ -35,7 +35,7 @@ def structure_named(name: str) -> "Structure":
     UsageError
         Naming the nearest structure that there is.
     """
-    from nonsmooth.solver.space.structure import UnknownStructure, load  # noqa: PLC0415
+    from nonsmooth.solver.space.structure import UnknownStructure, load
 
     try:
         return load(name)

@@ -98,8 +98,8 @@ def attached_from(
     Problem
         With all mistakes at once.
     """
-    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.space.attached import attach  # noqa: PLC0415
+    from nonsmooth.solver.scenes.parameter_error import ParameterError
+    from nonsmooth.solver.space.attached import attach
 
     given = {
         name.removeprefix(PREFIX): value for name, value in flags.items() if value is not None

@@ -77,8 +77,8 @@ def lines_of(structure: "Structure", methods: str | None, forced: str | None) ->
     Problem
         If one of them is unknown.
     """
-    from nonsmooth.solver.space.convergence import Line  # noqa: PLC0415
-    from nonsmooth.solver.space.expansions.methods import METHODS, check_forced, generic_method  # noqa: PLC0415
+    from nonsmooth.solver.space.convergence import Line
+    from nonsmooth.solver.space.expansions.methods import METHODS, check_forced, generic_method
 
     said = list(METHODS) if methods is None else [part.strip() for part in methods.split(",")]
     with as_problems({"method": "methods"}):
@@ -102,14 +102,14 @@ def run(
     output: Path | None,
 ) -> int:  # fmt: skip
     """Sweep, show it, write it; the exit status."""
-    from nonsmooth.files.space import documents  # noqa: PLC0415
-    from nonsmooth.solver.space.convergence import convergence  # noqa: PLC0415
+    from nonsmooth.files import csv_rows, documents
+    from nonsmooth.solver.space.convergence import convergence
 
-    from . import shown  # noqa: PLC0415
+    from . import shown
 
     with as_problems({"order": "orders"}), progress(len(lines) * len(orders), "sweep") as done:
         study = convergence(attached, lines, orders, mode, done)
-    text = documents.text(attached.structure, study.as_dict())
+    text = documents.text_of_modes(attached.structure, study.as_dict())
     if json_:
         click.echo(text, nl=False)
     else:
@@ -121,9 +121,10 @@ def run(
         if suffix == ".json":
             write_text(output, text)
         elif suffix == ".csv":
-            write_whole(output, lambda target: documents.write_convergence(study, target))
+            rows = csv_rows.of_convergence(study)
+            write_whole(output, lambda target: csv_rows.write(target, rows))
         else:
-            from nonsmooth.plots.modes import convergence_figure  # noqa: PLC0415
+            from nonsmooth.plots.modes import convergence_figure
 
             write_picture(output, lambda: convergence_figure(study))
     if all(row.beta is None for row in study.rows):

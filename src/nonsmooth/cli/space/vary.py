@@ -47,8 +47,8 @@ def parse_vary(text: str, log: bool, attached: "Attached") -> Vary:
     Problem
         If `text` is not of this form, or one of its values cannot be.
     """
-    from nonsmooth.solver.case.parameters import ParameterError  # noqa: PLC0415
-    from nonsmooth.solver.space.attached import attach  # noqa: PLC0415
+    from nonsmooth.solver.scenes.parameter_error import ParameterError
+    from nonsmooth.solver.space.attached import attach
 
     name, _, rest = text.partition("=")
     parts = [part.strip() for part in rest.split(":")]

@@ -29,7 +29,7 @@ class Vary:
 
     def values(self, start: int, end: int) -> "Vector":
         """Return the values from number `start` up to, not including, number `end`."""
-        import numpy as np  # noqa: PLC0415
+        import numpy as np
 
         numbers, steps = np.arange(start, end), self.count - 1
         part = numbers / steps

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
-from nonsmooth.solver.accuracy.quadrature import panels
 from nonsmooth.solver.arrays import Vector
+from nonsmooth.solver.orbit.quadrature import panels
 
 from ..case import MOST, Case
 from ..measures import jump

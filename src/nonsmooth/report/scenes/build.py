@@ -5,8 +5,8 @@ from pathlib import Path
 
 import matplotlib as mpl
 
-from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.flow.exact import ExactOrbit
+from nonsmooth.solver.exact import ExactOrbit
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.style import save
 
 from ..build import SUFFIXES

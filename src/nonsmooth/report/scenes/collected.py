@@ -6,16 +6,16 @@ from functools import cached_property
 
 import numpy as np
 
-from nonsmooth.solver.accuracy.errors import derivative
 from nonsmooth.solver.arrays import Vector
-from nonsmooth.solver.case import registry
-from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.case.methods import FIRST, about, in_order
-from nonsmooth.solver.case.names import shown
-from nonsmooth.solver.flow.exact import ExactOrbit
+from nonsmooth.solver.exact import ExactOrbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.errors import derivative
 from nonsmooth.solver.orbit.motion import Motion
-from nonsmooth.solver.orbit.orbit import Orbit
+from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import FIRST, about, in_order
 from nonsmooth.solver.solve import solve_case
 
 #: Order of the orbits that are drawn beside the exact one; of the series that rings.

@@ -10,10 +10,10 @@ from matplotlib.figure import Figure
 from nonsmooth.plots.axes import LEAST
 from nonsmooth.plots.orbits import draw as draw_motion
 from nonsmooth.plots.orbits import line
-from nonsmooth.solver.accuracy.errors import derivative
 from nonsmooth.solver.arrays import Vector
-from nonsmooth.solver.case.methods import about
+from nonsmooth.solver.orbit.errors import derivative
 from nonsmooth.solver.orbit.motion import Motion
+from nonsmooth.solver.scenes.methods import about
 from nonsmooth.style import EXACT
 
 from .collected import Collected, Way

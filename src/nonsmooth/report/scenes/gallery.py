@@ -7,9 +7,9 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 
 from nonsmooth.scene import find
-from nonsmooth.solver.case.case import Case
-from nonsmooth.solver.case.methods import about
-from nonsmooth.solver.flow.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.methods import about
 from nonsmooth.style import SETTINGS
 
 from .collected import Collected, collect, overshoot

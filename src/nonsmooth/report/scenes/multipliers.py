@@ -3,7 +3,7 @@
 import cmath
 from dataclasses import dataclass
 
-from nonsmooth.solver.flow.exact import ExactOrbit
+from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 from nonsmooth.solver.stability.words import in_words
 

@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from typing import Any
 
-from nonsmooth.cli.scenes.shown.described import document
 from nonsmooth.codegen.printing.html import STYLE
+from nonsmooth.described.scene_document import document
 from nonsmooth.solver.accuracy.rates import rate
-from nonsmooth.solver.case.methods import about
-from nonsmooth.solver.case.registry import mathematics, methods
+from nonsmooth.solver.kernels.registry import mathematics, methods
+from nonsmooth.solver.scenes.methods import about
 
 from ..html import inline, template
 from .collected import Collected, overshoot

@@ -9,7 +9,7 @@ more.  The derivative that jumps falls like its own harmonics, or as slowly as t
 
 import math
 
-from nonsmooth.solver.case.case import Case
+from nonsmooth.solver.scenes.case import Case
 
 
 def rate_of_times(case: Case, functions: int) -> int:

@@ -4,12 +4,12 @@ import textwrap
 from typing import TYPE_CHECKING
 
 from nonsmooth.kim_perkins import CHOICE, SECTION_4, StickSlip
-from nonsmooth.solver.case.names import shown
+from nonsmooth.solver.scenes.method_names import shown
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
-    from nonsmooth.solver.case.numbers import SceneNumbers
     from nonsmooth.solver.family import Family
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 #: Columns of a table and of what stands above it.
 WIDTH = 80
@@ -41,7 +41,7 @@ def caption_of_family(result: "Family") -> str:
 
 def smoother(case: "Case") -> list[str]:
     """Return at which switches the motion is smoother than in general, for these parameters."""
-    from nonsmooth.solver.case.smoothness import HIGHEST, classes  # noqa: PLC0415
+    from nonsmooth.solver.scenes.classes import HIGHEST, classes
 
     scene = case.scene
     if scene.motions:
@@ -65,12 +65,12 @@ def _wrapped(parameters: str) -> list[str]:
     return [line.replace("\0", " ") for line in textwrap.wrap(glued, WIDTH)]
 
 
-def derivative(scene: "SceneNumbers") -> str:
+def derivative(scene: "LoadedScene") -> str:
     """Return the first derivative that jumps somewhere: ``x''`` of a C1 motion."""
     return "x" + "'" * (scene.k + 1)
 
 
-def legend(scene: "SceneNumbers", durations: bool = True) -> str:
+def legend(scene: "LoadedScene", durations: bool = True) -> str:
     """Return what the headings of a table of orbits mean."""
     jumps, forced = derivative(scene), scene.frequency is not None
     phases = ", ".join(scene.phases)

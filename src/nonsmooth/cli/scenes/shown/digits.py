@@ -5,15 +5,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nonsmooth.solver.case.names import shown
-from nonsmooth.solver.precision.digits import EXACT, TARGET
+from nonsmooth.solver.precision.digits import TARGET
+from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import EXACT
 
 from ...columns import print_table, table_of
 from .captions import WIDTH
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.precision.digits import Kept
+    from nonsmooth.solver.scenes.case import Case
 
 #: Marks behind digits, and in their place.
 CONDITIONED, LOST, ABSENT = "c", "!", "-"

@@ -7,16 +7,16 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.case.names import shown
-from nonsmooth.solver.precision.digits import EXACT
+from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import EXACT
 from nonsmooth.style import SETTINGS, save
 
 from .digits import ABSENT, words_of
 from .heat_map import draw_digits
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
     from nonsmooth.solver.precision.digits import Kept
+    from nonsmooth.solver.scenes.case import Case
 
 
 def digits_picture(case: "Case", found: "list[Kept]", target: Path) -> None:

@@ -30,7 +30,7 @@ def scenes(scene: str | None, json_: bool) -> None:
     SCENE is a name of the list, or the path of a scene file. A scene file is Python and is
     run. Its equations are derived when it is first used, and kept.
     """
-    from .described import brief, document  # noqa: PLC0415
+    from ....described.scene_document import brief, document
 
     found: dict[str, Any]
     if scene is None:
@@ -38,7 +38,7 @@ def scenes(scene: str | None, json_: bool) -> None:
     else:
         found = document(scene_named(scene))
     if json_:
-        from nonsmooth.files.json_text import as_json  # noqa: PLC0415
+        from nonsmooth.files.json_text import as_json
 
         click.echo(as_json(found))
     elif scene is None:

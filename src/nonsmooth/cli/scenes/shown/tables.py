@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nonsmooth.solver.case.names import shown
-from nonsmooth.solver.flow.known import is_stable, others
-from nonsmooth.solver.orbit.orbit import Orbit
+from nonsmooth.solver.existence.known import is_stable, others
+from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.stability.words import VERDICTS, in_words
 
 from ...columns import (
@@ -22,12 +22,12 @@ from ...columns import (
 from .captions import WIDTH, derivative
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.case.case import Case
+    from nonsmooth.solver.exact import ExactOrbit
+    from nonsmooth.solver.existence.reasons import WithoutSwitches
     from nonsmooth.solver.family import Family
-    from nonsmooth.solver.flow.exact import ExactOrbit
-    from nonsmooth.solver.flow.existence import WithoutSwitches
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit.motion import Motion
+    from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.sweep import Sweep
     from nonsmooth.solver.trade.measured import Trade
 

@@ -1,0 +1,87 @@
+"""SymPy expressions as the text of Python expressions that keep their digits."""
+
+import hashlib
+import math
+import re
+
+import sympy as sp
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.pycode import PythonCodePrinter
+
+
+def _is_negative(expression: sp.Expr) -> bool:
+    return bool(expression.as_coeff_Mul()[0].is_negative)
+
+
+class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
+    """Print small powers as products, and a fraction as one division.
+
+    With products, plain and compiled code round alike; with ``s/2`` for ``(1/2)*s``, the
+    functions keep the digits of exact numbers, too.
+    """
+
+    def _print_Mul(self, expr: sp.Mul) -> str:
+        numerator, denominator = sp.fraction(expr)
+        if denominator == 1:
+            return str(super()._print_Mul(expr))
+        sign, numerator = ("-", -numerator) if _is_negative(numerator) else ("", numerator)
+        above = self.parenthesize(numerator, PRECEDENCE["Mul"])
+        below = self.parenthesize(denominator, PRECEDENCE["Pow"], strict=False)
+        return f"{sign}{above}/{below}"
+
+    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
+        base, exponent = expr.as_base_exp()
+        if exponent.is_Integer and 2 <= abs(int(exponent)) <= 6:
+            text = self.parenthesize(base, 100)
+            product = "*".join([text] * abs(int(exponent)))
+            return f"({product})" if exponent > 0 else f"1/({product})"
+        return str(super()._print_Pow(expr, rational=rational))
+
+
+class KernelPrinter(NumericPrinter):
+    """Print numbers as floats would be read, and tables as they are indexed."""
+
+    def _print_Indexed(self, expr: sp.Indexed) -> str:
+        indices = ", ".join(str(sp.expand(index)) for index in expr.indices)
+        return f"{expr.base.label}[{indices}]"
+
+    def _print_KroneckerDelta(self, expr: sp.KroneckerDelta) -> str:
+        symbol, value = sorted(expr.args, key=lambda q: not q.is_Symbol)
+        return f"(1.0 if {symbol} == {value} else 0.0)"
+
+    def _print_Exp1(self, expr: sp.Expr) -> str:
+        return "exp(1)"  # e may be a parameter
+
+
+_PRINTER = KernelPrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
+
+
+def python(expression: sp.Expr) -> str:
+    """Return an expression in Python, functions by their names in the module ``math``."""
+    return str(_PRINTER.doprint(sp.sympify(expression)))
+
+
+def floating(expression: sp.Expr) -> str:
+    """Return an expression in Python that is a float, also where it is an integer."""
+    value = sp.sympify(expression)
+    return f"{value}.0" if value.is_Integer else python(value)
+
+
+#: The functions of the module ``math``, and its number.
+_MATH = (
+    "pi",
+    *(name for name in dir(math) if callable(getattr(math, name)) and name[0] != "_"),
+)
+
+
+def math_names(text: str) -> list[str]:
+    """Return what the code in a text uses of the module ``math``."""
+    code = re.sub(r'""".*?"""', "", text, flags=re.DOTALL)
+    used = set(re.findall(r"(?<![\w.])(pi)\b|(?<![\w.])(?<!def )(\w+)\(", code))
+    names = {name for pair in used for name in pair}
+    return sorted(name for name in _MATH if name in names)
+
+
+def digest(text: str) -> str:
+    """Return the SHA-256 of `text`, in hexadecimal."""
+    return hashlib.sha256(text.encode()).hexdigest()

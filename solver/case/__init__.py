@@ -1,1 +1,0 @@
-"""A scene with numbers: its generated modules, checked parameters, units, kernels."""

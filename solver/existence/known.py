@@ -1,0 +1,152 @@
+"""What is known of the exact orbits of a case of one motion: all of them, some, or nothing.
+
+Where a forcing fixes the duration of a cell, the exact equations have solutions that can be
+listed: of one free phase in closed form (see `one_phase`), of two by the roots of one function
+of one duration (see `two_phases`).  If the list is complete, no search is needed to say that
+there is no orbit, and none can find a wrong one.
+"""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from ..flow.exact_system import residual
+from ..iteration.newton import Outcome
+from ..kernels.start import RoughTimes
+from ..orbit.exact_orbit import ExactOrbit, from_times
+from ..scenes.case import Case
+from ..stability.monodromy import NoMultipliersError
+from . import one_phase, two_phases
+
+#: Differences of times, as parts of a cell, below which two solutions are one.
+SAME = 1e-11
+
+#: How far Newton's method may lead from a root, as a part of a cell, to what is the same.
+NEAR = 1e-6
+
+
+@dataclass(frozen=True)
+class Known:
+    """Solutions of the exact equations of a case.
+
+    Parameters
+    ----------
+    orbits : tuple of ExactOrbit
+        Those that are orbits, the stable ones first.
+    refused : tuple of ExactOrbit
+        Those that violate an inequality.
+    complete : bool
+        Whether it is shown that there are no others.
+    infinite : bool
+        Whether there are infinitely many, none isolated.
+    listed : bool
+        Whether they were listed, as far as float64 allows: no blind search finds more.
+    """
+
+    orbits: tuple[ExactOrbit, ...] = ()
+    refused: tuple[ExactOrbit, ...] = ()
+    complete: bool = False
+    infinite: bool = False
+    listed: bool = False
+
+    @property
+    def none(self) -> bool:
+        """Whether it is shown that there is no orbit."""
+        return self.complete and not self.orbits
+
+
+@lru_cache(maxsize=64)
+def known(case: Case) -> Known:
+    """Return what is known of the exact orbits of a case of one motion.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> found = known(registry.load("clearance")())
+    >>> len(found.orbits), len(found.refused), found.complete
+    (1, 1, True)
+    """
+    cell = case.cell
+    if one_phase.applies(cell):
+        closed = one_phase.solutions(cell)
+        infinite = not (closed.none or closed.found)
+        found = [_of_state(case, q) for q in closed.found]
+        return replace(_sorted(found, not infinite), infinite=infinite, listed=True)
+    if not two_phases.applies(cell):
+        return Known()
+    scan = two_phases.solutions(cell)
+    orbits: list[ExactOrbit] = []
+    complete = scan.complete
+    for start in (*scan.found, *scan.doubtful):
+        orbit = from_times(case, RoughTimes(*start, "the scan"))
+        if _apart(orbit, *start) <= NEAR and not any(_same(orbit, q) for q in orbits):
+            orbits.append(orbit)
+        elif start in scan.found:
+            complete = False
+    return replace(_sorted(orbits, complete), listed=True)
+
+
+def known_orbits(case: Case) -> list[ExactOrbit]:
+    """Return the orbits that are known of each motion of a case, the stable ones first."""
+    return stable_first(
+        replace(orbit, case=each) if orbit.case.scene.folder != each.scene.folder else orbit
+        for each in case.each_motion
+        for orbit in known(each).orbits
+    )  # a copy of a scene is equal to it, but for the methods that it has
+
+
+def others(orbit: ExactOrbit) -> list[ExactOrbit]:
+    """Return the orbits of the same oscillator, of any motion, that are known beside one."""
+    return [
+        other
+        for other in known_orbits(orbit.case.whole)
+        if other.case != orbit.case
+        or _apart(other, tuple(orbit.cell_durations), orbit.angle) > NEAR
+    ]
+
+
+def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:
+    """Return orbits in their order, but for the stable ones, which come first."""
+    orbits = list(orbits)
+    return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: is_stable(q) is not True)
+
+
+def is_stable(orbit: ExactOrbit) -> bool | None:
+    """Return whether an orbit is stable; None where that cannot be told."""
+    try:
+        return orbit.stable
+    except NoMultipliersError:
+        return None
+
+
+def _sorted(found: Iterable[ExactOrbit], complete: bool) -> Known:
+    found = list(found)
+    orbits = tuple(stable_first(q for q in found if q.admissible))
+    refused = tuple(q for q in found if not q.admissible)
+    return Known(orbits, refused, complete)
+
+
+def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> float:
+    """Return how far the times of a solution are from others, as a part of the cell."""
+    if not orbit.outcome.converged:
+        return math.inf
+    cell = orbit.case.cell
+    turn = math.remainder(orbit.angle - angle, 2 * math.pi)
+    off = max(abs(turn) / cell.omega, *np.abs(orbit.cell_durations - durations))
+    return float(off / cell.duration)
+
+
+def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
+    return _apart(one, tuple(other.cell_durations), other.angle) <= SAME
+
+
+def _of_state(case: Case, state: tuple[float, float, float]) -> ExactOrbit:
+    """Return a solution in closed form as an orbit, admissible or not."""
+    x, v, angle = state
+    z, R = np.array([x, v, case.cell.duration, angle]), np.empty(4)
+    residual(case.cell, z, R)
+    norm = float(np.abs(R).max())
+    return ExactOrbit(case, Outcome(z, True, 0, 0.0, norm, "converged"))

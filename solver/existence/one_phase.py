@@ -1,0 +1,104 @@
+"""All solutions of the exact equations where something forces and a cell is one free phase.
+
+The duration of the phase is known.  With ``C = cos phi`` and ``S = sin phi`` of the forcing at
+its start the end of the phase is linear in ``u = (x, x', C, S)``, and so are all conditions:
+three rows ``A u = b`` beside ``C^2 + S^2 = 1``.  So there are two solutions, one, none, or,
+where the rows depend on each other, none or infinitely many: no search is needed to say which.
+"""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..flow import flow
+from ..scenes.cell import Cell
+
+#: What is rounding of singular values, and of residuals, as a part of the largest.
+ROUNDING = 1e-11
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """What there is of solutions.
+
+    Parameters
+    ----------
+    found : tuple of (float, float, float)
+        Displacement and velocity where the phase starts, and the phase of the forcing; without
+        units.  Empty if there are infinitely many.
+    dependent : bool
+        Whether the rows depend on each other.
+    none : bool
+        Whether it is shown that there is none.
+    """
+
+    found: tuple[tuple[float, float, float], ...]
+    dependent: bool
+    none: bool
+
+
+def applies(cell: Cell) -> bool:
+    """Whether a cell is one free phase under a forcing, without a memory."""
+    return cell.forced and len(cell.phases) == 1 and not (cell.memory or cell.phases[0].held)
+
+
+def solutions(cell: Cell) -> Solutions:
+    """Return all solutions of the equations of a cell; see `applies`.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> all_of = solutions(registry.load("impact")().cell)
+    >>> [f"{phi % 6.283185307:.6f}" for *_, phi in all_of.found]
+    ['0.929644', '3.734531']
+    """
+    A, b = _rows(cell)
+    sizes = np.abs(A).max(axis=1) + np.abs(b)
+    sizes[sizes == 0] = 1.0
+    A, b = A / sizes[:, None], b / sizes
+    _, singular, directions = np.linalg.svd(A)
+    rank = int(np.sum(singular > ROUNDING))
+    particular = np.linalg.lstsq(A, b, rcond=ROUNDING)[0]
+    if np.abs(A @ particular - b).max() > ROUNDING:
+        return Solutions((), True, True)
+    if rank < len(b):
+        return Solutions((), True, False)
+    return _on_the_circle(particular, directions[-1])
+
+
+def _rows(cell: Cell) -> tuple[Matrix, Vector]:
+    """Return A and b of the conditions: two of continuity, and the event."""
+    (phase,), s, omega = cell.phases, cell.duration, cell.omega
+    free, driven = replace(phase, f=0.0, g=0.0), replace(phase, f=0.0)
+    nothing = np.zeros(2)
+    by_start = flow.end(free, nothing, 0.0, omega, s).by_start
+    by_cos, by_sin = (flow.end(driven, nothing, a, omega, s).state for a in (0.0, math.pi / 2))
+    constant = flow.end(replace(phase, g=0.0), nothing, 0.0, omega, s).state
+    ends = np.column_stack([by_start, by_cos, by_sin])
+    law = cell.sign * np.array([[1.0], [phase.rho]])
+    ex, ev, ec, e0 = phase.event
+    start = np.hstack([np.eye(2), np.zeros((2, 2))])
+    event = np.array([ex, ev]) @ ends
+    event[2:] += ec * np.array([math.cos(omega * s), -math.sin(omega * s)])
+    A = np.vstack([start - law * ends, event])
+    behind = law[:, 0] * constant + cell.sign * np.array([0.0, phase.d])
+    return A, np.append(behind, -(ex * constant[0] + ev * constant[1] + e0))
+
+
+def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
+    """Return where the line of solutions of the rows meets ``C^2 + S^2 = 1``."""
+    p, n = point[2:], direction[2:]
+    a, half, c = float(n @ n), float(p @ n), float(p @ p) - 1.0
+    if a <= ROUNDING**2:
+        return Solutions((), abs(c) <= ROUNDING, abs(c) > ROUNDING)
+    square = half * half - a * c
+    if square < -ROUNDING * (half * half + abs(a * c)):
+        return Solutions((), False, True)
+    root = math.sqrt(max(square, 0.0))
+    large = -(half + math.copysign(root, half))
+    at = (large / a, c / large if large else 0.0)
+    ends = [point + q * direction for q in sorted(at)]
+    found = tuple((float(u[0]), float(u[1]), math.atan2(u[3], u[2])) for u in ends)
+    return Solutions(found, False, False)

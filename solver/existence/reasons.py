@@ -1,0 +1,195 @@
+"""What is said where no orbit is found: that there is none, or what moves instead."""
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from ..flow import flow
+from ..no_orbit import NoOrbit
+from ..scenes.case import Case
+from ..scenes.cell import Form, Phase
+from . import two_phases
+from .known import Known, known
+
+#: Solutions that are told of.
+TOLD = 3
+
+#: How far the ratio of two frequencies may be from a whole number, as a part of it.
+NEAR = 1e-9
+
+
+def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
+    """Return that there is no orbit, where that is shown: see `known`.
+
+    Parameters
+    ----------
+    case : Case
+        Of one motion.
+    tried : iterable of str
+        What searches came to: of that, what simulations settle on is repeated.
+
+    Returns
+    -------
+    NoOrbit or None
+        None where nothing is shown: not all solutions can be listed, or there is an orbit.
+    """
+    found = known(case)
+    if not found.none:
+        return None
+    settled = (why for why in dict.fromkeys(tried) if why.startswith("a simulation"))
+    instead = (*map(str, motions_without_switches(case)), *settled)
+    no_orbit = f"{case.scene.label}: no such orbit exists"
+    if not found.refused:
+        why = _resonance(case, case.cell.phases[0]) if len(case.cell.phases) == 1 else ""
+        return NoOrbit(f"{no_orbit}: {why or _no_solution(case)}", True, instead)
+    count = len(found.refused)
+    which = "this one solution" if count == 1 else f"these {count} solutions"
+    return NoOrbit(
+        f"{no_orbit}: its equations have {which} only", True, (*_refusals(found), *instead)
+    )
+
+
+def _no_solution(case: Case) -> str:
+    """Return in words that the equations of a case have no solution."""
+    words = "its equations have no real solution"
+    if len(case.cell.phases) == 1:
+        return words
+    return f"{words} at any duration of {case.cell.phases[0].name}"
+
+
+def _refusals(found: Known) -> tuple[str, ...]:
+    """Return why each solution is not an orbit."""
+    several = len(found.refused[0].cell_durations) > 1
+    whys = []
+    for orbit in found.refused:
+        name = orbit.case.cell.phases[0].name
+        head = f"{name} {orbit.durations[0]:.4g} s, " if several else ""
+        whys.append(head + "; ".join(orbit.violations))
+    told = [f"solution {i}: {why}" for i, why in enumerate(dict.fromkeys(whys), 1)]
+    more = [f"and {len(told) - TOLD} more"] if len(told) > TOLD else []
+    return (*told[:TOLD], *more)
+
+
+def not_decided(case: Case) -> Iterator[str]:
+    """Yield why the solutions of the exact equations are not all known, where they may be."""
+    found = known(case)
+    if found.infinite:
+        why = _resonance(case, case.cell.phases[0])
+        words = "the equations have infinitely many solutions, none isolated"
+        yield f"{words}{why and f': {why}'}"
+    elif two_phases.applies(case.cell) and not (found.complete or found.orbits):
+        names = [phase.name for phase in two_phases.vanishing(case.cell)]
+        limit = (
+            f"; as {' or '.join(names)} lasts no time they hold to rounding" if names else ""
+        )
+        yield (
+            "a scan of the exact equations found none, and cannot decide whether there is one"
+            f"{limit}"
+        )
+
+
+@dataclass(frozen=True)
+class WithoutSwitches:
+    """A periodic motion that stays in one phase: its response to the forcing.
+
+    Parameters
+    ----------
+    case : Case
+    phase : str
+        Its name.
+    least, largest : float
+        Displacement in m.
+    stable : bool or None
+        Whether small perturbations die out; None where they last.
+    """
+
+    case: Case
+    phase: str
+    least: float
+    largest: float
+    stable: bool | None
+
+    def __str__(self) -> str:
+        size = max(-self.least, self.largest)
+        return (
+            f"the mass can move in {self.phase} for ever, without switches, "
+            f"|x| up to {size:.6g} m"
+        )
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it as JSON has it."""
+        return {
+            "motion": f"{self.phase}, without switches",
+            "period": 2 * math.pi / self.case.values[str(self.case.scene.frequency)],
+            "extremes": {"displacement": [self.least, self.largest]},
+            "stable": self.stable,
+        }
+
+
+def motions_without_switches(case: Case) -> list[WithoutSwitches]:
+    """Return the motions of a case that stay in one phase for ever, of any of its motions."""
+    found = {}
+    for each in case.each_motion:
+        cell = each.cell
+        for phase in cell.phases if cell.forced and not cell.memory else ():
+            if phase.held or not phase.g or phase.name in found:
+                continue
+            ends = _within(each, phase)
+            if ends is not None:
+                least, largest = (end * each.units.length for end in ends)
+                decay = flow.roots(phase)[0].real
+                stable = decay < 0 if decay else None
+                found[phase.name] = WithoutSwitches(each, phase.name, least, largest, stable)
+    return list(found.values())
+
+
+def without_switches(case: Case) -> Iterator[str]:
+    """Yield what a mass does that moves in one phase for ever, where that explains something.
+
+    In resonance its amplitude has no bound; or the response to the forcing stays within what
+    the phase demands, and is itself a periodic motion, one without switches.
+    """
+    for phase in dict.fromkeys(case.cell.phases if case.cell.forced else ()):
+        if phase.g and not phase.held and _order_of_resonance(case, phase) == 1:
+            yield _resonance(case, phase)
+    yield from map(str, motions_without_switches(case))
+
+
+def _order_of_resonance(case: Case, phase: Phase) -> int:
+    """Return n where an undamped phase has n times the frequency of the forcing; else 0."""
+    if phase.c != 0 or phase.k <= 0:
+        return 0
+    ratio = math.sqrt(phase.k / phase.m) / case.cell.omega
+    n = round(ratio)
+    return n if n and abs(ratio - n) <= NEAR * n else 0
+
+
+def _resonance(case: Case, phase: Phase) -> str:
+    """Return in words that a phase is in resonance; empty if it is not."""
+    n = _order_of_resonance(case, phase)
+    if not n:
+        return ""
+    name = str(case.scene.frequency)
+    part = "" if n == 1 else f"1/{n} of "
+    return (
+        f"resonance: {name} = {case.values[name]:.6g} rad/s is {part}the natural frequency of "
+        f"{phase.name}, and nothing damps it"
+    )
+
+
+def _within(case: Case, phase: Phase) -> tuple[float, float] | None:
+    """Return between which places the mass moves in a phase for ever, if its demands allow."""
+    omega = case.cell.omega
+    stiffness = complex(phase.k - phase.m * omega**2, phase.c * omega)
+    if abs(stiffness) == 0 or (phase.k == 0 and phase.f):
+        return None
+    wave, mean = phase.g / stiffness, phase.f / phase.k if phase.k else 0.0
+
+    def least(form: Form) -> float:
+        ex, ev, ec, e0 = form
+        return ex * mean + e0 - abs(ex * wave + ev * 1j * omega * wave + ec)
+
+    if not phase.demands or min(least(form) for _, form in phase.demands) < 0:
+        return None
+    return mean - abs(wave), mean + abs(wave)

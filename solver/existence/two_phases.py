@@ -1,0 +1,236 @@
+"""All solutions of the exact equations where something forces and a cell is two phases.
+
+The cell is as long as the forcing makes it, so one duration s says both.  At given durations
+all conditions are linear in the states, in the memory and in ``C = cos phi`` and
+``S = sin phi``, and there are as many of them.  By Cramer's rule ``C = P/D`` and ``S = Q/D``
+with three determinants, smooth functions of s, and what is left is one equation,
+
+    D(s)^2 = P(s)^2 + Q(s)^2,     0 < s < duration of the cell.
+
+No guess of a duration or of the phase of the forcing is needed, and nothing depends on where an
+iteration leads.  Where all conditions are homogeneous but for the forcing, P and Q
+vanish: then the roots are those of D, and C and S are what the conditions leave free there.
+
+All roots are found if every phase lasts longer than `SHORTEST` of the cell, the determinants
+are resolved by their interpolants, and no two roots of the same sign of D are nearer to each
+other than rounding tells; see `enclosure`.  These hypotheses are checked.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..flow import flow
+from ..flow.divided import of_three, of_two
+from ..scenes.cell import Cell, Phase
+from . import enclosure
+
+#: Shortest duration of a phase that is looked at, as a part of the cell; the length of a piece
+#: over that of its neighbour nearer to the end.
+SHORTEST, LONGER = 1e-10, 3.0
+
+#: Most intervals that are doubtful and tried all the same; halvings of each.
+DOUBTFUL, HALVINGS = 6, 40
+
+#: What is rounding of the equation.
+ROUNDING = 1e-11
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """The durations and the phase of the forcing at each solution.
+
+    Parameters
+    ----------
+    found : tuple of ((float, float), float)
+        Without units, right to a part in 1e-9 and better; Newton's method does the rest.
+    doubtful : tuple of ((float, float), float)
+        Where there may be a solution, or none.
+    complete : bool
+        Whether there are no solutions but those that were found.
+    """
+
+    found: tuple[tuple[tuple[float, float], float], ...]
+    doubtful: tuple[tuple[tuple[float, float], float], ...]
+    complete: bool
+
+
+def applies(cell: Cell) -> bool:
+    """Whether a cell is two phases under a forcing."""
+    return cell.forced and len(cell.phases) == 2
+
+
+def solutions(cell: Cell) -> Solutions:
+    """Return all solutions of the equations of a cell; see `applies`.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> cell = registry.load("elastic-plastic")().cell
+    >>> all_of = solutions(cell)
+    >>> [[f"{s:.6f}" for s in durations] for durations, _ in all_of.found], all_of.complete
+    ([['0.898473', '2.243120']], True)
+    """
+
+    def determinants(s: Matrix) -> Matrix:
+        return _determinants(cell, s)
+
+    with np.errstate(all="ignore"):
+        try:
+            roots = enclosure.roots(determinants, cell.duration * _edges())
+        except (np.linalg.LinAlgError, FloatingPointError):
+            return Solutions((), (), complete=False)
+        found = _starts(cell, roots.places, roots.signs)
+        few = _most_likely(cell, roots.doubtful)[:DOUBTFUL]
+        both = np.repeat(few, 2), np.tile([1.0, -1.0], len(few))
+        doubtful = _starts(cell, *both)
+        return Solutions(found, doubtful, roots.complete)
+
+
+def _most_likely(cell: Cell, intervals: Matrix) -> Vector:
+    """Return one place of each interval, where ``|D| - R`` changes its sign, or the middle.
+
+    The former come first, of them and of the others those of the longest phases.
+    """
+
+    def above(s: Vector) -> Vector:
+        D, P, Q = _determinants(cell, s[:, None])[:, :, 0]
+        return np.asarray(np.abs(D) >= np.hypot(P, Q))
+
+    if not len(intervals):
+        return np.empty(0)
+    low, high = intervals.T
+    begin = above(low)
+    changes = begin != above(high)
+    for _ in range(HALVINGS if changes.any() else 0):
+        middle = (low + high) / 2
+        before = above(middle) == begin
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    places = np.where(changes, (low + high) / 2, intervals.mean(axis=1))
+    shortest = np.minimum(places, cell.duration - places)
+    return np.asarray(places[np.lexsort((-shortest, ~changes))])
+
+
+def vanishing(cell: Cell) -> list[Phase]:
+    """Return the phases that last no time in a limit which satisfies the equations to rounding.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> case = registry.load("dry-friction")(force=0.3).of_motion("two-stops")
+    >>> [phase.name for phase in vanishing(case.cell)]
+    ['slide']
+    """
+    ends = cell.duration * np.array([[SHORTEST], [1 - SHORTEST]])
+    with np.errstate(all="ignore"):
+        D, P, Q = _determinants(cell, ends)[:, :, 0]
+    near = np.abs(np.abs(D) - np.hypot(P, Q)) <= ROUNDING * np.abs(D)
+    return [phase for phase, satisfied in zip(cell.phases, near, strict=True) if satisfied]
+
+
+def _edges() -> Vector:
+    """Return the edges of pieces on [0, 1], shorter towards both ends."""
+    count = math.ceil(math.log(0.5 / SHORTEST, LONGER))
+    half = np.geomspace(SHORTEST, 0.5, count + 1)
+    return np.concatenate([half, 1 - half[-2::-1]])
+
+
+def _determinants(cell: Cell, durations: Matrix) -> Matrix:
+    """Return D, P and Q at durations of the first phase, each of their shape.
+
+    Those of one row of durations have a common factor, by which they are of moderate size.
+    """
+    A, b = (
+        part.reshape(*durations.shape, *part.shape[1:])
+        for part in _rows(cell, durations.ravel())
+    )
+    sizes = np.abs(A).max(axis=(1, 3), keepdims=True)
+    sizes[~(sizes > 0)] = 1.0
+    A, b = A / sizes, b / sizes[..., 0]
+    replaced = np.stack([A, A, A])
+    replaced[1, ..., -2], replaced[2, ..., -1] = b, b
+    if not np.isfinite(replaced).all():
+        raise FloatingPointError("the motion of a phase is beyond float64")
+    return np.asarray(np.linalg.det(replaced))
+
+
+def _starts(
+    cell: Cell, places: Vector, signs: Vector
+) -> tuple[tuple[tuple[float, float], float], ...]:
+    """Return durations and the phase of the forcing at places where ``D = sign R``."""
+    if not len(places):
+        return ()
+    _, P, Q = _determinants(cell, places[:, None])[:, :, 0]
+    nothing = (P == 0) & (Q == 0)
+    if nothing.any():
+        A, _ = _rows(cell, places[nothing])
+        free = np.linalg.svd(A / np.abs(A).max(axis=2, keepdims=True))[2][:, -1]
+        P[nothing], Q[nothing] = free[:, -2], free[:, -1]
+    rest = cell.duration - places
+    return tuple(
+        ((float(s), float(q)), math.atan2(sign * b, sign * a))
+        for s, q, sign, a, b in zip(places, rest, signs, P, Q, strict=True)
+    )
+
+
+def _rows(cell: Cell, durations: Vector) -> tuple[Matrix, Matrix]:
+    """Return A and b of the conditions at each duration.
+
+    Unknowns: two states, the memory, C and S.  Rows: two of continuity and the event of each
+    phase, and what the memory is set to.
+    """
+    more = len(cell.memory)
+    count = 6 + more
+    A, b = np.zeros((len(durations), count, count)), np.zeros((len(durations), count))
+    lasts = (durations, cell.duration - durations)
+    starts = (np.zeros_like(durations), durations)
+    for p, phase in enumerate(cell.phases):
+        s, own, after = lasts[p], slice(2 * p, 2 * p + 2), 1 - p
+        moved, constant, unit, cosine, sine = _end(phase, cell.omega, starts[p], s)
+        ends = np.zeros((len(s), 2, count))  # the state at the end, by the unknowns
+        ends[:, :, own], ends[:, :, -2], ends[:, :, -1] = moved, cosine, sine
+        for i, factor in enumerate(phase.memory):
+            ends[:, :, 4 + i] = factor * unit
+        law = (cell.sign if after == 0 else 1) * np.array([1.0, phase.rho])
+        rows = slice(3 * p, 3 * p + 2)
+        A[:, rows] = -law[:, None] * ends
+        A[:, rows, 2 * after : 2 * after + 2] += np.eye(2)
+        jump = (cell.sign if after == 0 else 1) * phase.d
+        b[:, rows] = law * constant + np.array([0.0, jump])
+        ex, ev, ec, e0, *factors = phase.event
+        angle = cell.omega * (starts[p] + s)
+        row = 3 * p + 2
+        A[:, row] = ex * ends[:, 0] + ev * ends[:, 1]
+        A[:, row, -2] += ec * np.cos(angle)
+        A[:, row, -1] -= ec * np.sin(angle)
+        A[:, row, 4 : 4 + more] += np.array(factors)
+        b[:, row] = -(ex * constant[:, 0] + ev * constant[:, 1] + e0)
+    for i, memory in enumerate(cell.memory):
+        vx, vv, vc, v0 = memory.value
+        angle = cell.omega * starts[memory.phase]
+        A[:, 6 + i, 4 + i] = 1.0
+        A[:, 6 + i, 2 * memory.phase], A[:, 6 + i, 2 * memory.phase + 1] = -vx, -vv
+        A[:, 6 + i, -2], A[:, 6 + i, -1] = -vc * np.cos(angle), vc * np.sin(angle)
+        b[:, 6 + i] = v0
+    return A, b
+
+
+def _end(phase: Phase, omega: float, begin: Vector, s: Vector) -> tuple[Matrix, ...]:
+    """Return the end of a phase: by its start, constant, by a unit force, by C and by S."""
+    zero = np.zeros_like(s)
+    if phase.held:
+        one, speed = np.ones_like(s), np.full_like(s, phase.speed)
+        moved = np.moveaxis(np.array([[one, zero], [zero, zero]]), 2, 0)
+        constant, none = np.array([phase.speed * s, speed]).T, np.array([zero, zero]).T
+        return moved, constant, none, none, none
+    small, large = flow.roots(phase)
+    impulse = of_two(small, large, s)
+    of_x, of_v = np.exp(small * s) - small * impulse, np.exp(large * s) + small * impulse
+    moved = np.array([[of_x, impulse], [-phase.k / phase.m * impulse, of_v]]).real
+    unit = np.array([of_three(small, large, 0j, s), impulse]).real.T / phase.m
+    wave = of_three(small, large, 1j * omega, s)
+    turn = phase.g / phase.m * np.exp(1j * omega * begin)
+    forced = turn * np.array([wave, 1j * omega * wave + impulse])
+    return np.moveaxis(moved, 2, 0), phase.f * unit, unit, forced.real.T, -forced.imag.T

@@ -1,0 +1,170 @@
+"""Find a scene's folder of generated modules, by the scene's name or by its path."""
+
+import hashlib
+import importlib
+import types
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..scenes.loaded import SCENE, LoadedScene, UnknownScene, not_known
+from ..scenes.method_names import generic, with_class_one, without_class
+
+if TYPE_CHECKING:
+    from .kernel import Kernel
+
+_GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
+
+
+def names() -> tuple[str, ...]:
+    """Return the names of the shipped scenes: the folders of ``generated/`` that hold one."""
+    folders = importlib.import_module(_GENERATED).__path__
+    found = (path for folder in folders for path in Path(folder).glob(f"*/{SCENE}.py"))
+    return tuple(sorted({path.parent.name.replace("_", "-") for path in found}))
+
+
+def load(name: str) -> LoadedScene:
+    """Return a shipped scene.
+
+    Parameters
+    ----------
+    name : str
+        As `names` has it; with underscores for dashes as well.
+
+    Raises
+    ------
+    UnknownScene
+        If there is no such scene.
+    """
+    known = names()
+    wanted = name.replace("_", "-") if isinstance(name, str) else ""
+    if wanted not in known:
+        raise UnknownScene(not_known("scene", name, known))
+    module = importlib.import_module(f"{_GENERATED}.{wanted.replace('-', '_')}.{SCENE}")
+    return LoadedScene(module, _folder(module))
+
+
+def methods(scene: LoadedScene) -> tuple[str, ...]:
+    """Return the methods that have a kernel for a scene."""
+    return tuple(sorted({method for method, _ in scene.files}))
+
+
+def functions(scene: LoadedScene, method: str) -> tuple[int, ...]:
+    """Return how many functions beside the harmonics a method may have; empty if it has none.
+
+    One kernel a number: ``<method>_<number>.py``.
+    """
+    found = (number for name, number in scene.files if name == method)
+    return tuple(sorted(number for number in found if number is not None))
+
+
+def generic_method(scene: LoadedScene, method: object) -> str:
+    """Return the generic name of a method: ``ck-tau`` where the class is in it (``c0-tau``).
+
+    Where the scene is smoother, ``c1-tau`` is a method of its own: see `class_one`.
+
+    Raises
+    ------
+    UnknownScene
+        If the scene has no kernel of it.
+    """
+    known = methods(scene)
+    wanted = generic(scene, method) if isinstance(method, str) else ""
+    base = without_class(wanted)
+    if wanted not in known and not (base in known and class_one(scene, base) == wanted):
+        raise UnknownScene(not_known("method", method, known))
+    return wanted
+
+
+def class_one(scene: LoadedScene, method: str) -> str | None:
+    """Return the name of a method with functions of class C^1 in place of smoother ones.
+
+    None where it has no such conditions of its own, or the scene is not smoother.
+    """
+    from .kernel import once_continuous  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    if scene.k < 2 or (method, None) not in scene.files:
+        return None
+    if once_continuous(scene.kernel_module(method, None)) is None:
+        return None
+    return with_class_one(method)
+
+
+def kernel(
+    scene: LoadedScene, method: str, number: int | None = None, *, compile_it: bool = False
+) -> "Kernel":
+    """Return the kernel of a method for a scene, as plain Python or compiled by numba.
+
+    Parameters
+    ----------
+    scene, method : LoadedScene, str
+        See `generic_method`.
+    number : int, optional
+        Functions beside the harmonics, of a method that has them; see `functions`.
+    compile_it : bool
+        Whether numba is to compile it.
+
+    Raises
+    ------
+    UnknownScene
+        If the scene has no kernel of it.
+    """
+    from .kernel import compiled, plain  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    found = _module(scene, method, number)
+    once = _once(scene, method, found)
+    return once or (compiled(found) if compile_it else plain(found))
+
+
+def quicker_kernel(
+    scene: LoadedScene, method: str, number: int | None = None, order: int = 0
+) -> "Kernel":
+    """Return the kernel in the form, plain or compiled, that is the better one by now.
+
+    The same as `kernel`, which see; `order` is that for which it is wanted.
+    """
+    from .kernel import quicker  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    found = _module(scene, method, number)
+    return _once(scene, method, found) or quicker(found, order)
+
+
+def _once(scene: LoadedScene, method: str, module: types.ModuleType) -> "Kernel | None":
+    """Return the kernel of class C^1 if that is the method; else None."""
+    from .kernel import once_continuous  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    name = generic_method(scene, method)
+    return None if name in methods(scene) else once_continuous(module)
+
+
+def _module(scene: LoadedScene, method: str, number: int | None) -> types.ModuleType:
+    """Return the generated module of a method.
+
+    Raises
+    ------
+    UnknownScene
+        If the scene has none.
+    """
+    name = without_class(generic_method(scene, method))
+    if (name, number) not in scene.files:
+        known = ", ".join(map(str, functions(scene, name))) or "none"
+        raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
+    return scene.kernel_module(name, number)
+
+
+def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
+    """Return a hash of a scene and the conditions of these methods: 16 hexadecimal digits.
+
+    The title of a scene, the defaults of its parameters and other words are not part of it.
+    """
+    wanted = {without_class(generic_method(scene, method)) for method in chosen}
+    texts = [scene.module.MATHEMATICS]
+    for motion in scene.each_motion:
+        texts.append(motion.module.MATHEMATICS)
+        by_path = sorted((path, key) for key, path in motion.files.items() if key[0] in wanted)
+        texts += [motion.kernel_module(*key).MATHEMATICS for _, key in by_path]
+    return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
+
+
+def _folder(module: types.ModuleType) -> Path:
+    return Path(str(module.__file__)).parent

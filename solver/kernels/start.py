@@ -1,0 +1,92 @@
+"""First iterates: rough times, and the coefficients that fit them best.
+
+All conditions are linear in the coefficients, so at frozen times they are a linear system, with
+more equations than unknowns; its rows are scaled and it is solved by least squares.  That never
+needs a flow, and the square part of it may be singular.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Vector
+from ..scenes.cell import Cell
+from .kernel import Kernel
+
+#: Phases of the forcing from which a blind search starts.
+ANGLES = 12
+
+#: Starts that are tried where exact orbits can be listed, and their times have led nowhere.
+PATIENCE = 6
+
+#: Duration of one phase, as a part of the others', where equal ones have led nowhere.
+UNEQUAL = ((1.5, "long"), (0.2, "short"))
+
+
+@dataclass(frozen=True)
+class RoughTimes:
+    """Times of a cell from which an iteration may start, and where they come from."""
+
+    durations: tuple[float, ...]
+    angle: float
+    words: str
+
+
+def rough_times(cell: Cell) -> Iterator[RoughTimes]:
+    """Yield rough times: the scene's own guess, equal durations, then one long or short.
+
+    Where nothing forces, an equal duration is ``pi``, half a period of the oscillator in its
+    unit of time; where something does, the cell's is known, and the phase of the forcing is
+    tried all around.
+    """
+    for durations, words in _splits(cell):
+        if cell.forced:
+            total = sum(durations)
+            scaled = tuple(cell.duration / total * s for s in durations)
+            for j in range(ANGLES):
+                angle = 2 * math.pi * j / ANGLES
+                yield RoughTimes(scaled, angle, f"{words}, forcing phase {angle:.3g} rad")
+        else:
+            yield RoughTimes(durations, 0.0, words)
+
+
+def _splits(cell: Cell) -> Iterator[tuple[tuple[float, ...], str]]:
+    if cell.guess:
+        yield cell.guess, "the scene's guess of the durations"
+    count = len(cell.phases)
+    equal = (math.pi,) * count
+    yield equal, "equal durations"
+    for part, word in UNEQUAL if count > 1 or not cell.forced else ():
+        for p, phase in enumerate(cell.phases):
+            durations = (*equal[:p], part * math.pi, *equal[p + 1 :])
+            yield durations, f"a {word} phase {phase.name}"
+
+
+def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Vector:
+    """Return the unknowns of a kernel: the coefficients of best fit, and the given times.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        Whose conditions are linear in the coefficients.
+    case : object
+        What its residual takes.
+    size : int
+        Number of unknowns.
+    times : ndarray
+        Durations, and the phase of the forcing if the kernel is forced.
+    """
+    count = size - len(times)
+    z = np.concatenate([np.zeros(count), times])
+    R, J = np.empty(size), np.empty((size, size))
+    kernel.residual(case, z, R)
+    kernel.jacobian(case, z, J)
+    A = J[:, :count]
+    rows = np.abs(A).max(axis=1)
+    rows[rows == 0] = 1.0
+    if np.isfinite(A).all() and np.isfinite(R).all():
+        z[:count] = np.linalg.lstsq(A / rows[:, None], -R / rows)[0]
+    return z

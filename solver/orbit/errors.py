@@ -1,0 +1,127 @@
+"""The difference of two motions of a case: in period, times, and the first jumping derivative.
+
+Against the exact orbit it is the error; against a better orbit the estimate of one.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Vector
+from . import chebyshev
+from .motion import Motion
+from .quadrature import panels
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Errors of an orbit.
+
+    Parameters
+    ----------
+    period : float
+        ``T/T_exact - 1``, signed; of a forced motion, rounding.
+    times : float
+        The largest error of a duration, and of the phase of the forcing over its angular
+        frequency, as a part of the period.
+    discontinuous : float
+        Relative L2 error of the first derivative that jumps somewhere, ``x^(k+1)`` for a
+        motion of class C^k, with each phase mapped onto the exact one, so that jumps coincide.
+    """
+
+    period: float
+    times: float
+    discontinuous: float
+
+
+def difference(found: Motion, reference: Motion, waves: int) -> Errors:
+    """Return the errors of one motion against another of the same case.
+
+    Parameters
+    ----------
+    found, reference : Motion
+        The two.
+    waves : int
+        Most waves of either on a phase, for quadrature.
+    """
+    cell = found.case.cell
+    here, there = found.cell_durations, reference.cell_durations
+    total = float(np.sum(there))
+    times = float(np.abs(here - there).max())
+    if cell.forced:
+        turn = math.remainder(found.angle - reference.angle, 2 * math.pi)
+        times = max(times, abs(turn) / cell.omega)
+    return Errors(
+        period=float(np.sum(here - there)) / total,
+        times=times / (total * cell.cells),
+        discontinuous=_ofderivative(found, reference, waves),
+    )
+
+
+def _ofderivative(found: Motion, reference: Motion, waves: int) -> float:
+    u, weights = panels([], max(waves, 2))
+    order = found.case.cell.k + 1
+    apart = size = 0.0
+    for p, s in enumerate(reference.cell_durations):
+        expected = derivative(reference, p, u, order)
+        off = derivative(found, p, u, order) - expected
+        apart += float(s * (weights @ off**2))
+        size += float(s * (weights @ expected**2))
+    return math.sqrt(apart / size) if size else math.sqrt(apart)
+
+
+def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
+    """Return a derivative by time of any order on a phase, without units.
+
+    Parameters
+    ----------
+    motion : Motion
+    p : int
+        The phase of the cell.
+    u : ndarray
+        Local times in [0, 1].
+    order : int
+        Of the derivative; of orders above 2 by interpolation of the acceleration.
+    """
+    if order <= 2:
+        return motion.part(p, u, order)
+    parts = chebyshev.pieces(lambda w: motion.part(p, w, 2))
+    duration = float(motion.cell_durations[p])
+    further = order - 2
+    return chebyshev.derivative_at(parts, u, further) / duration**further
+
+
+def acceleration_error(found: Motion, reference: Motion, waves: int) -> float:
+    """Return (22) of the paper: the relative L2 difference over normalised time.
+
+    Parameters
+    ----------
+    found, reference : Motion
+        The two, whose accelerations are compared.
+    waves : int
+        Most waves of either on a period, for quadrature.
+    """
+    breaks = [
+        float(end) for each in (found, reference) for end in _ends(each)[1:-1] / _ends(each)[-1]
+    ]
+    theta, weights = panels(breaks, max(waves, 2))
+    expected = _at(reference, theta)
+    apart = _at(found, theta) - expected
+    return math.sqrt(float(weights @ apart**2) / float(weights @ expected**2))
+
+
+def _ends(motion: Motion) -> Vector:
+    ends: Vector = np.append(0.0, np.cumsum(motion.cell_durations))
+    return ends
+
+
+def _at(motion: Motion, theta: Vector) -> Vector:
+    """Return the acceleration at parts of the period, without units."""
+    ends = _ends(motion)
+    t = theta * ends[-1]
+    values = np.empty(len(t))
+    for p, s in enumerate(motion.cell_durations):
+        here = (t >= ends[p]) & (t < ends[p + 1])
+        values[here] = motion.part(p, (t[here] - ends[p]) / s, 2)
+    return values

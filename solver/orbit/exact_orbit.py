@@ -1,0 +1,103 @@
+"""The exact motion of a case, made of the closed-form flow of its phases."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..arrays import Vector
+from ..flow.exact_system import exact_kernel
+from ..iteration.newton import Outcome, newton
+from ..kernels.kernel import Kernel
+from ..kernels.start import RoughTimes, with_coefficients
+from ..scenes.case import Case
+from ..stability.words import in_words
+from . import admissible
+from .motion import Motion
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ExactOrbit(Motion):
+    """The exact periodic orbit of a case, from the closed-form flow of its phases.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    outcome : Outcome
+        States and times without units, and how Newton's method found them.
+    """
+
+    case: Case
+    outcome: Outcome
+
+    @cached_property
+    def _kernel(self) -> Kernel:
+        return exact_kernel(self.case.cell)
+
+    @property
+    def cell_durations(self) -> Vector:
+        """Durations of the phases of the cell, without units."""
+        return self._kernel.split(self.outcome.unknowns)[0]
+
+    @property
+    def times(self) -> Vector:
+        """Durations and, if something forces, the phase of the forcing; without units."""
+        return self._kernel.times(self.outcome.unknowns)
+
+    @property
+    def angle(self) -> float:
+        """Phase of the forcing at the first switch."""
+        return self._kernel.split(self.outcome.unknowns)[1]
+
+    @property
+    def memory_values(self) -> tuple[float, ...]:
+        """What the switches of the cell set, without units."""
+        count = len(self.case.cell.phases)
+        found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
+        return tuple(map(float, found))
+
+    def _part(self, p: int, u: Vector, derivative: int) -> Vector:
+        """Return a derivative of the displacement on phase `p` of the cell, without units."""
+        return self._kernel.motion(self.case.cell, self.outcome.unknowns, p, u, derivative)
+
+    @cached_property
+    def violations(self) -> tuple[str, ...]:
+        """What keeps the solution from being an orbit, in words."""
+        return admissible.violations(self)
+
+    @property
+    def admissible(self) -> bool:
+        """Whether the solution is an orbit: nothing in `violations`."""
+        return not self.violations
+
+    @property
+    def label(self) -> str:
+        """What a legend calls it."""
+        return "exact"
+
+    @property
+    def look(self) -> None:
+        """Of its curves in pictures: None, those of every exact orbit."""
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """What a notebook shows."""
+        found = super().facts
+        head = {name: found.pop(name) for name in ("scene", "parameters")}
+        return head | {"orbit": "exact"} | found | {"stability": in_words(self)}
+
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        return self.case, self.outcome.unknowns.tobytes()
+
+    def __repr__(self) -> str:
+        return f"<exact orbit of {self.case.scene.label}: {self._times}>"
+
+
+def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
+    """Return where Newton's method leads from rough times: an orbit only if it says so."""
+    kernel = exact_kernel(case.cell)
+    times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
+    z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
+    return case.presented(ExactOrbit(case, newton(kernel.iterate, case.cell, z)))

@@ -1,0 +1,53 @@
+"""How results show themselves in a notebook: a small table, and a picture of it as SVG."""
+
+import io
+from collections.abc import Callable, Mapping
+from html import escape
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .showing import Shown
+
+#: Inches of a picture beside a table.
+SIZE = (3.6, 2.7)
+
+#: Rows of a long result that are shown at its beginning and at its end.
+MOST = 24
+
+
+def facts(rows: Mapping[str, str]) -> str:
+    """Return names and texts as a small table in HTML; what is empty is left out."""
+    cells = (
+        f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>"
+        for name, text in rows.items()
+        if text
+    )
+    return f"<table>{''.join(cells)}</table>"
+
+
+def svg(draw: Callable[[Any], Any]) -> str:
+    """Return what a function draws on axes as SVG; nothing where matplotlib is missing."""
+    if find_spec("matplotlib") is None:
+        return ""
+    from ...plots.axes import on_axes  # noqa: PLC0415  (an extra)
+
+    target = io.StringIO()
+    on_axes(draw, SIZE, target)
+    text = target.getvalue()
+    return text[text.index("<svg") :]
+
+
+def of_motion(motion: "Shown") -> str:
+    """Return a motion as a small table and its phase portrait."""
+    return facts(motion.facts) + svg(motion.plot)
+
+
+def of_rows(head: str, text: str, draw: Callable[[Any], Any]) -> str:
+    """Return a result of many rows: a line, its rows as text, and its picture."""
+    lines = text.splitlines()
+    if len(lines) > 2 * MOST + 2:
+        left_out = f"... {len(lines) - 2 * MOST - 1} more"
+        lines = [*lines[: MOST + 1], left_out, *lines[-MOST:]]
+    rows = escape("\n".join(lines))
+    return f"<p>{escape(head)}</p><pre>{rows}</pre>{svg(draw)}"

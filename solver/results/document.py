@@ -1,0 +1,139 @@
+"""An orbit of a scene as the document that programs read, in SI units."""
+
+import math
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+from ..scenes.classes import classes
+from ..stability import words as stability
+
+if TYPE_CHECKING:
+    from ..exact import ExactOrbit
+    from ..no_orbit import NoOrbit
+    from ..scenes.case import Case
+    from ..scenes.cell import Phase
+    from .orbit import Orbit
+
+#: Of the document's keys and their meaning.
+SCHEMA = 1
+
+
+def document(orbit: "Orbit") -> dict[str, Any]:
+    """Return an orbit as a document of JSON: numbers, text, lists; None for what is unknown."""
+    exact, errors = orbit.exact, orbit.errors
+    content = {
+        "schema": SCHEMA,
+        "scene": orbit.case.scene.name,
+        "class": orbit.smoothness,
+        "classes": [f"C{k}" for k in classes(orbit.case.cell)],
+        "motion": orbit.case.scene.motion,
+        "cycles": orbit.case.cycles,
+        "method": orbit.case.called(orbit.method),
+        "order": orbit.order,
+        "functions": orbit.functions,
+        "parameters": dict(orbit.case.values),
+        "converged": orbit.converged,
+        "iterations": orbit.iterations,
+        "residual_norm": orbit.residual_norm,
+        "phases": [
+            {
+                "name": phase.name,
+                "duration": phase.duration,
+                "start": {"displacement": phase.displacement, "velocity": phase.velocity},
+            }
+            for phase in orbit.phases
+        ],
+        **orbit.further,
+        "period": orbit.period,
+        "forcing_phase": orbit.forcing_phase,
+        "memory": orbit.memory,
+        "extremes": {name: list(ends) for name, ends in orbit.extremes.items()},
+        "coefficients": orbit.coefficients,
+        "admissible": orbit.admissible,
+        "violations": list(orbit.violations),
+        "exact": _of_exact(exact),
+        "errors": asdict(errors) if errors else without_errors(),
+        "estimate": asdict(orbit.estimate),
+        **stability.document(orbit),
+        "others": [_of_other(other) for other in orbit.others],
+        "outcome": vars(orbit.outcome) | {"unknowns": orbit.unknowns.tolist()},
+    }
+    return {name: _finite(value) for name, value in content.items()}
+
+
+def document_without_orbit(
+    case: "Case", method: str, order: int | None, functions: int | None, finding: "NoOrbit",
+    exact: "ExactOrbit | None",
+) -> dict[str, Any]:  # fmt: skip
+    """Return the document of an orbit that is not there: the same keys, and its status."""
+    ends = dict.fromkeys(("displacement", "velocity"))
+    content = {
+        "schema": SCHEMA,
+        "scene": case.scene.name,
+        "class": f"C{case.scene.k}",
+        "classes": [] if case.scene.motions else [f"C{k}" for k in classes(case.cell)],
+        "motion": case.scene.motion,
+        "cycles": case.cycles,
+        "method": case.called(method),
+        "order": order,
+        "functions": functions,
+        "parameters": dict(case.values),
+        "converged": False,
+        "iterations": finding.iterations,
+        "residual_norm": None,
+        "phases": [
+            {"name": phase.name, "duration": None, "start": dict(ends)}
+            for phase in _phases(case)
+        ],
+        "period": None,
+        "forcing_phase": None,
+        "memory": {},
+        "extremes": dict(ends),
+        "coefficients": None,
+        "admissible": False,
+        "violations": [str(finding)],
+        "exact": _of_exact(exact),
+        "errors": without_errors(),
+        "estimate": without_errors(),
+        **stability.without_multipliers(),
+        "others": [],
+        "outcome": None,
+        "status": finding.status,
+    }
+    content = case.completed(content, exact)
+    return {name: _finite(value) for name, value in content.items()}
+
+
+def _phases(case: "Case") -> "tuple[Phase, ...]":
+    """Return the phases of a period; none, where several motions are possible."""
+    return () if case.scene.motions else case.cell.phases * case.cell.cells
+
+
+def without_errors() -> dict[str, None]:
+    """Return the errors of an orbit that is not there."""
+    return dict.fromkeys(("period", "times", "discontinuous"))
+
+
+def _of_exact(exact: "ExactOrbit | None") -> dict[str, Any]:
+    return {
+        "period": exact and exact.period,
+        "forcing_phase": exact and exact.forcing_phase,
+        "durations": exact and list(exact.durations),
+    }
+
+
+def _of_other(exact: "ExactOrbit") -> dict[str, Any]:
+    """Return what is said of an orbit that exists beside another."""
+    motion = {"motion": exact.case.scene.motion}
+    return motion | _of_exact(exact) | stability.document(exact)
+
+
+def _finite(value: Any) -> Any:
+    """Return a document with None for what is infinite or not a number."""
+    if isinstance(value, dict):
+        return {name: _finite(part) for name, part in value.items()}
+    if isinstance(value, list):
+        return [_finite(part) for part in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

@@ -1,0 +1,226 @@
+"""A scene with numbers: checked parameters, units, and what is left without units."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+
+from .cell import Cell, cell_of
+from .dimensionless import Units, UnitsError, units_of
+from .parameter_error import ParameterError, is_number
+
+if TYPE_CHECKING:
+    from ..exact import ExactOrbit
+    from ..no_orbit import NoOrbit
+    from .loaded import LoadedScene
+
+# A periodic motion of a case.
+_Motion = TypeVar("_Motion")
+
+#: Most periods of the forcing in one of the motion: more are beyond the orders of kernels.
+MOST_CYCLES = 100
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Case:
+    """A scene and a value for each of its parameters.
+
+    Parameters
+    ----------
+    scene : LoadedScene
+        The scene.
+    values : mapping of str to float
+        Parameters by name, in SI units; what is missing has its default.
+    cycles : int
+        How many periods of the forcing the period of the motion is.
+
+    Raises
+    ------
+    ParameterError
+        A `ValueError`: everything that is wrong with the parameters, a line each.
+    """
+
+    scene: "LoadedScene"
+    values: Mapping[str, Any]
+    cycles: int = 1
+
+    #: Names of times of its orbits, in s, and of errors of them, that those of others lack.
+    own_numbers: ClassVar[tuple[str, ...]] = ()
+    own_errors: ClassVar[tuple[str, ...]] = ()
+
+    def __post_init__(self) -> None:
+        checked, errors = _checked(self.scene, self.values)
+        errors += _wrong_cycles(self.scene, self.cycles)
+        if not errors:
+            errors = _unmet(self.scene, checked)
+        if errors:
+            raise ParameterError(errors)
+        object.__setattr__(self, "values", MappingProxyType(checked))
+        try:
+            units, numbers = units_of(self.scene, tuple(checked.values()))
+        except UnitsError as error:
+            raise ParameterError([f"parameters: {error}"]) from None
+        object.__setattr__(self, "_units", units)
+        object.__setattr__(self, "_numbers", numbers)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Case) and self._identity == other._identity
+
+    def __hash__(self) -> int:
+        return hash(self._identity)
+
+    def __repr__(self) -> str:
+        words = ", ".join(f"{name}={value!r}" for name, value in self.values.items())
+        cycles = f", cycles={self.cycles}" if self.cycles != 1 else ""
+        return f"<case of {self.scene.label}: {words}{cycles}>"
+
+    def __reduce__(self) -> tuple[object, tuple[object, ...]]:
+        return Case, (self.scene, dict(self.values), self.cycles)
+
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        return self.scene, self.cycles, *self.values.values()
+
+    def with_cycles(self, cycles: int) -> "Case":
+        """Return the case of a motion whose period is so many periods of the forcing."""
+        return Case(self.scene, self.values, cycles)
+
+    def of_motion(self, name: object) -> "Case":
+        """Return the case of one of the motions of the scene.
+
+        Raises
+        ------
+        UnknownScene
+            A `ValueError`: if the scene has no motion of this name.
+        """
+        return Case(self.scene.of_motion(name), self.values, self.cycles)
+
+    @property
+    def whole(self) -> "Case":
+        """The case of all motions of the scene; itself if it has only one."""
+        if self.scene.motion is None:
+            return self
+        return Case(self.scene.whole, self.values, self.cycles)
+
+    @property
+    def each_motion(self) -> "tuple[Case, ...]":
+        """The case of each motion of the scene; itself if there is one."""
+        if not self.scene.motions:
+            return (self,)
+        return tuple(Case(q, self.values, self.cycles) for q in self.scene.each_motion)
+
+    def with_value(self, name: str, value: Any) -> "Case":
+        """Return the case with another value of a parameter."""
+        return Case(self.scene, dict(self.values) | {name: value}, self.cycles)
+
+    def called(self, method: str) -> str:
+        """Return what documents of this case call a method: its generic name."""
+        return method
+
+    def presented(self, motion: _Motion) -> _Motion:
+        """Return an orbit of this case, exact or not, as users see it: as it is."""
+        return motion
+
+    def completed(self, document: dict[str, Any], exact: "ExactOrbit | None") -> dict[str, Any]:
+        """Return the document of an orbit that is not there with all keys of one that is."""
+        errors = dict.fromkeys(self.own_errors) | document["errors"]
+        return document | dict.fromkeys(self.own_numbers) | {"errors": errors}
+
+    def none(self, method: str, order: int, tried: Sequence[str]) -> "NoOrbit | None":
+        """Return that a method has no orbit at an order, where that can be shown: nowhere."""
+        return None
+
+    @property
+    def units(self) -> Units:
+        """The units of mass, time and length in which its numbers are of moderate size."""
+        units: Units = self.__dict__["_units"]
+        return units
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """The parameters in these units, in order."""
+        numbers: tuple[float, ...] = self.__dict__["_numbers"]
+        return numbers
+
+    @property
+    def arguments(self) -> tuple[float, ...]:
+        """What kernels call a case: `numbers` and, if something forces, the cycles."""
+        forced = self.scene.frequency is not None
+        return (*self.numbers, self.cycles) if forced else self.numbers
+
+    @cached_property
+    def cell(self) -> Cell:
+        """The equations of its cell, in these units.
+
+        Raises
+        ------
+        ValueError
+            If the scene has several motions: each has a cell of its own.
+        """
+        if self.scene.motions:
+            known = ", ".join(self.scene.motions)
+            raise ValueError(f"motion: got none, expected one of {known}")
+        return cell_of(self.scene, self.numbers, self.cycles)
+
+    @property
+    def description(self) -> str:
+        """The parameters in one line, by their symbols, for captions."""
+        parts = (
+            f"{parameter.symbol} = {value:.4g} {parameter.unit}".rstrip()
+            for parameter, value in zip(
+                self.scene.parameters, self.values.values(), strict=True
+            )
+        )
+        text = ", ".join(parts)
+        return text if self.cycles == 1 else f"{text}; {self.cycles} cycles of the forcing"
+
+
+def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
+    """Return what is wrong with the number of periods of the forcing."""
+    whole = isinstance(cycles, int) and not isinstance(cycles, bool)
+    if not (whole and 1 <= cycles <= MOST_CYCLES):  # type: ignore[operator]
+        expected = f"a whole number from 1 to {MOST_CYCLES}"
+    elif scene.frequency is None and cycles != 1:
+        expected = f"1: nothing forces {scene.name}"
+    elif scene.module.HALF_PERIOD and cycles % 2 == 0:  # type: ignore[operator]
+        expected = f"an odd number: x(t + T/2) = -x(t) in {scene.name}"
+    else:
+        return []
+    return [f"cycles: got {cycles!r}, expected {expected}"]
+
+
+def _checked(
+    scene: "LoadedScene", given: Mapping[str, object]
+) -> tuple[dict[str, float], list[str]]:
+    """Return the parameters in order, and what is wrong with those that are given."""
+    names = tuple(parameter.name for parameter in scene.parameters)
+    errors = []
+    for name in given:
+        if name not in names:
+            close = get_close_matches(str(name), names, 1)
+            hint = f"did you mean {close[0]}?" if close else f"expected {', '.join(names)}"
+            errors.append(f"{name}: not a parameter of {scene.name}; {hint}")
+    checked = {}
+    for parameter in scene.parameters:
+        value = given.get(parameter.name, parameter.default)
+        if is_number(value) and parameter.allows(float(value)):  # type: ignore[arg-type]
+            checked[parameter.name] = float(value)  # type: ignore[arg-type]
+        else:
+            errors.append(f"{parameter.name}: got {value!r}, expected {parameter.expected}")
+    return checked, errors
+
+
+def _unmet(scene: "LoadedScene", values: Mapping[str, float]) -> list[str]:
+    """Return which of the scene's own conditions on its parameters are not met."""
+    found = scene.numbers("requires", tuple(values.values()))
+    symbols = {parameter.symbol: parameter.name for parameter in scene.parameters}
+    errors = []
+    for words, value in zip(scene.module.REQUIRES, found, strict=True):
+        if not value >= 0:
+            named = [symbols.get(word, word) for word in words.replace(",", " ").split()]
+            numbers = [f"{name} = {values[name]!r}" for name in named if name in values]
+            got = " and ".join(numbers) or f"{value:.6g} for what must not be negative"
+            errors.append(f"parameters: got {got}, expected that {words}")
+    return errors

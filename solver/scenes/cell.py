@@ -1,0 +1,243 @@
+"""The equations of one cell, in dimensionless numbers: what every other module reads."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from operator import mul
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .loaded import LoadedScene
+
+#: A linear form in the state: factors of x, x', of the cosine of the forcing, and a constant;
+#: where there is a memory, a factor of each of its values besides.
+Form = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Phase:
+    """One phase: ``m x'' + c x' + k x = f + g cos(Omega t + phi)``, or ``x' = speed``.
+
+    Parameters
+    ----------
+    name : str
+        Of the scene.
+    m, c, k, f, g : float
+        Of the equation of motion.
+    held : bool
+        Whether a constraint holds the velocity, at `speed`.
+    event : Form
+        Vanishes at the end of the phase, where the velocity is that before the switch.
+    rho, d : float
+        Velocity after the switch at its end: ``rho x' + d``.
+    demands : tuple of (str, Form)
+        What must not be negative in the phase, with its words.
+    switch_demands : tuple of (str, Form)
+        What must not be negative where it ends, before the switch.
+    memory : tuple of float
+        Factors of the values of the memory on the right side of the equation of motion.
+    """
+
+    name: str
+    m: float
+    c: float
+    k: float
+    f: float
+    g: float
+    held: bool
+    speed: float
+    event: Form
+    rho: float
+    d: float
+    demands: tuple[tuple[str, Form], ...]
+    switch_demands: tuple[tuple[str, Form], ...] = ()
+    memory: tuple[float, ...] = ()
+
+    def remembering(self, values: Sequence[float]) -> "Phase":
+        """Return the phase with numbers for the memory: its force, and forms without entries.
+
+        Examples
+        --------
+        >>> phase = Phase("p", 1, 0, 1, 2, 0, False, 0, (1, 0, 0, 3, 5), 1, 0, (), (), (4,))
+        >>> phase.remembering([10]).f, phase.remembering([10]).event
+        (42, (1, 0, 0, 53))
+        """
+        if not self.memory:
+            return self
+
+        def put(form: Form) -> Form:
+            x, v, cos, constant, *factors = form
+            return x, v, cos, constant + sum(map(mul, factors, values))
+
+        def all_of(demands: tuple[tuple[str, Form], ...]) -> tuple[tuple[str, Form], ...]:
+            return tuple((words, put(form)) for words, form in demands)
+
+        return replace(
+            self,
+            f=self.f + sum(map(mul, self.memory, values)),
+            event=put(self.event),
+            demands=all_of(self.demands),
+            switch_demands=all_of(self.switch_demands),
+            memory=(),
+        )
+
+
+@dataclass(frozen=True)
+class Memory:
+    """A constant that a switch sets.
+
+    Parameters
+    ----------
+    name : str
+    phase : int
+        Whose beginning sets it.
+    power : int
+        Its unit is a length over a time to this power.
+    value : Form
+        What it is set to, of the state there after the switch.
+    """
+
+    name: str
+    phase: int
+    power: int
+    value: Form
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A period, or half of one of which the other half is the mirror image.
+
+    Parameters
+    ----------
+    phases : tuple of Phase
+        In order.
+    frequency : float or None
+        Angular frequency of the forcing.
+    sign : {1, -1}
+        What the next cell is multiplied by: -1 where ``x(t + T/2) = -x(t)``.
+    k : int
+        Class of the motion.
+    guess : tuple of float
+        Rough durations, if the scene has them.
+    cycles : int
+        Periods of the forcing in a period.
+    memory : tuple of Memory
+        What switches set.
+    """
+
+    phases: tuple[Phase, ...]
+    frequency: float | None
+    sign: int
+    k: int
+    guess: tuple[float, ...]
+    cycles: int = 1
+    memory: tuple[Memory, ...] = ()
+
+    def remembering(self, values: Sequence[float]) -> "Cell":
+        """Return the cell with numbers for the memory: one without a memory."""
+        if not self.memory:
+            return self
+        phases = tuple(phase.remembering(values) for phase in self.phases)
+        return replace(self, phases=phases, memory=())
+
+    def carrying(self, p: int) -> Phase:
+        """Return a phase whose factors of the memory are for its values as a motion has them.
+
+        Before the switch that sets a value, a phase has that of the cell before: mirrored,
+        where cells are, which `phases` already says in its factors.
+        """
+        phase = self.phases[p]
+        signs = [self.sign if p < each.phase else 1 for each in self.memory]
+
+        def put(form: Form) -> Form:
+            return (*form[:4], *map(mul, form[4:], signs))
+
+        def all_of(demands: tuple[tuple[str, Form], ...]) -> tuple[tuple[str, Form], ...]:
+            return tuple((words, put(form)) for words, form in demands)
+
+        return replace(
+            phase,
+            event=put(phase.event),
+            demands=all_of(phase.demands),
+            switch_demands=all_of(phase.switch_demands),
+            memory=tuple(map(mul, phase.memory, signs)),
+        )
+
+    def place(self, p: int) -> float | None:
+        """Return the displacement at which a phase is held; None where it is not at one alone.
+
+        It is where the phase is at rest, and the phase before it ends at a displacement.
+        """
+        ex, ev, ec, constant, *memory = self.phases[p - 1].event
+        phase, sign = self.phases[p], self.sign if p == 0 else 1
+        alone = ex != 0 and not (ev or ec or any(memory))
+        return -sign * constant / ex if alone and phase.held and phase.speed == 0 else None
+
+    @property
+    def forced(self) -> bool:
+        """Whether the phase of a forcing is unknown, and the duration of the cell known."""
+        return self.frequency is not None
+
+    @property
+    def cells(self) -> int:
+        """Cells in a period."""
+        return 1 if self.sign > 0 else 2
+
+    @property
+    def omega(self) -> float:
+        """Angular frequency of the forcing; 0 if there is none."""
+        return 0.0 if self.frequency is None else self.frequency
+
+    @property
+    def duration(self) -> float:
+        """Duration of the cell, if the forcing makes it known."""
+        if self.frequency is None:
+            raise ValueError("the duration of a cell without forcing is unknown")
+        return self.cycles * 2 * math.pi / self.frequency / self.cells
+
+
+def cell_of(scene: "LoadedScene", numbers: tuple[float, ...], cycles: int = 1) -> Cell:
+    """Return the cell of a scene of one motion for dimensionless parameters."""
+    module = scene.module
+    rows = zip(
+        module.PHASES,
+        scene.numbers("coefficients", numbers),
+        scene.numbers("held", numbers),
+        scene.numbers("events", numbers),
+        scene.numbers("jumps", numbers),
+        module.DEMANDS,
+        scene.numbers("demands", numbers),
+        module.SWITCH_DEMANDS,
+        scene.numbers("switch_demands", numbers),
+        strict=True,
+    )
+    phases = tuple(
+        Phase(
+            name,
+            **dict(zip("mckfg", map(float, equation), strict=False)),
+            held=held,
+            speed=float(speed),
+            event=_form(event),
+            rho=float(jump[0]),
+            d=float(jump[1]),
+            demands=tuple(zip(words, map(_form, demands), strict=True)),
+            switch_demands=tuple(zip(at_switch, map(_form, switch_demands), strict=True)),
+            memory=tuple(map(float, equation[5:])),
+        )
+        for (name, held), equation, speed, event, jump, words, demands, at_switch,
+        switch_demands in rows
+    )  # fmt: skip
+    names = [parameter.name for parameter in scene.parameters]
+    frequency = None if scene.frequency is None else numbers[names.index(scene.frequency)]
+    guess = tuple(map(float, scene.numbers("guess", numbers)))
+    values = scene.numbers("memory", numbers)
+    memory = tuple(
+        Memory(name, phase, power, _form(value))
+        for (name, phase, power, _), value in zip(module.MEMORY, values, strict=True)
+    )
+    sign = -1 if module.HALF_PERIOD else 1
+    return Cell(phases, frequency, sign, scene.k, guess, cycles, memory)
+
+
+def _form(row: tuple[float, ...]) -> Form:
+    return tuple(map(float, row))

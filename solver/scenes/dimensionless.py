@@ -1,0 +1,83 @@
+"""Units in which the parameters of a case are numbers of moderate size."""
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..scaling import product_of_powers
+
+if TYPE_CHECKING:
+    from .loaded import LoadedScene
+
+
+class UnitsError(ValueError):
+    """A unit, or a parameter in it, is beyond float64."""
+
+
+@dataclass(frozen=True)
+class Units:
+    """Units of a case in SI: kg, s, m."""
+
+    mass: float
+    time: float
+    length: float
+
+    def of_motion(self, derivative: int) -> float:
+        """Return the unit of a derivative of the displacement by time."""
+        return product_of_powers(self.length, (self.time, -derivative))
+
+
+#: Powers of mass, length and time in a parameter's unit.
+Powers = tuple[float, float, float]
+
+
+def units_of(
+    scene: "LoadedScene", values: tuple[float, ...]
+) -> tuple[Units, tuple[float, ...]]:
+    """Return the units of a case, and its parameters in them.
+
+    The scene's formulas for its units may pass beyond float64 on the way, so they are
+    evaluated in units of powers of 4 in which the parameters are near 1: whole powers of these
+    and their roots change no digit.
+
+    Raises
+    ------
+    UnitsError
+        Naming the unit or the parameter, and its value.
+    """
+    rough = _powers_of_four(scene.powers, values)
+    near = tuple(map(lambda v, p: _in_units(v, p, rough), values, scene.powers))
+    try:
+        mass, time, length = map(float, scene.numbers("scales", near))
+    except (ZeroDivisionError, OverflowError, ValueError) as error:
+        raise UnitsError(f"their units are beyond float64 ({error})") from None
+    units = Units(mass * rough[0], time * rough[2], length * rough[1])
+    for name, value in vars(units).items():
+        if not (math.isfinite(value) and value >= np.finfo(float).tiny):
+            raise UnitsError(f"their unit of {name} is {value!r}, beyond float64")
+    numbers = tuple(map(lambda v, p: _in_units(v, p, (mass, length, time)), near, scene.powers))
+    for parameter, number in zip(scene.parameters, numbers, strict=True):
+        if not math.isfinite(number):
+            raise UnitsError(f"{parameter.name} in their units is {number!r}, beyond float64")
+    return units, numbers
+
+
+def _powers_of_four(powers: tuple[Powers, ...], values: tuple[float, ...]) -> Powers:
+    """Return units of mass, length and time, powers of 4, that bring values nearest to 1."""
+    known = [(p, math.log2(abs(v))) for p, v in zip(powers, values, strict=True) if v]
+    rows = np.array([p for p, _ in known], dtype=float).reshape(-1, 3)
+    exponents, *_ = np.linalg.lstsq(rows, np.array([size for _, size in known]))
+    mass, length, time = (2.0 ** float(np.clip(2 * round(e / 2), -500, 500)) for e in exponents)
+    return mass, length, time
+
+
+def _in_units(value: float, powers: Powers, units: Powers) -> float:
+    """Return a value divided by the powers of mass, length and time in its unit."""
+    whole = [math.floor(power) for power in powers]
+    factors = [(unit, -power) for unit, power in zip(units, whole, strict=True)]
+    for unit, power, below in zip(units, powers, whole, strict=True):
+        if power != below:  # between 0 and 1: no overflow
+            factors.append((unit ** (power - below), -1))
+    return product_of_powers(value, *factors)

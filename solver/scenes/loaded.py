@@ -1,0 +1,257 @@
+"""A generated scene as an object: what it is, and the parameters that make it a case."""
+
+import types
+from collections.abc import Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import sealed
+from .modules import module_of
+from .sealed import Kept
+
+if TYPE_CHECKING:
+    from .case import Case
+
+
+#: The module of a folder that holds the scene itself; any other module is a method's.
+SCENE = "scene"
+
+
+class UnknownScene(ValueError):  # noqa: N818  (named like the other errors of the package)
+    """There is no scene, or no method of a scene, of the name that was given."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of a scene.
+
+    Parameters
+    ----------
+    name, symbol, unit, what : str
+        What flags call it, what equations call it, its SI unit, what it is.
+    default : float
+        In SI units.
+    bound : {"positive", "nonnegative", ""}
+        What its sign must be.
+    most : float or None
+        The largest value allowed.
+    """
+
+    name: str
+    symbol: str
+    unit: str
+    default: float
+    what: str
+    bound: str
+    most: float | None
+
+    @property
+    def expected(self) -> str:
+        """What a value must be, in words."""
+        words = {"positive": "a positive number", "nonnegative": "a number not below 0"}
+        low = words.get(self.bound, "a finite number")
+        return low if self.most is None else f"{low}, at most {self.most:g}"
+
+    def allows(self, value: float) -> bool:
+        """Whether a finite value is within the bounds."""
+        low = value > 0 if self.bound == "positive" else self.bound == "" or value >= 0
+        return low and (self.most is None or value <= self.most)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LoadedScene:
+    """A scene in numbers: its generated module ``scene.py``, and the folder of its kernels.
+
+    Calling it makes a case: ``scene(mass=2.0)``; what is not given has its default.  A scene
+    of several motions has a folder for each, which is a scene of one motion.
+
+    Parameters
+    ----------
+    module : module
+        The generated module.
+    folder : Path
+        Where the modules of the methods lie.
+    kept : mapping of str to bytes, optional
+        What was read of it, and is used in place of the files; see `sealed`.
+    """
+
+    module: types.ModuleType
+    folder: Path
+    kept: Kept | None = None
+
+    def __call__(self, *, cycles: int = 1, **values: object) -> "Case":
+        """Return the case of these parameters, in SI units.
+
+        `cycles` is how many periods of the forcing the period of the motion is.
+
+        Raises
+        ------
+        ParameterError
+            Naming everything that is wrong with them.
+        """
+        from .case import Case  # noqa: PLC0415  (NumPy: a list of scenes needs none)
+
+        return Case(self, values, cycles)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, LoadedScene) and self._identity == other._identity
+
+    def __hash__(self) -> int:
+        return hash(self._identity)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return load_folder, (str(self.folder),)
+
+    def __repr__(self) -> str:
+        return f"<scene {self.label}: {self.title} (C{self.k})>"
+
+    @property
+    def _identity(self) -> tuple[str, str]:
+        return self.name, self.module.BODY
+
+    @property
+    def name(self) -> str:
+        """What users call it."""
+        return str(self.module.NAME)
+
+    @property
+    def motions(self) -> tuple[str, ...]:
+        """The names of its motions, orders of phases, where there are several."""
+        return tuple(self.module.MOTIONS)
+
+    @property
+    def motion(self) -> str | None:
+        """Which of several motions it is, if it is one of them."""
+        name: str | None = self.module.MOTION
+        return name
+
+    @property
+    def label(self) -> str:
+        """Its name, and that of the motion where there are several."""
+        return f"{self.name}, {self.motion}" if self.motion else self.name
+
+    @property
+    def title(self) -> str:
+        """What it is."""
+        return str(self.module.TITLE)
+
+    @property
+    def k(self) -> int:
+        """Class C^k of its motion: the least over its switches, of any of its motions."""
+        return int(self.module.CLASS)
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Its parameters, in order."""
+        return tuple(Parameter(*row) for row in self.module.PARAMETERS)
+
+    @property
+    def powers(self) -> tuple[tuple[float, float, float], ...]:
+        """Powers of mass, length and time in the unit of each parameter."""
+        return tuple(self.module.POWERS)
+
+    @property
+    def phases(self) -> tuple[str, ...]:
+        """The names of the phases of its cell; of several motions, of any of them."""
+        if not self.motions:
+            return tuple(name for name, _ in self.module.PHASES)
+        found = (name for motion in self.each_motion for name in motion.phases)
+        return tuple(dict.fromkeys(found))
+
+    @property
+    def each_motion(self) -> "tuple[LoadedScene, ...]":
+        """Its motions, each as a scene; itself if there is one."""
+        return tuple(map(self.of_motion, self.motions)) or (self,)
+
+    def of_motion(self, name: object) -> "LoadedScene":
+        """Return the scene with one of its motions alone.
+
+        Raises
+        ------
+        UnknownScene
+            If it has no motion of this name; a scene of one motion has none.
+        """
+        if self.motion is not None and name == self.motion:
+            return self
+        wanted = name.replace("_", "-") if isinstance(name, str) else name
+        known = {motion.replace("_", "-"): motion for motion in self.motions}
+        if not self.motions:
+            raise UnknownScene(f"motion: got {name!r}, but {self.label} has only one")
+        if wanted not in known:
+            raise UnknownScene(not_known("motion", name, self.motions))
+        folder = known[str(wanted)].replace("-", "_")
+        kept = None if self.kept is None else sealed.below(self.kept, folder)
+        return load_folder(self.folder / folder, kept)
+
+    @property
+    def whole(self) -> "LoadedScene":
+        """The scene with all its motions; itself if it has only one."""
+        return self if self.motion is None else load_folder(self.folder.parent)
+
+    @cached_property
+    def files(self) -> dict[tuple[str, int | None], Path]:
+        """The modules of its methods, by method and number of functions; looked for once."""
+        if self.motions:
+            return self.each_motion[0].files  # those of the others are the same
+        found: dict[tuple[str, int | None], Path] = {}
+        there = self.folder.glob("*.py") if self.kept is None else map(Path, self.kept)
+        for path in there:
+            parts = path.stem.split("_")
+            number = int(parts.pop()) if parts[-1].isdecimal() else None
+            if path.suffix == ".py" and path.stem not in (SCENE, "__init__"):
+                found["-".join(parts), number] = self.folder / path
+        return found
+
+    @cached_property
+    def _kernels(self) -> dict[tuple[str, int | None], types.ModuleType]:
+        return {}
+
+    def kernel_module(self, method: str, number: int | None) -> types.ModuleType:
+        """Return the module of a method, loaded once."""
+        key = method, number
+        if key not in self._kernels:
+            self._kernels[key] = module_of(self.files[key], self.kept)
+        return self._kernels[key]
+
+    @property
+    def frequency(self) -> str | None:
+        """The parameter that is the angular frequency of the forcing, if it is forced."""
+        name: str | None = self.module.FREQUENCY
+        return name
+
+    def numbers(self, function: str, values: Sequence[float]) -> Any:
+        """Return what a function of the module says of parameters, in order."""
+        return getattr(self.module, function)(*values)
+
+
+def load_folder(folder: str | Path, kept: Kept | None = None) -> LoadedScene:
+    """Return the scene whose generated modules lie in `folder`, anywhere.
+
+    Parameters
+    ----------
+    folder : str or Path
+    kept : mapping of str to bytes, optional
+        What was read of it; without it, a folder that is sealed is read and checked here.
+
+    Raises
+    ------
+    UnknownScene
+        If there is no ``scene.py`` in it.
+    Damaged, NotPrivate
+        See `sealed.read`.
+    """
+    path = Path(folder).resolve() / f"{SCENE}.py"
+    found = sealed.read_any(path.parent) if kept is None else kept
+    if not (path.is_file() if found is None else path.name in found):
+        raise UnknownScene(f"scene: no {SCENE}.py in {str(folder)!r}")
+    return LoadedScene(module_of(path, found), path.parent, found)
+
+
+def not_known(what: str, found: object, known: tuple[str, ...]) -> str:
+    """Return that there is nothing of a name, and what may be meant."""
+    close = get_close_matches(found, known, 1) if isinstance(found, str) else []
+    hint = f"; did you mean {close[0]}?" if close else ""
+    return f"{what}: got {found!r}, expected one of {', '.join(known) or '(none)'}{hint}"

@@ -1,0 +1,62 @@
+"""What is known of a method beside its kernel: its title, how it converges, how it is drawn."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from ...generated.methods import FIRST, METHODS
+from .method_names import without_class
+
+__all__ = ["EXACT", "FIRST", "About", "about", "in_order"]
+
+#: What the way by the exact flow is called where methods are.
+EXACT = "exact"
+
+
+@dataclass(frozen=True)
+class About:
+    """What the file of an expansion says of it.
+
+    Parameters
+    ----------
+    title : str
+        What it is.
+    power : bool
+        Whether its errors fall as a power of the order; else by a factor with each order.
+    look : dict
+        Of its curve in pictures: colour, marker, line.
+    """
+
+    title: str
+    power: bool
+    look: dict[str, Any]
+
+
+def about(method: str) -> About:
+    """Return what is known of a method by its generic name; little of one without a record.
+
+    Examples
+    --------
+    >>> about(FIRST).power, about("another").title
+    (False, 'another')
+    """
+    unknown = {"title": method, "power": False}
+    facts: dict[str, Any] = dict(METHODS.get(without_class(method), unknown))
+    title, power = facts.pop("title"), facts.pop("power")
+    look = {"color": "0.5", "marker": "x", "linestyle": "--"} | facts
+    if not look.pop("filled", True):
+        look["markerfacecolor"] = "white"
+    return About(title, power, look)
+
+
+def in_order(methods: Iterable[str]) -> tuple[str, ...]:
+    """Return methods in the order in which they are told; one without a record comes last.
+
+    Examples
+    --------
+    >>> in_order(["another", *reversed(METHODS)]) == (*METHODS, "another")
+    True
+    """
+    known = [*METHODS]
+    place = {method: i for i, method in enumerate(known)}
+    return tuple(sorted(methods, key=lambda m: (place.get(without_class(m), len(known)), m)))

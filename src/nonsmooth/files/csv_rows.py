@@ -1,0 +1,117 @@
+"""CSV, for other programs: rows of results and of studies, motions over time."""
+
+import csv
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.solver.scenes.method_names import shown
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.family import Family
+    from nonsmooth.solver.results.orbit import Orbit
+    from nonsmooth.solver.simulation.record import Simulation
+    from nonsmooth.solver.space.convergence import Convergence
+    from nonsmooth.solver.space.modes import Modes
+    from nonsmooth.solver.sweep import Sweep
+
+#: Columns of a motion; behind them, of each row of modes, stand the parameters.
+MOTION = ("t", "displacement", "velocity", "acceleration")
+MODES = (
+    "method", "order", "forced", "unknowns", "number", "frequency", "beta", "eigenvalue",
+    "exact_beta", "error", "low", "high", "jump_mismatch", "node", "structure", "position",
+    "strength",
+)  # fmt: skip
+
+
+def write(target: Path, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Write rows of the same columns below a line with their names."""
+    with target.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(rows[0] if rows else ())
+        writer.writerows(row.values() for row in rows)
+
+
+def of_orbits(orbits: "Sequence[Orbit]") -> list[dict[str, Any]]:
+    """Return the motion of each orbit over a period: s, m, m/s, m/s**2."""
+    return [
+        {"method": shown(orbit.case.scene, orbit.method)} | {name: row[name] for name in MOTION}
+        for orbit in orbits
+        for row in orbit.table().rows()
+    ]
+
+
+def of_simulation(motion: "Simulation") -> list[dict[str, Any]]:
+    """Return a simulated motion, each phase from its start to its end."""
+    return [
+        {"phase": phase.name} | dict(zip(MOTION, row, strict=True))
+        for phase, samples in zip(motion.phases, motion.samples(), strict=True)
+        for row in zip(*samples, strict=True)
+    ]
+
+
+def of_sweep(result: "Sweep") -> list[dict[str, Any]]:
+    """Return the rows of a sweep, each with the scene and its parameters behind it."""
+    case, found = result.case, []
+    constants = {"scene": case.scene.name, "motion": case.scene.motion, "cycles": case.cycles}
+    for row in result.dictionaries():
+        values = _flat(row)
+        durations = values.pop("durations")
+        found.append(values | {"durations": durations} | constants | dict(case.values))
+    return found
+
+
+def of_family(result: "Family") -> list[dict[str, Any]]:
+    """Return a row a value, with the scene and its other parameters behind it."""
+    constants: dict[str, Any] = {"scene": result.case.scene.name, "method": result.method}
+    constants |= {"order": result.order, "functions": result.functions}
+    constants |= {n: value for n, value in result.case.values.items() if n != result.parameter}
+    found = []
+    for row in result.rows:
+        values = row.as_dict()
+        values[result.parameter] = values.pop("value")
+        found.append(_flat(values) | constants)
+    return found
+
+
+def of_modes(
+    found: "Sequence[Modes]", vary: str = "", values: Sequence[float] = ()
+) -> list[dict[str, Any]]:
+    """Return a row a mode, with the structure and its parameters behind it.
+
+    First stands the value of what is varied.
+    """
+    names = [*MODES, *found[0].attached.values]
+    names = [name for name in names if name != vary.replace("-", "_")]
+    return [
+        ({vary: values[place]} if vary else {}) | {name: row[name] for name in names}
+        for place, expansion in enumerate(found)
+        for row in expansion.table().rows()
+    ]
+
+
+def of_convergence(study: "Convergence") -> list[dict[str, Any]]:
+    """Return the rows of a study: an expansion and order each."""
+    return [asdict(row) for row in study.rows]
+
+
+#: The rows of results of each kind.
+ROWS: Mapping[str, Callable[[Sequence[Any]], list[dict[str, Any]]]] = {
+    "orbits": of_orbits,
+    "sweep": lambda several: of_sweep(several[0]),
+    "family": lambda several: of_family(several[0]),
+    "modes": of_modes,
+}
+
+
+def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a row with durations in one cell, and numbers that have names behind the rest."""
+    found = {name: value for name, value in row.items() if not isinstance(value, Mapping)}
+    found["durations"] = " ".join(map(repr, row["durations"] or ()))
+    for key, ends in row.get("extremes", {}).items():
+        found[f"least_{key}"], found[f"largest_{key}"] = ends or (None, None)
+    for name in ("errors", "estimate"):
+        for key, value in row.get(name, {}).items():
+            found[f"{name.removesuffix('s')}_{key}"] = value
+    return found

@@ -1,0 +1,133 @@
+"""Results as documents of JSON: what stands beside their numbers, and several in one."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.solver.kernels.registry import mathematics
+from nonsmooth.solver.results.document import document_without_orbit
+from nonsmooth.solver.results.orbit import Orbit
+
+from .json_text import sealed
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.space.modes import Modes
+    from nonsmooth.solver.space.structure import Structure
+
+#: Units of what is in a document, beside the parameters'; what is not here is a plain number.
+UNITS = {
+    "period": "s",
+    "duration": "s",
+    "durations": "s",
+    "forcing_phase": "rad",
+    "displacement": "m",
+    "velocity": "m/s",
+    "seconds": "s",
+}
+
+#: What is said before several modes, if it is the same of all.
+SAID_ONCE = ("structure", "class", "parameters", "position", "strength")
+
+
+def text(case: "Case", document: dict[str, Any], methods: Iterable[str]) -> str:
+    """Return a document as text that says where it comes from and ends with its digest."""
+    return sealed(document | origin(case, methods))
+
+
+def text_of_modes(structure: "Structure", document: dict[str, Any]) -> str:
+    """Return a document of modes as text, as `text` does."""
+    return sealed(document | origin_of_modes(structure))
+
+
+def origin(case: "Case", methods: Iterable[str]) -> dict[str, Any]:
+    """Return units, version and mathematics, as documents have them."""
+    units = {q.name: q.unit or "1" for q in case.scene.parameters} | UNITS
+    units |= dict.fromkeys(case.own_numbers, "s")
+    return _origin(units, mathematics(case.scene, methods))
+
+
+def origin_of_modes(structure: "Structure") -> dict[str, Any]:
+    """Return units, version and mathematics of modes."""
+    units = {q.name: q.unit or "1" for q in structure.parameters} | {"frequency": "Hz"}
+    return _origin(units, mathematics_of_modes(structure))
+
+
+def mathematics_of_modes(structure: "Structure") -> str:
+    """Return the hash of the closed forms behind the modes of a structure."""
+    found: str = structure.module.MATHEMATICS[:16]
+    return found
+
+
+def _origin(units: dict[str, str], found: str) -> dict[str, Any]:
+    from nonsmooth import __version__  # noqa: PLC0415
+
+    return {"units": units, "version": __version__, "mathematics": found}
+
+
+def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
+    """Return the document of results of a kind, without its digest."""
+    first = several[0]
+    if kind == "modes":
+        return of_modes(several) | origin_of_modes(first.structure)
+    if kind == "sweep":
+        return dict(first.as_dict() | origin(first.case, first.rates()))
+    found = [result.as_dict() | origin(result.case, [result.method]) for result in several]
+    return found[0] if len(found) == 1 else {"scene": first.case.scene.name, "orbits": found}
+
+
+def of_each(
+    case: "Case", found: "Mapping[str, Orbit | NoOrbit]", order: int | None,
+    functions: int | None, exact: "ExactOrbit | None",
+) -> list[dict[str, Any]]:  # fmt: skip
+    """Return the document of each orbit, with null for what an absent one lacks."""
+    return [
+        orbit.as_dict()
+        if isinstance(orbit, Orbit)
+        else document_without_orbit(case, method, order, functions, orbit, exact)
+        for method, orbit in found.items()
+    ]
+
+
+def text_of_each(
+    case: "Case", documents: Sequence[dict[str, Any]], methods: Iterable[str], one: bool
+) -> str:
+    """Return the text of one orbit's document, or of several in ``orbits``."""
+    whole = dict(documents[0]) if one else {"scene": case.scene.name, "orbits": list(documents)}
+    return text(case, whole, methods)
+
+
+def of_modes(found: "Sequence[Modes]") -> dict[str, Any]:
+    """Return the document of one expansion, or of several in ``expansions``."""
+    documents = [expansion.as_dict() for expansion in found]
+    if len(documents) == 1:
+        return documents[0]
+    same = same_of_all(documents)
+    head = {name: same[name] for name in SAID_ONCE if name in same}
+    return head | {"expansions": documents}
+
+
+def of_varied_modes(
+    name: str, values: Sequence[float], found: "Sequence[Modes]"
+) -> dict[str, Any]:
+    """Return the document of modes over a parameter."""
+    pairs = zip(values, found, strict=True)
+    return {
+        "structure": found[0].structure.name,
+        "class": f"C{found[0].structure.k}",
+        "vary": name,
+        "points": [{"value": value} | expansion.as_dict() for value, expansion in pairs],
+    }
+
+
+def same_of_all(several: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Return what is the same in all of several mappings.
+
+    Examples
+    --------
+    >>> same_of_all([{"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 1}])
+    {'a': 1}
+    """
+    first, *others = several
+    return {q: v for q, v in first.items() if all(q in o and o[q] == v for o in others)}

@@ -1,0 +1,177 @@
+"""Orbits, sweeps and families of any scene from their documents, if these can be right."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.kim_perkins import StickSlip, StickSlipErrors, as_in_paper
+from nonsmooth.scene import find
+from nonsmooth.solver.family import Family, FamilyRow
+from nonsmooth.solver.iteration.newton import Outcome
+from nonsmooth.solver.kernels.registry import generic_method, kernel, mathematics
+from nonsmooth.solver.orbit.errors import Errors
+from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.loaded import LoadedScene, UnknownScene
+from nonsmooth.solver.sweep import Sweep, SweepRow
+
+from . import checks
+from .file_errors import FileError, other_kind
+
+#: What a row may say of itself.
+STATUS = ("ok", "no-orbit", "not-converged")
+
+#: Largest residual of an orbit, without units, as a part of its largest unknown.
+RESIDUAL = 1e-8
+
+
+def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> Any:
+    """Return what a document of a scene holds.
+
+    Parameters
+    ----------
+    path : Path
+        Where it stands, for messages.
+    document : mapping
+        As JSON has it.
+    scene : optional
+        The scene, as `nonsmooth.scene` takes it, of one that is not shipped.
+
+    Raises
+    ------
+    FileError
+        If it holds nothing that can be restored, or the scene or its equations are others.
+    NotRightError
+        A `ValueError`: if a number in it cannot be right.
+    """
+    if "vary" in document:
+        return _family(path, document, _case(path, document, scene))
+    if "rows" in document:
+        if not {"functions", "rates"} & document.keys():  # rows of ``digits``
+            raise other_kind(path)
+        return _sweep(path, document, _case(path, document, scene))
+    every = document.get("orbits", [document])
+    if not all("converged" in each for each in every):
+        raise other_kind(path)
+    found = [_orbit(path, document | each, scene) for each in every if each["converged"]]
+    if "orbits" not in document and not found:
+        raise FileError(path, f"no orbit: {'; '.join(document['violations'])}")
+    return found if "orbits" in document else found[0]
+
+
+def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
+    name = document["scene"]
+    try:
+        found = find(name if scene is None else scene)
+    except UnknownScene as error:
+        hint = "give its file or the scene itself as `scene`"
+        raise FileError(path, f"of the scene {name!r}, which is not shipped: {hint}") from error
+    if found.name != name:
+        raise FileError(path, f"of the scene {name!r}, got {found.name!r}")
+    if document.get("motion") is not None:
+        found = found.of_motion(document["motion"])
+    given = document["parameters"]
+    missing = [q.name for q in found.parameters if q.name not in given]
+    checks.check(not missing, f"parameters without {', '.join(missing)}")
+    return as_in_paper(Case(found, given, document.get("cycles", 1)))
+
+
+def _check_mathematics(
+    path: Path, document: Mapping[str, Any], what: str, scene: LoadedScene,
+    *choices: Iterable[str],
+) -> None:  # fmt: skip
+    """Refuse what was computed with other equations than those here, by one of the choices."""
+    found = document["mathematics"]
+    if found not in {mathematics(scene, methods) for methods in choices}:
+        raise FileError(path, f"{what} of other equations ({found}): compute it anew")
+
+
+def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
+    case = _case(path, document, scene)
+    method = generic_method(case.scene, document["method"])
+    functions, order = document.get("functions"), document["order"]
+    every = [each["method"] for each in document.get("orbits", [document])]
+    _check_mathematics(path, document, "an orbit", case.scene, [method], every)
+    if document.get("outcome") is None:
+        raise FileError(path, "an orbit without its unknowns, from before these were written")
+    outcome = document["outcome"]
+    z = np.array(outcome["unknowns"], dtype=float)
+    z.flags.writeable = False
+    equations = kernel(case.scene, method, functions)
+    size = equations.size(order)
+    checks.check(len(z) == size, f"{len(z)} unknowns, expected {size}")
+    checks.check(bool(np.isfinite(z).all()), "unknowns that are not finite")
+    R = np.empty(len(z))
+    equations.residual(case.arguments, z, R)
+    off, allowed = float(np.abs(R).max()), RESIDUAL * max(1.0, float(np.abs(z).max()))
+    checks.check(off <= allowed, f"an orbit that does not satisfy its equations, by {off:.1e}")
+    made = Outcome(**outcome | {"unknowns": z})
+    orbit = case.presented(Orbit(case, method, order, made, document["iterations"], functions))
+    durations = [phase["duration"] for phase in document["phases"]]
+    checks.times(document, durations)
+    checks.same("period", document["period"], orbit.period, "its unknowns")
+    for duration, expected in zip(durations, orbit.durations, strict=True):
+        checks.same("a duration", duration, expected, "its unknowns")
+    checks.check(orbit.admissible, f"no orbit: {'; '.join(orbit.violations)}")
+    return orbit
+
+
+def _sweep(path: Path, document: Mapping[str, Any], case: Case) -> Sweep:
+    methods = {row["method"] for row in document["rows"]}
+    _check_mathematics(path, document, "a sweep", case.scene, methods)
+    rows = tuple(_row(case, row) for row in document["rows"])
+    return Sweep(case, rows, document["functions"])
+
+
+def _row(case: Case, row: Mapping[str, Any]) -> SweepRow:
+    values = {q.name: row[q.name] for q in fields(SweepRow) if q.name in row}
+    if row["status"] == "ok":
+        values["further"] = {name: value for name, value in row.items() if name not in values}
+    values["method"] = generic_method(case.scene, row["method"])
+    kind = StickSlipErrors if isinstance(case, StickSlip) else Errors
+    values["errors"] = _errors(row, row["errors"], kind)
+    values["estimate"] = _errors(row, row["estimate"])
+    checks.not_negative("seconds", row["seconds"])
+    return SweepRow(**values | _checked(row))
+
+
+def _family(path: Path, document: Mapping[str, Any], case: Case) -> Family:
+    _check_mathematics(path, document, "a family", case.scene, [document["method"]])
+    parameter, rows = document["vary"]["parameter"], []
+    checks.check(parameter in case.values, f"{parameter!r} varies, which is not a parameter")
+    for row in document["rows"]:
+        case.with_value(parameter, row["value"])
+        values = dict(row) | {"estimate": _errors(row, row["estimate"])} | _checked(row)
+        known = row["extremes"] if row["status"] == "ok" else None
+        values["extremes"] = known and {name: tuple(pair) for name, pair in known.items()}
+        rows.append(FamilyRow(**values))
+    count = document["vary"]["count"]
+    checks.check(len(rows) == count > 0, f"{len(rows)} rows of {count}")
+    method = generic_method(case.scene, document["method"])
+    how = (parameter, method, document["order"], document["functions"])
+    return Family(case, *how, tuple(rows))
+
+
+def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the durations of a row; what cannot be right is refused."""
+    checks.one_of("status", row["status"], STATUS)
+    checks.not_negative("iterations", row["iterations"])
+    if row["status"] != "ok":
+        return {"durations": None, "period": None}
+    checks.times(row, row["durations"])
+    return {"durations": tuple(row["durations"])}
+
+
+def _errors(
+    row: Mapping[str, Any], found: Mapping[str, Any], kind: type[Errors] = Errors
+) -> Errors | None:
+    """Return errors; None without an orbit, or where nothing is known of them."""
+    values = [found[field.name] for field in fields(kind)]
+    if row["status"] != "ok" or all(value is None for value in values):
+        return None
+    for name in ("times", "discontinuous"):
+        checks.not_negative(name, found[name])
+    return kind(*(float("inf") if value is None else value for value in values))

@@ -1,0 +1,42 @@
+"""What can be saved, by its kind."""
+
+import reprlib
+from collections.abc import Sequence
+from typing import Any
+
+from nonsmooth.solver.family import Family
+from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.sweep import Sweep
+
+
+def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
+    """Return the kind of what is to be saved, and its results: one, or several.
+
+    Returns
+    -------
+    {"orbits", "sweep", "family", "modes"}, sequence
+
+    Raises
+    ------
+    TypeError
+        If it is not a result, or not one that is saved.
+    """
+    from nonsmooth.solver.space.modes import Modes  # noqa: PLC0415  (SciPy)
+
+    if isinstance(thing, Sweep):
+        return "sweep", [thing]
+    if isinstance(thing, Family):
+        return "family", [thing]
+    several: Any = [thing] if isinstance(thing, Orbit | Modes) else thing
+    if _all_are(several, Orbit):
+        return "orbits", several
+    if _all_are(several, Modes) and len({found.structure for found in several}) == 1:
+        return "modes", several
+    kinds = "an orbit, a family, modes, a sequence of orbits or of modes, or a sweep"
+    raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
+
+
+def _all_are(things: Any, kind: type) -> bool:
+    """Return whether it is a sequence, not empty, of things of one kind."""
+    several = isinstance(things, Sequence) and not isinstance(things, str) and len(things) > 0
+    return several and all(isinstance(thing, kind) for thing in things)

@@ -1,1 +1,0 @@
-"""Files of any scene: orbits, sweeps and families as JSON, netCDF, CSV."""

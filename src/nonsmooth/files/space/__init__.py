@@ -1,1 +1,0 @@
-"""Files of modes: JSON, netCDF, CSV."""
