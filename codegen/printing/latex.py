@@ -11,7 +11,7 @@ from sympy.printing.pretty.stringpict import prettyForm
 
 from ..system import Equation
 from .drawing import drawn, with_word
-from .pieces import Piece, filled, pieces, signed
+from .pieces import Piece, bracket_of, filled, pieces, signed
 from .sections import Section
 from .typeset import latex
 from .words import words_and_mathematics
@@ -46,9 +46,10 @@ FRAGMENT = r"""% Needs \usepackage{amsmath,amssymb} in the preamble; long equati
 
 
 def latex_piece(piece: Piece) -> list[str]:
-    """Return a piece as LaTeX, what opens before the term and the term, signs included.
+    r"""Return a piece as LaTeX, what opens before the term and the term, signs included.
 
-    Brackets that open in one piece and close in another have a fixed size.
+    Brackets that open in one piece and close in another have a fixed size: there a line may
+    be broken, and TeX refuses a ``\left`` without its ``\right`` on a line.
     """
     parts = []
     first = piece.first
@@ -56,16 +57,20 @@ def latex_piece(piece: Piece) -> list[str]:
         sign, factor = signed(before, first)
         parts.append(f"{sign} {_opening(factor)}".lstrip())
         first = True
-    sign, term = signed(piece.term, first)
     closing = "".join(rf" \biggr{bracket}" for bracket in piece.closes)
+    if piece.times:
+        return [rf"\cdot ({latex(piece.term)}){closing}"]
+    sign, term = signed(piece.term, first)
     return [*parts, f"{sign} {latex(term)}{closing}".lstrip()]
 
 
 def _opening(before: sp.Expr) -> str:
+    bracket = bracket_of(before)
+    opening = rf"\biggl{bracket}" if bracket else ""
     if isinstance(before, sp.Sum):
         index, start, end = map(latex, before.limits[0])
-        return rf"\sum_{{{index}={start}}}^{{{end}}} \biggl["
-    return r"\biggl(" if before == 1 else rf"{latex(before)} \biggl("
+        return rf"\sum_{{{index}={start}}}^{{{end}}} {opening}".rstrip()
+    return opening if before == 1 else f"{latex(before)} {opening}"
 
 
 def _lines(side: sp.Expr, limit: int) -> list[str]:

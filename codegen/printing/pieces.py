@@ -11,6 +11,9 @@ import sympy as sp
 
 from .order import led_by_a_plus, terms
 
+#: A bracket that is a smaller part of its term than one in so many is not opened.
+LEAST = 3
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -26,12 +29,15 @@ class Piece:
         The brackets that close here.
     first : bool
         Whether it is the first of its side, where no plus is due.
+    times : bool
+        Whether it is a sum that multiplies the piece before it: then it has its own brackets.
     """
 
     term: sp.Expr
     opens: tuple[sp.Expr, ...] = ()
     closes: str = ""
     first: bool = False
+    times: bool = False
 
 
 def _terms(side: sp.Expr) -> list[sp.Expr]:
@@ -68,12 +74,38 @@ def _cut(side: sp.Expr, too_wide: Callable[[sp.Expr], bool]) -> Iterator[Piece]:
         before, inside = _bracket(term)
         if inside is None or not too_wide(term):
             yield Piece(term)
-            continue
-        parts = list(_cut(inside, too_wide))
-        parts[0] = replace(parts[0], opens=(before, *parts[0].opens))
-        bracket = "]" if isinstance(before, sp.Sum) else ")"
-        parts[-1] = replace(parts[-1], closes=parts[-1].closes + bracket)
-        yield from parts
+        elif _is_short(inside, term):
+            yield from (Piece(before), Piece(inside, times=True))
+        else:
+            yield from _opened(before, list(_cut(inside, too_wide)))
+
+
+def _is_short(inside: sp.Expr, term: sp.Expr) -> bool:
+    """Whether a bracket is so short a part of a product that no line is broken inside it."""
+    short = LEAST * len(str(inside)) < len(str(term))
+    return isinstance(term, sp.Mul) and short and "/" not in str(inside)
+
+
+def _opened(before: sp.Expr, parts: list[Piece]) -> list[Piece]:
+    """Return the pieces in a bracket, with what stands before it and the bracket itself."""
+    parts[0] = replace(parts[0], opens=(before, *parts[0].opens))
+    bracket = {"": "", "[": "]", "(": ")"}[bracket_of(before)]
+    parts[-1] = replace(parts[-1], closes=parts[-1].closes + bracket)
+    return parts
+
+
+def bracket_of(before: sp.Expr) -> str:
+    """Return the bracket that opens behind a factor or the sign of a sum.
+
+    Examples
+    --------
+    >>> x, n = sp.symbols("x n")
+    >>> [bracket_of(q) for q in (x, sp.Sum(n + x, (n, 0, 1)), sp.Sum(n * x, (n, 0, 1)))]
+    ['(', '[', '']
+    """
+    if not isinstance(before, sp.Sum):
+        return "("
+    return "[" if isinstance(before.function, sp.Add) else ""
 
 
 def pieces(side: sp.Expr, too_wide: Callable[[sp.Expr], bool]) -> list[Piece]:
@@ -86,6 +118,9 @@ def pieces(side: sp.Expr, too_wide: Callable[[sp.Expr], bool]) -> list[Piece]:
     ['x**2', 'y']
     >>> [(piece.opens, piece.closes) for piece in pieces(x * (x + y), lambda term: True)]
     [((x,), ''), ((), ')')]
+    >>> wide = pieces(sp.sin(x) ** 9 * sp.cos(x) * (y + 1), lambda term: True)
+    >>> [(str(piece.term), piece.times) for piece in wide]
+    [('sin(x)**9*cos(x)', False), ('y + 1', True)]
     """
     head, *others = _cut(side, too_wide)
     return [replace(head, first=True), *others]

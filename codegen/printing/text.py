@@ -12,7 +12,7 @@ from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
 from ..system import Equation
 from .drawing import drawn
-from .pieces import Piece, filled, pieces, signed
+from .pieces import Piece, bracket_of, filled, pieces, signed
 from .sections import Section
 from .words import KEPT, spoken
 
@@ -21,6 +21,9 @@ COLUMNS, MARGIN = 73, 7
 
 #: What a line begins with: a side, and what is left of a long one.
 EQUALS, CONTINUED = "= ", "    "
+
+#: The sign between two factors, in Unicode or not.
+TIMES = {True: "⋅", False: "*"}
 
 #: Columns that a sign between two terms takes.
 SIGN = 3
@@ -37,15 +40,19 @@ def _drawn_piece(piece: Piece, unicode: bool) -> prettyForm:
         sign, factor = signed(before, first)
         parts += _with_sign(sign, first, *_opening(factor, unicode))
         first = True
+    if piece.times:
+        factor = prettyForm(*drawn(piece.term, unicode).parens())
+        return prettyForm(*stringPict.next(TIMES[unicode], factor, piece.closes))
     sign, term = signed(piece.term, first)
     parts += [*_with_sign(sign, first, drawn(term, unicode)), piece.closes]
     return prettyForm(*stringPict.next(*parts))
 
 
 def _opening(before: sp.Expr, unicode: bool) -> Sequence[str | prettyForm]:
+    bracket = bracket_of(before)
     if isinstance(before, sp.Sum):
-        return drawn(before, unicode, sign=True), "["
-    return ("(",) if before == 1 else (drawn(before, unicode), "⋅(" if unicode else "*(")
+        return drawn(before, unicode, sign=True), bracket
+    return (bracket,) if before == 1 else (drawn(before, unicode), TIMES[unicode] + bracket)
 
 
 def _with_sign(sign: str, first: bool, *parts: str | prettyForm) -> Sequence[str | prettyForm]:

@@ -114,7 +114,7 @@ class Fourier:
         return Inner(first, second), sp.Add(*parts, evaluate=False)
 
     def _conditions(self) -> Iterator[Equation]:
-        known = statements(self.notation)
+        known, numbers = statements(self.notation), self.notation.numbers
         for condition in self.conditions.conditions:
             if condition.name == "cell":
                 continue
@@ -124,7 +124,8 @@ class Fourier:
             left = self._tested(condition) or (known[condition.name],)
             sides = (*left, self.beside.spelled(closed), sp.Integer(0))
             where = f"`{condition.where}`" if condition.where else ""
-            yield Equation(condition.number, self._title(condition), sides, where)
+            number = condition.number or numbers.get(condition.name, "")
+            yield Equation(number, self._title(condition), sides, where)
 
     def _spelled(self, factor: sp.Expr) -> sp.Expr:
         moved = self.notation.in_times(factor)

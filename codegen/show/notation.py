@@ -1,10 +1,17 @@
-"""When a scene's phases begin and end, in the paper's symbols: ``0, t1, ..., T``."""
+"""When a scene's phases begin and end, in the paper's symbols: ``0, t1, ..., T``.
 
+And the numbers of the paper, where a scene is the paper's.
+"""
+
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from importlib import import_module
+from pkgutil import iter_modules
 
 import sympy as sp
 
+from .. import scenes
 from ..galerkin import Times
 from ..scene import Saltation, Scene, Switch, saltations, switches
 from .functions import T, omega_0, state
@@ -35,6 +42,27 @@ class Notation:
     def saltations(self) -> tuple[Saltation, ...]:
         """What the switch at the end of each phase makes of small perturbations."""
         return saltations(self.scene)
+
+    @cached_property
+    def numbers(self) -> Mapping[str, str]:
+        """The numbers of the paper by the names of rows: those in the scene's own file.
+
+        ``NUMBERS`` of a file of ``codegen/scenes`` has them: ``motion_flight`` for the equation
+        of motion of a phase, ``held_flight`` for its velocity, ``demands_flight`` for what is
+        demanded in it, and conditions by their names.  A scene from elsewhere has none.
+
+        Examples
+        --------
+        >>> from ..scenes import impact
+        >>> Notation.of(impact.SCENE).numbers
+        {}
+        """
+        files = (
+            import_module(f"{scenes.__name__}.{q.name}") for q in iter_modules(scenes.__path__)
+        )
+        own = next((file for file in files if file.SCENE is self.scene), None)
+        found: Mapping[str, str] = getattr(own, "NUMBERS", {})
+        return found
 
     @property
     def k(self) -> int:

@@ -20,6 +20,12 @@ from .tidy import by_entries, by_unknown
 
 SECTION = "3.3"
 
+#: Numbers of the paper; but for (18) they are of functions of class C^1.
+NUMBERS = {"acceleration": "15", "expansion": "16", "residual": "17", "tests": "18"}
+
+#: Of the conditions where the first phase begins: the motion repeats.
+REPEATS = {"displacement": "19", "velocity": "20"}
+
 TIMES = {1: "once", 2: "twice"}
 
 #: What no test sees of the residual.
@@ -82,6 +88,10 @@ class Polynomial:
         bases = {entry.base for entry in there}
         return [table for table in self.conditions.tables if table.base in bases]
 
+    def _number(self, name: str, p: int) -> str:
+        """Return the number of an equation of phase `p`, which is of class C^1 in the paper."""
+        return NUMBERS[name] if self.notation.found[p].k == 1 else ""
+
     def _expansion(self) -> Iterator[Equation]:
         for p, q in enumerate(self.trial):
             name, when, s = (
@@ -93,11 +103,13 @@ class Polynomial:
                 sums = [self._sum(p, function) for function in self._functions()]
                 velocity = q.velocity + s * sums[1]
                 place = q.displacement + s * u * q.velocity + s**2 * sums[0]
-                yield Equation("", f"acceleration in {name}", (Rate(2, t), sums[2]), when)
+                number, sides = self._number("acceleration", p), (Rate(2, t), sums[2])
+                yield Equation(number, f"acceleration in {name}", sides, when)
             else:
                 velocity, place = q.velocity, q.displacement + s * u * q.velocity
             yield Equation("", f"velocity in {name}", (Rate(1, t), velocity), when)
-            yield Equation("", f"expansion in {name}", (x(t), place), when)
+            number = self._number("expansion", p)
+            yield Equation(number, f"expansion in {name}", (x(t), place), when)
             local = (u, (t - self.notation.at(p)) / s)
             yield Equation("", f"local time in {name}, from 0 to 1", local)
 
@@ -132,7 +144,8 @@ class Polynomial:
             total += phase.k * q.displacement - phase.f
             total -= phase.g * self.notation.times.forcing(t)
             name, when = scene.phases[p].name, self.notation.during(p)
-            yield Equation("", f"residual in {name}", (R, total), when)
+            number = self._number("residual", p)
+            yield Equation(number, f"residual in {name}", (R, total), when)
         first, second = sp.Function("a")(t), sp.Function("b")(t)
         integral = sp.Integral(first * second, (u, 0, 1))
         yield Equation("", "inner product on a phase", (Inner(first, second), integral))
@@ -155,7 +168,8 @@ class Polynomial:
         name, rows = phase.name, polynomials.rows_of(self.trial[p], switch)
         tested = (Inner(R, member(f"W_{name}", l, u)), sp.Integer(0))
         where = f"`l = 0, ..., {rows - 1}`"
-        yield Equation("18", f"residual of {name}, orthogonal to its tests", tested, where)
+        words = f"residual of {name}, orthogonal to its tests"
+        yield Equation(NUMBERS["tests"], words, tested, where)
         one = sp.Sum(rest(n, l, switch.k) * ShiftedLegendre(l, u), (l, 0, n))
         words = (
             f"polynomial in {name} that is orthogonal to the tests of index below its degree"
@@ -178,7 +192,7 @@ class Polynomial:
         return found
 
     def _conditions(self) -> Iterator[Equation]:
-        known = statements(self.notation)
+        known, numbers = statements(self.notation), self._of_conditions()
         for condition in self.conditions.conditions:
             if condition.name == "cell":
                 continue
@@ -188,7 +202,19 @@ class Polynomial:
             left = left if left is not None else self._tested(condition)
             sides = (left, closed.xreplace(self._unseen()), sp.Integer(0))
             where = f"`{condition.where}`" if condition.where else ""
-            yield Equation(condition.number, self._title(condition), sides, where)
+            number = condition.number or numbers.get(condition.name, "")
+            yield Equation(number, self._title(condition), sides, where)
+
+    def _of_conditions(self) -> dict[str, str]:
+        """Return the numbers of conditions: of the scene, and that the motion repeats.
+
+        Half a period later it does not, and at another class it does so in another way.
+        """
+        found = dict(self.notation.numbers)
+        first = self.notation.found[0]
+        if first.k == 1 and self.notation.times.sign == 1:
+            found |= {f"{name}_{first.before}": n for name, n in REPEATS.items()}
+        return found
 
     def _title(self, condition: Condition) -> str:
         head, _, index = condition.title.rpartition(" ")

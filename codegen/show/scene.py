@@ -24,8 +24,8 @@ def scene_equations(scene: Scene) -> tuple[Equation, ...]:
     -------
     tuple of Equation
         The equation of motion of each phase, what holds and what is demanded in it, what ends
-        it and what jumps there, the class at each switch, and the scales; without numbers, as
-        the paper has one oscillator.
+        it and what jumps there, the class at each switch, and the scales; with numbers where
+        the scene is the paper's.
 
     Examples
     --------
@@ -43,20 +43,22 @@ def scene_equations(scene: Scene) -> tuple[Equation, ...]:
 
 
 def _phases(notation: Notation) -> Iterator[Equation]:
+    numbers = notation.numbers
     for p, phase in enumerate(notation.scene.phases):
         name, when = phase.name, notation.during(p)
-        sides = equation_of_motion(notation, p)
-        yield Equation("", f"equation of motion in {name}", sides, when)
+        sides, number = equation_of_motion(notation, p), numbers.get(f"motion_{name}", "")
+        yield Equation(number, f"equation of motion in {name}", sides, when)
         if phase.held is not None:
             held = (state(1, t), sp.sympify(phase.held))
-            yield Equation("", f"the velocity is held in {name}", held, when)
+            number = numbers.get(f"held_{name}", "")
+            yield Equation(number, f"the velocity is held in {name}", held, when)
         at = place(notation.scene, p)
         if at is not None:
             yield Equation("", f"the displacement is held in {name}", (state(0, t), at), when)
         for words, demand in notation.scene.cell[p].demands.items():
             relation = not_negative(during(notation, demand))
             title = f"demanded in {name}: {_marked(notation.scene, words)}"
-            yield Equation("", title, (relation,))
+            yield Equation(numbers.get(f"demands_{name}", ""), title, (relation,))
 
 
 def _switches(notation: Notation) -> Iterator[Equation]:

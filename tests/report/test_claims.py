@@ -12,7 +12,7 @@ from nonsmooth.report.case import at_alpha
 from nonsmooth.report.checks import Finding
 from nonsmooth.report.claims import CLAIMS, PARTS, Claim, Part
 from nonsmooth.report.paper import DEFAULT
-from nonsmooth.solver.case import registry
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scaling import equilibrated
 
 CLAIM = {claim.name: claim for claim in CLAIMS}

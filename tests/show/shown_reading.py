@@ -30,7 +30,7 @@ from nonsmooth.codegen.system import Equation
 _RAISED = "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ"
 _WORD = re.compile(rf"(?<=[^\W\d])[{_RAISED}]{{3,}}")
 _MARKS = {"+": "p", "-": "m", "⁺": "p", "⁻": "m", "\N{MINUS SIGN}": "m"}
-_SIGNS = {"≤": "=", "≥": "=", "Ω": "Z", "δ": "Y", "|": "", "!": ""}
+_SIGNS = {"≤": "=", "≥": "=", "Ω": "Z", "δ": "Y", "|": "", "!": "", "·": ""}
 
 
 def spelled(record: sp.Basic, raised: bool) -> sp.Basic:
@@ -146,7 +146,7 @@ def typeset_tokens(equation: Equation) -> list[Token]:
     body = re.sub(r"x\^\{\((\d)\)\}", lambda q: "x" + "'" * int(q[1]), body)
     body = body.replace(r"\delta", " Y")  # delta would be a differential
     body = re.sub(r"\\(beta|nu)(?![A-Za-z])", r"\\mathrm{\1}", body)
-    body = body.replace(r"\Omega", " Z ")
+    body = body.replace(r"\Omega", " Z ").replace(r"\cdot", "")
     body = re.sub(r"\\[lg]eq\b", "=", body)
     body = re.sub(r"\\left\||\\right\||!", "", body)
     body = re.sub(r"\\\\(?=\n)", "", body)

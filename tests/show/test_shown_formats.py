@@ -84,6 +84,31 @@ def test_a_page_is_well_formed_and_fetches_nothing(scene: str) -> None:
     assert [f"#{anchor}" for anchor in anchors] == re.findall(r'href="([^"]+)"', text)
 
 
+#: What brackets of LaTeX are, by the kind of pair that must stand on one line.
+BRACKETS = (r"\(|\\left\b", r"\)|\\right\b")
+
+
+@pytest.mark.parametrize("scene", ["stick-slip", "clearance"])
+def test_a_line_of_latex_is_broken_only_in_brackets_that_bear_it(scene: str) -> None:
+    """They have a fixed size, all others close on their line; short ones are not broken."""
+    for row in (q for part in sections(scene, ["hb", "ck"]) for q in part.equations):
+        body = aligned(row)
+        assert body.count(r"\biggl") == body.count(r"\biggr")
+        for line in re.split(r"\\\\\n", re.sub(r"\\bigg[lr].", "", body)):
+            assert len({len(re.findall(q, line)) for q in BRACKETS}) == 1, line
+        for inside in re.findall(r"\\biggl\((.*?)\\biggr\)", body, re.DOTALL):
+            assert len(inside) > 60 or r"\\" not in inside, body
+
+
+def test_a_long_product_is_broken_between_its_factors() -> None:
+    record = ns.equations("ck", scene="clearance")
+    row = next(q for q in record.equations if q.title.startswith("polynomial in"))
+    assert "bigg" not in aligned(row)
+    assert "\\\\\n&\\quad \\cdot (n - l + 1)\n" in aligned(row)
+    assert "⋅(n - l + 1)" in row.text()
+    assert "*(n - l + 1)" in row.text(unicode=False)
+
+
 @pytest.mark.parametrize("unicode", [True, False])
 def test_a_record_its_equations_and_a_notebook_show_the_same(unicode: bool) -> None:
     record = ns.equations("hb-c1")

@@ -42,6 +42,75 @@ def test_the_number_of_functions_is_two_at_an_impact_or_what_is_asked(
     ]
 
 
+#: Beginnings of the rows that have a number of the paper, in its scene and in each method.
+NUMBERED = {
+    "": {
+        "1": ["equation of motion in stick", "equation of motion in slip"],
+        "2": ["the velocity is held in stick", "demanded in stick"],
+    },
+    "hb": {
+        "3": ["expansion"],
+        "4": ["residual in stick", "residual in slip"],
+        "8": ["inner product"],
+        "5": ["residual, orthogonal to the constant"],
+        "6": ["residual, orthogonal to `sin"],
+        "7": ["residual, orthogonal to `cos"],
+        "10": ["the event that ends slip"],
+    },
+    "hb-c1": {
+        "11": ["expansion"],
+        "12": ["function in stick", "function in slip"],
+        "13": ["residual in stick", "residual in slip"],
+        "8": ["inner product"],
+        "5": ["residual, orthogonal to the constant"],
+        "6": ["residual, orthogonal to `sin"],
+        "7": ["residual, orthogonal to `cos"],
+        "14": ["residual, orthogonal to the function itself"],
+        "10": ["the event that ends slip"],
+    },
+    "c1": {
+        "16": ["expansion in stick", "expansion in slip"],
+        "15": ["acceleration in slip"],
+        "17": ["residual in slip"],
+        "18": ["residual of slip, orthogonal to its tests"],
+        "19": ["displacement is continuous where stick begins"],
+        "20": ["velocity is continuous where stick begins"],
+        "9": ["the displacement where stick begins"],
+        "10": ["the event that ends slip"],
+    },
+}
+
+
+@pytest.mark.parametrize("method", NUMBERED)
+def test_the_equations_of_the_paper_have_its_numbers(method: str) -> None:
+    scene = stick_slip.SCENE
+    rows = derive_scene(scene, method).equations if method else scene_equations(scene)
+    found: dict[str, list[str]] = {}
+    for row in rows:
+        if row.number:
+            found.setdefault(row.number, []).append(row.title)
+    expected = NUMBERED[method]
+    assert found.keys() == expected.keys()
+    for number, titles in expected.items():
+        for title, begins in zip(found[number], titles, strict=True):
+            assert title.startswith(begins)
+
+
+@pytest.mark.parametrize(
+    ("scene", "numbers"),
+    [
+        ("impact", {"18"}),  # of class C^0
+        ("clearance", {"18"}),  # C^2
+        ("stick-slip-damped", {"15", "16", "17", "18", "19", "20"}),  # C^1
+    ],
+)
+def test_numbers_of_c1_functions_are_where_a_motion_is_c1(
+    scene: str, numbers: set[str]
+) -> None:
+    assert {q.number for q in derive_scene(scene, "ck").equations} - {""} == numbers
+    assert not any(q.number for q in scene_equations(scene_named(scene)))
+
+
 @pytest.mark.parametrize(
     ("arguments", "named"),
     [
