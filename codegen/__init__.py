@@ -7,8 +7,8 @@ Stages, a folder each, in the order in which a derivation runs through them:
    form with symbolic indices.
 3. `emission` writes the conditions as a module of kernels; `generate` puts the modules into
    ``generated/``.
-4. `show` makes the conditions records for a reader, `printing` prints them as text, LaTeX and
-   HTML.
+4. `equations` makes the conditions records for a reader, `printing` prints them as text,
+   LaTeX and HTML.
 
 Nothing else in the package imports SymPy.
 """
@@ -57,7 +57,7 @@ def derive(
     >>> derive("ck-tau", scene="impact").title
     'functions of class `C^0`, tested with Legendre polynomials'
     """
-    from .show import derive_scene  # noqa: PLC0415  (its sections are those of this package)
+    from .equations import derive_scene  # noqa: PLC0415  (its sections are those of this package)
 
     return derive_scene(scene, method, functions)
 

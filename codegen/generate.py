@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from . import scenes
-from .emission import kernel, methods, scene_numbers
+from .emission import kernel, scene_numbers
+from .emission import method_table as methods
 from .expansions import kernels
 from .scene import Scene
 from .space import emission as space

@@ -12,8 +12,8 @@ from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
-from ..functions import ShiftedLegendre, TwiceIntegrated
 from ..system import Inner
+from ..unevaluated import ShiftedLegendre, TwiceIntegrated
 from .order import factors, in_given_order, terms
 
 SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")

@@ -8,7 +8,7 @@ import re
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from ..functions import ShiftedLegendre, TwiceIntegrated
+from ..unevaluated import ShiftedLegendre, TwiceIntegrated
 from .drawing import with_word
 from .order import factors, in_given_order, terms
 

@@ -9,7 +9,7 @@ Input: a structure as data (`data`, `structures`).  Derived by SymPy, a module e
 5. `collapse`: Ritz and Ritz with forced modes as one scalar equation, and their rates.
 
 Output: a module of ``generated/space/`` for each structure (`emission`), and the equations for
-a reader (`show`).
+a reader (`equations`).
 """
 
 from .data import Bare, Structure

@@ -11,7 +11,7 @@ from ..iteration.newton import Outcome, newton
 from ..kernels.kernel import Kernel
 from ..kernels.start import RoughTimes, with_coefficients
 from ..scenes.case import Case
-from ..stability.words import in_words
+from ..stability.in_words import in_words
 from . import admissible
 from .motion import Motion
 

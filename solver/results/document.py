@@ -5,7 +5,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from ..scenes.classes import classes
-from ..stability import words as stability
+from ..stability import in_words as stability
 
 if TYPE_CHECKING:
     from ..exact import ExactOrbit

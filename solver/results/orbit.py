@@ -13,8 +13,8 @@ from ..orbit.exact_orbit import ExactOrbit
 from ..orbit.solution import Solution
 from ..scenes.method_names import shown
 from ..scenes.methods import about
+from ..stability.in_words import in_words
 from ..stability.stability import Stability
-from ..stability.words import in_words
 from .document import document
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from nonsmooth.codegen.emission.kernel import module_source
-from nonsmooth.codegen.show.registry import conditions, scene_named
+from nonsmooth.codegen.equations.registry import conditions, scene_named
 from nonsmooth.solver.kernels import kernel
 
 SOLVER = Path(kernel.__file__).parents[1]

@@ -10,8 +10,8 @@ import pytest
 
 from nonsmooth.codegen import generate, scenes
 from nonsmooth.codegen.emission.kernel import mathematics
+from nonsmooth.codegen.equations.registry import conditions
 from nonsmooth.codegen.expansions import kernels as kernels_of_a_scene
-from nonsmooth.codegen.show.registry import conditions
 
 DERIVE = """
 import sys

@@ -53,4 +53,4 @@ def test_what_derives_is_seen(python) -> None:
     assert said.startswith("True ")
     for name in ("integrate", "expand", "diff", "factor"):
         assert f"'{name} in expansions/hb_c1.py'" in said, name
-    assert "'__init__ in show/" in said
+    assert "'__init__ in equations/" in said

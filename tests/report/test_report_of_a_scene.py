@@ -152,7 +152,7 @@ def test_an_orbit_without_multipliers_is_said_to_have_none(monkeypatch) -> None:
     def touched(motion: object) -> None:
         raise NoMultipliersError("an event is touched")
 
-    monkeypatch.setattr("nonsmooth.solver.stability.stability.stability", touched)
+    monkeypatch.setattr("nonsmooth.solver.orbit.motion.stability", touched)
     found = multipliers.multipliers(ns.exact(ns.scene("impact")(gap=0.21)))
     assert (found.rows, found.verdict) == ([], "an event is touched")
 

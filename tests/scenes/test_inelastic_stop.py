@@ -16,7 +16,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.solve import solve_case
-from nonsmooth.solver.stability.words import in_words
+from nonsmooth.solver.stability.in_words import in_words
 
 SCENE = registry.load("impact-inelastic")
 

@@ -8,7 +8,7 @@ from known import NAMES, attached
 
 from nonsmooth.codegen.space import STRUCTURES, collapse, forced_modes, green, matching, series
 from nonsmooth.codegen.space.data import a, b, beta, s
-from nonsmooth.codegen.space.show import sections
+from nonsmooth.codegen.space.equations import sections
 from nonsmooth.codegen.system import DerivationError
 from nonsmooth.solver.space.structure import load
 

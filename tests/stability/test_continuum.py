@@ -9,7 +9,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.simulation.simulate import simulate
 from nonsmooth.solver.stability.continuum import is_one_of_a_continuum, whole_period
-from nonsmooth.solver.stability.words import in_words
+from nonsmooth.solver.stability.in_words import in_words
 
 FRICTION, PLASTIC = registry.load("dry-friction"), registry.load("elastic-plastic")
 EVEN = {"damping": 0, "mu_s": 0.05, "mu_k": 0.05}

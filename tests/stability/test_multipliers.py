@@ -15,9 +15,9 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.stability import monodromy as module
+from nonsmooth.solver.stability.in_words import in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
 from nonsmooth.solver.stability.stability import stability
-from nonsmooth.solver.stability.words import in_words
 
 IMPACT = registry.load("impact")
 UNIT = {"damping": 0, "gap": 0, "restitution": 0.8}

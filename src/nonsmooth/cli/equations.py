@@ -120,18 +120,18 @@ def _sections(
     methods = [method] if method else []
     if is_structure(scene):
         from nonsmooth.codegen.space import structure_named
-        from nonsmooth.codegen.space.show import sections
+        from nonsmooth.codegen.space.equations import sections as of_structure
 
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {scene} has forced modes, all shown")
         if motion is not None:
             raise ValueError(f"motion: got {motion!r}, expected a SCENE that has several")
         name = scene.replace("_", "-")
-        return sections(name, methods), f"Modes of {structure_named(name).title}"
-    from nonsmooth.codegen import show
+        return of_structure(name, methods), f"Modes of {structure_named(name).title}"
+    from nonsmooth.codegen.equations import scene_named, sections
 
-    title = f"Galerkin equations of {show.scene_named(scene).title}"
-    return show.sections(scene, methods, functions, motion), title
+    title = f"Galerkin equations of {scene_named(scene).title}"
+    return sections(scene, methods, functions, motion), title
 
 
 def _text_of(

@@ -1,8 +1,8 @@
 """What the report takes of the paper's oscillator beside its orbits."""
 
 from nonsmooth.all_solutions import solutions
+from nonsmooth.codegen.equations import sections
 from nonsmooth.codegen.printing.html import fragment_of
-from nonsmooth.codegen.show import sections
 from nonsmooth.kim_perkins import METHODS, SCENE, SECTION_4, StickSlip
 from nonsmooth.solver.kernels import registry
 

@@ -213,9 +213,9 @@ MUTANTS = (
     ),
     Mutant(
         "of the paper: (12) is shown without its ramp",
-        "codegen/show/one_function.py",
+        "codegen/equations/one_function.py",
         "u**2 * (3 - 2 * u) - t / T",
         "u**2 * (3 - 2 * u)",
-        ("tests/show/test_shown_equations.py",),
+        ("tests/equations/test_shown_equations.py",),
     ),
 )

@@ -1,6 +1,6 @@
 """The derived equations of a scene, as a part of its page."""
 
-from nonsmooth.codegen import show
+from nonsmooth.codegen import equations
 from nonsmooth.codegen.printing.html import fragment_of
 
 from ..html import folded
@@ -14,4 +14,4 @@ def equations_of(source: str) -> str:
     source : str
         Name of the scene, or path of its file.
     """
-    return folded(fragment_of(show.sections(source, (), None)))
+    return folded(fragment_of(equations.sections(source, (), None)))

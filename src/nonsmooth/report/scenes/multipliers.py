@@ -4,8 +4,8 @@ import cmath
 from dataclasses import dataclass
 
 from nonsmooth.solver.exact import ExactOrbit
+from nonsmooth.solver.stability.in_words import in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
-from nonsmooth.solver.stability.words import in_words
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import click
 from nonsmooth.solver.existence.known import is_stable, others
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.stability.words import VERDICTS, in_words
+from nonsmooth.solver.stability.in_words import VERDICTS, in_words
 
 from ...columns import (
     MORE_DIGITS,

@@ -6,13 +6,13 @@ from importlib import import_module
 
 import sympy as sp
 
-from ..functions import ShiftedLegendre, TwiceIntegrated
 from ..galerkin import Condition, GalerkinConditions, polynomials
 from ..galerkin.legendre import n, repeated_integral
 from ..galerkin.polynomials import Rest, Test, series
 from ..galerkin.tables import Table, by_time, l
 from ..scene import linear_phase
 from ..system import Equation, Inner
+from ..unevaluated import ShiftedLegendre, TwiceIntegrated
 from .functions import R, Rate, member, t, u, x
 from .joining import statements
 from .notation import Notation

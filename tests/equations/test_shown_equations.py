@@ -10,8 +10,8 @@ from shown_evaluation import UnknownError
 from shown_numbers import Numbers
 from shown_scenes import CASES, CASES_OF_EVERY_RUN, numbers
 
-from nonsmooth.codegen.show.functions import R
-from nonsmooth.codegen.show.polynomial import S
+from nonsmooth.codegen.equations.functions import R
+from nonsmooth.codegen.equations.polynomial import S
 from nonsmooth.codegen.system import Equation
 
 #: Rounding of quadrature and of sums of some ten terms; the values are about 1.

@@ -20,11 +20,11 @@ from reading.latex import tokens as latex_tokens
 from reading.plain import named, plain
 from reading.tokens import ReadingError, Token
 
+from nonsmooth.codegen.equations.functions import Member, Rate
 from nonsmooth.codegen.printing.html import fragment_of
 from nonsmooth.codegen.printing.latex import aligned
 from nonsmooth.codegen.printing.sections import Section
 from nonsmooth.codegen.printing.words import spoken
-from nonsmooth.codegen.show.functions import Member, Rate
 from nonsmooth.codegen.system import Equation
 
 _RAISED = "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ"

@@ -6,8 +6,8 @@ from ..printing.sections import Section
 from ..scene import Scene
 from .method import ONE_CYCLE, method_equations, unknowns
 from .notation import Notation
+from .of_scene import scene_equations
 from .registry import conditions, methods, motion_named, scene_named
-from .scene import scene_equations
 
 
 def sections(

@@ -9,12 +9,12 @@ from every_run import tried
 from shown_scenes import EVERY_RUN, SCENES
 
 import nonsmooth as ns
+from nonsmooth.codegen.equations import derive_scene, scene_equations, scene_named
+from nonsmooth.codegen.equations.functions import Rate
+from nonsmooth.codegen.equations.registry import conditions, methods, scene_files
 from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
 from nonsmooth.codegen.scene.smoothness import place
 from nonsmooth.codegen.scenes import impact, stick_slip
-from nonsmooth.codegen.show import derive_scene, scene_equations, scene_named
-from nonsmooth.codegen.show.functions import Rate
-from nonsmooth.codegen.show.registry import conditions, methods, scene_files
 
 
 def test_every_scene_and_expansion_of_the_folders_is_found() -> None:

@@ -9,8 +9,8 @@ from ..scene import Scene
 from ..scene.scales import scales
 from ..scene.smoothness import place
 from ..system import Equation
+from .equation_of_motion import balanced, during, equation_of_motion, not_negative
 from .functions import T, state, t, x
-from .motion import balanced, during, equation_of_motion, not_negative
 from .notation import Notation
 from .switching import at_the_end, event, jump, law, perturbations, set_to
 

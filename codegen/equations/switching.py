@@ -6,8 +6,8 @@ import sympy as sp
 
 from ..scene import Memory, forcing, saltation, v, x
 from ..scene.smoothness import generator, known_rows
+from .equation_of_motion import at_state
 from .functions import state
-from .motion import at_state
 from .notation import Notation
 
 #: A small perturbation of each state, and what the state is called.

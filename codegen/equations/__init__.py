@@ -10,7 +10,7 @@ Nothing here names a scene; an expansion is told by what its conditions hold.
 
 from .document import sections
 from .method import method_equations
+from .of_scene import scene_equations
 from .registry import derive_scene, scene_named
-from .scene import scene_equations
 
 __all__ = ["derive_scene", "method_equations", "scene_equations", "scene_named", "sections"]

@@ -13,8 +13,8 @@ import sympy as sp
 from shown_evaluation import Evaluation
 
 from nonsmooth.codegen.emission.kernel import module_source
+from nonsmooth.codegen.equations import method_equations
 from nonsmooth.codegen.galerkin import GalerkinConditions
-from nonsmooth.codegen.show import method_equations
 from nonsmooth.codegen.system import Equation
 
 N = sp.Symbol("N", integer=True, positive=True)

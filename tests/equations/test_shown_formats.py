@@ -14,11 +14,11 @@ from shown_scenes import EVERY_RUN, SCENES
 
 import nonsmooth as ns
 from nonsmooth.cli import tex
+from nonsmooth.codegen.equations import sections
 from nonsmooth.codegen.printing.html import page_of
 from nonsmooth.codegen.printing.latex import aligned, document_of, fragment_of
 from nonsmooth.codegen.printing.sections import Section
 from nonsmooth.codegen.printing.text import text_of
-from nonsmooth.codegen.show import sections
 from nonsmooth.codegen.system import Equation
 
 __all__ = ["functions"]

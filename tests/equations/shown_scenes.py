@@ -5,10 +5,10 @@ from functools import cache
 import sympy as sp
 from shown_numbers import Numbers
 
+from nonsmooth.codegen.equations import scene_named
+from nonsmooth.codegen.equations.registry import conditions, methods
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
 from nonsmooth.codegen.scenes.impact import SCENE as IMPACT
-from nonsmooth.codegen.show import scene_named
-from nonsmooth.codegen.show.registry import conditions, methods
 
 m, k, F, Omega, r, h, g = sp.symbols("m k F Omega r h g", positive=True)
 c, f_d, f_s = sp.symbols("c f_d f_s", nonnegative=True)
