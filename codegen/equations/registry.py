@@ -1,13 +1,13 @@
 """Scenes and expansions by their names: those of the folders, whatever is in them."""
 
 from collections.abc import Mapping
-from difflib import get_close_matches
 from functools import cache
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
 from types import MappingProxyType, ModuleType
 
+from ...nearest import one_of
 from .. import expansions, scenes
 from ..galerkin import GalerkinConditions
 from ..scene import Scene, switches
@@ -76,7 +76,7 @@ def motion_named(scene: Scene, motion: str) -> Scene:
     """
     if motion not in scene.motions:
         known = list(scene.motions)
-        expected = _nearest(motion, known) if known else f"none: {scene.name} has only one"
+        expected = one_of(motion, known) if known else f"none: {scene.name} has only one"
         raise ValueError(f"motion: got {motion!r}, expected {expected}")
     return scene.of_motion(motion)
 
@@ -135,7 +135,7 @@ def scene_named(scene: str | Scene) -> Scene:
         return _from_file(Path(scene))
     known = scene_files()
     if scene not in known:
-        raise ValueError(f"scene: got {scene!r}, expected {_nearest(scene, list(known))}")
+        raise ValueError(f"scene: got {scene!r}, expected {one_of(scene, list(known))}")
     return known[scene]
 
 
@@ -151,12 +151,5 @@ def _expansion(scene: Scene, method: str) -> ModuleType:
         if method in (name, spelled(name, scene)):
             return module
     names = [*dict.fromkeys(q for name in known for q in (name, spelled(name, scene)))]
-    expected = f"{_nearest(method, names)}: {scene.name} is C{_class(scene)}"
-    raise ValueError(f"method: got {method!r}, expected {expected}")
-
-
-def _nearest(name: str, known: list[str]) -> str:
-    """Return all names in words, and which of them may be meant."""
-    close = get_close_matches(name, known, n=1)
-    hint = f" (did you mean {close[0]}?)" if close else ""
-    return f"one of {', '.join(known)}{hint}"
+    of = f"{scene.name} is C{_class(scene)}"
+    raise ValueError(f"method: got {method!r}, expected {one_of(method, names)} ({of})")

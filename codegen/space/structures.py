@@ -1,11 +1,11 @@
 """The structures: one record each; the class of each is deduced."""
 
 from collections.abc import Mapping
-from difflib import get_close_matches
 from types import MappingProxyType
 
 import sympy as sp
 
+from ...nearest import one_of
 from ..scene import Parameter
 from .data import Bare, L, Structure
 
@@ -125,8 +125,5 @@ def structure_named(name: str) -> Structure:
         Naming the nearest structure that there is.
     """
     if name not in STRUCTURES:
-        close = get_close_matches(name, STRUCTURES, n=1)
-        hint = f" (did you mean {close[0]}?)" if close else ""
-        known = ", ".join(STRUCTURES)
-        raise ValueError(f"structure: got {name!r}, expected one of {known}{hint}")
+        raise ValueError(f"structure: got {name!r}, expected {one_of(name, STRUCTURES)}")
     return STRUCTURES[name]

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..scenes.loaded import SCENE, LoadedScene, UnknownScene, not_known
+from ...nearest import one_of
+from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
 from ..scenes.method_names import generic, with_class_one, without_class
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ def load(name: str) -> LoadedScene:
     known = names()
     wanted = name.replace("_", "-") if isinstance(name, str) else ""
     if wanted not in known:
-        raise UnknownScene(not_known("scene", name, known))
+        raise UnknownScene(f"scene: got {name!r}, expected {one_of(name, known)}")
     module = importlib.import_module(f"{_GENERATED}.{wanted.replace('-', '_')}.{SCENE}")
     return LoadedScene(module, _folder(module))
 
@@ -72,7 +73,7 @@ def generic_method(scene: LoadedScene, method: object) -> str:
     wanted = generic(scene, method) if isinstance(method, str) else ""
     base = without_class(wanted)
     if wanted not in known and not (base in known and class_one(scene, base) == wanted):
-        raise UnknownScene(not_known("method", method, known))
+        raise UnknownScene(f"method: got {method!r}, expected {one_of(method, known)}")
     return wanted
 
 

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from ...nearest import nearest
 from .cell import Cell, cell_of
 from .dimensionless import Units, UnitsError, units_of
 from .parameter_error import ParameterError, is_number
@@ -199,8 +199,8 @@ def _checked(
     errors = []
     for name in given:
         if name not in names:
-            close = get_close_matches(str(name), names, 1)
-            hint = f"did you mean {close[0]}?" if close else f"expected {', '.join(names)}"
+            meant = " or ".join(nearest(name, names))
+            hint = f"did you mean {meant}?" if meant else f"expected {', '.join(names)}"
             errors.append(f"{name}: not a parameter of {scene.name}; {hint}")
     checked = {}
     for parameter in scene.parameters:

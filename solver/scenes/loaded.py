@@ -3,11 +3,11 @@
 import types
 from collections.abc import Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ...nearest import one_of
 from . import sealed
 from .modules import module_of
 from .sealed import Kept
@@ -181,7 +181,7 @@ class LoadedScene:
         if not self.motions:
             raise UnknownScene(f"motion: got {name!r}, but {self.label} has only one")
         if wanted not in known:
-            raise UnknownScene(not_known("motion", name, self.motions))
+            raise UnknownScene(f"motion: got {name!r}, expected {one_of(name, self.motions)}")
         folder = known[str(wanted)].replace("-", "_")
         kept = None if self.kept is None else sealed.below(self.kept, folder)
         return load_folder(self.folder / folder, kept)
@@ -248,10 +248,3 @@ def load_folder(folder: str | Path, kept: Kept | None = None) -> LoadedScene:
     if not (path.is_file() if found is None else path.name in found):
         raise UnknownScene(f"scene: no {SCENE}.py in {str(folder)!r}")
     return LoadedScene(module_of(path, found), path.parent, found)
-
-
-def not_known(what: str, found: object, known: tuple[str, ...]) -> str:
-    """Return that there is nothing of a name, and what may be meant."""
-    close = get_close_matches(found, known, 1) if isinstance(found, str) else []
-    hint = f"; did you mean {close[0]}?" if close else ""
-    return f"{what}: got {found!r}, expected one of {', '.join(known) or '(none)'}{hint}"

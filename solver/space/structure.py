@@ -2,9 +2,10 @@
 
 import types
 from dataclasses import dataclass
-from difflib import get_close_matches
 from importlib import import_module
 from typing import Any
+
+from ...nearest import one_of
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated.space"
 
@@ -107,11 +108,7 @@ def load(name: str) -> Structure:
     known = names()
     wanted = name.replace("_", "-") if isinstance(name, str) else ""
     if wanted not in known:
-        close = get_close_matches(wanted, known, 1)
-        hint = f"; did you mean {close[0]}?" if close else ""
-        raise UnknownStructure(
-            f"structure: got {name!r}, expected one of {', '.join(known)}{hint}"
-        )
+        raise UnknownStructure(f"structure: got {name!r}, expected {one_of(wanted, known)}")
     record = dict(_records()[wanted])
     parameters = tuple(Parameter(*row) for row in record.pop("parameters"))
     return Structure(name=wanted, parameters=parameters, **record)

@@ -6,8 +6,8 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.cli import cli
 from nonsmooth.cli.scenes.options import PREFIX
-from nonsmooth.cli.suggest import suggested
 from nonsmooth.codegen.scene.names import TAKEN
+from nonsmooth.nearest import nearest
 
 #: Every command of every scene; of the default scene by themselves.
 COMMANDS = {
@@ -31,7 +31,7 @@ def test_what_a_flag_begins_with_is_what_it_was_meant_for(what: str) -> None:
     assert flags
     for flag in flags:
         for end in range(len("--f"), len(flag)):
-            meant = suggested(flag[:end], flags)
+            meant = nearest(flag[:end], flags)
             assert flag in meant or flag[:end] in flags, flag[:end]
             assert all(q.startswith(flag[:end]) for q in meant)
 

@@ -115,9 +115,9 @@ def test_numbers_of_c1_functions_are_where_a_motion_is_c1(
     ("arguments", "named"),
     [
         (("imapct",), "SCENE: got 'imapct', expected one of backlash, "),
-        (("imapct",), "(did you mean impact?)"),
+        (("imapct",), "did you mean impact?"),
         (("impact", "--method", "c1"), "impact is C0"),
-        (("impact", "--method", "hbc0"), "(did you mean hb-c0?)"),
+        (("impact", "--method", "hbc0"), "did you mean hb-c0?"),
         (("impact", "--method", "hb", "--functions", "2"), "--functions: got 2"),
         (("impact", "--method", "hb-ck", "--functions", "0"), "--functions: got 0"),
         (("none.py",), "none.py: there is no such file"),
