@@ -10,8 +10,8 @@ CLASSES = ("tests/scene/test_smoothness.py",)
 NUMBERS = ("tests/scene/test_scene_numbers.py",)
 SALTATION = ("tests/scene/test_saltation.py",)
 SERIES = ("tests/galerkin/test_phase_series.py",)
-RUNTIME = "tests/galerkin/test_runtime.py"
-CONDENSED = ("tests/galerkin/test_condensed.py",)
+RUNTIME = "tests/emission/test_runtime.py"
+CONDENSED = ("tests/emission/test_condensed.py",)
 
 MUTANTS = (
     Mutant(
@@ -99,7 +99,7 @@ MUTANTS = (
         "codegen/galerkin/polynomials.py",
         "q.count - 1 - (found[p].k - order)",
         "q.count - 1 - order + 1",
-        ("tests/galerkin/test_class_one.py",),
+        ("tests/emission/test_class_one.py",),
     ),
     Mutant(
         "the integral of the constant begins with the other sign",

@@ -5,7 +5,7 @@ from ..mutant import Mutant
 CHANGED = "tests/files/test_changed_files.py"
 MODES = ("tests/space/test_space_files.py",)
 KEPT = "tests/cli_scenes/test_kept_kernels.py"
-CACHE = "tests/solving/test_cache_that_fails.py"
+CACHE = "tests/kernels/test_cache_that_fails.py"
 USERS = "tests/cli_scenes/test_user_scenes.py"
 
 MUTANTS = (

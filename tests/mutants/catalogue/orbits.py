@@ -2,13 +2,13 @@
 
 from ..mutant import Mutant
 
-FLOW = ("tests/scenes/test_flow.py",)
-SCAN = ("tests/scenes/test_two_phases.py",)
-NONE = ("tests/scenes/test_existence.py",)
-ITERATION = "tests/scenes/test_iteration_scenes.py"
-WRONG = ("tests/scenes/test_never_wrong.py",)
-SINGLE = ("tests/scenes/test_single_unknown.py",)
-ORBITS = "tests/scenes/test_orbit_scenes.py"
+FLOW = ("tests/flow/test_flow.py",)
+SCAN = ("tests/existence/test_two_phases.py",)
+NONE = ("tests/existence/test_existence.py",)
+ITERATION = "tests/kernels/test_iteration_scenes.py"
+WRONG = ("tests/orbit/test_never_wrong.py",)
+SINGLE = ("tests/kernels/test_single_unknown.py",)
+ORBITS = "tests/orbit/test_orbit_scenes.py"
 MULTIPLIERS = ("tests/stability/test_multipliers.py",)
 BALLS = ("tests/precision/test_balls.py",)
 DIGITS = "tests/precision/test_digits_of_scenes.py"
@@ -104,7 +104,7 @@ MUTANTS = (
         "solver/iteration/linear.py",
         "if abs(A[i, k]) > abs(A[pivot, k]):",
         "if False:",
-        ("tests/solving/test_linear.py",),
+        ("tests/kernels/test_linear.py",),
     ),
     Mutant(
         "the last correction is not taken",
@@ -209,7 +209,7 @@ MUTANTS = (
         "solver/existence/isolated.py",
         "coefficients += [exact * D, -E]",
         "coefficients += [exact * D, E]",
-        ("tests/solving/test_roots.py",),
+        ("tests/existence/test_roots.py",),
     ),
     Mutant(
         "of the paper: (12) is shown without its ramp",

@@ -3,11 +3,11 @@
 from ..mutant import Mutant
 
 INPUT = ("tests/scenes/test_bad_scene_input.py",)
-NONE = ("tests/scenes/test_existence.py",)
-SCAN = ("tests/scenes/test_two_phases.py",)
-WRONG = ("tests/scenes/test_never_wrong.py",)
-ADMISSIBLE = ("tests/scenes/test_admissible_scenes.py",)
-CROSSED = ("tests/scenes/test_crossings.py",)
+NONE = ("tests/existence/test_existence.py",)
+SCAN = ("tests/existence/test_two_phases.py",)
+WRONG = ("tests/orbit/test_never_wrong.py",)
+ADMISSIBLE = ("tests/orbit/test_admissible_scenes.py",)
+CROSSED = ("tests/orbit/test_crossings.py",)
 
 MUTANTS = (
     Mutant(
