@@ -11,7 +11,7 @@ OUTPUT := output
 help:  ## list the targets
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:[^#]*## /\t/' | expand -t 12
 
-solve: $(VENV)/ready  ## the limit cycle of the paper by its three methods, and a picture
+solve: $(VENV)/ready  ## the limit cycle of the paper by each method, and a picture
 	@mkdir -p $(OUTPUT)
 	@$(BIN)/nonsmooth solve --order 10 -o $(OUTPUT)/orbit.png
 

@@ -5,6 +5,7 @@ import os
 import re
 import sys
 import types
+import warnings
 from importlib.metadata import version as installed
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -22,6 +23,8 @@ CONFIG.parent.mkdir()
 CONFIG.write_text('c.IPKernelApp.log_level = "ERROR"\n', encoding="utf-8")
 os.environ["IPYTHONDIR"] = PROFILE.name
 logging.getLogger("traitlets").setLevel(logging.WARNING)
+# Of docstrings of SymPy, whose sections are not numpydoc's.
+warnings.filterwarnings("ignore", "Unknown section", UserWarning, "numpydoc")
 
 project = "nonsmooth"
 author = "The nonsmooth developers"
@@ -68,6 +71,7 @@ rooms = [
     "nonsmooth.codegen",
     "nonsmooth.generated",
     "nonsmooth.solver",
+    "nonsmooth.described",
     "nonsmooth.files",
     "nonsmooth.scene_files",
     "nonsmooth.report",
