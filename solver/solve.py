@@ -230,10 +230,14 @@ class _Search:
         return orbit
 
     def count(self, found: Solution) -> None:
-        """Count the iterations of a result, and note its failure if it is one."""
+        """Count the iterations of a result, and note its failure if it is one.
+
+        Of a coarse one only its own is: what the exact equations say is asked of the last.
+        """
         self.iterations += found.outcome.iterations
         why = "" if found.converged else found.outcome.reason
-        why = why or "; ".join(found.violations)
+        whole = isinstance(found, Orbit)
+        why = why or "; ".join(found.violations if whole else found.own_violations)
         if why:
             self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
 
@@ -297,7 +301,7 @@ class _Search:
                 continue
             found = _coarse_orbit(self.case, method, order, tuple(times))
             self.count(found)
-            if found.converged and found.admissible:
+            if found.converged and not found.own_violations:
                 yield registry.kernel(scene, method).times(found.unknowns)
 
 

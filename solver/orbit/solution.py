@@ -116,8 +116,13 @@ class Solution(Motion):
         is not an orbit, neither is this.  Functions that begin at switches resolve the end of a
         phase to about one part in 2 N where its event is not imposed.
         """
+        return self.own_violations or self._disproof
+
+    @cached_property
+    def own_violations(self) -> tuple[str, ...]:
+        """What keeps it from being one by its own motion; the exact one is not asked."""
         unmet = 1 / (2 * self.order) if self._kernel.starts else 0.0
-        return admissible.violations(self, by_residual(self), unmet) or self._disproof
+        return admissible.violations(self, by_residual(self), unmet)
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:

@@ -31,9 +31,10 @@ if TYPE_CHECKING:
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
     from .solver.exact import ExactOrbit
-    from .solver.family import Family
     from .solver.no_orbit import NoOrbit
+    from .solver.results.family import Family
     from .solver.results.orbit import Orbit
+    from .solver.results.sweep import Sweep
     from .solver.scenes.case import Case
     from .solver.scenes.loaded import UnknownScene
     from .solver.scenes.parameter_error import ParameterError
@@ -42,7 +43,6 @@ if TYPE_CHECKING:
     from .solver.space.modes import Modes, ToleranceNotMet, modes
     from .solver.space.structure import UnknownStructure
     from .solver.space.structure import names as structures
-    from .solver.sweep import Sweep
 
     __version__: str
 
@@ -59,10 +59,10 @@ _HOMES = {
     "NoOrbit": ("solver.no_orbit", "NoOrbit"),
     "NotCertified": ("solver.trade.choice", "NotCertified"),
     "ParameterError": ("solver.scenes.parameter_error", "ParameterError"),
-    "Family": ("solver.family", "Family"),
+    "Family": ("solver.results.family", "Family"),
     "SceneFileError": ("scene_files.error", "SceneFileError"),
     "Orbit": ("solver.results.orbit", "Orbit"),
-    "Sweep": ("solver.sweep", "Sweep"),
+    "Sweep": ("solver.results.sweep", "Sweep"),
     "Simulation": ("solver.simulation.record", "Simulation"),
     "StickSlip": ("kim_perkins", "StickSlip"),
     "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),

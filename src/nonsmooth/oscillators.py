@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from .solver.exact import ExactOrbit
-    from .solver.family import Family
+    from .solver.results.family import Family
     from .solver.results.orbit import Orbit
+    from .solver.results.sweep import Sweep
     from .solver.simulation.record import Simulation
-    from .solver.sweep import Sweep
 
 #: N where none is named, as on the command line.
 ORDER = 10

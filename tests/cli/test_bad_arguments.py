@@ -44,7 +44,7 @@ def test_python_names_a_wrong_method(method: object, belt: ns.StickSlip) -> None
         ns.solve(belt, method, 5)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("budget", [True, 0, -1.0, float("nan"), float("inf"), "1"])
+@pytest.mark.parametrize("budget", [True, 0, -1.0, float("nan"), float("inf"), "1", "1ms"])
 def test_budgets_that_are_no_seconds(budget: object) -> None:
     with pytest.raises(ValueError, match="budget: got"):
         ns.solve(ns.StickSlip(**GOOD), budget=budget)  # type: ignore[arg-type]
@@ -67,7 +67,9 @@ def test_times_that_are_not_real(times: object) -> None:
         ns.family(orbit.case, "mass", times)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("belt", [GOOD, None, "belt", ns.StickSlip, 1.0])
+@pytest.mark.parametrize(
+    "belt", [GOOD, None, "belt", "impact", ns.StickSlip, ns.scene("impact"), 1.0, 3]
+)
 @pytest.mark.parametrize(
     "function",
     [

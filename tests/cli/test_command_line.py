@@ -104,21 +104,6 @@ def test_sweep_of_the_issue_has_120_rows_and_all_of_c1_settled(run, monkeypatch)
     assert "sweep: 120 of 120 done (c1, N = 40)\n" in err
 
 
-def test_a_row_without_an_orbit_is_a_row_all_the_same(run) -> None:
-    status, out, _ = run(
-        "sweep", "--methods", "c1", "--orders", "3-5", "--normal-force", 100, "--json"
-    )
-    rows = json.loads(out)["rows"]
-    assert status == 1
-    assert [row["order"] for row in rows] == [3, 4, 5]
-    assert [row["status"] for row in rows] == ["no-orbit", "no-orbit", "ok"]
-    assert set(rows[1]["errors"].values()) == {rows[1]["t1"]} == {None}
-    assert rows[1]["errors"].keys() == rows[2]["errors"].keys()
-    status, out, _ = run("sweep", "--methods", "c1", "--orders", "3-5", "--normal-force", 100)
-    assert status == 1
-    assert out.count("no-orbit") == 2
-
-
 @pytest.mark.parametrize(
     ("command", "suffix"),
     [

@@ -51,12 +51,9 @@ def test_a_shell_completes_commands_and_scenes(words: str, completed: list[str])
     words = {"COMP_WORDS": words, "COMP_CWORD": str(words.count(" "))}
     environment = os.environ | words | {"_NONSMOOTH_COMPLETE": "bash_complete"}
     program = "from nonsmooth.__main__ import main; main()"
+    command = [sys.executable, "-c", program]
     found = subprocess.run(
-        [sys.executable, "-c", program],
-        check=False,
-        env=environment,
-        capture_output=True,
-        text=True,
+        command, check=False, env=environment, capture_output=True, text=True
     )
     assert found.stdout.split() == [f"plain,{word}" for word in completed]
 

@@ -40,6 +40,39 @@ def program():
 end_on_interrupt(program)
 """
 
+#: An interrupt in the hook that reports what is lost.
+IN_THE_HOOK = """
+class Strikes:
+    @classmethod
+    def from_param(cls, lost):
+        return signal.SIGINT
+
+sys.__unraisablehook__ = ctypes.PyDLL(None)["raise"]
+sys.__unraisablehook__.argtypes = [Strikes]
+
+class Broken:
+    def __del__(self):
+        raise ValueError
+
+Broken()
+time.sleep(30)
+"""
+
+#: Further ones while the first is told.
+WHILE_IT_ENDS = """
+class Strikes:
+    def write(self, text):
+        signal.raise_signal(signal.SIGINT)
+        sys.__stderr__.write(text)
+
+    def flush(self):
+        signal.raise_signal(signal.SIGINT)
+        sys.__stderr__.flush()
+
+sys.stdout = sys.stderr = Strikes()
+signal.raise_signal(signal.SIGINT)
+"""
+
 
 def ends(body: str, handler: str = "default_int_handler") -> tuple[int, str]:
     """Return status and stderr of a program with this body, started with this handler."""
@@ -62,57 +95,23 @@ def ends(body: str, handler: str = "default_int_handler") -> tuple[int, str]:
         "try:\n    Half()\nexcept KeyboardInterrupt:\n    pass\nsys.exit(2)",
         "Interrupted(); Interrupted(); time.sleep(30)",
         "[Interrupted() for _ in range(100000)]; time.sleep(30)",
+        IN_THE_HOOK,
+        WHILE_IT_ENDS,
     ],
 )
 def test_an_interrupt_is_heeded_wherever_it_strikes(body: str) -> None:
     assert ends(body) == INTERRUPTED
 
 
-def test_what_is_to_be_undone_is_undone() -> None:
-    body = """
-    try:
-        callback(); time.sleep(30)
-    finally:
-        sys.stderr.write("undone, ")
-    """
-    assert ends(body) == (130, "undone, nonsmooth: interrupted\n")
-
-
-def test_an_interrupt_in_the_hook_that_reports_what_is_lost_is_heeded() -> None:
-    body = """
-    class Strikes:
-        @classmethod
-        def from_param(cls, lost):
-            return signal.SIGINT
-
-    sys.__unraisablehook__ = ctypes.PyDLL(None)["raise"]
-    sys.__unraisablehook__.argtypes = [Strikes]
-
-    class Broken:
-        def __del__(self):
-            raise ValueError
-
-    Broken()
-    time.sleep(30)
-    """
-    assert ends(body) == INTERRUPTED
-
-
-def test_an_interrupt_while_it_ends_changes_nothing() -> None:
-    body = """
-    class Strikes:
-        def write(self, text):
-            signal.raise_signal(signal.SIGINT)
-            sys.__stderr__.write(text)
-
-        def flush(self):
-            signal.raise_signal(signal.SIGINT)
-            sys.__stderr__.flush()
-
-    sys.stdout = sys.stderr = Strikes()
-    signal.raise_signal(signal.SIGINT)
-    """
-    assert ends(body) == INTERRUPTED
+def test_what_is_done_before_or_after_is_done() -> None:
+    struck = "signal.raise_signal(signal.SIGINT)"
+    undone = "try:\n    callback(); time.sleep(30)\nfinally:\n    sys.stderr.write('undone, ')"
+    assert ends(undone) == (130, "undone, nonsmooth: interrupted\n")
+    caught = f"try:\n    {struck}\nexcept KeyboardInterrupt:\n    sys.exit(0)"
+    assert ends(caught) == (0, "")
+    last = f"lambda: ({struck}, sys.stderr.write('done'))"
+    assert ends(f"import atexit; atexit.register({last}); sys.exit(3)") == (3, "done")
+    assert ends(f"{struck}; sys.exit(0)", "SIG_IGN") == (0, "")  # as in the background
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="a device of Linux")
@@ -123,30 +122,6 @@ def test_an_interrupt_that_cannot_be_reported_is_in_the_status() -> None:
     signal.raise_signal(signal.SIGINT)
     """
     assert ends(body) == (130, "")
-
-
-def test_an_interrupt_after_the_end_changes_nothing() -> None:
-    body = """
-    import atexit
-
-    @atexit.register
-    def last():
-        signal.raise_signal(signal.SIGINT)
-        sys.stderr.write("done")
-
-    sys.exit(3)
-    """
-    assert ends(body) == (3, "done")
-
-
-def test_work_that_was_done_before_is_done() -> None:
-    body = """
-    try:
-        signal.raise_signal(signal.SIGINT)
-    except KeyboardInterrupt:
-        sys.exit(0)
-    """
-    assert ends(body) == (0, "")
 
 
 def test_without_an_interrupt_nothing_is_hidden() -> None:
@@ -160,10 +135,6 @@ def test_without_an_interrupt_nothing_is_hidden() -> None:
     status, err = ends(body)
     assert status == 3
     assert "ValueError: shown" in err
-
-
-def test_in_the_background_it_stays_ignored() -> None:
-    assert ends("signal.raise_signal(signal.SIGINT); sys.exit(0)", "SIG_IGN") == (0, "")
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")

@@ -94,8 +94,13 @@ def test_the_tables_of_sweep(run) -> None:
 
 def test_a_row_of_sweep_without_an_orbit_says_so(run) -> None:
     arguments = ("sweep", "--methods", "c1", "--orders", "3-5", "--normal-force", 100)
-    out, rows = run(*arguments)[1], json.loads(run(*arguments, "--json")[1])["rows"]
-    table = read(out, list(SWEEP))
+    status, out, _ = run(*arguments)
+    of_document, document, _ = run(*arguments, "--json")
+    table, rows = read(out, list(SWEEP)), json.loads(document)["rows"]
+    assert status == of_document == 1
+    assert [row["order"] for row in rows] == [3, 4, 5]
+    assert set(rows[1]["errors"].values()) == {rows[1]["t1"]} == {None}
+    assert rows[1]["errors"].keys() == rows[2]["errors"].keys()
     assert [row["status"] for row in rows] == ["no-orbit", "no-orbit", "ok"]
     compare(table[2:], rows[2:], SWEEP)
     for cells, row in zip(table[:2], rows[:2], strict=True):

@@ -5,7 +5,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.cli import cli
-from nonsmooth.cli.scenes.options import PREFIX
+from nonsmooth.cli.about import PREFIX, CommandAbout
 from nonsmooth.codegen.scene.names import TAKEN
 from nonsmooth.nearest import nearest
 
@@ -36,33 +36,13 @@ def test_what_a_flag_begins_with_is_what_it_was_meant_for(what: str) -> None:
             assert all(q.startswith(flag[:end]) for q in meant)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("impact", "--freq", 3), "impact has no --freq. Did you mean --frequency? (see"),
-        (("impact", "--fre=3"), "impact has no --fre. Did you mean --frequency? (see"),
-        (("dry-friction", "--mu", 3), "Did you mean --mu-s or --mu-k? (see"),
-        (("impact", "--farce", 3), "Did you mean --force? (see"),
-        (("impact", "--Gap", 3), "Did you mean --gap? (see"),
-        (("impact", "--tol_", 3), "Did you mean --tol? (see"),
-        (("impact", "--xyz", 3), "It has --mass, --damping, --stiffness, --force, --freq"),
-        (("--norm", 3), "stick-slip has no --norm. Did you mean --normal-force? (see"),
-        (("--c1-terms", 3), "--functions K, with --method hb-ck"),
-        (("--xyz", 3), "--mu-k, --normal-force. (see nonsmooth solve --help)"),
-    ],
-)
-def test_a_flag_that_is_not_there(run, arguments, words: str) -> None:
-    status, out, err = run("solve", *arguments)
-    assert (status, out, err.count("\n")) == (2, "", 1)
-    assert words in err
-
-
 def test_no_parameter_has_the_name_of_an_option() -> None:
     for what, command in COMMANDS.items():
         if " " not in what or what.endswith("stick-slip"):  # its parameters are among them
             continue
-        assert command is not None
-        own = [q for q in command.params if not (q.name or "").startswith(PREFIX)]
+        assert isinstance(command, CommandAbout)
+        given = {PREFIX + q.name for q in command.about.parameters}
+        own = [q for q in command.params if q.name not in given]
         names = {name.strip("-") for q in own for name in q.opts if name.startswith("--")}
         named_so = {name.replace("-", "_") for name in names}
         assert named_so <= TAKEN, what

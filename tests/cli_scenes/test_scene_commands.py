@@ -183,67 +183,11 @@ def test_a_tolerance_chooses_the_lowest_order(run) -> None:
     assert "the lowest order, of 8 tried" in run("solve", "impact", "--tol", 1e-9)[1]
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("impact", "--tol", 1e-15), "no estimate in float64 goes below 2e-15"),
-        (("impact", "--tol", 1e-7, "--method", "hb"), "it would need N of about"),
-        (("clearance", "--gap", 1.35605, "--tol", 1e-14), "do not fall any more"),  # grazes
-    ],
-)
-def test_a_tolerance_that_cannot_be_met_is_refused(run, arguments, words) -> None:
-    status, out, err = run("solve", *arguments)
-    assert (status, out) == (1, "")
-    assert words in err
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("impakt",), "did you mean impact?"),
-        (("42",), "expected one of backlash"),
-        (("impact", "--method", "c1-tau"), "--method: got 'c1-tau', expected one of"),
-        (("impact", "--method", "c0-tao"), "did you mean ck-tau?"),
-        (("impact", "--gab", 1), "impact has no --gab. Did you mean --gap?"),
-        (("impact", "--belt-speed", 1), "has no --belt-speed. It has --mass, --damping,"),
-        (("impact", "--ordre", 1), "Did you mean --order?"),
-        (("impact", "--gap", "x"), "'--gap': 'x' is not a valid float"),
-        (("impact", "--restitution", 2), "restitution: got 2.0, expected a"),
-        (("impact", "--gap", "nan"), "gap: got nan"),
-        (
-            ("impact", "--order", 1),
-            "--order: got 1, expected a whole number from 2 to 400 for ck",
-        ),
-        (("impact", "--method", "hb", "--functions", 2), "--functions: got 2, expected for hb"),
-        (("impact", "--functions", 9), "--functions: got 9, expected for hb-ck: 1, 2, 3"),
-        (("impact", "--tol", 2), "--tol: got 2.0, expected a number between 0 and 1"),
-        (("impact", "--tol", 0.1, "--order", 3), "--order: got 3 beside --tol"),
-        (("impact", "-o", "x.txt"), "expected a name that ends in one of .json, .csv, .nc"),
-        (("impact", "extra"), "unexpected extra argument (extra)"),
-        (("stick-slip-damped", "--mu-k", 0.6), "expected that mu_k is at most mu_s"),
-    ],
-)
-def test_bad_input_is_one_line(run, arguments, words) -> None:
-    assert words in refused(run, "solve", *arguments)
-
-
 def test_several_mistakes_are_a_line_each(run) -> None:
     error = refused(run, "solve", "impact", "--mass", -1, "--restitution", 2, below=1)
     first, second = error.splitlines()
     assert first == "nonsmooth: mass: got -1.0, expected a positive number"
     assert second == "  restitution: got 2.0, expected a positive number, at most 1"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("impact", "--methods", "hb,galerkin"), "--methods: got 'galerkin'"),
-        (("impact", "--methods", "ck", "--orders", "1,3"), "--orders: got 1"),
-        (("impact", "--orders", "3-"), "'3-'"),
-    ],
-)
-def test_bad_input_of_a_sweep_is_one_line(run, arguments, words) -> None:
-    assert words in refused(run, "sweep", *arguments)
 
 
 def test_a_case_file_names_its_scene(run, tmp_path: Path) -> None:

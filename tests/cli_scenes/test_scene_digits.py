@@ -106,23 +106,6 @@ def test_a_scene_that_names_no_extremes_is_measured_as_it_is(run, monkeypatch) -
     assert "no damping" not in out
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("impact", "--quick", "--orders", "5"), "--quick: got --orders 5 beside it"),
-        (("impact", "--methods", "c1"), "--methods: got 'c1'"),
-        (("impact", "--orders", "x"), "--orders: "),
-        (("impact", "--orders", "10,1000000"), "--orders: got 1000000, expected at most 400"),
-        (("impact", "--gap", "nan"), "gap: got nan"),
-        (("impact", "-o", "digits.csv"), "digits.csv"),
-        (("stick-slip-damped", "--mu-k", "0.5"), "extremes: no numbers for these parameters"),
-        (("impact", "--damping", "0", "--frequency", "1"), "extremes: no numbers for these"),
-    ],
-)
-def test_what_cannot_be_measured_is_one_line(run, arguments, words) -> None:
-    assert words in refused(run, "digits", *arguments)
-
-
 def test_without_python_flint_a_scene_says_how_to_install_it(run, monkeypatch) -> None:
-    monkeypatch.setattr("nonsmooth.cli.flint.find_spec", lambda name: None)
+    monkeypatch.setattr("nonsmooth.cli.output.find_spec", lambda name: None)
     assert "pip install 'nonsmooth[precise]'" in refused(run, "digits", "impact")

@@ -163,26 +163,6 @@ def test_the_picture_has_the_ends_and_the_times(along) -> None:
     assert "velocity" in panels[1].get_ylabel()
 
 
-@pytest.mark.parametrize(
-    ("flags", "words"),
-    [
-        (("--vary", "gap=0.1"), "expected NAME=FROM:TO:POINTS, such as restitution=0.3:0.6:20"),
-        (("--vary", "gape=0:1:3"), "unknown parameter 'gape', expected one of mass"),
-        (("--vary", "gap=1:1:3"), "two different numbers"),
-        (("--vary", "gap=0:1:1"), "expected a whole number from 2 to 100000"),
-        (("--vary", "gap=0:1:3", "--log"), "--log: got an end"),
-        (("--vary", "gap=0:1:3", "--gap", "0.1"), "--gap: given beside --vary gap"),
-        (("--vary", "gap=0:1:3", "--orders", "1-3"), "expected one order"),
-        (("--vary", "gap=0:1:3", "--methods", "hb,ck"), "expected one method"),
-        (("--vary", "restitution=0.5:2:3"), "--vary: restitution: got 1.25"),
-        (("--log",), "--log: expected beside --vary"),
-    ],
-)
-def test_what_is_wrong_is_said(run, flags: tuple[str, ...], words: str) -> None:
-    status, _, err = run("sweep", "impact", *flags)
-    assert (status, words in err) == (2, True), err
-
-
 def test_no_orbit_at_the_first_value_does_not_end_the_sweep() -> None:
     found = ns.family(IMPACT(), "gap", [50.0, 0.1], order=ORDER)
     assert [row.status for row in found.rows] == ["no-orbit", "ok"]

@@ -1,7 +1,6 @@
 """Time against error of a scene's methods, and the best orbit within a time."""
 
 import json
-import math
 from pathlib import Path
 
 import pytest
@@ -133,26 +132,6 @@ def test_a_budget_on_the_command_line(run) -> None:
     assert (status, "the fastest orbit takes" in err) == (1, True)
     status, out, _ = run("solve", "--method", "c1-tau", "--budget", "1s", "--json")
     assert json.loads(out)["order"] == 8
-
-
-@pytest.mark.parametrize("value", [0, -1.0, math.inf, math.nan, "1ms", True])
-def test_budgets_that_are_no_seconds(case, value: object) -> None:
-    with pytest.raises(ValueError, match="budget: got"):
-        ns.solve(case, budget=value)  # type: ignore[call-overload]
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("--budget", "1ms", "--tol", "1e-3"), "--budget"),
-        (("--budget", "1ms", "--order", "3"), "--order: got 3 beside --budget"),
-        (("--budget", "1"), "--budget: got '1'"),
-        (("--budget", "1ms", "--method", "c1"), "--method: got 'c1'"),
-    ],
-)
-def test_what_a_budget_excludes(run, arguments: tuple[str, ...], words: str) -> None:
-    status, _, err = run("solve", "impact", *arguments)
-    assert (status, words in err) == (2, True)
 
 
 def test_a_budget_beside_a_tolerance_or_an_order(case) -> None:

@@ -104,34 +104,3 @@ def test_what_is_drawn_is_the_motion_and_its_late_part() -> None:
     count = len(late.get_xdata())
     assert np.array_equal(late.get_ydata(), v[-count:])
     assert t[-count] == pytest.approx(0.8 * motion.time, rel=0.01)
-
-
-def test_a_phase_of_what_does_not_force_is_refused(run) -> None:
-    status, out, err = run("simulate", "stick-slip", "--forcing-phase", 1)
-    assert (status, out) == (2, "")
-    assert err.startswith("nonsmooth: --forcing-phase: got 1.0, expected 0: nothing forces")
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("--state", "1"), "--state: got '1', expected displacement and velocity as X,V"),
-        (("--state", "a,b"), "--state: got 'a,b'"),
-        (("--state", "nan,0"), "--state: got nan, expected a finite displacement in m"),
-        (("--state", "1,2"), "flight not true that the mass stays before the stop"),
-        (("--cycles", 0), "--cycles: got 0.0, expected a positive number"),
-        (("--time", "-1"), "--time: got -1.0, expected a positive number"),
-        (("--time", 1, "--cycles", 2), "--time: got 1.0 beside cycles"),
-        (("--state", "1e308,0"), "--state: got (1e+308, 0.0), expected numbers within float64"),
-        (("--cycles", 1e9), "--cycles: got 1000000000.0, expected at most 100000 cycles"),
-        (("--forcing-phase", "inf"), "--forcing-phase: got inf, expected a finite number"),
-        (("--restitution", 2), "restitution: got 2.0"),
-        (("--mass-of", 2), "impact has no --mass-of. Did you mean --mass?"),
-        (("-o", "m.txt"), "-o: got m.txt, expected a name that ends in one of .json, .csv"),
-    ],
-)
-def test_bad_input_is_one_line(run, arguments, words) -> None:
-    status, out, err = run("simulate", "impact", *arguments)
-    assert (status, out) == (2, "")
-    assert words in err
-    assert err.count("\n") == 1

@@ -16,14 +16,15 @@ from typing import Any, NoReturn
 
 import click
 
-from . import equations, generate, paper
+from . import equations, paper
+from .about import CommandOfAny
 from .problems import Problem, print_warnings, say
-from .scenes import command as scene_command
+from .scenes import generate
 from .scenes import simulate as simulation
+from .scenes.command import SceneCommand
 from .scenes.default import EXAMPLE
 from .scenes.shown import listing
 from .space import modes
-from .space import named as structures
 from .suggest import no_such_option
 from .version import show_version
 
@@ -62,9 +63,15 @@ class _Commands(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name, command, rest = super().resolve_command(ctx, args)
-        quiet = ctx.resilient_parsing
-        name, command, rest = structures.resolved(name, command, rest, quiet=quiet)
-        return scene_command.resolved(name, command, rest, quiet=quiet)
+        if not isinstance(command, CommandOfAny):
+            return name, command, rest
+        try:
+            chosen, about, others = command.chosen(rest)
+        except (click.UsageError, Problem):
+            if ctx.resilient_parsing:  # for completion
+                return name, command, rest
+            raise
+        return f"{name} {about}".strip(), chosen, others
 
     def make_context(self, *arguments: Any, **options: Any) -> click.Context:
         with _reader():  # of the version, or of help
@@ -99,16 +106,18 @@ def _verbs() -> Iterable[click.Command]:
         "tradeoff": "Measure time against error.",
     }
     for name, summary in summaries.items():
-        yield scene_command.SceneCommand(name, module=name, own=False, help=summary)
-    yield scene_command.SceneCommand(
+        both = name == "sweep"
+        yield SceneCommand(name, module=name, own=False, structures=both, help=summary)
+    yield SceneCommand(
         "stability", module="stability", own=False, hidden=True,
         help="The old name of `nonsmooth digits`.",
     )  # fmt: skip
 
 
 #: Its command line is that of the scene, the default one too; this is what documentation shows.
-simulate = scene_command.SceneCommand(
-    "simulate", module="simulate", own=False, params=simulation.options(),
+simulate = SceneCommand(
+    "simulate", module="simulate", own=False,
+    params=[*simulation.options(), *simulation.OUTPUT.options()],
     help=simulation.HELP.format(name="a scene", title="Stick-slip without SCENE"),
     epilog=simulation.EPILOG.format(**EXAMPLE),
 )  # fmt: skip

@@ -1,10 +1,38 @@
 """Case files: the parameters of an oscillator in a table of TOML."""
 
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 
 from .problems import Problem
+
+
+def tables_of(name: str) -> tuple[str, str]:
+    """Return what the table of a scene or a structure may be called."""
+    return name.replace("-", "_"), name
+
+
+def said_first(
+    arguments: list[str], known: Callable[[], Collection[str]]
+) -> tuple[str | None, list[str]]:
+    """Return what arguments name first, and the rest; else the one table of their case file.
+
+    A table counts if it is known; what is wrong with a file is said later.
+    """
+    if arguments and not arguments[0].startswith("-"):
+        return arguments[0], arguments[1:]
+    path = ""
+    for argument, value in zip(arguments, [*arguments[1:], ""], strict=False):
+        if argument == "--case":
+            path = value
+        elif argument.startswith("--case="):
+            path = argument.removeprefix("--case=")
+    try:
+        tables = [*read_toml(Path(path))] if path else []
+    except Problem:
+        return None, arguments
+    names = [table.replace("_", "-") for table in tables]
+    return (names[0] if len(names) == 1 and names[0] in known() else None), arguments
 
 
 def read_case(path: Path, tables: Sequence[str]) -> dict[str, object]:

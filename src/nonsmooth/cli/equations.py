@@ -10,7 +10,7 @@ import click
 from nonsmooth.scene_files.error import SceneFileError
 
 from . import tex
-from .output import check_target, write_bytes, write_text
+from .output import check_target, write_text, write_whole
 from .problems import Problem
 from .progress import busy
 from .scenes.default import DEFAULT
@@ -83,7 +83,8 @@ def equations(
     if output is None:
         click.echo(_for_stdout(text, chosen), nl=False)
     elif chosen == "pdf":
-        write_bytes(output, tex.pdf(text))
+        made = tex.pdf(text)
+        write_whole(output, lambda target: target.write_bytes(made))
     else:
         write_text(output, text)
 

@@ -6,8 +6,7 @@ import tempfile
 from collections.abc import Callable, Set
 from pathlib import Path
 
-import click
-
+from .output import check_folder_of, telling
 from .problems import Problem
 
 #: The page of a folder, and what a page that we made has in it.
@@ -25,15 +24,12 @@ def check_folder(path: Path, files: Set[str]) -> None:
         Naming the path and what was expected.
     """
     path = Path(os.path.abspath(path))
-    if not path.parent.is_dir():
-        raise Problem(f"-o: the folder {path.parent} does not exist")
-    if not path.exists():
-        _probe(path.parent)
-        return
-    if not path.is_dir() or path.is_symlink():
-        raise Problem(f"-o: {path} is there, expected a folder or a new name")
-    _probe(path.parent)
-    there = {entry.name for entry in path.iterdir()}
+    there = set()
+    if path.exists():
+        if not path.is_dir() or path.is_symlink():
+            raise Problem(f"-o: {path} is there, expected a folder or a new name")
+        there = {entry.name for entry in path.iterdir()}
+    check_folder_of(path)
     other = sorted(there - files)
     if other or (there and not _ours(path / PAGE)):
         what = f"has {other[0]} in it" if other else "has a page that is not ours"
@@ -44,13 +40,6 @@ def check_folder(path: Path, files: Set[str]) -> None:
 
 def _ours(page: Path) -> bool:
     return page.is_file() and MARK in page.read_text("utf-8", errors="replace")
-
-
-def _probe(parent: Path) -> None:
-    try:
-        os.rmdir(tempfile.mkdtemp(dir=parent))
-    except OSError as error:
-        raise Problem(f"-o: cannot write to {parent}: {error.strerror}") from error
 
 
 def write_folder(path: Path, write: Callable[[Path], None]) -> None:
@@ -64,16 +53,14 @@ def write_folder(path: Path, write: Callable[[Path], None]) -> None:
     path = Path(os.path.abspath(path))
     temporary = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}-"))
     try:
-        made = temporary / "made"
-        made.mkdir(mode=0o777)
-        write(made)
-        if path.exists():
-            os.replace(path, temporary / "before")
-        os.replace(made, path)
-    except OSError as error:
-        raise Problem(f"-o: cannot write {path}: {error.strerror}") from error
+        with telling(path):
+            made = temporary / "made"
+            made.mkdir(mode=0o777)
+            write(made)
+            if path.exists():
+                os.replace(path, temporary / "before")
+            os.replace(made, path)
     finally:
         if (temporary / "before").exists() and not path.exists():
             os.replace(temporary / "before", path)
         shutil.rmtree(temporary, ignore_errors=True)
-    click.echo(f"wrote {path}", err=True)

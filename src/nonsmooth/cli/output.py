@@ -2,10 +2,12 @@
 
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
@@ -43,35 +45,33 @@ def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
         raise Problem(f"-o: {path} is a folder, expected a file")
     if path.exists() and not path.is_file():
         raise Problem(f"-o: {path} is a device or a pipe, expected a file")
-    folder = Path(os.path.realpath(path)).parent if path.is_symlink() else path.parent
-    if not folder.is_dir():
-        raise Problem(f"-o: the folder {folder} does not exist")
-    try:
-        handle, probe = tempfile.mkstemp(dir=folder)
-    except OSError as error:
-        raise Problem(f"-o: cannot write to {folder}: {error.strerror}") from error
-    os.close(handle)
-    os.unlink(probe)
+    check_folder_of(Path(os.path.realpath(path)) if path.is_symlink() else path)
     if suffixes and path.suffix.lower() in PICTURES:
-        need_matplotlib()
+        need("matplotlib", "-o: a picture", "plot")
     if path.suffix.lower() == ".nc":
         need("netCDF4", "-o: netCDF", "netcdf")
         need("xarray", "-o: netCDF", "netcdf")
 
 
-def need_matplotlib() -> None:
-    """Check that pictures can be drawn.
+def check_folder_of(path: Path) -> None:
+    """Check that the folder of a path is there and takes another file.
 
     Raises
     ------
     Problem
-        Saying how to install what is missing.
+        If it does not.
     """
-    need("matplotlib", "-o: a picture", "plot")
+    folder = path.parent
+    if not folder.is_dir():
+        raise Problem(f"-o: the folder {folder} does not exist")
+    try:
+        tempfile.NamedTemporaryFile(dir=folder).close()
+    except OSError as error:
+        raise Problem(f"-o: cannot write to {folder}: {error.strerror}") from error
 
 
-def need(library: str, what: str, extra: str) -> None:
-    """Check that a library of an extra is installed.
+def need(library: str, what: str, extra: str, package: str = "") -> None:
+    """Check that a library of an extra is installed, which may be that of another package.
 
     Raises
     ------
@@ -79,10 +79,26 @@ def need(library: str, what: str, extra: str) -> None:
         Saying what needs it, and how to install it.
     """
     if find_spec(library) is None:
-        raise Problem(f"{what} needs {library}: pip install 'nonsmooth[{extra}]'")
+        raise Problem(f"{what} needs {package or library}: pip install 'nonsmooth[{extra}]'")
 
 
-def write_whole(path: Path, write: Callable[[Path], None]) -> None:
+@contextmanager
+def telling(path: Path) -> Iterator[None]:
+    """Say that a file or folder is written, once it is.
+
+    Raises
+    ------
+    Problem
+        If it cannot be.
+    """
+    try:
+        yield
+    except OSError as error:
+        raise Problem(f"-o: cannot write {path}: {error.strerror}") from error
+    click.echo(f"wrote {path}", err=True)
+
+
+def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     """Let `write` make a temporary file beside `path`, then put it in its place.
 
     Raises
@@ -90,45 +106,64 @@ def write_whole(path: Path, write: Callable[[Path], None]) -> None:
     Problem
         If the file cannot be written; then nothing is left of it.
     """
-    try:
-        with whole(path) as temporary:
-            write(temporary)
-    except OSError as error:
-        raise Problem(f"-o: cannot write {path}: {error.strerror}") from error
-    click.echo(f"wrote {path}", err=True)
-
-
-def write_file(path: Path, thing: "Savable") -> None:
-    """Write orbits, a sweep or families as .json, .csv or .nc."""
-    from nonsmooth.files.api import save
-
-    try:
-        save(thing, path)
-    except OSError as error:
-        raise Problem(f"-o: cannot write {path}: {error.strerror}") from error
-    click.echo(f"wrote {path}", err=True)
-
-
-def write_picture(path: Path, figure: "Callable[[], Figure]") -> None:
-    """Write what a function draws as .png, .svg or .pdf."""
-    from nonsmooth.plots.axes import write
-
-    write_whole(path, lambda target: write(figure, target))
+    with telling(path), whole(path) as temporary:
+        write(temporary)
 
 
 def write_text(path: Path, text: str) -> None:
     """Write a text file whole or not at all."""
-
-    def write(target: Path) -> None:
-        target.write_text(text, "utf-8")
-
-    write_whole(path, write)
+    write_whole(path, lambda target: target.write_text(text, "utf-8"))
 
 
-def write_bytes(path: Path, content: bytes) -> None:
-    """Write a binary file whole or not at all."""
+def drawn_by(name: str, *arguments: object) -> "Callable[[], Figure]":
+    """Return what draws by a function of `nonsmooth.plots`, which is loaded when it draws.
 
-    def write(target: Path) -> None:
-        target.write_bytes(content)
+    It is named with its module: ``sweeps.convergence_figure``.
+    """
 
-    write_whole(path, write)
+    def draw() -> "Figure":
+        module, _, function = name.partition(".")
+        figure = getattr(import_module(f"nonsmooth.plots.{module}"), function)(*arguments)
+        return cast("Figure", figure)
+
+    return draw
+
+
+def write_result(
+    output: Path | None, text: str, figure: "Callable[[], Figure]", data: "Savable" = None,
+    rows: "Callable[[], Sequence[Mapping[str, Any]]] | None" = None,
+) -> None:  # fmt: skip
+    """Write a result, if a file is named: its document, its data, else a picture of it.
+
+    Parameters
+    ----------
+    output : Path or None
+        Its suffix, one that `check_target` let pass, says what is written.
+    text : str
+        The document.
+    figure : callable
+        What draws it.
+    data : orbits, sweep, family or modes
+        What `nonsmooth.save` writes as .csv and .nc.
+    rows : callable, optional
+        What returns the rows of the .csv of a result that `nonsmooth.save` does not take.
+    """
+    if output is None:
+        return
+    suffix = output.suffix.lower()
+    if suffix == ".json":
+        write_text(output, text)
+    elif suffix not in DATA:
+        from nonsmooth.plots.axes import write
+
+        write_whole(output, lambda target: write(figure, target))
+    elif rows is not None and suffix == ".csv":
+        from nonsmooth.files import csv_rows
+
+        made = rows()
+        write_whole(output, lambda target: csv_rows.write(target, made))
+    else:
+        from nonsmooth.files.api import save
+
+        with telling(output):
+            save(data, output)

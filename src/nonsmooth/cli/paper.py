@@ -9,6 +9,7 @@ import click
 
 from nonsmooth.files.json_text import as_json
 
+from .about import PREFIX, flag, given
 from .folders import check_folder, write_folder
 from .output import PICTURES, check_target, need, write_whole
 from .problems import Problem
@@ -16,7 +17,7 @@ from .progress import busy, progress
 from .scenes.command import SceneCommand
 from .scenes.default import DEFAULT
 from .scenes.named import scene_named
-from .scenes.options import PREFIX, case_from
+from .scenes.options import case_from
 
 if TYPE_CHECKING:
     from nonsmooth.all_solutions import RealSolution
@@ -59,8 +60,7 @@ Examples:
 def parameter_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add ``--case`` and one flag a parameter to a command."""
     for name, help_ in reversed(FLAGS.items()):
-        flag = f"--{name.replace('_', '-')}"
-        command = click.option(flag, PREFIX + name, type=float, help=help_)(command)
+        command = click.option(flag(name), PREFIX + name, type=float, help=help_)(command)
     help_ = "Case file with a table [stick_slip]; flags override it."
     return click.option("--case", type=click.Path(path_type=Path), help=help_)(command)
 
@@ -76,7 +76,7 @@ def belt_from(case: Path | None, flags: dict[str, Any]) -> "StickSlip":
     from nonsmooth.kim_perkins import StickSlip
     from nonsmooth.solver.scenes.parameter_error import ParameterError
 
-    found = case_from(scene_named(DEFAULT), case, flags)
+    found = case_from(given(scene_named(DEFAULT), case, flags))
     try:
         return StickSlip(**found.values)
     except ParameterError as error:

@@ -1,14 +1,18 @@
 """A mistake of the user, or an orbit that is not there: one sentence, and lines below it."""
 
 import warnings
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from types import MappingProxyType
 from typing import TYPE_CHECKING, TextIO
 
 import click
 
 if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
+
+#: The options of a command that takes several methods, and orders.
+PLURAL = {"method": "methods", "order": "orders"}
 
 #: Most starts of a search that are told without ``--verbose``: as many first as last ones.
 MOST_TOLD = 4
@@ -84,14 +88,13 @@ def no_orbit(finding: "NoOrbit") -> Problem:
 
 
 @contextmanager
-def as_problems(*, plural: bool = False) -> Iterator[None]:
-    """Turn a wrong argument into the problem of the option of its name, or of its plural."""
+def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
+    """Turn a wrong argument into the problem of its option; `names` where that is another."""
     try:
         yield
     except ValueError as error:
         name, _, rest = str(error).partition(": ")
-        option = f"{name}s" if plural and name in {"method", "order"} else name
-        raise Problem(f"--{option}: {rest}") from error
+        raise Problem(f"--{names.get(name, name).replace('_', '-')}: {rest}") from error
 
 
 def print_warnings() -> None:

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.solver.scenes.method_names import shown
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.family import Family
+    from nonsmooth.solver.results.family import Family
     from nonsmooth.solver.results.orbit import Orbit
+    from nonsmooth.solver.results.sweep import Sweep
     from nonsmooth.solver.simulation.record import Simulation
     from nonsmooth.solver.space.convergence import Convergence
     from nonsmooth.solver.space.modes import Modes
-    from nonsmooth.solver.sweep import Sweep
 
 #: Columns of a motion; behind them, of each row of modes, stand the parameters.
 MOTION = ("t", "displacement", "velocity", "acceleration")

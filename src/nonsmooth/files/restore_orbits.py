@@ -9,14 +9,14 @@ import numpy as np
 
 from nonsmooth.kim_perkins import StickSlip, StickSlipErrors, as_in_paper
 from nonsmooth.scene import find
-from nonsmooth.solver.family import Family, FamilyRow
 from nonsmooth.solver.iteration.newton import Outcome
 from nonsmooth.solver.kernels.registry import generic_method, kernel, mathematics
 from nonsmooth.solver.orbit.errors import Errors
+from nonsmooth.solver.results.family import Family, FamilyRow
 from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.results.sweep import Sweep, SweepRow
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene, UnknownScene
-from nonsmooth.solver.sweep import Sweep, SweepRow
 
 from . import checks
 from .file_errors import FileError, other_kind

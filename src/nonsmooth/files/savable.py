@@ -4,9 +4,9 @@ import reprlib
 from collections.abc import Sequence
 from typing import Any
 
-from nonsmooth.solver.family import Family
+from nonsmooth.solver.results.family import Family
 from nonsmooth.solver.results.orbit import Orbit
-from nonsmooth.solver.sweep import Sweep
+from nonsmooth.solver.results.sweep import Sweep
 
 
 def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:

@@ -13,7 +13,7 @@ from .axes import axes_or_new, check_quantity
 
 if TYPE_CHECKING:
     from nonsmooth.solver.arrays import Vector
-    from nonsmooth.solver.family import Family, FamilyRow
+    from nonsmooth.solver.results.family import Family, FamilyRow
 
 #: What can be drawn, and what the axis says; of the third, where there are several phases.
 QUANTITIES = {

@@ -10,8 +10,8 @@ from nonsmooth.solver.scenes.methods import about
 from .axes import axes_or_new, check_quantity, draw_errors, frame
 
 if TYPE_CHECKING:
+    from nonsmooth.solver.results.sweep import Sweep
     from nonsmooth.solver.scenes.loaded import LoadedScene
-    from nonsmooth.solver.sweep import Sweep
 
 #: The errors that can be drawn.
 QUANTITIES = ("times", "discontinuous", "period")

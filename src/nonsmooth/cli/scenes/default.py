@@ -3,4 +3,4 @@
 DEFAULT = "stick-slip"
 
 #: A scene, a parameter of it and a value, for the help of a command that takes any.
-EXAMPLE = {"scene": "impact", "flag": "gap", "value": 0.2}
+EXAMPLE = {"scene": "impact", "flag": "--gap", "value": 0.2}

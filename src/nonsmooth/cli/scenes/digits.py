@@ -2,22 +2,25 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
-from ..flint import need_flint
-from ..output import PICTURES, check_target, write_text, write_whole
-from ..problems import Problem, as_problems
+from ..about import Given, Output
+from ..output import PICTURES, need, write_result
+from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
 from ..values.orders import parse_orders
-from .options import case_from, command_of, motion_options
-from .solve import method_names
+from .options import case_from, command_of, method_names, motion_options
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from nonsmooth.solver.precision.digits import Kept
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
+
+OUTPUT = Output("Write the digits: .json, or a picture .png, .svg, .pdf.", (".json", *PICTURES))
 
 HELP = """Measure the digits that float64 keeps of the times of orbits of {name}.
 
@@ -34,37 +37,23 @@ Examples:
 
 def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth digits`` of a scene, which the user called so."""
-    names = method_names(scene)
+    names = ",".join(method_names(scene))
     options: list[click.Parameter] = [
-        click.Option(["--methods"], help=f"By commas.  [default: {','.join(names)}]"),
+        click.Option(["--methods"], help=f"By commas.  [default: {names}]"),
         click.Option(["--orders"], help="Numbers, ranges.  [default: 5,10,20,40]"),
         click.Option(["--quick"], is_flag=True, help="One order, 10."),
         *motion_options(scene),
-        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
-        click.Option(
-            ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the digits: .json, or a picture .png, .svg, .pdf.",
-        ),
-    ]  # fmt: skip
-
-    def callback(
-        methods: str | None, orders: str | None, quick: bool, case: Path | None, json_: bool,
-        output: Path | None, **flags: Any,
-    ) -> int:  # fmt: skip
-        check_target(output, (".json", *PICTURES))
-        need_flint("digits")
-        return run(case_from(scene, case, flags), methods, orders, quick, json_, output)
-
-    words = {"name": scene.name, "title": scene.title.capitalize()}
-    epilog = EPILOG.format(scene=said, best=names[-1])
-    return command_of(scene, callback, options, HELP.format(**words), epilog)
+    ]
+    return command_of(scene, said, run, options, OUTPUT, HELP, EPILOG)
 
 
 def run(
-    case: "Case", methods: str | None, orders: str | None, quick: bool, json_: bool,
-    output: Path | None,
+    given: "Given[LoadedScene]", methods: str | None, orders: str | None, quick: bool,
+    json_: bool, output: Path | None,
 ) -> int:  # fmt: skip
     """Measure, show, write; the exit status."""
+    need("flint", "digits", "precise", "python-flint")
+    case = case_from(given)
     from nonsmooth.solver.kernels import registry
     from nonsmooth.solver.precision.digits import (
         ORDERS,
@@ -83,7 +72,7 @@ def run(
         numbers = tuple(parse_orders(orders))
     if max(numbers) > HIGHEST_ORDER:
         raise Problem(f"--orders: got {max(numbers)}, expected at most {HIGHEST_ORDER}")
-    with as_problems(plural=True):
+    with as_problems(PLURAL):
         names = list(registry.methods(case.scene))
         if methods is not None:
             parts = (part.strip() for part in methods.split(","))
@@ -106,17 +95,18 @@ def run(
     if json_:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, digits
+        from .shown import captions, digits_table
 
         click.echo(captions.caption(case))
-        digits.table(case, found)
-    if output is not None and output.suffix.lower() == ".json":
-        write_text(output, text)
-    elif output is not None:
-        from .shown.digits_picture import digits_picture
-
-        write_whole(output, lambda target: digits_picture(case, found, target))
+        digits_table.print_digits(case, found)
+    write_result(output, text, lambda: _figure(case, found))
     return 1 if any(kept.lost for kept in found) else 0
+
+
+def _figure(case: "Case", found: "list[Kept]") -> "Figure":
+    from .shown.digits_picture import digits_figure
+
+    return digits_figure(case, found)
 
 
 def _text(case: "Case", found: "list[Kept]", names: list[str]) -> str:

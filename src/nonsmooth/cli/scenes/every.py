@@ -8,7 +8,7 @@ import click
 from ..aliases import check_one_method
 from ..problems import Problem, as_problems
 from ..progress import busy
-from .wanted import ORDER, Wanted, tell, write_orbits
+from .wanted import Wanted, tell, write_orbits
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.case import Case
@@ -34,11 +34,10 @@ def list_every(case: "Case", wanted: Wanted) -> int:
             raise Problem(f"{option}: got {value:g} beside --all, expected --order")
     check_one_method(list(wanted.methods), "--all")
     method = wanted.methods[0] if wanted.methods else FIRST
-    order = ORDER if wanted.order is None else wanted.order
     orbits = []
     try:
         with as_problems(), busy("looking for all orbits"):
-            orbits = orbits_of(case, method, order, wanted.functions)
+            orbits = orbits_of(case, method, wanted.size, wanted.functions)
     except NoOrbit as finding:
         tell(finding)
     still = motions_without_switches(case)
@@ -50,6 +49,5 @@ def list_every(case: "Case", wanted: Wanted) -> int:
         click.echo(captions.caption(case))
         tables.every(orbits, still)
         click.echo(f"\n{textwrap.fill(LEGEND, captions.WIDTH)}")
-    if wanted.output is not None:
-        write_orbits(wanted.output, text, orbits, None)
+    write_orbits(wanted.output, text, orbits, None)
     return 0 if every else 1

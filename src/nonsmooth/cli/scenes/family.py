@@ -1,23 +1,25 @@
 """``nonsmooth sweep SCENE --vary``: the orbit of a scene along one of its parameters."""
 
+import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
-from ..output import DATA, write_file, write_picture, write_text
-from ..problems import Problem, as_problems
+from ..about import Given
+from ..output import drawn_by, write_result
+from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
 from ..values.orders import is_whole
 from ..values.vary import Vary, parse_vary
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.family import Family, FamilyRow
+    from nonsmooth.solver.results.family import FamilyRow
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
 
 
-def vary_of(scene: "LoadedScene", text: str, log: bool, given: dict[str, Any]) -> Vary:
+def vary_of(given: "Given[LoadedScene]", text: str, log: bool) -> Vary[float]:
     """Return what ``--vary`` asks for, of a scene.
 
     Raises
@@ -27,18 +29,40 @@ def vary_of(scene: "LoadedScene", text: str, log: bool, given: dict[str, Any]) -
     """
     from nonsmooth.solver.family import MOST_VALUES
 
-    names = [q.name for q in scene.parameters]
-    last = scene.parameters[-1]
+    parameters = given.about.parameters
+    names, last = [q.name for q in parameters], parameters[-1]
     example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default:g}:20"
-    vary = parse_vary(text, log, names, MOST_VALUES, example)
-    if given.get(vary.parameter) is not None:
+    vary = parse_vary(text, log, names, MOST_VALUES, example, float)
+    if vary.parameter in given.flags:
         raise Problem(f"--{vary.flag}: given beside --vary {vary.flag}, which sets it")
     return vary
 
 
+def values_of(vary: Vary[float]) -> list[float]:
+    """Return the values of a parameter.
+
+    Examples
+    --------
+    >>> values_of(Vary("my_gap", 0.1, 10.0, 3, True))
+    [0.1, 1.0, 10.0]
+    """
+    import numpy as np
+
+    steps = vary.count - 1
+    numbers = np.arange(vary.count)
+    part = numbers / steps
+    if not vary.log:
+        found = vary.first + numbers * ((vary.last - vary.first) / steps)
+    elif 0 < vary.last / vary.first < math.inf:
+        found = vary.first * (vary.last / vary.first) ** part
+    else:
+        found = vary.first ** (1 - part) * vary.last**part
+    return [*found[:-1].tolist(), vary.last]
+
+
 def run(
-    case: "Case", vary: Vary, methods: str | None, orders: str | None, functions: int | None,
-    json_: bool, output: Path | None,
+    case: "Case", vary: Vary[float], methods: str | None, orders: str | None,
+    functions: int | None, json_: bool, output: Path | None,
 ) -> int:  # fmt: skip
     """Follow the orbit, show it, write it; the exit status.
 
@@ -48,11 +72,8 @@ def run(
         If an argument is wrong; or after Ctrl-C, once what was computed is shown and written.
     """
     from nonsmooth.files import documents
-    from nonsmooth.solver.family import (
-        ORDER,
-        FamilyInterrupted,
-        family_case,
-    )
+    from nonsmooth.solver.family import ORDER, family_case
+    from nonsmooth.solver.results.family import FamilyInterrupted
     from nonsmooth.solver.scenes.methods import FIRST
     from nonsmooth.solver.scenes.parameter_error import ParameterError
 
@@ -61,10 +82,10 @@ def run(
     if methods is not None and "," in methods:
         raise Problem(f"--methods: got {methods!r} beside --vary, expected one method")
     order = ORDER if orders is None else int(orders)
-    values = vary.values(0, vary.count).tolist()
     name = FIRST if methods is None else methods.strip()
+    values = values_of(vary)
     interrupted = False
-    with as_problems(plural=True), progress(vary.count, "sweep") as advance:
+    with as_problems(PLURAL), progress(vary.count, "sweep") as advance:
 
         def done(row: "FamilyRow") -> None:
             advance(f"{vary.flag} = {row.value:g}")
@@ -83,20 +104,7 @@ def run(
 
         click.echo(captions.caption_of_family(result))
         tables.family(result)
-    if output is not None:
-        _write(output, text, result, vary.log)
+    write_result(output, text, drawn_by("families.family_figure", result, vary.log), result)
     if interrupted:
         raise Problem(f"interrupted: {len(result)} of {vary.count} values are done", 130)
     return 0 if all(row.status == "ok" for row in result.rows) else 1
-
-
-def _write(output: Path, text: str, result: "Family", log: bool) -> None:
-    suffix = output.suffix.lower()
-    if suffix == ".json":
-        write_text(output, text)
-    elif suffix in DATA:
-        write_file(output, result)
-    else:
-        from nonsmooth.plots.families import family_figure
-
-        write_picture(output, lambda: family_figure(result, log))

@@ -1,5 +1,7 @@
-"""``nonsmooth generate SCENE``: derive the kernels of one scene."""
+"""``nonsmooth generate``: derive the equations and write the kernels, of one scene or all."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -9,10 +11,13 @@ import click
 
 from ..problems import Problem
 from ..progress import busy
+from .command import SceneCommand
 from .named import scene_named
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
+
+CHECK = "Only compare, write nothing; exit 1 on a difference."
 
 HELP = """Derive the equations of {name} with SymPy and write its kernels.
 
@@ -21,9 +26,37 @@ file are derived when it is first used, and kept in the user's cache: this says 
 
 EPILOG = """\b
 Examples:
+  nonsmooth generate
+  nonsmooth generate impact
+  nonsmooth generate --check      for a continuous integration
+"""
+
+EPILOG_OF = """\b
+Examples:
   nonsmooth generate {name}
   nonsmooth generate {name} --check
 """
+
+
+@click.command(cls=SceneCommand, module="generate", all_without=True, epilog=EPILOG)
+@click.option("--check", is_flag=True, help=CHECK)
+def generate(check: bool) -> int:
+    """Derive the equations with SymPy and write generated/.
+
+    A file is written only when its text changes. With SCENE, a name of 'nonsmooth scenes'
+    or the path of a scene file, of that scene alone. A scene file is Python and is run.
+    """
+    with busy("deriving the equations"):
+        from nonsmooth.codegen import generate as stage
+
+        if check:
+            found = stage.differences()
+        else:
+            with _writing(stage.FOLDER):
+                found = stage.write()
+    otherwise = f"{stage.FOLDER.name}/ {'is' if check else 'was'} up to date"
+    click.echo("\n".join(found) if found else otherwise)
+    return 1 if check and found else 0
 
 
 @dataclass(frozen=True)
@@ -59,13 +92,12 @@ def named(text: str) -> "LoadedScene | NotGenerated":
 
 def command(scene: "LoadedScene | NotGenerated", said: str) -> click.Command:
     """Return ``nonsmooth generate`` of a scene, which the user called so."""
-    words = "Only compare, write nothing; exit 1 on a difference."
     return click.Command(
         scene.name,
-        params=[click.Option(["--check"], is_flag=True, help=words)],
+        params=[click.Option(["--check"], is_flag=True, help=CHECK)],
         callback=lambda check: run(scene, check),
         help=HELP.format(name=scene.name),
-        epilog=EPILOG.format(name=said),
+        epilog=EPILOG_OF.format(name=said),
     )
 
 
@@ -86,10 +118,19 @@ def run(scene: "LoadedScene | NotGenerated", check: bool) -> int:
         click.echo(f"{generate.FOLDER.name}/{folder.name}/ is up to date")
         return 0
     if not check:
-        _write(folder, {name: fresh[name] for name in changed})
+        with _writing(folder):
+            _write(folder, {name: fresh[name] for name in changed})
     done = "differs" if check else "written"
     click.echo("\n".join(f"{folder.name}/{name}: {done}" for name in changed))
     return 1 if check else 0
+
+
+@contextmanager
+def _writing(folder: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise Problem(f"cannot write {folder}: {error.strerror}") from error
 
 
 def _text(path: Path) -> str | None:
@@ -99,10 +140,7 @@ def _text(path: Path) -> str | None:
 def _write(folder: Path, files: dict[str, str]) -> None:
     from nonsmooth.files.whole import whole
 
-    try:
-        for name, text in files.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            with whole(folder / name) as temporary:
-                temporary.write_text(text, "utf-8", newline="\n")
-    except OSError as error:
-        raise Problem(f"cannot write {folder}: {error.strerror}") from error
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        with whole(folder / name) as temporary:
+            temporary.write_text(text, "utf-8", newline="\n")

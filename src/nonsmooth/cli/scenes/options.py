@@ -1,13 +1,12 @@
 """The flags of a scene, and the case that they and a case file describe."""
 
-from collections.abc import Callable, Mapping
-from pathlib import Path
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import click
 from click.shell_completion import CompletionItem
 
-from ..case_files import read_case
+from ..about import PREFIX, CommandAbout, Given, Output, completed, flag
 from ..problems import Problem, Verbose, as_problems
 from .named import known
 
@@ -15,23 +14,35 @@ if TYPE_CHECKING:
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
-#: Before the names of a scene's parameters among the arguments of a command.
-PREFIX = "of_scene_"
 
-
-class CommandOfScene(click.Command):
+class CommandOfScene(CommandAbout):
     """A command built for a scene."""
-
-    def __init__(self, scene: "LoadedScene", **options: Any) -> None:
-        super().__init__(**options)
-        self.scene = scene
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """Complete options, and scenes where none is named."""
-        found = super().shell_complete(ctx, incomplete)
-        if " " in (ctx.info_name or "") or incomplete[:1] == "-":
-            return found
-        return [CompletionItem(name) for name in known() if name.startswith(incomplete)] + found
+        scenes = () if " " in (ctx.info_name or "") else known()
+        return [*completed(scenes, incomplete), *super().shell_complete(ctx, incomplete)]
+
+
+def command_of(
+    scene: "LoadedScene", said: str, run: Callable[..., int], options: list[click.Parameter],
+    output: Output, help_: str, epilog: str,
+) -> click.Command:  # fmt: skip
+    """Return a command of a scene, which the user called so; see `CommandAbout`."""
+    last = scene.parameters[-1]
+    words = {
+        "scene": said,
+        "best": method_names(scene)[-1],
+        "flag": flag(last.name),
+        "value": last.default,
+        "vary": f"{flag(last.name)[2:]}={last.default / 2:g}:{last.default:g}",
+    }
+    parameters = [
+        *(click.Option([flag(q.name), PREFIX + q.name], type=float, help=_help(q))
+          for q in scene.parameters),
+        Verbose(),
+    ]  # fmt: skip
+    return CommandOfScene(scene, run, options, parameters, output, help_, epilog, words)
 
 
 def motion_options(scene: "LoadedScene") -> list[click.Parameter]:
@@ -39,46 +50,22 @@ def motion_options(scene: "LoadedScene") -> list[click.Parameter]:
     found: list[click.Parameter] = []
     if scene.motions:
         words = f"{', '.join(scene.motions)}; without it, the one that there is."
-        found.append(click.Option(["--motion"], help=words))
+        found.append(click.Option(["--motion", f"{PREFIX}motion"], help=words))
     if scene.frequency is not None:
         odd = ", an odd number" if scene.module.HALF_PERIOD else ""
         words = f"Periods of the forcing in one of the motion{odd}.  [default: 1]"
-        found.append(click.Option(["--cycles"], type=int, metavar="n", help=words))
+        names = ["--cycles", f"{PREFIX}cycles"]
+        found.append(click.Option(names, type=int, metavar="n", help=words))
     return found
 
 
-def command_of(
-    scene: "LoadedScene", callback: Callable[..., int], options: list[click.Parameter],
-    help_: str, epilog: str,
-) -> click.Command:  # fmt: skip
-    """Return a command of a scene: its own options, then ``--case`` and the parameters."""
-    return CommandOfScene(
-        scene,
-        name=scene.name,
-        callback=callback,
-        params=[*options[:-2], *_parameter_options(scene), Verbose(), *options[-2:]],
-        help=help_,
-        epilog=epilog,
-    )
+def method_names(scene: "LoadedScene") -> list[str]:
+    """Return the methods of a scene as they are shown, in their order."""
+    from nonsmooth.solver.kernels.registry import methods
+    from nonsmooth.solver.scenes.method_names import shown
+    from nonsmooth.solver.scenes.methods import in_order
 
-
-def flag(parameter: "Parameter") -> str:
-    """Return the flag of a parameter."""
-    return f"--{parameter.name.replace('_', '-')}"
-
-
-def _parameter_options(scene: "LoadedScene") -> list[click.Parameter]:
-    table = _tables(scene)[0]
-    file = click.Option(
-        ["--case"],
-        type=click.Path(path_type=Path),
-        help=f"Case file with a table [{table}]; flags override it.",
-    )
-    flags = [
-        click.Option([flag(q), PREFIX + q.name], type=float, help=_help(q))
-        for q in scene.parameters
-    ]
-    return [file, *flags]
+    return [shown(scene, method) for method in in_order(methods(scene))]
 
 
 def _help(q: "Parameter") -> str:
@@ -86,14 +73,10 @@ def _help(q: "Parameter") -> str:
     return f"{q.symbol}{unit}: {q.what}; {q.expected}.  [default: {q.default:g}]"
 
 
-def _tables(scene: "LoadedScene") -> tuple[str, str]:
-    return scene.name.replace("-", "_"), scene.name
-
-
-def case_from(scene: "LoadedScene", file: Path | None, flags: Mapping[str, Any]) -> "Case":
+def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
     """Return the case that the command line describes, of the motion that it names if any.
 
-    Without a case file, what no flag gives has its default.
+    Without a case file, what no flag gives has its default; `others` is given beside them.
 
     Raises
     ------
@@ -103,27 +86,23 @@ def case_from(scene: "LoadedScene", file: Path | None, flags: Mapping[str, Any])
     from nonsmooth.kim_perkins import as_in_paper
     from nonsmooth.solver.scenes.parameter_error import ParameterError
 
-    given = {
-        name.removeprefix(PREFIX): value
-        for name, value in flags.items()
-        if value is not None and name.startswith(PREFIX)
-    }
-    cycles, motion = flags.get("cycles"), flags.get("motion")
-    table = {} if file is None else read_case(file, _tables(scene))
+    scene, flags = given.about, {**given.flags, **others}
+    motion: Any = flags.pop("motion", None)
+    cycles = flags.pop("cycles", 1)
+    table = given.table()
     missing = [
         f"{q.name}: missing, expected {q.what}{f' in {q.unit}' if q.unit else ''}"
         for q in scene.parameters
-        if file is not None and q.name not in table and q.name not in given
+        if given.file is not None and q.name not in table and q.name not in flags
     ]
     wrong: list[str] = []
     try:
-        case = as_in_paper(scene(**(table | given), cycles=1 if cycles is None else cycles))
+        case = as_in_paper(scene(**(table | flags), cycles=cycles))
     except ParameterError as error:
         wrong = [_as_flag(line) for line in error.errors]
-    where = f"{file}: " if file else ""
     if wrong or missing:  # a name that is misspelled before that which it should have been
-        first, *others = wrong + missing
-        raise Problem(where + first, below=others)
+        first, *more = wrong + missing
+        raise Problem(given.where + first, below=more)
     with as_problems():
         return case if motion is None else case.of_motion(motion)
 

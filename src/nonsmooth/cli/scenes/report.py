@@ -1,10 +1,12 @@
 """``nonsmooth report SCENE``: one oscillator and its expansions on a page to read."""
 
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
+from ..about import Given, Output
 from ..folders import check_folder, write_folder
 from ..output import need
 from ..problems import no_orbit
@@ -12,8 +14,9 @@ from ..progress import progress
 from .options import case_from, command_of
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
+
+OUTPUT = Output("Folder to make: index.html, and every figure as .svg and .pdf.")
 
 HELP = """Write a page on {name}: what it is, its orbit, and how fast each expansion finds it.
 
@@ -22,31 +25,20 @@ HELP = """Write a page on {name}: what it is, its orbit, and how fast each expan
 EPILOG = """\b
 Examples:
   nonsmooth report {scene} -o {name}
-  nonsmooth report {scene} --{flag} {value:g} -o {name}
+  nonsmooth report {scene} {flag} {value:g} -o {name}
 """
 
 
 def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth report`` of a scene, which the user called so."""
-    folder = click.Option(
-        ["-o", "--output"], type=click.Path(path_type=Path), required=True,
-        help="Folder to make: index.html, and every figure as .svg and .pdf.",
-    )  # fmt: skip
-
-    def callback(case: Path | None, output: Path, **flags: Any) -> int:
-        for library in ("matplotlib", "jinja2"):
-            need(library, "report", "report")
-        return run(case_from(scene, case, flags), said, output)
-
-    last = scene.parameters[-1]
-    words = {"name": scene.name, "title": scene.title.capitalize()}
-    examples = {"flag": last.name.replace("_", "-"), "value": last.default}
-    epilog = EPILOG.format(scene=said, name=scene.name, **examples)
-    return command_of(scene, callback, [folder], HELP.format(**words), epilog)
+    return command_of(scene, said, partial(run, said), [], OUTPUT, HELP, EPILOG)
 
 
-def run(case: "Case", said: str, output: Path) -> int:
+def run(said: str, given: "Given[LoadedScene]", output: Path) -> int:
     """Compute and write; the exit status."""
+    for library in ("matplotlib", "jinja2"):
+        need(library, "report", "report")
+    case = case_from(given)
     from nonsmooth.report.scenes.build import FILES, build, count
     from nonsmooth.solver.exact import exact_orbit
     from nonsmooth.solver.no_orbit import NoOrbit

@@ -5,18 +5,19 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import PICTURES, check_target, write_picture, write_text, write_whole
-from ..problems import Problem
+from ..about import Given, Output
+from ..output import PICTURES, drawn_by, write_result
+from ..problems import Problem, as_problems
 from ..progress import busy
 from .options import case_from, command_of
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
-    from nonsmooth.solver.simulation.record import Simulation
 
-#: What a motion can be written as.
-SUFFIXES = (".json", ".csv", *PICTURES)
+OUTPUT = Output(
+    "Write the motion: .json, .csv; or a picture .png, .svg, .pdf.",
+    (".json", ".csv", *PICTURES),
+)
 
 HELP = """Simulate {name} from a given state, from event to event.
 
@@ -27,7 +28,7 @@ EPILOG = """\b
 Examples:
   nonsmooth simulate {scene} --cycles 50
   nonsmooth simulate {scene} --state 0,0.1 -o transient.png
-  nonsmooth simulate {scene} --{flag} {value:g} --json
+  nonsmooth simulate {scene} {flag} {value:g} --json
 """
 
 
@@ -49,31 +50,12 @@ def options() -> list[click.Parameter]:
             ["--forcing-phase"], type=float, default=0.0,
             help="Phase of the forcing at the start in rad.  [default: 0]",
         ),
-        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
-        click.Option(
-            ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the motion: .json, .csv; or a picture .png, .svg, .pdf.",
-        ),
     ]  # fmt: skip
 
 
 def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth simulate`` of a scene, which the user called so."""
-
-    def callback(
-        state: str | None, cycles: float | None, time: float | None, forcing_phase: float,
-        case: Path | None, json_: bool, output: Path | None, **flags: Any,
-    ) -> int:  # fmt: skip
-        check_target(output, SUFFIXES)
-        start = None if state is None else _parsed(state)
-        wanted = {"cycles": cycles, "time": time, "forcing_phase": forcing_phase}
-        return run(case_from(scene, case, flags), start, wanted, json_, output)
-
-    words = {"name": scene.name, "title": scene.title[0].upper() + scene.title[1:]}
-    last = scene.parameters[-1]
-    examples = {"flag": last.name.replace("_", "-"), "value": last.default}
-    epilog = EPILOG.format(scene=said, **examples).replace("simulate  ", "simulate ")
-    return command_of(scene, callback, options(), HELP.format(**words), epilog)
+    return command_of(scene, said, run, options(), OUTPUT, HELP, EPILOG)
 
 
 def _parsed(text: str) -> tuple[float, float]:
@@ -88,19 +70,18 @@ def _parsed(text: str) -> tuple[float, float]:
 
 
 def run(
-    case: "Case", state: tuple[float, float] | None, wanted: dict[str, Any], json_: bool,
-    output: Path | None,
+    given: "Given[LoadedScene]", state: str | None, json_: bool, output: Path | None,
+    **wanted: Any,
 ) -> int:  # fmt: skip
     """Simulate, show it, write it; the exit status."""
+    from nonsmooth.files import csv_rows, documents
     from nonsmooth.solver.simulation.simulate import simulate
 
-    try:
-        with busy(f"simulating {case.scene.name}"):
-            motion = simulate(case, state, **wanted)
-    except ValueError as error:
-        name, _, rest = str(error).partition(": ")
-        raise Problem(f"--{name.replace('_', '-')}: {rest}") from error
-    text = _text(motion)
+    start = None if state is None else _parsed(state)
+    case = case_from(given)
+    with as_problems(), busy(f"simulating {case.scene.name}"):
+        motion = simulate(case, start, **wanted)
+    text = documents.text(motion.case, motion.as_dict(), ())
     if json_:
         click.echo(text, nl=False)
     else:
@@ -110,27 +91,6 @@ def run(
         transient.table(motion)
     if motion.ended:
         click.echo(f"nonsmooth: ended at t = {motion.time:.6g} s: {motion.ended}", err=True)
-    if output is not None:
-        _write(output, text, motion)
+    figure = drawn_by("simulations.simulation_figure", motion)
+    write_result(output, text, figure, rows=lambda: csv_rows.of_simulation(motion))
     return 1 if motion.ended else 0
-
-
-def _text(motion: "Simulation") -> str:
-    from nonsmooth.files import documents
-
-    return documents.text(motion.case, motion.as_dict(), ())
-
-
-def _write(output: Path, text: str, motion: "Simulation") -> None:
-    suffix = output.suffix.lower()
-    if suffix == ".json":
-        write_text(output, text)
-    elif suffix == ".csv":
-        from nonsmooth.files import csv_rows
-
-        rows = csv_rows.of_simulation(motion)
-        write_whole(output, lambda target: csv_rows.write(target, rows))
-    else:
-        from nonsmooth.plots.simulations import simulation_figure
-
-        write_picture(output, lambda: simulation_figure(motion))

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..about import Given, Output
 from ..aliases import Aliased, OneOrder, split_methods
-from ..output import DATA, PICTURES, check_target
+from ..output import DATA, PICTURES
 from ..values.seconds import parse_seconds
-from .options import case_from, command_of, motion_options
+from .options import case_from, command_of, method_names, motion_options
 from .wanted import ORDER, Wanted, exact_near, search, write_orbits
 
 if TYPE_CHECKING:
@@ -21,8 +22,10 @@ if TYPE_CHECKING:
 #: Estimated error of the times above which an orbit is not returned without a word.
 FAR_OFF = 0.1
 
-#: What an orbit can be written as.
-SUFFIXES = (*DATA, *PICTURES)
+OUTPUT = Output(
+    "Write the orbit: .json, .nc, its motion .csv; or a picture .png, .svg, .pdf.",
+    (*DATA, *PICTURES),
+)
 
 HELP = """Compute the periodic orbit of {name} by one method, or by each.
 
@@ -34,7 +37,7 @@ EPILOG = """\b
 Examples:
   nonsmooth solve {scene}
   nonsmooth solve {scene} --method {best} --tol 1e-9
-  nonsmooth solve {scene} --{flag} {value:g} -o orbit.png
+  nonsmooth solve {scene} {flag} {value:g} -o orbit.png
 """
 
 FUNCTIONS = "Functions of hb-ck at each switch.  [default: 1; 2 where x' jumps]"
@@ -58,48 +61,28 @@ def command(scene: "LoadedScene", said: str) -> click.Command:
         click.Option(
             ["--all", "every"], is_flag=True, help="List every orbit found, of every motion."
         ),
-        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
-        click.Option(
-            ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the orbit: .json, .nc, its motion .csv; or a picture .png, .svg, .pdf.",
-        ),
     ]  # fmt: skip
-
-    def callback(
-        method: str | None, order: int | None, functions: int | None, tol: float | None,
-        budget: str | None, every: bool, case: Path | None, json_: bool,
-        output: Path | None, **flags: Any,
-    ) -> int:  # fmt: skip
-        check_target(output, SUFFIXES)
-        seconds = None if budget is None else parse_seconds(budget)
-        wanted = Wanted(
-            tuple(split_methods(method)), order, functions, tol, seconds, json_, output
-        )
-        found = case_from(scene, case, flags)
-        if every:
-            from .every import list_every
-
-            return list_every(found, wanted)
-        return run(found, wanted)
-
-    last = scene.parameters[-1]
-    words = {"name": scene.name, "title": scene.title.capitalize(), "best": names[-1]}
-    examples = {"flag": last.name.replace("_", "-"), "value": last.default}
-    epilog = EPILOG.format(scene=said, best=names[-1], **examples)
-    return command_of(scene, callback, options, HELP.format(**words), epilog)
+    return command_of(scene, said, run, options, OUTPUT, HELP, EPILOG)
 
 
-def method_names(scene: "LoadedScene") -> list[str]:
-    """Return the methods of a scene as they are shown, in their order."""
-    from nonsmooth.solver.kernels.registry import methods
-    from nonsmooth.solver.scenes.method_names import shown
-    from nonsmooth.solver.scenes.methods import in_order
+def run(
+    given: "Given[LoadedScene]", method: str | None, every: bool, budget: str | None,
+    json_: bool, output: Path | None, **numbers: Any,
+) -> int:  # fmt: skip
+    """Solve what is wanted, show it, write it; the exit status."""
+    seconds = None if budget is None else parse_seconds(budget)
+    methods = tuple(split_methods(method))
+    wanted = Wanted(methods, **numbers, budget=seconds, json=json_, output=output)
+    case = case_from(given)
+    if every:
+        from .every import list_every
 
-    return [shown(scene, method) for method in in_order(methods(scene))]
+        return list_every(case, wanted)
+    return _solve(case, wanted)
 
 
-def run(case: "Case", wanted: Wanted) -> int:
-    """Solve as wanted, show it, write it; the exit status."""
+def _solve(case: "Case", wanted: Wanted) -> int:
+    """Solve by each method, or as a tolerance or a budget chooses; the exit status."""
     from nonsmooth.files import documents
     from nonsmooth.solver.results.orbit import Orbit
 
@@ -107,7 +90,7 @@ def run(case: "Case", wanted: Wanted) -> int:
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
     case = orbits[0].case if orbits else case
     exact = exact_near(case, orbits)
-    order = (ORDER if wanted.order is None else wanted.order) if wanted.tol is None else None
+    order = wanted.size if wanted.tol is None else None
     parts = documents.of_each(case, found, order, wanted.functions, exact)
     if choice is not None:
         parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
@@ -124,8 +107,7 @@ def run(case: "Case", wanted: Wanted) -> int:
             click.echo(_why(choice, wanted))
         click.echo(f"\n{captions.legend(case.scene)}")
     _warn(orbits if choice is None else [])
-    if wanted.output is not None:
-        write_orbits(wanted.output, text, orbits, exact)
+    write_orbits(wanted.output, text, orbits, exact)
     return 0 if len(orbits) == len(found) else 1
 
 

@@ -1,18 +1,20 @@
 """``nonsmooth tradeoff SCENE``: time against error, measured on this machine for one case."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
-from ..output import PICTURES, check_target, write_picture, write_text
+from ..about import Given, Output
+from ..output import PICTURES, drawn_by, write_result
 from ..problems import no_orbit
 from ..progress import progress
 from .options import case_from, command_of
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
+
+OUTPUT = Output("Write the points: .json, or a picture .png, .svg, .pdf.", (".json", *PICTURES))
 
 HELP = """Measure time against error of the times: each method of {name}, and its exact flow.
 
@@ -22,7 +24,7 @@ A point on the front (marked *) is the best in its time."""
 EPILOG = """\b
 Examples:
   nonsmooth tradeoff {scene}
-  nonsmooth tradeoff {scene} --{flag} {value:g} -o tradeoff.png
+  nonsmooth tradeoff {scene} {flag} {value:g} -o tradeoff.png
 """
 
 LEGEND = """times: largest error of a duration{and_phase}, as a part of T;
@@ -31,31 +33,16 @@ estimate: the same, without the exact orbit; exact: by the flow of each phase.""
 
 def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth tradeoff`` of a scene, which the user called so."""
-    options: list[click.Parameter] = [
-        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
-        click.Option(
-            ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the points: .json, or a picture .png, .svg, .pdf.",
-        ),
-    ]  # fmt: skip
-
-    def callback(case: Path | None, json_: bool, output: Path | None, **flags: Any) -> int:
-        check_target(output, (".json", *PICTURES))
-        return run(case_from(scene, case, flags), json_, output)
-
-    last = scene.parameters[-1]
-    examples = {"flag": last.name.replace("_", "-"), "value": last.default}
-    words = {"name": scene.name, "title": scene.title.capitalize()}
-    epilog = EPILOG.format(scene=said, **examples)
-    return command_of(scene, callback, options, HELP.format(**words), epilog)
+    return command_of(scene, said, run, [], OUTPUT, HELP, EPILOG)
 
 
-def run(case: "Case", json_: bool, output: Path | None) -> int:
+def run(given: "Given[LoadedScene]", json_: bool, output: Path | None) -> int:
     """Measure, show, write; the exit status."""
     from nonsmooth.files import documents
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.trade.measured import trade, ways
 
+    case = case_from(given)
     try:
         with progress(1 + len(ways(case)), "tradeoff") as advance:
             result = trade(case, advance)
@@ -72,10 +59,5 @@ def run(case: "Case", json_: bool, output: Path | None) -> int:
         tables.trade(result)
         also = " or of the phase of the forcing" if case.scene.frequency else ""
         click.echo("\n" + LEGEND.format(and_phase=also))
-    if output is not None and output.suffix.lower() == ".json":
-        write_text(output, text)
-    elif output is not None:
-        from nonsmooth.plots.trade import trade_figure
-
-        write_picture(output, lambda: trade_figure(result))
+    write_result(output, text, drawn_by("trade.trade_figure", result))
     return 0

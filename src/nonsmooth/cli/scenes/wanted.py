@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..aliases import check_one_method
-from ..output import DATA, write_file, write_picture, write_text
+from ..output import drawn_by, write_result
 from ..problems import Problem, as_problems, reasons, say
 from ..progress import busy
 
@@ -33,6 +33,11 @@ class Wanted:
     budget: float | None = None
     json: bool = False
     output: Path | None = None
+
+    @property
+    def size(self) -> int:
+        """N: the order that is wanted, or the default."""
+        return ORDER if self.order is None else self.order
 
     @property
     def one(self) -> bool:
@@ -65,19 +70,16 @@ def search(case: "Case", wanted: Wanted) -> "tuple[Choice | None, dict[str, Orbi
     found: dict[str, Orbit | NoOrbit] = {}
     try:
         with busy("looking for a motion"):
-            case = with_motion(case, ORDER if wanted.order is None else wanted.order)
+            case = with_motion(case, wanted.size)
     except NoOrbit as finding:
         tell(finding)
         return None, dict.fromkeys(names, finding)
     said: set[str] = set()
     for name in names:
-        count = (
-            number_of_functions(case, name, wanted.functions)
-            if len(names) > 1
-            else wanted.functions
-        )
-        order = ORDER if wanted.order is None else wanted.order
-        found[name] = _solve(case, name, order, count, said)
+        functions = wanted.functions
+        if len(names) > 1:
+            functions = number_of_functions(case, name, functions)
+        found[name] = _solve(case, name, wanted.size, functions, said)
     return None, found
 
 
@@ -161,17 +163,10 @@ def exact_near(case: "Case", orbits: "list[Orbit]") -> "ExactOrbit | None":
 
 
 def write_orbits(
-    output: Path, text: str, orbits: "list[Orbit]", exact: "ExactOrbit | None"
+    output: Path | None, text: str, orbits: "list[Orbit]", exact: "ExactOrbit | None"
 ) -> None:
-    """Write orbits as data or as a picture; a document as its text."""
-    suffix = output.suffix.lower()
-    if suffix == ".json":
-        write_text(output, text)
-    elif not orbits:
+    """Write orbits, if a file is named: without any only their document."""
+    if output is not None and output.suffix.lower() != ".json" and not orbits:
         click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
-    elif suffix in DATA:
-        write_file(output, orbits)
     else:
-        from nonsmooth.plots.orbits import orbit_figure
-
-        write_picture(output, lambda: orbit_figure(orbits, exact))
+        write_result(output, text, drawn_by("orbits.orbit_figure", orbits, exact), orbits)

@@ -5,27 +5,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..output import (
-    DATA,
-    PICTURES,
-    check_target,
-    write_file,
-    write_picture,
-    write_text,
-    write_whole,
-)
-from ..problems import Problem
+from ..about import Given, Output
+from ..output import DATA, PICTURES, drawn_by, write_result
+from ..problems import Problem, as_problems
 from ..progress import progress
 from .named import StructureCommand, known
-from .options import as_problems, attached_from, command_of
+from .options import attached_from, command_of
 
 if TYPE_CHECKING:
     from nonsmooth.solver.space.attached import Attached
     from nonsmooth.solver.space.modes import Modes
     from nonsmooth.solver.space.structure import Structure
 
-#: What modes can be written as.
-SUFFIXES = (*DATA, *PICTURES)
+OUTPUT = Output(
+    "Write the modes: .json, .csv, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
+)
 
 #: What asks for every expansion.
 ALL = "all"
@@ -46,7 +40,7 @@ its error against the exact one and, where they hold, with proved bounds."""
 
 EPILOG_OF = """\b
 Examples:
-  nonsmooth modes {structure} --position 3/10 --{flag} 10
+  nonsmooth modes {structure} --position 3/10 {flag} 10
   nonsmooth modes {structure} --method all --order 12 -o modes.png
   nonsmooth modes {structure} --forced 2 --tol 1e-12 --count 3
   nonsmooth modes {structure} --vary position=1/20:1/2:10
@@ -100,29 +94,21 @@ def command(structure: "Structure", said: str) -> click.Command:
             help="Modes over a parameter or the position.",
         ),
         click.Option(["--log"], is_flag=True, help="With --vary: points by a constant factor."),
-        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
-        click.Option(
-            ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the modes: .json, .csv, .nc; or a picture .png, .svg, .pdf.",
-        ),
     ]  # fmt: skip
+    return command_of(structure, said, run, options, OUTPUT, HELP, EPILOG_OF)
 
-    def callback(
-        case: Path | None, json_: bool, output: Path | None, vary: str | None, log: bool,
-        **rest: Any,
-    ) -> int:  # fmt: skip
-        check_target(output, SUFFIXES)
-        wanted = {q: rest.pop(q) for q in ("method", "order", "forced", "count", "tol")}
-        attached = attached_from(structure, case, rest)
-        if vary is None and log:
-            raise Problem("--log: expected --vary with it")
-        if vary is not None:
-            return run_family(attached, wanted, vary, log, json_, output)
-        return run(attached, wanted, json_, output)
 
-    words = {"name": structure.name, "k": k, "title": structure.title.capitalize()}
-    epilog = EPILOG_OF.format(structure=said, flag=structure.attached.name.replace("_", "-"))
-    return command_of(structure, callback, options, HELP.format(**words), epilog)
+def run(
+    given: "Given[Structure]", vary: str | None, log: bool, json_: bool, output: Path | None,
+    **wanted: Any,
+) -> int:  # fmt: skip
+    """Compute the modes, or those over a parameter; the exit status."""
+    attached = attached_from(given)
+    if vary is None and log:
+        raise Problem("--log: expected --vary with it")
+    if vary is not None:
+        return _run_family(attached, wanted, vary, log, json_, output)
+    return _run_once(attached, wanted, json_, output)
 
 
 def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
@@ -158,31 +144,25 @@ def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
     return found
 
 
-def run(attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path | None) -> int:
+def _run_once(
+    attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path | None
+) -> int:
     """Compute the modes, show them, write them; the exit status."""
     from nonsmooth.files import documents
 
-    from . import shown
+    from . import mode_tables
 
     found = compute(attached, wanted)
     text = documents.text_of_modes(attached.structure, documents.of_modes(found))
     if json_:
         click.echo(text, nl=False)
     else:
-        click.echo(shown.caption(attached))
-        shown.modes(found)
-        click.echo(f"\n{shown.legend(attached.structure)}")
+        click.echo(mode_tables.caption(attached))
+        mode_tables.modes(found)
+        click.echo(f"\n{mode_tables.legend(attached.structure)}")
     _warn(found)
-    if output is not None:
-        if output.suffix.lower() == ".json":
-            write_text(output, text)
-        elif output.suffix.lower() in DATA:
-            write_file(output, found)
-        else:
-            from nonsmooth.plots.modes import modes_figure
-
-            with as_problems():
-                write_picture(output, lambda: modes_figure(found))
+    with as_problems():
+        write_result(output, text, drawn_by("modes.modes_figure", found), found)
     return 0
 
 
@@ -193,49 +173,41 @@ def _warn(found: "list[Modes]") -> None:
             click.echo(f"nonsmooth: ritz: {words}", err=True)
 
 
-def run_family(
+def _run_family(
     attached: "Attached", wanted: dict[str, Any], vary: str, log: bool, json_: bool,
     output: Path | None,
 ) -> int:  # fmt: skip
     """Compute the modes over a parameter, show them, write them; the exit status."""
     from nonsmooth.files import csv_rows, documents
 
-    from . import shown
-    from .vary import parse_vary
+    from . import mode_tables
+    from .vary import varied
 
     if wanted["method"] == ALL:
         raise Problem("--vary: got --method all with it, expected one method")
-    over = parse_vary(vary, log, attached)
+    over = varied(vary, log, attached)
     found: list[Modes] = []
     with progress(len(over.values), "sweep") as advance:
         for value, each in zip(over.labels, over.structures, strict=True):
             found += compute(each, wanted)
             advance(f"{over.name} = {value}")
+
     document = documents.of_varied_modes(over.name, over.values, found)
     text = documents.text_of_modes(attached.structure, document)
     if json_:
         click.echo(text, nl=False)
     else:
-        click.echo(shown.caption(attached, over.name.replace("-", "_")))
+        click.echo(mode_tables.caption(attached, over.name.replace("-", "_")))
         words = (
             f"{found[0].shown}, N = {found[0].order}"
             if wanted["tol"] is None
             else "to a tolerance"
         )
         click.echo(f"{over.name} varies; {words}\n")
-        shown.family(over.name, over.labels, found)
-    if output is not None:
-        if output.suffix.lower() == ".json":
-            write_text(output, text)
-        elif output.suffix.lower() == ".csv":
-            rows = csv_rows.of_modes(found, over.name, over.values)
-            write_whole(output, lambda target: csv_rows.write(target, rows))
-        elif output.suffix.lower() == ".nc":
-            write_file(output, found)
-        else:
-            from nonsmooth.plots.modes import family_figure
-
-            write_picture(
-                output, lambda: family_figure(over.name, over.values, found, over.log)
-            )
+        mode_tables.family(over.name, over.labels, found)
+    write_result(
+        output, text,
+        drawn_by("modes.family_figure", over.name, over.values, found, over.log), found,
+        rows=lambda: csv_rows.of_modes(found, over.name, over.values),
+    )  # fmt: skip
     return 0

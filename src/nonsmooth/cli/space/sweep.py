@@ -1,26 +1,27 @@
 """``nonsmooth sweep STRUCTURE``: how fast the expansions of one mode converge."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
-from ..output import PICTURES, check_target, write_picture, write_text, write_whole
-from ..problems import Problem
+from ..about import Given, Output
+from ..output import PICTURES, drawn_by, write_result
+from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
 from ..values.orders import parse_orders
-from .options import as_problems, attached_from, command_of
+from .options import attached_from, command_of
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.space.attached import Attached
     from nonsmooth.solver.space.convergence import Line
     from nonsmooth.solver.space.structure import Structure
 
 #: Orders of a sweep that names none.
 ORDERS = "1-20"
 
-#: What a sweep can be written as.
-SUFFIXES = (".json", ".csv", *PICTURES)
+OUTPUT = Output(
+    "Write the rows: .csv, .json; or a picture .png, .svg, .pdf.", (".json", ".csv", *PICTURES)
+)
 
 HELP = """Compute one mode of {name} for many orders and compare it with the exact one.
 
@@ -47,26 +48,8 @@ def command(structure: "Structure", said: str) -> click.Command:
             help=f"Numbers of forced modes of ritz-c{k}, 1 to {most}.  [default: 1]",
         ),
         click.Option(["--mode"], type=int, help="Number of the mode.  [default: 1]"),
-        click.Option(["--json", "json_"], is_flag=True, help="Print one JSON document."),
-        click.Option(
-            ["-o", "--output"], type=click.Path(path_type=Path),
-            help="Write the rows: .csv, .json; or a picture .png, .svg, .pdf.",
-        ),
     ]  # fmt: skip
-
-    def callback(
-        methods: str | None, orders: str | None, forced: str | None, mode: int | None,
-        case: Path | None, json_: bool, output: Path | None, **flags: Any,
-    ) -> int:  # fmt: skip
-        check_target(output, SUFFIXES)
-        attached = attached_from(structure, case, flags)
-        lines = lines_of(structure, methods, forced)
-        numbers = parse_orders(ORDERS if orders is None else orders)
-        return run(attached, lines, numbers, 1 if mode is None else mode, json_, output)
-
-    words = {"name": structure.name, "k": k, "title": structure.title.capitalize()}
-    epilog = EPILOG.format(structure=said, k=k)
-    return command_of(structure, callback, options, HELP.format(**words), epilog)
+    return command_of(structure, said, run, options, OUTPUT, HELP, EPILOG)
 
 
 def lines_of(structure: "Structure", methods: str | None, forced: str | None) -> "list[Line]":
@@ -81,7 +64,7 @@ def lines_of(structure: "Structure", methods: str | None, forced: str | None) ->
     from nonsmooth.solver.space.expansions.methods import METHODS, check_forced, generic_method
 
     said = list(METHODS) if methods is None else [part.strip() for part in methods.split(",")]
-    with as_problems({"method": "methods"}):
+    with as_problems(PLURAL):
         names = list(dict.fromkeys(generic_method(structure, name) for name in said))
         if forced is not None and "ritz-ck" not in names:
             raise ValueError(f"forced: got {forced!r}, {', '.join(names)} has no forced modes")
@@ -98,35 +81,30 @@ def lines_of(structure: "Structure", methods: str | None, forced: str | None) ->
 
 
 def run(
-    attached: "Attached", lines: "list[Line]", orders: list[int], mode: int, json_: bool,
-    output: Path | None,
+    given: "Given[Structure]", methods: str | None, orders: str | None, forced: str | None,
+    mode: int | None, json_: bool, output: Path | None,
 ) -> int:  # fmt: skip
     """Sweep, show it, write it; the exit status."""
     from nonsmooth.files import csv_rows, documents
     from nonsmooth.solver.space.convergence import convergence
 
-    from . import shown
+    from . import mode_tables
 
-    with as_problems({"order": "orders"}), progress(len(lines) * len(orders), "sweep") as done:
-        study = convergence(attached, lines, orders, mode, done)
+    attached = attached_from(given)
+    lines = lines_of(given.about, methods, forced)
+    numbers = parse_orders(ORDERS if orders is None else orders)
+    number = 1 if mode is None else mode
+    with as_problems(PLURAL), progress(len(lines) * len(numbers), "sweep") as done:
+        study = convergence(attached, lines, numbers, number, done)
     text = documents.text_of_modes(attached.structure, study.as_dict())
     if json_:
         click.echo(text, nl=False)
     else:
-        click.echo(shown.caption(attached))
-        click.echo(f"mode {mode}\n")
-        shown.convergence(study)
-    if output is not None:
-        suffix = output.suffix.lower()
-        if suffix == ".json":
-            write_text(output, text)
-        elif suffix == ".csv":
-            rows = csv_rows.of_convergence(study)
-            write_whole(output, lambda target: csv_rows.write(target, rows))
-        else:
-            from nonsmooth.plots.modes import convergence_figure
-
-            write_picture(output, lambda: convergence_figure(study))
+        click.echo(mode_tables.caption(attached))
+        click.echo(f"mode {number}\n")
+        mode_tables.convergence(study)
+    figure = drawn_by("modes.convergence_figure", study)
+    write_result(output, text, figure, rows=lambda: csv_rows.of_convergence(study))
     if all(row.beta is None for row in study.rows):
-        raise Problem(f"--mode: got {mode}, no order has so many modes", 1)
+        raise Problem(f"--mode: got {number}, no order has so many modes", 1)
     return 0

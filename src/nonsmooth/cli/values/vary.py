@@ -1,24 +1,24 @@
-"""``--vary NAME=FROM:TO:POINTS``: the parameter of a sweep, and its values."""
+"""``--vary NAME=FROM:TO:POINTS``: what varies, from where to where, at how many points."""
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from fractions import Fraction
+from typing import Generic, TypeVar
 
 from ..problems import Problem
 from .orders import is_whole
 
-if TYPE_CHECKING:
-    from nonsmooth.solver.arrays import Vector
+Number = TypeVar("Number", float, Fraction)
 
 
 @dataclass(frozen=True)
-class Vary:
+class Vary(Generic[Number]):
     """A parameter and its values, evenly spaced, or by a constant factor if `log`."""
 
     parameter: str
-    first: float
-    last: float
+    first: Number
+    last: Number
     count: int
     log: bool
 
@@ -27,23 +27,11 @@ class Vary:
         """The name of the parameter on the command line."""
         return self.parameter.replace("_", "-")
 
-    def values(self, start: int, end: int) -> "Vector":
-        """Return the values from number `start` up to, not including, number `end`."""
-        import numpy as np
 
-        numbers, steps = np.arange(start, end), self.count - 1
-        part = numbers / steps
-        if not self.log:
-            found = self.first + numbers * ((self.last - self.first) / steps)
-        elif 0 < self.last / self.first < math.inf:
-            found = self.first * (self.last / self.first) ** part
-        else:
-            found = self.first ** (1 - part) * self.last**part
-        found[numbers == steps] = self.last
-        return np.asarray(found, dtype=np.float64)
-
-
-def parse_vary(text: str, log: bool, names: Collection[str], most: int, example: str) -> Vary:
+def parse_vary(
+    text: str, log: bool, names: Collection[str], most: int, example: str,
+    number: Callable[[str], Number],
+) -> Vary[Number]:  # fmt: skip
     """Return what ``--vary`` asks for.
 
     Parameters
@@ -58,11 +46,13 @@ def parse_vary(text: str, log: bool, names: Collection[str], most: int, example:
         Most points.
     example : str
         One that is right, for the message.
+    number : callable
+        What makes an end a number.
 
     Examples
     --------
-    >>> parse_vary("my-gap=0.1:10:3", True, ["my_gap"], 100, "").values(0, 3)
-    array([ 0.1,  1. , 10. ])
+    >>> parse_vary("my-gap=0.1:10:3", True, ["my_gap"], 100, "", float)
+    Vary(parameter='my_gap', first=0.1, last=10.0, count=3, log=True)
 
     Raises
     ------
@@ -71,7 +61,7 @@ def parse_vary(text: str, log: bool, names: Collection[str], most: int, example:
     """
     expected = f"expected NAME=FROM:TO:POINTS, such as {example}"
     name, _, rest = text.partition("=")
-    parts = rest.split(":")
+    parts = [part.strip() for part in rest.split(":")]
     if len(parts) != 3:
         raise Problem(f"--vary: got {text!r}, {expected}")
     parameter = name.strip().replace("-", "_")
@@ -79,15 +69,16 @@ def parse_vary(text: str, log: bool, names: Collection[str], most: int, example:
         known = ", ".join(flag.replace("_", "-") for flag in names)
         raise Problem(f"--vary: unknown parameter {name!r}, expected one of {known}")
     try:
-        first, last = float(parts[0]), float(parts[1])
-    except ValueError as error:
+        first, last = number(parts[0]), number(parts[1])
+        low, high = sorted((float(first), float(last)))
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise Problem(f"--vary: got {text!r}, {expected}") from error
-    if not (math.isfinite(first) and math.isfinite(last) and first != last):
+    if not (math.isfinite(low) and math.isfinite(high) and first != last):
         raise Problem(f"--vary: got {text!r}, expected two different numbers as the ends")
-    if not is_whole(parts[2].strip()) or not 2 <= int(parts[2]) <= most:
+    if not is_whole(parts[2]) or not 2 <= int(parts[2]) <= most:
         raise Problem(
             f"--vary: got {parts[2]!r} points, expected a whole number from 2 to {most}"
         )
-    if log and not (first > 0 and last > 0):
+    if log and not low > 0:
         raise Problem(f"--log: got an end of {text!r} that is not above 0")
     return Vary(parameter, first, last, int(parts[2]), log)

@@ -7,7 +7,7 @@ from nonsmooth.kim_perkins import CHOICE, SECTION_4, StickSlip
 from nonsmooth.solver.scenes.method_names import shown
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.family import Family
+    from nonsmooth.solver.results.family import Family
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
 

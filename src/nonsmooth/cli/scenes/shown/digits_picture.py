@@ -1,7 +1,7 @@
 """Heat maps of the digits that float64 keeps: extremes by order, a map a method."""
 
-from pathlib import Path
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
@@ -9,22 +9,19 @@ from matplotlib.figure import Figure
 
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import EXACT
-from nonsmooth.style import SETTINGS, save
 
-from .digits import ABSENT, words_of
-from .heat_map import draw_digits
+from .digits_table import ABSENT, words_of
 
 if TYPE_CHECKING:
     from nonsmooth.solver.precision.digits import Kept
     from nonsmooth.solver.scenes.case import Case
 
-
-def digits_picture(case: "Case", found: "list[Kept]", target: Path) -> None:
-    """Write the heat maps as a picture."""
-    with mpl.rc_context(SETTINGS | {"axes.grid": False}):
-        save(digits_figure(case, found), target)
+#: Digits at the two ends of the colour scale, which is as readable in grey.
+SCALE = (0, 16)
+COLOURS = "cividis"
 
 
+@mpl.rc_context({"axes.grid": False})
 def digits_figure(case: "Case", found: "list[Kept]") -> Figure:
     """Draw the digits of the times: a map for the exact equations and for each method."""
     methods = list(dict.fromkeys(kept.method for kept in found))
@@ -45,10 +42,37 @@ def digits_figure(case: "Case", found: "list[Kept]") -> Figure:
             words[place] = words_of(kept).replace(".0", "")
         labels = ["" if order is None else order for order in columns]
         rows = [extreme or "as given" for extreme in extremes]
-        image = draw_digits(axes, digits, words, labels, rows)
+        image = _draw_map(axes, digits, words, labels, rows)
         axes.set_title(shown(case.scene, method), fontsize=9)
         axes.set_xlabel("" if method == EXACT else "order N")
     bar = figure.colorbar(image, ax=maps, shrink=0.8)
     bar.set_label("digits of the times")
     figure.supxlabel(f"{case.scene.name}: {case.description}", fontsize=7, wrap=True)
     return figure
+
+
+def _draw_map(
+    axes: Any, digits: Any, words: Any, columns: Sequence[object], rows: Sequence[str]
+) -> Any:
+    """Draw a map and return it, for its scale.
+
+    Parameters
+    ----------
+    axes : matplotlib Axes
+    digits : ndarray, shape (rows, columns)
+        Not a number where there are none: the cell is grey.
+    words : ndarray of str
+        What stands in each cell.
+    columns, rows : sequence
+        What stands beside them.
+    """
+    axes.set_facecolor("0.85")
+    image = axes.pcolormesh(digits, cmap=COLOURS, vmin=SCALE[0], vmax=SCALE[1])
+    for (i, k), word in np.ndenumerate(words):
+        shade = 0.0 if np.isnan(digits[i, k]) or digits[i, k] > 9 else 1.0
+        axes.text(
+            k + 0.5, i + 0.5, word, ha="center", va="center", color=str(shade), fontsize=7
+        )
+    axes.set_xticks(np.arange(len(columns)) + 0.5, columns)
+    axes.set_yticks(np.arange(len(rows)) + 0.5, rows)
+    return image

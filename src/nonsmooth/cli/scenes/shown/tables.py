@@ -24,11 +24,12 @@ from .captions import WIDTH, derivative
 if TYPE_CHECKING:
     from nonsmooth.solver.exact import ExactOrbit
     from nonsmooth.solver.existence.reasons import WithoutSwitches
-    from nonsmooth.solver.family import Family
     from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.orbit.errors import Errors
     from nonsmooth.solver.orbit.motion import Motion
+    from nonsmooth.solver.results.family import Family
+    from nonsmooth.solver.results.sweep import Sweep
     from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.sweep import Sweep
     from nonsmooth.solver.trade.measured import Trade
 
 #: Points of a printed family.
@@ -51,14 +52,9 @@ def solutions(case: "Case", exact: "ExactOrbit | None", found: Found) -> None:
         if not isinstance(orbit, Orbit):
             table.add_row(shown(scene, method), "", orbit.status)
             continue
-        errors = orbit.errors
+        cells = _accuracy(orbit.errors, orbit.estimate)
         table.add_row(
-            name_of(orbit),
-            str(orbit.order),
-            *_times(orbit),
-            *(("", "") if errors is None else _errors(errors.times, errors.discontinuous)),
-            f"{orbit.estimate.times:.1e}",
-            str(orbit.iterations),
+            name_of(orbit), str(orbit.order), *_times(orbit), *cells, str(orbit.iterations)
         )
     print_table(table)
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
@@ -123,8 +119,12 @@ def _times(motion: "Motion") -> list[str]:
     ]
 
 
-def _errors(*errors: float) -> tuple[str, ...]:
-    return tuple(f"{error:.2e}" for error in errors)
+def _accuracy(errors: "Errors | None", estimate: "Errors") -> tuple[str, str, str]:
+    """Return two errors, where the exact orbit is known, and the estimate of the first."""
+    known = ("", "")
+    if errors is not None:
+        known = f"{errors.times:.2e}", f"{errors.discontinuous:.2e}"
+    return *known, f"{estimate.times:.1e}"
 
 
 def _in_full(orbit: Orbit) -> str:
@@ -214,15 +214,9 @@ def convergence(result: "Sweep") -> None:
         if row.estimate is None:
             table.add_row(*head, row.status, *[""] * (3 + forced), str(row.iterations))
             continue
-        errors = row.errors
-        table.add_row(
-            *head,
-            f"{row.period:.9g}",
-            *([f"{row.forcing_phase:.7g}"] if forced else []),
-            *(("", "") if errors is None else _errors(errors.times, errors.discontinuous)),
-            f"{row.estimate.times:.1e}",
-            str(row.iterations),
-        )
+        times = [f"{row.period:.9g}", *([f"{row.forcing_phase:.7g}"] if forced else [])]
+        cells = _accuracy(row.errors, row.estimate)
+        table.add_row(*head, *times, *cells, str(row.iterations))
     print_table(table)
     click.echo("\nConvergence, fitted to the logarithms of all errors above rounding:\n")
     rates = table_of("method", "times", derivative(scene))

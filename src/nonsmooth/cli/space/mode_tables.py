@@ -23,9 +23,8 @@ def caption(attached: "Attached", varied: str = "") -> str:
     """Return the structure with its class, and its parameters but for what is varied."""
     structure = attached.structure
     head = f"{structure.name}: {structure.title} (C{structure.k})"
-    glued = (
-        attached.described(varied).replace(" ", "\0").replace(",\0", ", ").replace(";\0", "; ")
-    )
+    glued = attached.described(varied).replace(" ", "\0")
+    glued = glued.replace(",\0", ", ").replace(";\0", "; ")
     lines = [line.replace("\0", " ") for line in textwrap.wrap(glued, WIDTH)]
     return "\n".join([head, *lines]) + "\n"
 

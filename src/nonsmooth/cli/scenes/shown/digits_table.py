@@ -36,7 +36,7 @@ def words_of(kept: "Kept") -> str:
     return f"{kept.digits:.1f}{mark}"
 
 
-def table(case: "Case", found: "list[Kept]") -> None:
+def print_digits(case: "Case", found: "list[Kept]") -> None:
     """Print the digits, and what the columns mean."""
     orders = sorted({kept.order for kept in found if kept.order is not None})
     heads = [f"N = {orders[0]}", *map(str, orders[1:])] if orders else []

@@ -1,0 +1,218 @@
+"""What a sweep along a parameter comes to: a row for each of its values."""
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from typing import Any, overload
+
+import numpy as np
+
+from ..arrays import Vector
+from ..orbit.errors import Errors
+from ..presentation.table import Table, flat
+from ..scenes.case import Case
+from ..scenes.method_names import shown
+from .document import without_errors
+from .of_rows import OfRows
+
+
+@dataclass(frozen=True)
+class FamilyRow:
+    """The orbit at one value of the parameter, or why there is none.
+
+    Parameters
+    ----------
+    value : float
+        Of the parameter, in SI units.
+    status : {"ok", "no-orbit", "not-converged"}
+    period, forcing_phase : float or None
+        In s and rad; None without an orbit, the second also where nothing forces.
+    durations : tuple of float or None
+        Of the phases of one period, in s.
+    extremes : dict or None
+        Least and largest ``displacement`` and ``velocity``.
+    estimate : Errors or None
+        Errors, as estimated.
+    iterations : int
+        Jacobians factorised.
+    followed : bool
+        Whether it was found from the orbit at the value before.
+    message : str
+        Why there is no orbit; empty if there is one.
+    motion : str or None
+        Which of the scene's motions it is; None without an orbit, or where there is only one.
+    """
+
+    value: float
+    status: str
+    period: float | None
+    forcing_phase: float | None
+    durations: tuple[float, ...] | None
+    extremes: dict[str, tuple[float, float]] | None
+    estimate: Errors | None
+    iterations: int
+    followed: bool
+    message: str = ""
+    motion: str | None = None
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the row as JSON has it."""
+        estimate = without_errors() if self.estimate is None else asdict(self.estimate)
+        ends = self.extremes or dict.fromkeys(("displacement", "velocity"))
+        return asdict(self) | {"estimate": estimate, "extremes": ends}
+
+
+#: Numbers of which each row has one, or none.
+NUMBERS = ("value", "period", "forcing_phase", "iterations")
+
+#: Units of the numbers in a row.
+UNITS = {
+    "period": "s",
+    "forcing_phase": "rad",
+    **{f"{end}_displacement": "m" for end in ("least", "largest")},
+    **{f"{end}_velocity": "m/s" for end in ("least", "largest")},
+}
+
+
+@dataclass(frozen=True, repr=False)
+class Family(OfRows):
+    """The orbits of a case along a parameter, in the order of its values.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator, with the first value.
+    parameter : str
+        The name of what varies.
+    method, order, functions : str, int, int or None
+        How each orbit was computed.
+    rows : tuple of FamilyRow
+        One a value.
+    """
+
+    case: Case
+    parameter: str
+    method: str
+    order: int
+    functions: int | None
+    rows: tuple[FamilyRow, ...]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __hash__(self) -> int:
+        return hash((self.case, self.parameter, self.method, self.order, len(self)))
+
+    def __iter__(self) -> Iterator[FamilyRow]:
+        return iter(self.rows)
+
+    @overload
+    def __getitem__(self, index: str) -> Vector: ...
+
+    @overload
+    def __getitem__(self, index: int) -> FamilyRow: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[FamilyRow, ...]: ...
+
+    def __getitem__(
+        self, index: str | int | slice
+    ) -> Vector | FamilyRow | tuple[FamilyRow, ...]:
+        """Return ``"value"``, ``"period"`` or ``"forcing_phase"`` of all rows; or some rows.
+
+        Raises
+        ------
+        KeyError
+            If there are no numbers of this name.
+        """
+        if not isinstance(index, str):
+            return self.rows[index]
+        if index not in NUMBERS:
+            raise KeyError(f"got {index!r}, expected one of {', '.join(NUMBERS)}")
+        return np.array([getattr(row, index) for row in self.rows], dtype=float)
+
+    @property
+    def other_parameters(self) -> str:
+        """The parameters that do not vary, by their symbols, in one line."""
+        parts = (
+            f"{q.symbol} = {self.case.values[q.name]:.4g} {q.unit}".rstrip()
+            for q in self.case.scene.parameters
+            if q.name != self.parameter
+        )
+        return ", ".join(parts)
+
+    def durations_of(self, row: FamilyRow) -> dict[str, float]:
+        """Return the durations of a cell's phases in s, by name; empty without an orbit."""
+        scene = self.case.scene
+        own = scene.of_motion(row.motion) if row.motion else scene
+        return dict(zip(own.phases, row.durations or (), strict=False))
+
+    def plot(self, ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
+        """Draw one quantity along the parameter and return the axes.
+
+        Needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones without it.
+        quantity : {"displacement", "velocity", "times", "estimate", "period"}
+            Of the first two both ends; the durations of the phases, or of a single one the
+            phase of the forcing; the estimated error of the times; the period.
+        **style
+            Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ...plots.families import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, **style)
+
+    def table(self) -> Table:
+        """Return the rows; the value has the name of the parameter."""
+        columns = flat([row.as_dict() for row in self.rows])
+        columns = {self.parameter: columns.pop("value")} | columns
+        units = UNITS | {q.name: q.unit for q in self.case.scene.parameters if q.unit}
+        units |= {name: "s" for name in columns if name.startswith("duration_")}
+        fixed = {n: value for n, value in self.case.values.items() if n != self.parameter}
+        how = {"parameter": self.parameter, "method": self.method, "order": self.order}
+        return Table((self.parameter,), columns, units, self.about(how) | fixed)
+
+    def __repr__(self) -> str:
+        scene, values = self.case.scene, self["value"]
+        found = sum(row.status == "ok" for row in self.rows)
+        along = f"{self.parameter} = {values[0]:g} to {values[-1]:g}"
+        method = f"{shown(scene, self.method)}, N = {self.order}"
+        return f"<{scene.label} along {along} by {method}: {len(self)} values, {found} orbits>"
+
+    def __str__(self) -> str:
+        ends = f"{'least x':>10}  {'largest x':>10}"
+        lines = [f"{self.parameter:>14}  {'T [s]':>15}  {ends}  estimate"]
+        for row in self.rows:
+            head = f"{row.value:14.8g}  "
+            if row.period is None or row.extremes is None or row.estimate is None:
+                lines.append(f"{head}{row.status}: {row.message:.60}")
+                continue
+            low, high = row.extremes["displacement"]
+            ends = f"{low + 0.0:10.6g}  {high + 0.0:10.6g}"
+            lines.append(f"{head}{row.period:15.10g}  {ends}  {row.estimate.times:8.1e}")
+        return "\n".join(lines)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the family as the document that ``sweep --vary --json`` writes."""
+        how = {"method": self.case.called(self.method), "order": self.order}
+        along = {"parameter": self.parameter, "count": len(self.rows)}
+        rows = [row.as_dict() for row in self.rows]
+        return self.head(how) | {"vary": along, "rows": rows}
+
+
+class FamilyInterrupted(KeyboardInterrupt):
+    """Ctrl-C while a family was computed; `done` is the family of the values before."""
+
+    def __init__(self, done: Family) -> None:
+        super().__init__(f"after {len(done)} values")
+        self.done = done

@@ -1,0 +1,166 @@
+"""What a sweep over orders comes to: a row for each method and order."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any, overload
+
+from ..accuracy.rates import Rate, rate
+from ..kernels import registry
+from ..orbit.errors import Errors
+from ..presentation.table import Table, flat
+from ..scenes.case import Case
+from ..scenes.method_names import shown
+from .document import without_errors
+from .of_rows import OfRows
+
+
+@dataclass(frozen=True)
+class SweepRow:
+    """One method at one order.
+
+    Parameters
+    ----------
+    method, order : str, int
+        What was asked for; the generic name.
+    status : {"ok", "no-orbit", "not-converged"}
+        An orbit; shown that there is none; none found.
+    period : float or None
+        In s; None without an orbit, as all that follows but `iterations` and `seconds`.
+    forcing_phase : float or None
+        In rad; None also where nothing forces.
+    durations : tuple of float or None
+        Of the phases of one period, in s.
+    iterations : int
+        Jacobians factorised.
+    errors, estimate : Errors or None
+        Against the exact orbit; as estimated without it.
+    seconds : float
+        Time of the search; of one of them compilation too, if there is enough to compute.
+    message : str
+        Why there is no orbit; empty if there is one.
+    further : mapping
+        See `Orbit`.
+    """
+
+    method: str
+    order: int
+    status: str
+    period: float | None
+    forcing_phase: float | None
+    durations: tuple[float, ...] | None
+    iterations: int
+    errors: Errors | None
+    estimate: Errors | None
+    seconds: float
+    message: str = ""
+    further: Mapping[str, float] = field(default_factory=dict, hash=False)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the row as JSON has it."""
+        found: dict[str, Any] = asdict(self) | {
+            "errors": without_errors() if self.errors is None else asdict(self.errors),
+            "estimate": without_errors() if self.estimate is None else asdict(self.estimate),
+        }
+        found |= found.pop("further")
+        return found
+
+
+#: Units of the numbers in a row.
+UNITS = {"period": "s", "forcing_phase": "rad", "seconds": "s", "t1": "s"}
+
+
+@dataclass(frozen=True, repr=False)
+class Sweep(OfRows, Sequence[SweepRow]):
+    """The rows of a sweep of a case, in the order in which they were asked for."""
+
+    case: Case
+    rows: tuple[SweepRow, ...]
+    functions: int | None = None
+
+    @overload
+    def __getitem__(self, index: int) -> SweepRow: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[SweepRow, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> SweepRow | tuple[SweepRow, ...]:
+        return self.rows[index]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def of(self, method: str) -> tuple[SweepRow, ...]:
+        """Return the rows of one method, by either of its names."""
+        wanted = registry.generic_method(self.case.scene, method)
+        return tuple(row for row in self.rows if row.method == wanted)
+
+    def rates(self) -> dict[str, Rate]:
+        """Return how fast each method converges, by its generic name."""
+        found = {}
+        for method in dict.fromkeys(row.method for row in self.rows):
+            rows = [(row.order, asdict(row.errors)) for row in self.of(method) if row.errors]
+            found[method] = rate(method, rows)
+        return found
+
+    def dictionaries(self) -> list[dict[str, Any]]:
+        """Return the rows as JSON has them, all with the same keys in the same order."""
+        found = []
+        for row in self.rows:
+            values = row.as_dict() | {"method": self.case.called(row.method)}
+            values |= {name: values.pop(name, None) for name in self.case.own_numbers}
+            values["errors"] = dict.fromkeys(self.case.own_errors) | values["errors"]
+            found.append(values)
+        return found
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the sweep as the document that ``sweep --json`` writes."""
+        rates = {self.case.called(name): asdict(q) for name, q in self.rates().items()}
+        return self.head() | {"rows": self.dictionaries(), "rates": rates}
+
+    def plot(self, ax: Any = None, quantity: str = "times", **style: Any) -> Any:
+        """Draw one error against the order, a line a method; return the axes.
+
+        Needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones, with a legend, without it.
+        quantity : {"times", "discontinuous", "period"}
+            The field of `Errors`.
+        **style
+            Of the lines, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ...plots.sweeps import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, **style)
+
+    def table(self) -> Table:
+        """Return the rows; `duration_1` and so on are those of the phases of a period."""
+        columns = flat(self.dictionaries())
+        units = UNITS | {n: "s" for n in columns if n.startswith("duration_")}
+        return Table(("method", "order"), columns, units, self.about() | dict(self.case.values))
+
+    def __repr__(self) -> str:
+        names = dict.fromkeys(shown(self.case.scene, row.method) for row in self.rows)
+        found = sum(row.status == "ok" for row in self.rows)
+        head = f"sweep of {self.case.scene.label} by {', '.join(names)}"
+        return f"<{head}: {len(self)} rows, {found} orbits>"
+
+    def __str__(self) -> str:
+        lines = [f"{'method':8}{'N':>5}  {'T [s]':>15}  {'times':>9}  {'jump':>9}  estimate"]
+        for row in self.rows:
+            head = f"{shown(self.case.scene, row.method):8}{row.order:5d}  "
+            if row.errors is None or row.estimate is None:
+                lines.append(f"{head}{row.status}: {row.message:.60}")
+                continue
+            errors = f"{row.errors.times:9.2e}  {row.errors.discontinuous:9.2e}"
+            lines.append(f"{head}{row.period:15.10g}  {errors}  {row.estimate.times:8.1e}")
+        return "\n".join(lines)
