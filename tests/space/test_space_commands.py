@@ -309,7 +309,7 @@ def test_what_the_pictures_of_a_study_show() -> None:
     errors = figure.axes[0].lines[0].get_ydata()
     np.testing.assert_allclose(errors, [abs(row.eigenvalue_error) for row in study.rows[:3]])
     assert list(figure.axes[0].lines[1].get_xdata()) == [4, 6, 10]
-    over = vary.parse_vary("position=1/4:1/2:2", False, attached("beam-mass"))
+    over = vary.varied("position=1/4:1/2:2", False, attached("beam-mass"))
     found = [ns.modes(each, count=2) for each in over.structures]
     family = pictures.family_figure(over.name, over.values, found)
     assert family.axes[0].lines[1].get_ydata()[-1] == pytest.approx(2.0)
