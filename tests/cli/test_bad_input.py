@@ -109,6 +109,7 @@ def table(**changes: object) -> str:
         (table(mass=None), "mass: missing"),
         (table(mas=1.0), "mas: not a parameter of stick-slip; did you mean mass?"),
         (table(colour='"red"'), "colour: not a parameter of stick-slip"),
+        (table(cycles=2), "cycles: not a parameter of stick-slip"),
         (table(mass='"10"'), "mass: got '10', expected a positive number"),
         (table(mass="true"), "mass: got True, expected a positive number"),
         (table(mass="[1.0]"), "mass: got [1.0], expected a positive number"),

@@ -84,6 +84,7 @@ def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
         With all mistakes at once.
     """
     from nonsmooth.kim_perkins import as_in_paper
+    from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.parameter_error import ParameterError
 
     scene, flags = given.about, {**given.flags, **others}
@@ -97,7 +98,7 @@ def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
     ]
     wrong: list[str] = []
     try:
-        case = as_in_paper(scene(**(table | flags), cycles=cycles))
+        case = as_in_paper(Case(scene, table | flags, cycles))
     except ParameterError as error:
         wrong = [_as_flag(line) for line in error.errors]
     if wrong or missing:  # a name that is misspelled before that which it should have been
@@ -109,4 +110,4 @@ def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
 
 def _as_flag(line: str) -> str:
     """Return what is wrong with a case; the cycles, which no table has, by their flag."""
-    return f"--{line}" if line.startswith("cycles: ") else line
+    return f"--{line}" if line.startswith("cycles: got") else line
