@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from refusals import refused
 
 from nonsmooth.cli.paper import FIGURES as NUMBERS
-from nonsmooth.report import build
+from nonsmooth.report import build, pictures
 from nonsmooth.report.captions import PLATES
 
 
@@ -22,23 +22,40 @@ def test_a_folder_is_needed(run) -> None:
     assert "-o" in refused(run, "report")
 
 
-def test_a_folder_with_other_files_is_left_alone(run, tmp_path: Path) -> None:
-    (tmp_path / "thesis.tex").write_text("x")
-    assert "has thesis.tex in it" in refused(run, "report", "-o", tmp_path)
-    assert [path.name for path in tmp_path.iterdir()] == ["thesis.tex"]
-
-
-def test_a_page_that_report_did_not_make_is_left_alone(run, tmp_path: Path) -> None:
-    (tmp_path / "index.html").write_text("mine")
-    assert "has a page that is not ours" in refused(run, "report", "-o", tmp_path)
-    assert (tmp_path / "index.html").read_text() == "mine"
-
-
-def test_a_place_where_no_folder_can_be_is_refused(run, tmp_path: Path) -> None:
-    target = tmp_path / "report"
-    target.write_text("x")
-    assert "expected a folder" in refused(run, "report", "-o", target)
-    assert "does not exist" in refused(run, "report", "-o", tmp_path / "no" / "report")
+@pytest.mark.parametrize(
+    ("file", "flags", "why"),
+    [
+        ("report/thesis.tex", (), "has thesis.tex in it"),
+        ("report/index.html", (), "has a page that is not ours"),
+        ("report", (), "expected a folder"),
+        ("other", ("-o", "no/report"), "does not exist"),
+        ("other", ("--normal-force", 1e-12), "alpha"),
+        (
+            "other",
+            ("--figure", 5, "-o", "fig5.txt"),
+            "a name that ends in one of .png, .svg, .pdf",
+        ),
+        *(
+            (
+                "other",
+                ("--figure", n),
+                f"'--figure': '{n}' is not one of '1', '2', '3', '4', '5', '6'",
+            )
+            for n in ("0", "7", "2a", "x")
+        ),
+    ],
+)
+def test_what_is_refused_leaves_everything_as_it_was(
+    run, tmp_path: Path, monkeypatch, file: str, flags: tuple[object, ...], why: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    there = tmp_path / file
+    there.parent.mkdir(exist_ok=True)
+    there.write_text("mine")
+    assert why in refused(run, "report", "-o", "report", *flags)
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == [there]
+    assert there.read_text() == "mine"
+    assert {path.name for path in tmp_path.iterdir()} == {file.partition("/")[0]}
 
 
 @pytest.mark.parametrize("library", ["matplotlib", "jinja2"])
@@ -46,23 +63,6 @@ def test_what_a_report_needs_is_said(run, tmp_path: Path, library: str, monkeypa
     monkeypatch.setattr("nonsmooth.cli.output.find_spec", lambda name: name != library or None)
     error = refused(run, "report", "-o", tmp_path / "report")
     assert f"needs {library}: pip install 'nonsmooth[report]'" in error
-
-
-def test_an_oscillator_that_float64_cannot_hold(run, tmp_path: Path) -> None:
-    assert "alpha" in refused(run, "report", "--normal-force", 1e-12, "-o", tmp_path / "report")
-    assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize("number", ["0", "7", "2a", "x"])
-def test_another_number_is_refused_with_the_list(run, tmp_path: Path, number: str) -> None:
-    error = refused(run, "report", "--figure", number, "-o", tmp_path / "fig.pdf")
-    assert f"'--figure': '{number}' is not one of '1', '2', '3', '4', '5', '6'" in error
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_a_name_that_is_not_that_of_a_picture_is_refused(run, tmp_path: Path) -> None:
-    error = refused(run, "report", "--figure", 5, "-o", tmp_path / "fig5.txt")
-    assert "expected a name that ends in one of .png, .svg, .pdf" in error
 
 
 @pytest.fixture
@@ -74,13 +74,9 @@ def drawn(monkeypatch) -> list[Figure]:
         made.append(figure)
         target.write_bytes(b"")
 
-    monkeypatch.setattr(build, "save", keep)
+    monkeypatch.setattr(pictures, "save", keep)
     monkeypatch.setattr(build, "Case", case)
     return made
-
-
-def test_the_numbers_are_those_of_the_figures_of_the_report() -> None:
-    assert [int(number) for number in NUMBERS] == [plate.number for plate in PLATES]
 
 
 @pytest.mark.parametrize("plate", PLATES, ids=lambda plate: f"{plate.number}")
@@ -96,7 +92,8 @@ def test_the_command_draws_the_pictures_of_that_number(run, tmp_path, drawn, pla
             np.testing.assert_array_equal(data(line), data(expected))
 
 
-def test_the_parts_of_a_figure_have_the_letters_of_the_paper(drawn) -> None:
+def test_the_figures_have_the_numbers_and_their_parts_the_letters_of_the_paper() -> None:
+    assert [int(number) for number in NUMBERS] == [plate.number for plate in PLATES]
     parts = build.plate(ODD, 2).axes
     assert [note(axes, "(").get_text() for axes in parts] == ["(a)", "(b)", "(c)", "(d)"]
     assert all(len(data(longest(axes))[0]) > 100 for axes in parts)

@@ -14,7 +14,7 @@ from drawn import data
 from matplotlib.colors import to_hex
 
 import nonsmooth as ns
-from nonsmooth.report import intervals
+from nonsmooth.report import intervals, workers
 from nonsmooth.report.case import Case, at_alpha
 from nonsmooth.report.checks import Finding
 from nonsmooth.report.claim_map import claim_map
@@ -45,6 +45,18 @@ def test_the_ends_of_several_intervals_are_found() -> None:
     assert len(told) == intervals.SCANNED + 1
     assert first == (0, pytest.approx(0.2, rel=5e-3))
     assert second == pytest.approx((0.3, 7), rel=5e-3)
+
+
+def test_processes_find_the_same_intervals(monkeypatch) -> None:
+    poorest = next(claim for claim in CLAIMS if claim.name == "poorest")
+    parts = [CLAIMS[0].parts[0], poorest.parts[0]]
+    monkeypatch.setattr(intervals, "grid", lambda: [0.3, 0.5, 1.0])
+    alone, told = intervals.scan(DEFAULT, parts), []
+    with workers.processes() as run:
+        assert intervals.scan(DEFAULT, parts, told.append, run) == alone
+    assert len(alone[parts[1]][0]) == 2
+    assert told[:3] == ["alpha = 0.3", "alpha = 0.5", "alpha = 1"]
+    assert sorted(told[3:]) == sorted(part.words for part in parts)
 
 
 def made_up(title: str, *found: list[tuple[float, float]]) -> tuple[Claim, dict]:

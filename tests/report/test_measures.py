@@ -74,12 +74,6 @@ def test_what_is_measured_has_no_unit(pair) -> None:
         assert one == pytest.approx(other, rel=1e-6), of
 
 
-def test_the_other_reading_of_the_measure_is_that_of_the_accuracy_page() -> None:
-    measured = case().measured("acceleration at equal times", "hb", 40)
-    assert measured == pytest.approx(0.0643, abs=5e-5)
-    assert case().measured("acceleration", "hb", 40) == pytest.approx(0.0586, abs=5e-5)
-
-
 def test_the_ripple_of_many_harmonics_is_that_of_gibbs() -> None:
     constant = sici(np.pi)[0] / np.pi - 0.5
     assert pytest.approx(constant, rel=1e-12) == GIBBS
@@ -101,6 +95,18 @@ def test_an_orbit_that_is_not_found_is_looked_for_once(proven, words, monkeypatc
             case.measured("period", "c1", 3)
     assert not case.has("c1", 3)
     assert asked == [(DEFAULT, "c1", 3)]
+
+
+def test_what_is_shown_to_be_none_is_not_looked_for(monkeypatch) -> None:
+    found = [N for N in range(1, 13) if at_alpha(DEFAULT, 0.02).has("c1", N)]
+    assert found == [9, 10, 11, 12]
+    asked = []
+    monkeypatch.setattr(ns, "solve", lambda belt, method, N: asked.append(N))
+    case = at_alpha(DEFAULT, 0.02)
+    assert not any(case.has("c1", N) for N in range(1, 9))
+    with pytest.raises(ns.NoOrbit, match=r"^c1 has no orbit at N = 8$"):
+        case.orbit("c1", 8)
+    assert asked == []
 
 
 def test_errors_rates_and_who_is_behind_are_those_of_a_sweep() -> None:

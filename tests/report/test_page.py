@@ -16,7 +16,7 @@ from written import Elements, value
 
 import nonsmooth as ns
 from nonsmooth.cli import folders
-from nonsmooth.report import build
+from nonsmooth.report import build, pictures
 from nonsmooth.report.case import Case
 from nonsmooth.report.claims import CLAIMS, PARTS
 from nonsmooth.report.html import prose
@@ -36,7 +36,7 @@ def folder(tmp_path_factory, found: Intervals) -> Path:
     """Return a report but for the scan, which takes half a minute."""
     made = tmp_path_factory.mktemp("report") / "made"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(build, "scan", lambda belt, parts, done: found)
+        patch.setattr(build, "scan", lambda belt, parts, done, run: found)
         folders.write_folder(made, lambda target: build.build(DEFAULT, target, print))
     return made
 
@@ -153,7 +153,7 @@ def test_the_page_says_whose_oscillator_and_what_is_ours(text: str) -> None:
 
 def test_the_commands_on_the_page_run(text: str, run, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(build, "save", lambda figure, target: target.write_bytes(b""))
+    monkeypatch.setattr(pictures, "save", lambda figure, target: target.write_bytes(b""))
     monkeypatch.setattr(build, "Case", shared)
     commands = set(re.findall(r"<pre><code>nonsmooth (.*?)</code></pre>", text))
     commands.remove("report -o report")
@@ -166,12 +166,14 @@ def test_the_same_case_gives_the_same_bytes(
     folder: Path, text: str, found: Intervals, tmp_path: Path, monkeypatch
 ) -> None:
     again = Case(DEFAULT)
-    monkeypatch.setattr(build, "PICTURES", ("fig-3-detail", "claims"))
-    build.draw(again, found, tmp_path, lambda done: None)
+    some = {"fig-3-detail": build.FIGURES["fig-3-detail"]}
+    monkeypatch.setattr(build, "FIGURES", some)
+    made = build.draw(again, found, tmp_path, lambda done: None)
+    assert list(made) == ["fig-3-detail", "claims"]
     for path in tmp_path.iterdir():
         assert path.read_bytes() == (folder / path.name).read_bytes(), path.name
-    pictures = {path.stem: path.read_text("utf-8") for path in folder.glob("*.svg")}
-    assert page(again, found, pictures) == text
+    all_of_them = {path.stem: path.read_text("utf-8") for path in folder.glob("*.svg")}
+    assert page(again, found, all_of_them) == text
 
 
 def test_an_earlier_report_is_replaced_whole_or_not_at_all(folder: Path, text: str) -> None:

@@ -9,9 +9,11 @@ import pytest
 from written import Elements
 
 import nonsmooth as ns
-from nonsmooth.report.scenes import collected, figures, gallery, multipliers
+from nonsmooth.report.pictures import figure
+from nonsmooth.report.scenes import collected, gallery
+from nonsmooth.report.scenes import scene_figures as figures
 from nonsmooth.report.scenes.collected import Collected, collect, overshoot
-from nonsmooth.report.scenes.page import GIBBS, page
+from nonsmooth.report.scenes.scene_page import GIBBS, multipliers, page
 from nonsmooth.report.scenes.theory import rate_of_jump, rate_of_times
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 from nonsmooth.solver.stability.stability import Stability
@@ -70,7 +72,7 @@ def test_the_theory_is_that_of_the_references() -> None:
 
 
 def test_the_slopes_that_are_drawn_are_those_of_theory(found: Collected) -> None:
-    axes = figures.figure(figures.convergence("times"), found).axes[0]
+    axes = figure(figures.convergence("times"), found).axes[0]
     drawn = {line.get_label(): line for line in axes.lines}
     points = {way.name: points for way, points in found.curves.items()}
     assert list(drawn["hb"].get_ydata()) == [point.times for point in points["hb"]]
@@ -83,7 +85,7 @@ def test_the_slopes_that_are_drawn_are_those_of_theory(found: Collected) -> None
 
 
 def test_the_derivative_that_jumps_is_drawn_with_its_jump(found: Collected) -> None:
-    axes = figures.figure(figures.jumping, found).axes[0]
+    axes = figure(figures.jumping, found).axes[0]
     exact = next(line for line in axes.lines if line.get_label() == "exact")
     values = exact.get_ydata()[~np.isnan(exact.get_ydata())]
     phase = found.exact.phases[0]
@@ -94,6 +96,8 @@ def test_the_derivative_that_jumps_is_drawn_with_its_jump(found: Collected) -> N
 
 def test_the_page_says_the_numbers(found: Collected) -> None:
     pictures = dict.fromkeys(figures.figures_of(found), '<svg viewBox="0 0 1 1"></svg>')
+    assert set(pictures) == set(figures.FIGURES)
+    assert set(figures.SKETCHES) >= set(ns.scenes())
     text = page(found, pictures, "<h3>equations</h3>")
     assert Elements(text).open == []
     assert not re.search(r'(?:src|href)="(?!#)', text)
@@ -102,14 +106,16 @@ def test_the_page_says_the_numbers(found: Collected) -> None:
     assert "0.2 m" in text
     points = next(points for way, points in found.curves.items() if way.name == "c0-tau")
     assert f"{points[-1].times:.1e} at N = {points[-1].order}" in text
-    for name, orbit in found.ringing.items():
-        percent = 100 * max(0.0, overshoot(orbit, found.exact))
-        assert f"{name}, N = {orbit.order}: {percent:.2g} %" in text
+    beyond = gallery.overshoots(found).splitlines()
+    for (name, orbit), line in zip(found.ringing.items(), beyond, strict=True):
+        percent = 100 * overshoot(orbit, found.exact)
+        assert f"{name}, N = {orbit.order}: {max(0.0, percent):.2g} %" in text
+        assert line.startswith(name)
+        assert line.endswith(f"{percent:6.2f} %")
     assert text.count('role="img"') == len(pictures)
-
-
-def test_the_page_has_the_multipliers_of_the_exact_orbit(found: Collected) -> None:
-    text = page(found, dict.fromkeys(figures.figures_of(found), '<svg viewBox=""></svg>'), "")
+    lines = gallery.table_of_rates(found).splitlines()
+    assert lines[0].split() == ["expansion", "times", "theory", "jump", "theory"]
+    assert [line.split("  ")[0] for line in lines[1:]] == [way.name for way in found.curves]
     table = text.partition("<h3>Stability</h3>")[2].partition("</table>")[0]
     assert "The orbit is stable." in table
     assert "a shift in time" not in table  # it is forced
@@ -132,34 +138,26 @@ def test_the_page_has_the_multipliers_of_the_exact_orbit(found: Collected) -> No
     ],
 )
 def test_a_multiplier_is_judged_by_its_modulus(value: float, row: tuple[str, ...]) -> None:
+    values = np.array([value], dtype=complex)
     motion = SimpleNamespace(
-        stability=Stability(np.array([value], dtype=complex), 1.0, 1e-12),
-        multipliers=np.array([value], dtype=complex),
-        stable=True,
+        stability=Stability(values, 1.0, 1e-12), multipliers=values, stable=True
     )
-    found = multipliers.multipliers(motion)  # type: ignore[arg-type]
-    assert (found.rows, found.shift) == ([multipliers.Row(*row)], True)
+    found = multipliers(motion)  # type: ignore[arg-type]
+    shown = dict(zip(("modulus", "argument", "stable"), row, strict=True))
+    assert (found["rows"], found["shift"]) == ([shown], True)
 
 
-def test_an_autonomous_orbit_loses_the_multiplier_of_a_shift() -> None:
-    found = multipliers.multipliers(ns.exact(ns.scene("stick-slip")()))
-    assert found == multipliers.Multipliers(
-        [multipliers.Row("0", "none", "stable")], "stable", shift=True
-    )
+def test_an_orbit_may_have_lost_multipliers_or_have_none(monkeypatch) -> None:
+    row = {"modulus": "0", "argument": "none", "stable": "stable"}
+    found = multipliers(ns.exact(ns.scene("stick-slip")()))  # autonomous
+    assert found == {"rows": [row], "verdict": "stable", "shift": True}
 
-
-def test_an_orbit_without_multipliers_is_said_to_have_none(monkeypatch) -> None:
     def touched(motion: object) -> None:
         raise NoMultipliersError("an event is touched")
 
     monkeypatch.setattr("nonsmooth.solver.orbit.motion.stability", touched)
-    found = multipliers.multipliers(ns.exact(ns.scene("impact")(gap=0.21)))
-    assert (found.rows, found.verdict) == ([], "an event is touched")
-
-
-def test_a_scene_of_the_user_s_own_has_no_sketch(found: Collected) -> None:
-    assert "sketch" in figures.figures_of(found)
-    assert set(figures.SKETCHES) >= set(ns.scenes())
+    found = multipliers(ns.exact(ns.scene("impact")(gap=0.21)))
+    assert found == {"rows": [], "verdict": "an event is touched", "shift": False}
 
 
 def test_the_command_writes_a_folder(run, tmp_path: Path, monkeypatch) -> None:
@@ -181,18 +179,6 @@ def test_without_an_orbit_there_is_no_page(run, tmp_path: Path) -> None:
     status, _, err = run("report", "impact", "--gap", 50, "-o", tmp_path / "page")
     assert (status, "no such orbit exists" in err) == (1, True)
     assert not (tmp_path / "page").exists()
-
-
-def test_the_gallery_says_the_same_numbers(found: Collected) -> None:
-    lines = gallery.table_of_rates(found).splitlines()
-    assert lines[0].split() == ["expansion", "times", "theory", "jump", "theory"]
-    assert [line.split("  ")[0] for line in lines[1:]] == [way.name for way in found.curves]
-    for name, orbit in found.ringing.items():
-        percent = f"{100 * overshoot(orbit, found.exact):6.2f} %"
-        assert any(
-            line.startswith(name) and line.endswith(percent)
-            for line in gallery.overshoots(found).splitlines()
-        )
 
 
 def test_the_thesis_is_measured_beside_its_theory() -> None:

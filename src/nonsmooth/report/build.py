@@ -2,24 +2,22 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
-import matplotlib as mpl
 from matplotlib.figure import Figure
 
 import nonsmooth as ns
-from nonsmooth.style import save
 
 from .captions import PLATES
 from .case import Case
 from .claim_map import claim_map
 from .claims import CLAIMS, PARTS
-from .figures import FIGURES, LOOK, SIZE, figure
+from .figures import FIGURES
 from .intervals import SCANNED, Intervals, scan
 from .page import page
-
-#: Vector formats of every picture; the page has the SVG inside.
-SUFFIXES = (".svg", ".pdf")
+from .pictures import SIZE, figure, files, write, write_all
+from .workers import processes
 
 #: Names of the pictures, that of the claims last.
 PICTURES = (*FIGURES, "claims")
@@ -28,20 +26,16 @@ PICTURES = (*FIGURES, "claims")
 STEPS = SCANNED + len(PARTS) + len(PICTURES) + 1
 
 #: Every file of a report.
-FILES = {"index.html", *(name + suffix for name in PICTURES for suffix in SUFFIXES)}
+FILES = files(PICTURES)
 
 
-def draw(case: Case, intervals: Intervals, folder: Path, done: Callable[[str], None]) -> None:
-    """Write every picture into a folder, in each format."""
-    for name in PICTURES:
-        with mpl.rc_context(LOOK):
-            if name in FIGURES:
-                made = figure(FIGURES[name], case)
-            else:
-                made = claim_map(case.belt, CLAIMS, intervals)
-            for suffix in SUFFIXES:
-                save(made, folder / (name + suffix))
-        done(name)
+def draw(
+    case: Case, intervals: Intervals, folder: Path, done: Callable[[str], None]
+) -> dict[str, str]:
+    """Write every picture into a folder, in each format; return the SVG by name."""
+    figures = {name: partial(figure, drawn, case) for name, drawn in FIGURES.items()}
+    claims = {"claims": partial(claim_map, case.belt, CLAIMS, intervals)}
+    return write_all(figures | claims, folder, done)
 
 
 def plate(belt: ns.StickSlip, number: int) -> Figure:
@@ -61,8 +55,7 @@ def plate(belt: ns.StickSlip, number: int) -> Figure:
 
 def write_plate(belt: ns.StickSlip, number: int, target: Path) -> None:
     """Write one figure of the paper as a picture, in the format that its ending names."""
-    with mpl.rc_context(LOOK):
-        save(plate(belt, number), target)
+    write(partial(plate, belt, number), target)
 
 
 def build(belt: ns.StickSlip, folder: Path, done: Callable[[str], None]) -> None:
@@ -77,9 +70,9 @@ def build(belt: ns.StickSlip, folder: Path, done: Callable[[str], None]) -> None
     done : callable
         Called `STEPS` times with what has just been done, in words.
     """
-    intervals = scan(belt, PARTS, done)
+    with processes() as run:
+        intervals = scan(belt, PARTS, done, run)
     case = Case(belt)
-    draw(case, intervals, folder, done)
-    pictures = {name: (folder / f"{name}.svg").read_text("utf-8") for name in PICTURES}
+    pictures = draw(case, intervals, folder, done)
     (folder / "index.html").write_text(page(case, intervals, pictures), "utf-8")
     done("index.html")

@@ -8,22 +8,20 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from nonsmooth.plots.axes import draw_errors
 from nonsmooth.plots.orbits import draw as draw_motion
-from nonsmooth.style import EXACT, SETTINGS, STYLES, above_floor, draw_floor, line
+from nonsmooth.style import EXACT, STYLES, above_floor, draw_floor, line
 
 from .case import MOST, Case
 from .checks import BAND, THREE
 from .measures import jump, peak
 from .paper import METHODS
+from .pictures import figure, legend
 from .scenes.sketches import sketch
 from .words import percent
 
-#: Inches, and the text in points: on a telephone both are shown at two thirds.
-SIZE = (4.8, 3.2)
-LOOK: Any = SETTINGS | {"font.size": 10, "legend.fontsize": 9}
+__all__ = ["FIGURES", "figure"]
 
 #: Short names, for legends.
 NAMES = {name: f"{name} ({section})" for name, (section, _) in METHODS.items()}
@@ -41,18 +39,6 @@ POINTING: Any = {
     "fontsize": 9,
     "arrowprops": {"arrowstyle": "->", "color": "0.3"},
 }
-
-
-def figure(draw: Callable[[Any, Case], None], case: Case) -> Figure:
-    """Return a figure with one pair of axes, drawn."""
-    made = Figure(figsize=SIZE, layout="constrained")
-    draw(made.subplots(), case)
-    return made
-
-
-def _legend(axes: Any, columns: int) -> None:
-    place: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}
-    axes.legend(ncols=columns, frameon=False, columnspacing=1.2, **place)
 
 
 def _beside(axes: Any, words: str, place: tuple[float, float], **style: Any) -> None:
@@ -123,7 +109,7 @@ def accelerations(methods: tuple[str, ...], order: int) -> Callable[[Any, Case],
             else:
                 axes.plot([], [], label=f"{NAMES[method]}: no orbit", **line(method))
         axes.set(xlim=(0, 1))
-        _legend(axes, 2)
+        legend(axes, 2)
 
     return draw
 
@@ -168,7 +154,7 @@ def period(axes: Any, case: Case) -> None:
     axes.set(xlabel="order N", ylabel="T / T exact", ylim=(1 - 1.2 * reach, 1 + 1.2 * reach))
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.ticklabel_format(axis="y", useOffset=False)
-    _legend(axes, 3)
+    legend(axes, 3)
 
 
 def _errors(axes: Any, case: Case, of: str) -> None:
@@ -177,7 +163,7 @@ def _errors(axes: Any, case: Case, of: str) -> None:
         errors = [case.measured(of, method, N) for N in orders]
         shown = map(above_floor, errors) if of == "acceleration" else errors
         draw_errors(axes, orders, shown, **_marked(method))
-    _legend(axes, 3)
+    legend(axes, 3)
 
 
 def period_error(axes: Any, case: Case) -> None:

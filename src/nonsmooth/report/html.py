@@ -1,11 +1,13 @@
 """Parts of a page: templates, prose, pictures and equations as HTML."""
 
 import re
+from importlib.metadata import version
+from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 from markupsafe import Markup, escape
 
-from nonsmooth.codegen.printing.html import mathml
+from nonsmooth.codegen.printing.html import STYLE, mathml
 
 
 def template(name: str) -> Template:
@@ -19,6 +21,11 @@ def template(name: str) -> Template:
     )
     environment.filters |= {"prose": prose, "math": lambda latex: folded(mathml(latex))}
     return environment.get_template(name)
+
+
+def filled(name: str, **content: Any) -> str:
+    """Return a page that needs nothing from outside: a template with its content."""
+    return template(name).render(version=version("nonsmooth"), equation_style=STYLE, **content)
 
 
 def prose(words: str) -> Markup:

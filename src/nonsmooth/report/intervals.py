@@ -5,7 +5,8 @@ for the direction of friction in stick: that depends on ``mu_k/mu_s``, whatever 
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +16,7 @@ import nonsmooth as ns
 from .case import at_alpha
 from .claims import Claim, Part
 from .words import listed, number
+from .workers import Run, one_by_one
 
 #: Values of alpha that are looked at, from the first to the last.
 FIRST, LAST, SCANNED = 0.01, 10.0, 49
@@ -27,13 +29,20 @@ CLOSE = 1.005
 Intervals = dict[Part, list[tuple[float, float]]]
 
 
+#: A step of the scan within which parts change: its ends, and what each part changes to.
+Step = tuple[float, float, tuple[tuple[Part, bool], ...]]
+
+
 def grid() -> list[float]:
     """Return the values of alpha of the scan."""
     return [float(alpha) for alpha in np.geomspace(FIRST, LAST, SCANNED)]
 
 
 def scan(
-    belt: ns.StickSlip, parts: list[Part], progress: Callable[[str], None] = lambda done: None
+    belt: ns.StickSlip,
+    parts: list[Part],
+    progress: Callable[[str], None] = lambda done: None,
+    run: Run = one_by_one,
 ) -> Intervals:
     """Return the intervals of alpha in which each part holds.
 
@@ -47,27 +56,53 @@ def scan(
         The statements.
     progress : callable, optional
         Called in words, `SCANNED` times and once a part.
+    run : callable, optional
+        Yields arguments with what a function returns of them, in order: see `workers`.
     """
-    holds: dict[Part, list[bool]] = {part: [] for part in parts}
-    for alpha in grid():
-        case = at_alpha(belt, alpha)
-        for part in parts:
-            holds[part].append(part.of(case).holds)
+    holds: list[list[bool]] = []
+    for alpha, found in run(partial(_holding, belt, parts), grid()):
+        holds.append(found)
         progress(f"alpha = {alpha:.3g}")
-    found = {}
+    ends = {part: [0.0] if first else [] for part, first in zip(parts, holds[0], strict=True)}
+    steps = list(_steps(parts, holds))
+    last = {part: step for step in steps for part, _ in step[2]}
     for part in parts:
-        found[part] = _intervals(belt, part, holds[part])
-        progress(part.words)
-    return found
+        if part not in last:
+            progress(part.words)
+    for step, places in run(partial(_ends, belt), steps):
+        for (part, _), place in zip(step[2], places, strict=True):
+            ends[part].append(place)
+            if last[part] is step:
+                progress(part.words)
+    for part, at_last in zip(parts, holds[-1], strict=True):
+        ends[part] += [math.inf] if at_last else []
+    return {part: list(zip(ends[part][::2], ends[part][1::2], strict=True)) for part in parts}
 
 
-def _intervals(belt: ns.StickSlip, part: Part, holds: list[bool]) -> list[tuple[float, float]]:
-    ends = [0.0] if holds[0] else []
+def _holding(belt: ns.StickSlip, parts: list[Part], alpha: float) -> list[bool]:
+    """Return which parts hold at one alpha."""
+    case = at_alpha(belt, alpha)
+    return [part.of(case).holds for part in parts]
+
+
+def _steps(parts: list[Part], holds: list[list[bool]]) -> Iterator[Step]:
+    """Yield the steps of the scan within which a part changes."""
     for (left, before), (right, after) in pairwise(zip(grid(), holds, strict=True)):
-        if before != after:
-            ends.append(_bisect(lambda a: part.of(at_alpha(belt, a)).holds, left, right, after))
-    ends += [math.inf] if holds[-1] else []
-    return list(zip(ends[::2], ends[1::2], strict=True))
+        there = zip(parts, before, after, strict=True)
+        changes = tuple((part, later) for part, sooner, later in there if sooner != later)
+        if changes:
+            yield left, right, changes
+
+
+def _ends(belt: ns.StickSlip, step: Step) -> list[float]:
+    """Return where each part changes; an orbit that several of them need is solved once."""
+    left, right, changes = step
+    case = cache(partial(at_alpha, belt))
+
+    def holds(part: Part, alpha: float) -> bool:
+        return part.of(case(alpha)).holds
+
+    return [_bisect(partial(holds, part), left, right, after) for part, after in changes]
 
 
 def _bisect(holds: Callable[[float], bool], left: float, right: float, after: bool) -> float:

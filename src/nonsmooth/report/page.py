@@ -2,16 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.metadata import version
 
-from nonsmooth.codegen.printing.html import STYLE
 from nonsmooth.style import FLOOR
 
 from .captions import PLATES, flags, reading
 from .case import MOST, Case
 from .checks import Finding
 from .claims import CLAIMS, GROUPS, VERDICTS, Claim, Part
-from .html import folded, inline, template
+from .html import filled, folded, inline
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
 from .ours import EXPANSIONS, in_space, other_tests
 from .paper import DEFAULT, METHODS, equations_html, mathematics
@@ -68,8 +66,8 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
     belt, checked = case.belt, check(case, intervals)
     shown = {name: words for plate in PLATES for name, words in plate.pictures.items()}
     shown["claims"] = f"For which normal forces each of the {len(CLAIMS)} claims holds."
-    return template("page.html.jinja").render(
-        version=version("nonsmooth"),
+    return filled(
+        "page.html.jinja",
         belt=belt,
         alpha=number(belt.alpha),
         default=belt == DEFAULT,
@@ -97,6 +95,5 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         space=in_space().values(),
         space_heads=EXPANSIONS,
         equations=folded(equations_html()),
-        equation_style=STYLE,
         hashes={method: mathematics(method) for method in METHODS},
     )

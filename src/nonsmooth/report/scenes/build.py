@@ -1,23 +1,19 @@
 """From a case to a folder: the orbits, the pictures, the page."""
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-
-import matplotlib as mpl
 
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.scenes.case import Case
-from nonsmooth.style import save
 
-from ..build import SUFFIXES
-from ..figures import LOOK
-from .collected import Collected, collect, steps
-from .equations import equations_of
-from .figures import FIGURES, figure, figures_of
-from .page import page
+from ..pictures import figure, files, write_all
+from .collected import collect, steps
+from .scene_figures import FIGURES, figures_of
+from .scene_page import equations_of, page
 
 #: Every file that there may be in a report on a scene.
-FILES = {"index.html", *(name + suffix for name in FIGURES for suffix in SUFFIXES)}
+FILES = files(FIGURES)
 
 
 def count(case: Case) -> int:
@@ -46,17 +42,7 @@ def build(
     found = collect(case, exact, done)
     equations = equations_of(source)
     done("equations")
-    pictures = draw(found, folder, done)
+    figures = {name: partial(figure, draw, found) for name, draw in figures_of(found).items()}
+    pictures = write_all(figures, folder, done)
     (folder / "index.html").write_text(page(found, pictures, equations), "utf-8")
     done("index.html")
-
-
-def draw(found: Collected, folder: Path, done: Callable[[str], None]) -> dict[str, str]:
-    """Write every picture into a folder, in each format; return the SVG by name."""
-    for name, (drawn, _) in figures_of(found).items():
-        with mpl.rc_context(LOOK):
-            made = figure(drawn, found)
-            for suffix in SUFFIXES:
-                save(made, folder / (name + suffix))
-        done(name)
-    return {name: (folder / f"{name}.svg").read_text("utf-8") for name in figures_of(found)}

@@ -5,16 +5,18 @@ from typing import Any
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
+import numpy as np
 
 from nonsmooth.scene import find
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
+from nonsmooth.solver.solve import solve_case
 from nonsmooth.style import SETTINGS
 
-from .collected import Collected, collect, overshoot
-from .figures import FIGURES
-from .page import rates
+from .collected import Collected, collect, overshoot, ways
+from .scene_figures import FIGURES
+from .scene_page import rates
 from .theory import rate_of_times
 
 
@@ -38,9 +40,7 @@ def show(found: Collected, *names: str) -> None:
 def table_of_rates(found: Collected) -> str:
     """Return the measured rates beside those of theory, as text."""
     rows: list[tuple[str, ...]] = [("expansion", "times", "theory", "jump", "theory")]
-    rows += [
-        tuple(row[name] for name in ROW) for row in rates(found)
-    ]  # fmt: skip
+    rows += [tuple(row[name] for name in ROW) for row in rates(found)]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join(
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
@@ -75,12 +75,6 @@ def thesis(names: list[str], orders: tuple[int, ...] = (8, 11, 16, 22, 32)) -> A
     list of tuple
         Scene, class, functions (0: a plain Fourier series), measured power of 1/N, theory.
     """
-    import numpy as np  # noqa: PLC0415
-
-    from nonsmooth.solver.solve import solve_case  # noqa: PLC0415
-
-    from .collected import ways  # noqa: PLC0415
-
     found = []
     for name in names:
         case = exact_orbit(find(name)()).case

@@ -1,11 +1,10 @@
 """The figures of the page on one oscillator, each narrow enough for a telephone."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from nonsmooth.plots.axes import LEAST
 from nonsmooth.plots.orbits import draw as draw_motion
@@ -16,29 +15,13 @@ from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.solver.scenes.methods import about
 from nonsmooth.style import EXACT
 
+from ..pictures import ABOVE, Draw, legend
 from .collected import Collected, Way
 from .sketches import SKETCHES, sketch
 from .theory import rate_of_jump, rate_of_times
 
-#: Inches, as the figures of the paper's page.
-SIZE = (4.8, 3.2)
-
 #: Points of a phase at which the derivative that jumps is drawn.
 POINTS = 800
-
-Draw = Callable[[Any, Collected], None]
-
-
-def figure(draw: Draw, found: Collected) -> Figure:
-    """Return a figure with one pair of axes, drawn."""
-    made = Figure(figsize=SIZE, layout="constrained")
-    draw(made.subplots(), found)
-    return made
-
-
-def _legend(axes: Any, columns: int = 3) -> None:
-    place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}
-    axes.legend(ncols=columns, frameon=False, columnspacing=1.2, **place)
 
 
 def drawing(axes: Any, found: Collected) -> None:
@@ -53,7 +36,7 @@ def plane(axes: Any, found: Collected) -> None:
         draw_motion(orbit, axes, label=f"{name}, N = {orbit.order}")
     for phase in found.exact.phases:
         axes.plot(phase.displacement, phase.velocity, "o", color="black", markersize=4)
-    _legend(axes, 2)
+    legend(axes, 2)
 
 
 def history(axes: Any, found: Collected) -> None:
@@ -67,10 +50,7 @@ def history(axes: Any, found: Collected) -> None:
         axes.axvline(place, color="0.7", linewidth=0.8)
     beside.grid(visible=False)
     handles = [axes.get_lines()[0], beside.get_lines()[0]]
-    axes.legend(
-        handles, ["displacement", "velocity"], loc="lower center", bbox_to_anchor=(0.5, 1.0),
-        ncols=2, frameon=False,
-    )  # fmt: skip
+    axes.legend(handles, ["displacement", "velocity"], ncols=2, **ABOVE)
 
 
 def _whole_period(motion: Motion, order: int) -> tuple[Vector, Vector]:
@@ -97,7 +77,7 @@ def jumping(axes: Any, found: Collected) -> None:
         axes.plot(*_whole_period(orbit, order), label=words, **line(orbit) | {"linewidth": 1})
     unit = "m/s" if order == 1 else f"m/s$^{order}$"
     axes.set(xlabel="t/T", ylabel=f"$x^{{({order})}}$ [{unit}]")
-    _legend(axes, 2)
+    legend(axes, 2)
 
 
 def convergence(name: str) -> Draw:
@@ -116,7 +96,7 @@ def convergence(name: str) -> Draw:
         axes.set(xlabel="order N", ylabel=f"error of the {what}".replace("the $", "$"))
         axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
         axes.minorticks_off()
-        _legend(axes, 3)
+        legend(axes, 3)
 
     return draw
 
@@ -150,7 +130,7 @@ FIGURES: Mapping[str, tuple[Draw, str]] = {
 }
 
 
-def figures_of(found: Collected) -> dict[str, tuple[Draw, str]]:
-    """Return the figures that there are of a case: a sketch only of a shipped scene."""
+def figures_of(found: Collected) -> dict[str, Draw]:
+    """Return what draws each figure of a case: a sketch only of a shipped scene."""
     drawn = found.case.scene.name in SKETCHES
-    return {name: entry for name, entry in FIGURES.items() if drawn or name != "sketch"}
+    return {name: draw for name, (draw, _) in FIGURES.items() if drawn or name != "sketch"}

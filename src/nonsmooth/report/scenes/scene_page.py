@@ -1,22 +1,28 @@
 """The page on one oscillator: what was computed, put into the template."""
 
+import cmath
 from collections.abc import Mapping
-from importlib.metadata import version
 from typing import Any
 
-from nonsmooth.codegen.printing.html import STYLE
+from nonsmooth.codegen import equations as derived
+from nonsmooth.codegen.printing.html import fragment_of
 from nonsmooth.described.scene_document import document
 from nonsmooth.solver.accuracy.rates import rate
+from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.kernels.registry import mathematics, methods
 from nonsmooth.solver.scenes.methods import about
+from nonsmooth.solver.stability.in_words import in_words
+from nonsmooth.solver.stability.monodromy import NoMultipliersError
 
-from ..html import inline, template
+from ..html import filled, folded, inline
 from .collected import Collected, overshoot
-from .figures import FIGURES, theory
-from .multipliers import multipliers
+from .scene_figures import FIGURES, theory
 
 #: What Fourier series of a jump tend to go beyond it: Wilbraham's and Gibbs' constant.
 GIBBS = 0.0894899
+
+#: What is measured of an orbit, as `Point` has it.
+ERRORS = ("times", "discontinuous")
 
 
 def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
@@ -32,8 +38,8 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         The derived equations, as a fragment.
     """
     case, scene = found.case, found.case.scene
-    return template("scenes/page.html.jinja").render(
-        version=version("nonsmooth"),
+    return filled(
+        "scenes/scene.html.jinja",
         scene=document(scene),
         values=case.values,
         description=case.description,
@@ -46,9 +52,19 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         errors=_errors(found),
         pictures={name: inline(svg, name, FIGURES[name][1]) for name, svg in pictures.items()},
         equations=equations,
-        equation_style=STYLE,
         mathematics=mathematics(scene, methods(scene)),
     )
+
+
+def equations_of(source: str) -> str:
+    """Return the equations of a scene in every expansion, as a fragment of a page.
+
+    Parameters
+    ----------
+    source : str
+        Name of the scene, or path of its file.
+    """
+    return folded(fragment_of(derived.sections(source, (), None)))
 
 
 def _times(found: Collected) -> dict[str, Any]:
@@ -72,6 +88,35 @@ def _times(found: Collected) -> dict[str, Any]:
     }
 
 
+def multipliers(exact: ExactOrbit) -> dict[str, Any]:
+    """Return the Floquet multipliers of the exact orbit, the largest first, as a table.
+
+    A pair is two rows.  Besides, the verdict on the orbit, or why it has no multipliers, and
+    whether the multiplier 1 of a shift in time is left out.
+    """
+    _, _, verdict = in_words(exact).partition(": ")
+    try:
+        found = exact.stability
+    except NoMultipliersError:
+        return {"rows": [], "verdict": verdict, "shift": False}
+    rows = [_multiplier(complex(value), found.rounding) for value in found.multipliers]
+    return {
+        "rows": rows, "verdict": verdict, "shift": found.trivial_multiplier is not None
+    }  # fmt: skip
+
+
+def _multiplier(value: complex, rounding: float) -> dict[str, str]:
+    """Return one multiplier; what rounding does not tell from modulus 1 is said to be so."""
+    modulus = abs(value)
+    stable = "stable" if modulus < 1 else "unstable"
+    if abs(modulus - 1) <= rounding:
+        stable = "neither, to rounding"
+    argument = f"{cmath.phase(value):.5g}" if value else "none"
+    return {
+        "modulus": f"{modulus:.5g}", "argument": argument.replace("-", "−"), "stable": stable
+    }  # fmt: skip
+
+
 def _overshoots(found: Collected) -> list[dict[str, str]]:
     return [
         {
@@ -87,17 +132,12 @@ def rates(found: Collected) -> list[dict[str, str]]:
     """Return the measured rate of each error of each way, and what theory has for it."""
     rows = []
     for way, points in found.curves.items():
-        errors = [
-            (p.order, {"times": p.times, "discontinuous": p.discontinuous}) for p in points
-        ]
-        measured = rate(way.method, errors)
+        errors = [(p.order, {name: getattr(p, name) for name in ERRORS}) for p in points]
+        measured, power = rate(way.method, errors), about(way.method).power
         row = {"name": way.name}
-        for name in ("times", "discontinuous"):
-            row[name] = measured.text(name)
-            power = about(way.method).power
-            row[f"{name}_theory"] = (
-                f"N^-{theory(found, way, name):g}" if power else "faster than any power"
-            )
+        for name in ERRORS:
+            expected = f"N^-{theory(found, way, name):g}" if power else "faster than any power"
+            row |= {name: measured.text(name), f"{name}_theory": expected}
         rows.append(row)
     return rows
 

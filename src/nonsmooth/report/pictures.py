@@ -1,0 +1,61 @@
+"""What the pictures of both pages share: their look, and how they are written.
+
+Each is narrow enough for a telephone.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+
+from nonsmooth.style import SETTINGS, save
+
+#: Inches, and the text in points: on a telephone both are shown at two thirds.
+SIZE = (4.8, 3.2)
+LOOK: Any = SETTINGS | {"font.size": 10, "legend.fontsize": 9}
+
+#: Vector formats of every picture; the page has the SVG inside.
+SUFFIXES = (".svg", ".pdf")
+
+#: What stands above the axes, in their middle.
+ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
+
+#: What draws on one pair of axes something of a case.
+Draw = Callable[[Any, Any], None]
+
+
+def figure(draw: Draw, shown: object) -> Figure:
+    """Return a figure with one pair of axes, drawn."""
+    made = Figure(figsize=SIZE, layout="constrained")
+    draw(made.subplots(), shown)
+    return made
+
+
+def legend(axes: Any, columns: int) -> None:
+    """Put the legend above the axes."""
+    axes.legend(ncols=columns, columnspacing=1.2, **ABOVE)
+
+
+def files(names: Iterable[str]) -> set[str]:
+    """Return the names of all files of a report with these pictures."""
+    return {"index.html", *(name + suffix for name in names for suffix in SUFFIXES)}
+
+
+def write_all(
+    pictures: Mapping[str, Callable[[], Figure]], folder: Path, done: Callable[[str], None]
+) -> dict[str, str]:
+    """Write every picture into a folder, in each format; return the SVG by name."""
+    for name, made in pictures.items():
+        write(made, *(folder / (name + suffix) for suffix in SUFFIXES))
+        done(name)
+    return {name: (folder / f"{name}.svg").read_text("utf-8") for name in pictures}
+
+
+def write(made: Callable[[], Figure], *targets: Path) -> None:
+    """Write one picture, in the formats that the endings of the files name."""
+    with mpl.rc_context(LOOK):
+        drawn = made()
+        for target in targets:
+            save(drawn, target)
