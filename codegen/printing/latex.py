@@ -103,9 +103,9 @@ def aligned(equation: Equation) -> str:
     first, *others = equation.sides
     if not others:  # a relation by itself
         return f"\\begin{{aligned}}\n& {latex(first)}\n\\end{{aligned}}"
-    head = _measured(first).width()
-    narrow = head <= LINE // 4
-    # A wide first side has lines to itself; the others stand beside a narrow one.
+    head, widest = _measured(first).width(), max(_measured(side).width() for side in others)
+    narrow = head <= max(LINE // 4, LINE - widest - SIGN)
+    # A wide first side has lines to itself; the others stand beside one that leaves them room.
     rows = [] if narrow else _rows("&", first, LINE)
     limit = LINE - head if narrow else LINE
     rows += [row for side in others for row in _rows("&=", side, limit)]
