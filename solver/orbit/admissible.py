@@ -14,6 +14,7 @@ from ..arrays import Vector
 from ..scenes.cell import Form
 from . import chebyshev
 from .crossings import met_before
+from .extremes import LOOK
 from .forms import scale_of, terms, vanishes_by_event
 from .motion import Motion
 
@@ -78,6 +79,22 @@ def violations(
         if not any(vanishes_by_event(orbit, p, form) for _, form in phase.demands):
             found += _too_late(orbit, p, allowed)
     return tuple(found) or _repeated(orbit)
+
+
+def is_seen_violated(orbit: Motion) -> bool:
+    """Return whether a demand is violated at one of a few points, beyond rounding.
+
+    Then there are `violations`, which take far longer to find where a phase has many waves.
+    """
+    durations = orbit.cell_durations
+    if not (np.isfinite(durations).all() and (durations > 0).all()):
+        return False
+    return any(
+        float(terms(orbit, p, form, LOOK).sum(axis=0).min())
+        < -ROUNDING * scale_of(orbit, p, form)
+        for p, phase in enumerate(orbit.cell.phases)
+        for _, form in phase.demands
+    )
 
 
 def _unmet(orbit: Motion, unmet: float) -> list[str]:

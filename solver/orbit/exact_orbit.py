@@ -66,10 +66,10 @@ class ExactOrbit(Motion):
         """What keeps the solution from being an orbit, in words."""
         return admissible.violations(self)
 
-    @property
+    @cached_property
     def admissible(self) -> bool:
         """Whether the solution is an orbit: nothing in `violations`."""
-        return not self.violations
+        return not (admissible.is_seen_violated(self) or self.violations)
 
     @property
     def label(self) -> str:

@@ -7,10 +7,12 @@ import pytest
 from made_scenes import Given, made
 
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence.known import known
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit import admissible, chebyshev
+from nonsmooth.solver.orbit.admissible import is_seen_violated
 from nonsmooth.solver.orbit.allowance import MOST, by_residual, defect
 from nonsmooth.solver.orbit.attempt import attempt
 
@@ -196,3 +198,13 @@ def test_a_narrow_peak_is_resolved() -> None:
     slope = -2 * (u - 0.3) / 0.02**2 * peak(u) ** 2
     found = chebyshev.derivative_at(chebyshev.pieces(peak), u, 1)
     np.testing.assert_allclose(found, slope, atol=1e-9)
+
+
+def test_what_a_few_points_show_is_violated() -> None:
+    case = registry.load("clearance")(contact_stiffness=400.0)
+    found = known(case)
+    seen = [orbit for orbit in found.refused if is_seen_violated(orbit)]
+    assert len(seen) >= 3
+    assert all(orbit.violations for orbit in seen)
+    assert found.orbits
+    assert not any(map(is_seen_violated, found.orbits))
