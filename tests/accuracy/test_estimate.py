@@ -153,7 +153,7 @@ def test_near_a_fold_the_estimate_holds(values, order: int) -> None:
 def near_folds(count: int, seed: int) -> Iterator[Orbit]:
     """Yield orbits at random distances from folds, which bisection finds in closed form."""
     rng = np.random.default_rng(seed)
-    while count:
+    while count > 0:  # a case may have two
         damping = float(rng.choice([0, 10 ** rng.uniform(-6, -1)]))
         gap, restitution = rng.uniform(0.2, 1.2), rng.uniform(0.2, 0.99)
 
