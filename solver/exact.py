@@ -12,6 +12,7 @@ from .kernels.start import PATIENCE, RoughTimes, rough_times
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case
+from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 __all__ = ["ExactOrbit", "exact_orbit"]
 
@@ -68,8 +69,6 @@ def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
 
     Where it is shown that there is no orbit, a simulation says what there is instead.
     """
-    from .simulation.settle import FEW, PHASES, rough_times_by_simulation  # noqa: PLC0415  (by this flow)
-
     found = known(case)
     if not found.none:
         yield from islice(rough_times(case.cell), PATIENCE if found.listed else None)

@@ -6,14 +6,12 @@ And the numbers of the paper, where a scene is the paper's.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from importlib import import_module
-from pkgutil import iter_modules
 
 import sympy as sp
 
-from .. import scenes
 from ..galerkin import Times
 from ..scene import Saltation, Scene, Switch, saltations, switches
+from ..scenes import numbers_of
 from .functions import T, omega_0, state
 
 
@@ -45,24 +43,8 @@ class Notation:
 
     @cached_property
     def numbers(self) -> Mapping[str, str]:
-        """The numbers of the paper by the names of rows: those in the scene's own file.
-
-        ``NUMBERS`` of a file of ``codegen/scenes`` has them: ``motion_flight`` for the equation
-        of motion of a phase, ``held_flight`` for its velocity, ``demands_flight`` for what is
-        demanded in it, and conditions by their names.  A scene from elsewhere has none.
-
-        Examples
-        --------
-        >>> from ..scenes import impact
-        >>> Notation.of(impact.SCENE).numbers
-        {}
-        """
-        files = (
-            import_module(f"{scenes.__name__}.{q.name}") for q in iter_modules(scenes.__path__)
-        )
-        own = next((file for file in files if file.SCENE is self.scene), None)
-        found: Mapping[str, str] = getattr(own, "NUMBERS", {})
-        return found
+        """The numbers of the paper by the names of rows; see `scenes.numbers_of`."""
+        return numbers_of(self.scene)
 
     @property
     def k(self) -> int:

@@ -2,7 +2,9 @@
 
 import importlib
 import pkgutil
+from collections.abc import Mapping
 from functools import cache
+from types import ModuleType
 
 from ..scene import Scene
 
@@ -23,5 +25,27 @@ def load(name: str) -> Scene:
     """
     if name not in names():
         raise ValueError(f"scene: got {name!r}, expected one of {', '.join(names())}")
-    scene: Scene = importlib.import_module(f"{__name__}.{name.replace('-', '_')}").SCENE
+    scene: Scene = _file(name).SCENE
     return scene
+
+
+def numbers_of(scene: Scene) -> Mapping[str, str]:
+    """Return the numbers of the paper by the names of rows: ``NUMBERS`` of a scene's own file.
+
+    ``motion_flight`` is the equation of motion of a phase, ``held_flight`` its velocity,
+    ``demands_flight`` what is demanded in it; conditions have their names.  A scene that is
+    not of a file here has none.
+
+    Examples
+    --------
+    >>> numbers_of(load("impact")), numbers_of(load("stick-slip"))["motion_slip"]
+    ({}, '1')
+    """
+    if scene.name not in names() or load(scene.name) is not scene:
+        return {}
+    found: Mapping[str, str] = getattr(_file(scene.name), "NUMBERS", {})
+    return found
+
+
+def _file(name: str) -> ModuleType:
+    return importlib.import_module(f"{__name__}.{name.replace('-', '_')}")

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from .notebook import of_motion
 from .table import Table, Tabular
 
 #: Times over one period at which the course of a motion is given.
@@ -97,6 +98,4 @@ class Shown(Tabular):
         return Table(("t",), columns, UNITS, self.about)
 
     def _repr_html_(self) -> str:
-        from .notebook import of_motion  # noqa: PLC0415
-
         return of_motion(self)

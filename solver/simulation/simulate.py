@@ -9,6 +9,7 @@ import numpy as np
 
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form, Phase
+from ..scenes.parameter_error import is_number
 from .bounds import local, window
 from .chatter import accumulates, end_of, time_left
 from .clock import Clock
@@ -302,8 +303,6 @@ def cycle(cell: Cell) -> float:
 
 
 def _number(name: str, value: object, expected: str) -> float:
-    from ..scenes.parameter_error import is_number  # noqa: PLC0415
-
     if not is_number(value):
         raise ValueError(f"{name}: got {value!r:.80}, expected {expected}")
     return float(value)  # type: ignore[arg-type]
