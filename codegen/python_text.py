@@ -37,6 +37,12 @@ class NumericPrinter(PythonCodePrinter):  # type: ignore[misc]
             return f"({product})" if exponent > 0 else f"1/({product})"
         return str(super()._print_Pow(expr, rational=rational))
 
+    def _print_RisingFactorial(self, expr: sp.Expr) -> str:
+        return f"rising({', '.join(map(self._print, expr.args))})"
+
+    def _print_factorial(self, expr: sp.Expr) -> str:
+        return f"rising(1, {self._print(expr.args[0])})"
+
 
 class KernelPrinter(NumericPrinter):
     """Print numbers as floats would be read, and tables as they are indexed."""

@@ -33,6 +33,8 @@ class ClosedForm:
 
 def _expression_source(form: ClosedForm, value: sp.Expr) -> str:
     """Return what `sympy.lambdify` writes behind ``return`` for one value of `form`."""
+    if value.is_Integer:
+        return f"{value}.0"  # of one type with the other values
     settings = {"fully_qualified_modules": False, "allow_unknown_functions": True}
     printer = NumericPrinter(settings)
     function = sp.lambdify(form.arguments, value, modules="math", printer=printer)

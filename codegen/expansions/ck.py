@@ -25,9 +25,8 @@ def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:
 
 def rest(m: sp.Expr, l: sp.Expr, k: int) -> sp.Expr:
     """Return the weight of ``P_l*``, l at most m, in Jacobi's ``P_m^(0, k + 1)(2 u - 1)``."""
-    rising = (sp.Mul(*(q + i for i in range(k))) for q in (m - l + 1, m + l + 2))
-    norm = sp.factorial(k) * sp.Mul(*(m + i for i in range(1, k + 2)))
-    return (-1) ** (m - l) * (2 * l + 1) * sp.Mul(*rising) / norm
+    norm = sp.factorial(k) * sp.rf(m + 1, k + 1)
+    return (-1) ** (m - l) * (2 * l + 1) * sp.rf(m - l + 1, k) * sp.rf(m + l + 2, k) / norm
 
 
 def derive(scene: Scene) -> GalerkinConditions:

@@ -104,7 +104,7 @@ class PhaseSeries:
             return (self.displacement, self.velocity)[order]
         return self._derivative(order - 2, at_end=False)
 
-    def at_end(self, order: int) -> sp.Expr:
+    def at_end(self, order: sp.Expr) -> sp.Expr:
         """Return a derivative of the displacement where the phase ends."""
         s = self.duration
         if order == 0:  # int_0^1 Q_n'' twice: 1/2, -1/6 and nothing beyond
@@ -114,7 +114,7 @@ class PhaseSeries:
             return self.velocity + s * self.a(sp.Integer(0))
         return self._derivative(order - 2, at_end=True)
 
-    def _derivative(self, q: int, at_end: bool) -> sp.Expr:
+    def _derivative(self, q: sp.Expr, at_end: bool) -> sp.Expr:
         """Return the q-th derivative of the acceleration at an end of the phase.
 
         That of ``P_n*`` by u at 1 is ``(n + q)!/(q! (n - q)!)``, at 0 as much with the sign
@@ -122,7 +122,7 @@ class PhaseSeries:
         """
         if self.acceleration is None:
             return sp.Integer(0)
-        rising = sp.Mul(*(n + i for i in range(1 - q, q + 1))) / sp.factorial(q)
+        rising = sp.rf(n - q + 1, 2 * q) / sp.factorial(q)
         sign = sp.Integer(1) if at_end else (-1) ** (n + q)
         term = sign * rising * self.acceleration[n] / self.duration**q
         return sp.Sum(term, (n, 0, self.count - 1))

@@ -4,6 +4,14 @@ import numpy as np
 from numpy.polynomial import legendre
 
 
+def rising(x, k):
+    """Return ``x (x + 1) ... (x + k - 1)``."""
+    found = 1.0
+    for i in range(k):
+        found = found * (x + i)
+    return found
+
+
 def integrated(d):
     """Return the series of shifted Legendre polynomials that is the integral of one from 0."""
     found, half = np.zeros(len(d) + 1), d / (4 * np.arange(len(d)) + 2)

@@ -1,0 +1,173 @@
+"""What joins the phases of any scene: continuity, jumps, events, memory, the cell.
+
+A scene is arrays.  `kinds` and `numbers` have a row a phase, with the columns named here;
+`setting` and `memory` an entry a memory: the phase whose beginning sets it, and the linear form
+that it is set to; `cell` has the sign of the next cell, the angular frequency of the forcing,
+and how many times ``pi`` over it the cell lasts, 0 where nothing forces.
+
+Unknowns are, for each phase from ``at[p]`` on, the state in which it begins and what else is its
+own; then the memory, the durations, and the phase of the forcing.  How a phase ends is given:
+
+gained : ndarray, shape (P, derivatives)
+    What displacement and velocity gain in the phase; from the second derivative on, what the
+    derivatives are at its end.
+begins : ndarray, shape (P, derivatives)
+    From the second on, what they are at its begin.
+gained_by, begins_by : ndarray, shape (P, derivatives, width + 3)
+    Their derivatives by the unknowns of the phase, as many as it has; in the last columns by
+    its duration, by its constant force, and by the angle of the forcing where it begins.
+"""
+
+from math import cos, pi, sin
+
+import numpy as np
+
+# Columns of `kinds`: whether the phase is free; the class where it begins; how many unknowns it
+# has beside a series: polynomials that no test sees, or functions with a break where it begins;
+# of which state its event is, in displacement and velocity: at its end, after it, at its begin.
+FREE, CLASS, BESIDE, OF_X, OF_V = 0, 1, 2, 3, 4
+AT_END, AFTER, AT_BEGIN = 0, 1, 2
+
+# Columns of `numbers`: m x'' + c x' + k x = f + g cos; the velocity after the phase, rho v +
+# jump; its event, a linear form in x, v, cos and 1; the memory on the right side, and in the
+# event.
+M, C, K, F, G, RHO, JUMP, E_X, E_V, E_COS, E_0, MEMORY = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11
+
+#: All of them, by name: numbers of a generated module.
+COLUMNS = {name: value for name, value in globals().items() if name.isupper()}
+
+
+def highest(kinds, q):
+    """Return the highest derivative that is continuous where a phase begins."""
+    return max(1, kinds[q, CLASS]) if kinds[q, FREE] else 1
+
+
+def angles(case, z, at):
+    """Return the angle of the forcing where each phase begins, and where the last one ends."""
+    kinds, _, setting, _, cell = case
+    count, at_s = len(kinds), at[len(kinds)] + len(setting)
+    found = np.zeros(count + 1)
+    found[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
+    for p in range(count):
+        found[p + 1] = found[p] + cell[1] * z[at_s + p]
+    return found
+
+
+def joints(case, z, at, gained, begins, R, row):
+    """Fill R from a row on with the left sides of the conditions that join the phases."""
+    kinds, numbers, setting, memory, cell = case
+    count, more, forced = len(kinds), len(setting), cell[2] != 0
+    at_w, theta = at[count], angles(case, z, at)
+    for q in range(count):
+        p = q - 1 if q > 0 else count - 1
+        sign = cell[0] if q == 0 else 1.0
+        x, v = z[at[p]] + gained[p, 0], z[at[p] + 1] + gained[p, 1]
+        R[row] = z[at[q]] - sign * x
+        R[row + 1] = z[at[q] + 1] - sign * (numbers[p, RHO] * v + numbers[p, JUMP])
+        row += 2
+        for order in range(2, highest(kinds, q) + 1):
+            R[row] = begins[q, order] - sign * gained[p, order]
+            row += 1
+    for p in range(count):
+        q = p + 1 if p + 1 < count else 0
+        sign = cell[0] if q == 0 else 1.0
+        # where the phase begins, and what is gained: of one that begins at the event that ends
+        # it the first is 0, and what is left keeps its digits
+        value, change = numbers[p, E_0], 0.0
+        for order in range(2):
+            state = kinds[p, OF_X + order]
+            there = sign * z[at[q] + order] if state == AFTER else z[at[p] + order]
+            value = value + numbers[p, E_X + order] * there
+            if state == AT_END:
+                change = change + numbers[p, E_X + order] * gained[p, order]
+        for i in range(more):
+            value = value + numbers[p, MEMORY + more + i] * z[at_w + i]
+        if forced:
+            half = cell[1] * z[at_w + more + p] / 2
+            turned = -2 * sin(theta[p] + half) * sin(half)
+            value = value + numbers[p, E_COS] * cos(theta[p])
+            change = change + numbers[p, E_COS] * turned
+        R[row] = value + change
+        row += 1
+    for i in range(more):
+        p = setting[i]
+        value = memory[i, 0] * z[at[p]] + memory[i, 1] * z[at[p] + 1] + memory[i, 3]
+        if forced:
+            value = value + memory[i, 2] * cos(theta[p])
+        R[row] = z[at_w + i] - value
+        row += 1
+    if forced:
+        total = -cell[2] * pi / cell[1]
+        for p in range(count):
+            total = total + z[at_w + more + p]
+        R[row] = total
+
+
+def add_joint(case, J, row, factor, by, at, p):
+    """Add a factor times a row of `gained_by` or `begins_by` of a phase to a row of J."""
+    kinds, numbers, setting, _, cell = case
+    count, more, width = len(kinds), len(setting), len(by) - 3
+    own, at_w, at_s = at[p + 1] - at[p], at[count], at[count] + more
+    for j in range(min(own, width)):
+        J[row, at[p] + j] += factor * by[j]
+    J[row, at_s + p] += factor * by[width]
+    for i in range(more):
+        J[row, at_w + i] += factor * by[width + 1] * numbers[p, MEMORY + i]
+    if cell[2] != 0:
+        add_angle(J, row, factor * by[width + 2], cell[1], at_s, p)
+
+
+def add_angle(J, row, factor, omega, at_s, count):
+    """Add a factor times the angle of the forcing where a phase begins to a row of J."""
+    J[row, J.shape[1] - 1] += factor
+    for q in range(count):
+        J[row, at_s + q] += omega * factor
+
+
+def joint_rates(case, z, at, gained_by, begins_by, J, row):
+    """Add the derivatives of `joints` to J from a row on, where it is zero."""
+    kinds, numbers, setting, memory, cell = case
+    count, more, forced = len(kinds), len(setting), cell[2] != 0
+    at_w, theta = at[count], angles(case, z, at)
+    for q in range(count):
+        p = q - 1 if q > 0 else count - 1
+        sign = cell[0] if q == 0 else 1.0
+        J[row, at[q]] += 1.0
+        add_joint(case, J, row, -sign, gained_by[p, 0], at, p)
+        J[row, at[p]] -= sign
+        J[row + 1, at[q] + 1] += 1.0
+        add_joint(case, J, row + 1, -sign * numbers[p, RHO], gained_by[p, 1], at, p)
+        J[row + 1, at[p] + 1] -= sign * numbers[p, RHO]
+        row += 2
+        for order in range(2, highest(kinds, q) + 1):
+            add_joint(case, J, row, 1.0, begins_by[q, order], at, q)
+            add_joint(case, J, row, -sign, gained_by[p, order], at, p)
+            row += 1
+    for p in range(count):
+        q = p + 1 if p + 1 < count else 0
+        sign = cell[0] if q == 0 else 1.0
+        for order in range(2):
+            state, weight = kinds[p, OF_X + order], numbers[p, E_X + order]
+            if state == AFTER:
+                J[row, at[q] + order] += sign * weight
+            else:
+                J[row, at[p] + order] += weight
+            if state == AT_END and weight != 0:
+                add_joint(case, J, row, weight, gained_by[p, order], at, p)
+        for i in range(more):
+            J[row, at_w + i] += numbers[p, MEMORY + more + i]
+        if forced:
+            add_angle(
+                J, row, -numbers[p, E_COS] * sin(theta[p + 1]), cell[1], at_w + more, p + 1
+            )
+        row += 1
+    for i in range(more):
+        p = setting[i]
+        J[row, at_w + i] += 1.0
+        J[row, at[p]] -= memory[i, 0]
+        J[row, at[p] + 1] -= memory[i, 1]
+        if forced:
+            add_angle(J, row, memory[i, 2] * sin(theta[p]), cell[1], at_w + more, p)
+        row += 1
+    for p in range(count if forced else 0):
+        J[row, at_w + more + p] += 1.0

@@ -1,0 +1,260 @@
+"""Residual and Jacobian of a motion that is a polynomial on each phase, for any phases.
+
+A scene is arrays, as in `joints`.  The functions that stand here with no body are closed forms,
+which the generator writes.
+"""
+
+import numpy as np
+
+from .joints import (
+    CLASS,
+    FREE,
+    MEMORY,
+    BESIDE,
+    C,
+    F,
+    G,
+    K,
+    M,
+    add_angle,
+    angles,
+    joint_rates,
+    joints,
+)
+from .moments import legendre_moments
+from .phases import phase_motion
+
+
+def row_0(m, c, k, s):
+    """Stand for the coefficients of degree 0: of x, v, d_0, d_1, d_2."""
+    raise NotImplementedError
+
+
+def row_1(m, c, k, s):
+    """Stand for those of degree 1: of v, d_0 to d_3."""
+    raise NotImplementedError
+
+
+def row_l(l, m, c, k, s):
+    """Stand for those of degree l: of d_(l-2) to d_(l+2)."""
+    raise NotImplementedError
+
+
+def row_0_by_s(m, c, k, s):
+    """Stand for the derivatives of `row_0` by the duration."""
+    raise NotImplementedError
+
+
+def row_1_by_s(m, c, k, s):
+    """Stand for those of `row_1`."""
+    raise NotImplementedError
+
+
+def row_l_by_s(l, m, c, k, s):
+    """Stand for those of `row_l`."""
+    raise NotImplementedError
+
+
+def displacement_gained(s):
+    """Stand for what a phase adds to the displacement: coefficients of v, d_0, d_1."""
+    raise NotImplementedError
+
+
+def displacement_gained_by_s(s):
+    """Stand for their derivatives by the duration."""
+    raise NotImplementedError
+
+
+def derivative_at_end(n, q, s):
+    """Stand for the part of d_n in derivative q of the acceleration where a phase ends."""
+    raise NotImplementedError
+
+
+def derivative_at_end_by_s(n, q, s):
+    """Stand for its derivative by the duration."""
+    raise NotImplementedError
+
+
+def unseen(m, l, k):
+    """Stand for the weight of P_l* in the polynomial of degree m that no test sees."""
+    raise NotImplementedError
+
+
+def of_moment(l, force):
+    """Stand for the force in the row of degree l, of a moment of the forcing."""
+    raise NotImplementedError
+
+
+def moment_by_kappa(l):
+    """Stand for the derivative of a moment, by moments l - 1, l, l + 1 a quarter turn on."""
+    raise NotImplementedError
+
+
+def row(l, m, c, k, s):
+    """Return the coefficients of degree l of the residual: of x, v, d_(l-2) to d_(l+2)."""
+    if l == 0:
+        x, v, d0, d1, d2 = row_0(m, c, k, s)
+        return x, v, 0.0, 0.0, d0, d1, d2
+    if l == 1:
+        v, d0, d1, d2, d3 = row_1(m, c, k, s)
+        return 0.0, v, 0.0, d0, d1, d2, d3
+    below2, below, own, above, above2 = row_l(l, m, c, k, s)
+    return 0.0, 0.0, below2, below, own, above, above2
+
+
+def row_by_s(l, m, c, k, s):
+    """Return their derivatives by the duration."""
+    if l == 0:
+        x, v, d0, d1, d2 = row_0_by_s(m, c, k, s)
+        return x, v, 0.0, 0.0, d0, d1, d2
+    if l == 1:
+        v, d0, d1, d2, d3 = row_1_by_s(m, c, k, s)
+        return 0.0, v, 0.0, d0, d1, d2, d3
+    below2, below, own, above, above2 = row_l_by_s(l, m, c, k, s)
+    return 0.0, 0.0, below2, below, own, above, above2
+
+
+def terms(kinds, p, N):
+    """Return how many d_n a phase has: N + k, or none where it is held."""
+    return N + kinds[p, CLASS] if kinds[p, FREE] else 0
+
+
+def tests(kinds, p, N):
+    """Return how many test functions a phase has."""
+    return terms(kinds, p, N) + 1 - max(1, kinds[p, CLASS]) if kinds[p, FREE] else 0
+
+
+def places(case, N):
+    """Return where the unknowns of each phase begin, and those behind all phases.
+
+    Of each: x, v, the d_n, what no test sees.
+    """
+    kinds = case[0]
+    at = np.zeros(len(kinds) + 1, dtype=np.int64)
+    for p in range(len(kinds)):
+        at[p + 1] = at[p] + 2 + terms(kinds, p, N) + kinds[p, BESIDE]
+    return at
+
+
+def size(case, N):
+    """Return the number of unknowns: of the phases, memory, durations, phase of the forcing."""
+    kinds, _, setting, _, cell = case
+    return places(case, N)[len(kinds)] + len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
+
+
+def order_of(case, z):
+    """Return the order from the number of unknowns."""
+    none = size(case, 0)
+    return (len(z) - none) // (size(case, 1) - none)
+
+
+def ends(case, z, at, N):
+    """Return what each phase gains, begins with, and their derivatives, for `joints`."""
+    kinds, _, setting, _, _ = case
+    count, width, high = len(kinds), 2, 2
+    for p in range(count):
+        width = max(width, 2 + terms(kinds, p, N))
+        high = max(high, kinds[p, CLASS] + 1)
+    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, width + 3))
+    for p in range(count):
+        s, number = z[at[count] + len(setting) + p], terms(kinds, p, N)
+        by, by_s = displacement_gained(s), displacement_gained_by_s(s)
+        for i in range(1 + min(2, number)):
+            both[0, p, 0] += by[i] * z[at[p] + 1 + i]
+            both_by[0, p, 0, 1 + i] += by[i]
+            both_by[0, p, 0, width] += by_s[i] * z[at[p] + 1 + i]
+        if number > 0:
+            both[0, p, 1] = s * z[at[p] + 2]
+            both_by[0, p, 1, 2] = s
+            both_by[0, p, 1, width] = z[at[p] + 2]
+        for order in range(2, high):
+            for n in range(number):
+                d = z[at[p] + 2 + n]
+                weight = derivative_at_end(n, order - 2, s)
+                rate = derivative_at_end_by_s(n, order - 2, s)
+                for side in range(2):
+                    sign = -1.0 if side == 1 and (n + order) % 2 == 1 else 1.0
+                    both[side, p, order] += sign * weight * d
+                    both_by[side, p, order, 2 + n] = sign * weight
+                    both_by[side, p, order, width] += sign * rate * d
+    return both, both_by
+
+
+def residual(case, z, R):
+    """Fill R with the left sides of the conditions."""
+    kinds, numbers, setting, _, cell = case
+    N = order_of(case, z)
+    at = places(case, N)
+    at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
+    for p in range(len(kinds)):  # the residual of each phase, less what no test sees
+        m, c, k, f = numbers[p, M], numbers[p, C], numbers[p, K], numbers[p, F]
+        number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
+        s = z[at_w + len(setting) + p]
+        for i in range(len(setting)):
+            f = f + numbers[p, MEMORY + i] * z[at_w + i]
+        forced = numbers[p, G] != 0 and rows > 0
+        moments = legendre_moments(rows + left if forced else 1, cell[1] * s, theta[p])
+        for l in range(rows + left):
+            factors = row(l, m, c, k, s)
+            value = factors[0] * z[at[p]] + factors[1] * z[at[p] + 1]
+            for i in range(max(0, 2 - l), min(5, number + 2 - l)):
+                value = value + factors[2 + i] * z[at[p] + l + i]
+            if l == 0:
+                value = value - f
+            if forced:
+                value = value - of_moment(l, numbers[p, G] * moments[0, l])
+            for i in range(max(0, l - rows), left):
+                tau = z[at[p] + 2 + number + i]
+                value = value - m * unseen(rows + i, l, kinds[p, CLASS]) * tau
+            R[at_row] = value
+            at_row += 1
+    found, _ = ends(case, z, at, N)
+    joints(case, z, at, found[0], found[1], R, at_row)
+
+
+def jacobian(case, z, J):
+    """Fill J with their derivatives."""
+    kinds, numbers, setting, _, cell = case
+    N = order_of(case, z)
+    at = places(case, N)
+    at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
+    at_s = at_w + len(setting)
+    J[:, :] = 0.0
+    for p in range(len(kinds)):
+        m, c, k, g = numbers[p, M], numbers[p, C], numbers[p, K], numbers[p, G]
+        number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
+        s = z[at_s + p]
+        forced = g != 0 and rows > 0
+        moments = legendre_moments(rows + left + 1 if forced else 1, cell[1] * s, theta[p])
+        for l in range(rows + left):
+            factors, changes = row(l, m, c, k, s), row_by_s(l, m, c, k, s)
+            for i in range(2):
+                J[at_row, at[p] + i] += factors[i]
+                J[at_row, at_s + p] += changes[i] * z[at[p] + i]
+            for i in range(max(0, 2 - l), min(5, number + 2 - l)):
+                J[at_row, at[p] + l + i] += factors[2 + i]
+                J[at_row, at_s + p] += changes[2 + i] * z[at[p] + l + i]
+            for i in range(len(setting) if l == 0 else 0):
+                J[at_row, at_w + i] -= numbers[p, MEMORY + i]
+            if forced:
+                before, own, after = moment_by_kappa(l)
+                change = own * moments[1, l] + after * moments[1, l + 1]
+                change = change + (before * moments[1, l - 1] if l > 0 else 0.0)
+                J[at_row, at_s + p] -= of_moment(l, g * cell[1] * change)
+                add_angle(J, at_row, -of_moment(l, g * moments[1, l]), cell[1], at_s, p)
+            for i in range(max(0, l - rows), left):
+                weight = unseen(rows + i, l, kinds[p, CLASS])
+                J[at_row, at[p] + 2 + number + i] -= m * weight
+            at_row += 1
+    _, by = ends(case, z, at, N)
+    joint_rates(case, z, at, by[0], by[1], J, at_row)
+
+
+def motion(case, z, p, u, derivative):
+    """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
+    kinds, _, setting, _, _ = case
+    N = order_of(case, z)
+    at = places(case, N)
+    d = z[at[p] + 2 : at[p] + 2 + terms(kinds, p, N)]
+    s = z[at[len(kinds)] + len(setting) + p]
+    return phase_motion(z[at[p]], z[at[p] + 1], d, s, u, derivative)

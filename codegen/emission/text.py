@@ -1,0 +1,35 @@
+"""The text of a module of kernels: closed forms, and the loops that stand here as Python."""
+
+import inspect
+import types
+from collections.abc import Mapping, Sequence
+
+from ..python_text import digest, math_names
+
+#: The text of a function of a runtime that the generator writes.
+STANDS_FOR = "raise NotImplementedError"
+
+
+def functions_of(*modules: types.ModuleType) -> list[str]:
+    """Return the text of all functions of runtimes but those that stand for closed forms."""
+    texts = []
+    for module in modules:
+        own = (q for q in vars(module).values() if isinstance(q, types.FunctionType))
+        texts += [inspect.getsource(q) for q in own if q.__module__ == module.__name__]
+    return [text for text in texts if STANDS_FOR not in text]
+
+
+def module_text(
+    document: str,
+    constants: Mapping[str, int],
+    closed_forms: Sequence[str],
+    functions: Sequence[str],
+) -> str:
+    """Return the text of a module: what it is, its imports, constants, and functions."""
+    numbers = "".join(f"{name} = {value}\n" for name, value in constants.items())
+    body = "\n\n".join(text.strip() + "\n" for text in (*closed_forms, *functions))
+    names = math_names(body)
+    math = f"from math import {', '.join(names)}\n\n" if names else ""
+    legendre = "from numpy.polynomial import legendre\n" if "legendre.legval" in body else ""
+    mark = f'BODY = "{digest(numbers + body)}"  # of the text below\n'
+    return f"{document}\n{math}import numpy as np\n{legendre}\n{mark}{numbers}\n\n{body}"

@@ -1,0 +1,100 @@
+"""The equations of a cell as arrays: what kernels of any scene take for a case."""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from ...generated import ck
+from ..arrays import Matrix, Vector
+from .cell import Cell, Phase
+
+Integers: TypeAlias = npt.NDArray[np.int64]
+
+#: Columns of `Arrays.numbers` before those of the memory.
+COLUMNS = ck.MEMORY
+
+
+class Arrays(NamedTuple):
+    """A cell as arrays; their columns are named in the generated modules.
+
+    Parameters
+    ----------
+    kinds : ndarray of int, shape (P, 5)
+        Of each phase: free or held, class where it begins, unknowns beside a series, of which
+        state its event is.
+    numbers : ndarray, shape (P, 11 + 2 M)
+        Of each phase: equation, jump, event, then both for each memory.
+    setting : ndarray of int, shape (M,)
+        The phase whose beginning sets each memory.
+    memory : ndarray, shape (M, 4)
+        What it is set to, a linear form in x, v, the cosine of the forcing, and 1.
+    cell : ndarray, shape (3,)
+        Sign of the next cell; angular frequency; the duration of the cell times it, over pi.
+    """
+
+    kinds: Integers
+    numbers: Matrix
+    setting: Integers
+    memory: Matrix
+    cell: Vector
+
+
+def arrays_of(
+    cell: Cell,
+    classes: Sequence[int] = (),
+    start: tuple[float, ...] = (),
+    beside: Callable[[int, bool], int] = lambda k, free: 0,
+    after: bool = False,
+) -> Arrays:
+    """Return the arrays of a cell.
+
+    Parameters
+    ----------
+    cell : Cell
+    classes : sequence of int
+        The k of the switch that begins each phase; 1 without them.
+    start : tuple of float
+        The linear form in x, v and 1 that is zero where the first phase begins; it stands in
+        the place of the event that ends that phase.  Empty without one.
+    beside : callable
+        ``beside(k, free)``: how many unknowns there are beside the series of a phase that
+        begins C^k.
+    after : bool
+        Whether events are of the state after them, but for a velocity that jumps.
+    """
+    mass = next(phase.m for phase in cell.phases if not phase.held)
+    rows = (_of_phase(phase, mass, after) for phase in cell.phases)
+    kinds, numbers = zip(*rows, strict=True)
+    found = np.array(kinds, dtype=np.int64)
+    if classes:
+        found[:, ck.CLASS] = classes
+    for row in found:
+        row[ck.BESIDE] = beside(int(row[ck.CLASS]), bool(row[ck.FREE]))
+    arrays = Arrays(
+        found,
+        np.array(numbers, dtype=float),
+        np.array([each.phase for each in cell.memory], dtype=np.int64),
+        np.array([each.value[:4] for each in cell.memory], dtype=float).reshape(-1, 4),
+        np.array([cell.sign, cell.omega, 2 * cell.cycles / cell.cells if cell.forced else 0]),
+    )
+    if start:
+        arrays.kinds[0, ck.OF_X : ck.OF_V + 1] = ck.AT_BEGIN
+        arrays.numbers[0, ck.E_X : ck.E_0 + 1] = *start[:2], 0.0, start[2]
+    return arrays
+
+
+def _of_phase(phase: Phase, mass: float, after: bool) -> tuple[list[int], list[float]]:
+    """Return the row of a phase in `Arrays.kinds`, and in `Arrays.numbers`.
+
+    That of a held one is ``mass x'' = 0``, comparable with the others.
+    """
+    jumps = (phase.rho, phase.d) != (1, 0)
+    states = [ck.AFTER if after else ck.AT_END, ck.AFTER if after and not jumps else ck.AT_END]
+    equation = [phase.m, phase.c, phase.k, phase.f, phase.g]
+    memory = list(phase.memory)
+    if phase.held:  # the velocity in which it begins is the one at which it is held
+        equation, memory = [mass, 0.0, 0.0, 0.0, 0.0], [0.0] * len(memory)
+    row = [*equation, phase.rho, phase.d, *phase.event[:4], *memory, *phase.event[4:]]
+    return [not phase.held, 1, 0, *states], row
