@@ -16,9 +16,10 @@ def _problem(method: str, order: int):
     times = np.array([2.1, 4.6])
     start = np.zeros(kernel.size(order))
     start[-2:] = times
+    given = kernel.given(case, order)
     if not kernel.condensed:
-        start = with_coefficients(kernel, case.arguments, kernel.size(order), times)
-    return kernel, case.arguments, start
+        start = with_coefficients(kernel, given, kernel.size(order), times)
+    return kernel, given, start
 
 
 @pytest.mark.parametrize("order", [10, 40])

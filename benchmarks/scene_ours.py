@@ -31,7 +31,8 @@ def newton(scene: str, method: str, functions: int | None = None) -> Solve:
     """Return Newton's method from the coefficients that fit rough times best.
 
     Where the kernel starts from times alone, it finds them itself; elsewhere it is by normal
-    equations, which lose half the digits of a start, and are quicker than LAPACK.
+    equations, which lose half the digits of a start, and are quicker than LAPACK.  In the place
+    of a case and an order it has what `taken` returns.
 
     Parameters
     ----------
@@ -39,18 +40,18 @@ def newton(scene: str, method: str, functions: int | None = None) -> Solve:
         See `registry.kernel`.
     """
     own = kernel(scene, method, functions)
-    before = _as_given if method == "ck-tau" else newton(scene, "ck-tau")
     if own.condensed:
-        return _from_times(own, before)
-    residual, jacobian, iterate, size = own.residual, own.jacobian, own.iterate, own.size
+        return _from_times(own, _as_given if method == "ck-tau" else newton(scene, "ck-tau"))
+    before = newton(scene, "ck-tau")
+    residual, jacobian, iterate = own.residual, own.jacobian, own.iterate
     names = getattr(iterate, "py_func", iterate).__globals__  # plain where numba is disabled
     factorise, solve_factorised = names["factorise"], names["solve_factorised"]
     times = own.durations + own.forced
 
     @njit
-    def solve(case, order, a, b):
-        a, b = before(case, COARSE[0], a, b)
-        n = size(order)
+    def solve(taken, sizes, a, b):
+        a, b = before(taken[:1], sizes[:1], a, b)
+        case, n = taken[1], sizes[1]
         count = n - times
         z, R, J = np.zeros(n), np.empty(n), np.empty((n, n))
         z[-2], z[-1] = a, b
@@ -74,20 +75,30 @@ def newton(scene: str, method: str, functions: int | None = None) -> Solve:
 
 def _from_times(kernel: Kernel, before: Solve) -> Solve:
     """Return the iteration of a kernel that starts from times alone, as the solver has it."""
-    iterate, size = kernel.iterate, kernel.size
+    iterate = kernel.iterate
 
     @njit
-    def solve(case, order, a, b):
-        z = np.zeros(size(order))
-        z[-2], z[-1] = before(case, COARSE[0], a, b)
-        status, _, _, _ = iterate(case, z, LIMIT)
+    def solve(taken, sizes, a, b):
+        z = np.zeros(sizes[-1])
+        z[-2], z[-1] = before(taken[:1], sizes[:1], a, b)
+        status, _, _, _ = iterate(taken[-1], z, LIMIT)
         return (z[-2], z[-1]) if status == 0 else (math.nan, math.nan)
 
     return solve
 
 
+def taken(case: Case, method: str, order: int, functions: int | None = None):
+    """Return what `newton` takes: cases and sizes of ck-tau at a low order and of a method."""
+    orders = {("ck-tau", None): COARSE[0]}
+    if method == "ck-tau":
+        orders = {}
+    orders[method, functions] = order
+    kernels = [(kernel(case.scene.name, *which), n) for which, n in orders.items()]
+    return tuple(k.given(case, n) for k, n in kernels), tuple(k.size(n) for k, n in kernels)
+
+
 @njit
-def _as_given(case, order, a, b):
+def _as_given(taken, sizes, a, b):
     return a, b
 
 

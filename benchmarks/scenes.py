@@ -99,16 +99,19 @@ def measure(rounds: int = ROUNDS, fewest: bool = False) -> list[Point]:
         units = (unit, 1.0) if case.cell.forced else (unit, unit)
         for name, solve, settings in _contenders(scene):
             own = name in KERNELS
-            numbers = case.arguments if own else tuple(case.values.values())
             scale = units if own else (1.0, 1.0)
             a, b = (t / u for t, u in zip(rough, scale, strict=True))
             loop = _repeated(solve)
             for setting in settings[:1] if fewest else settings:
-                times = solve(numbers, setting, a, b)
+                given = tuple(case.values.values()), setting
+                if own:
+                    number = SCENES[scene][0] if name == "hb-ck" else None
+                    given = scene_ours.taken(case, name, setting, number)
+                times = solve(*given, a, b)
                 error = references.error(scene, (times[0] * scale[0], times[1] * scale[1]))
-                once = min(_seconds(loop, numbers, setting, a, b, 1) for _ in range(3))
+                once = min(_seconds(loop, *given, a, b, 1) for _ in range(3))
                 count = max(1, min(20_000, int(SECONDS / once)))
-                arguments = (loop, numbers, setting, a, b, count)
+                arguments = (loop, *given, a, b, count)
                 runs.append((scene, name, setting, error, arguments))
     seen: list[list[float]] = [[] for _ in runs]
     for _ in range(rounds):

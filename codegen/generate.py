@@ -1,7 +1,8 @@
-"""Write ``generated/``: one module a method, a file only when its text changes.
+"""Write ``generated/``: a file only when its text changes.
 
 Input: the scenes and the expansions.  Output: the folder, complete and with nothing else: a
-table of the methods, a folder for each scene, and one for the structures of `space`.
+table of the methods, their kernels, a folder for each scene, and one for the structures of
+`space`.
 """
 
 import os
@@ -9,8 +10,8 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from . import scenes
-from .emission import kernel, scene_numbers
+from . import expansions, scenes
+from .emission import kernel, phase_maps, scene_numbers
 from .emission import method_table as methods
 from .expansions import kernels
 from .scene import Scene
@@ -28,6 +29,9 @@ SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."
 def sources() -> dict[str, str]:
     """Derive everything and return the text of each generated file, by its place."""
     files = {"__init__.py": INIT, "methods.py": methods.methods_source()}
+    for name, expansion in expansions.modules().items():
+        if expansions.kernel_name(expansion) == name:
+            files[f"{name}.py"] = phase_maps.module_source(expansion)
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
         files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}

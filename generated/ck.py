@@ -12,7 +12,9 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.polynomial import legendre
 
-BODY = "ca102ab8fa6c7ddc489c63b769f33c9753f935f20c091ced318bfe913ea48f15"  # of the text below
+MATHEMATICS = "3ed2b8f18dfc322ba486f97d7a4a0e5285a9d715305a458f48005684717ceccb"  # of the closed forms, by srepr
+BODY = "fdac63e9427d0d6a0999c04a05d82ea43b644ca86f2eebacd80680f5e2b8938b"  # of the text below
+
 FREE = 0
 CLASS = 1
 BESIDE = 2
@@ -251,7 +253,7 @@ def highest(kinds, q):
 
 def angles(case, z, at):
     """Return the angle of the forcing where each phase begins, and where the last one ends."""
-    kinds, _, setting, _, cell = case
+    kinds, _, setting, _, cell = case[:5]
     count, at_s = len(kinds), at[len(kinds)] + len(setting)
     found = np.zeros(count + 1)
     found[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
@@ -262,15 +264,17 @@ def angles(case, z, at):
 
 def joints(case, z, at, gained, begins, R, row):
     """Fill R from a row on with the left sides of the conditions that join the phases."""
-    kinds, numbers, setting, memory, cell = case
+    kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
     at_w, theta = at[count], angles(case, z, at)
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
         sign = cell[0] if q == 0 else 1.0
-        x, v = z[at[p]] + gained[p, 0], z[at[p] + 1] + gained[p, 1]
-        R[row] = z[at[q]] - sign * x
-        R[row + 1] = z[at[q] + 1] - sign * (numbers[p, RHO] * v + numbers[p, JUMP])
+        rho, jump = numbers[p, RHO], numbers[p, JUMP]
+        # states first: what is gained may be far below them
+        R[row] = z[at[q]] - sign * z[at[p]] - sign * gained[p, 0]
+        law = rho * z[at[p] + 1] + jump
+        R[row + 1] = z[at[q] + 1] - sign * law - sign * rho * gained[p, 1]
         row += 2
         for order in range(2, highest(kinds, q) + 1):
             R[row] = begins[q, order] - sign * gained[p, order]
@@ -312,16 +316,16 @@ def joints(case, z, at, gained, begins, R, row):
 
 def add_joint(case, J, row, factor, by, at, p):
     """Add a factor times a row of `gained_by` or `begins_by` of a phase to a row of J."""
-    kinds, numbers, setting, _, cell = case
-    count, more, width = len(kinds), len(setting), len(by) - 3
-    own, at_w, at_s = at[p + 1] - at[p], at[count], at[count] + more
-    for j in range(min(own, width)):
-        J[row, at[p] + j] += factor * by[j]
-    J[row, at_s + p] += factor * by[width]
-    for i in range(more):
-        J[row, at_w + i] += factor * by[width + 1] * numbers[p, MEMORY + i]
+    kinds, numbers, setting, _, cell = case[:5]
+    count, more = len(kinds), len(setting)
+    at_w, at_s = at[count], at[count] + more
+    J[row, at_s + p] += factor * by[0]
     if cell[2] != 0:
-        add_angle(J, row, factor * by[width + 2], cell[1], at_s, p)
+        add_angle(J, row, factor * by[1], cell[1], at_s, p)
+    for i in range(more):
+        J[row, at_w + i] += factor * by[2] * numbers[p, MEMORY + i]
+    for j in range(min(at[p + 1] - at[p], len(by) - 3)):
+        J[row, at[p] + j] += factor * by[3 + j]
 
 
 def add_angle(J, row, factor, omega, at_s, count):
@@ -333,7 +337,7 @@ def add_angle(J, row, factor, omega, at_s, count):
 
 def joint_rates(case, z, at, gained_by, begins_by, J, row):
     """Add the derivatives of `joints` to J from a row on, where it is zero."""
-    kinds, numbers, setting, memory, cell = case
+    kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
     at_w, theta = at[count], angles(case, z, at)
     for q in range(count):
@@ -428,7 +432,7 @@ def places(case, N):
 
 def size(case, N):
     """Return the number of unknowns: of the phases, memory, durations, phase of the forcing."""
-    kinds, _, setting, _, cell = case
+    kinds, _, setting, _, cell = case[:5]
     return places(case, N)[len(kinds)] + len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
 
 
@@ -440,23 +444,23 @@ def order_of(case, z):
 
 def ends(case, z, at, N):
     """Return what each phase gains, begins with, and their derivatives, for `joints`."""
-    kinds, _, setting, _, _ = case
+    kinds, _, setting, _, _ = case[:5]
     count, width, high = len(kinds), 2, 2
     for p in range(count):
         width = max(width, 2 + terms(kinds, p, N))
         high = max(high, kinds[p, CLASS] + 1)
-    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, width + 3))
+    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, 3 + width))
     for p in range(count):
         s, number = z[at[count] + len(setting) + p], terms(kinds, p, N)
         by, by_s = displacement_gained(s), displacement_gained_by_s(s)
         for i in range(1 + min(2, number)):
             both[0, p, 0] += by[i] * z[at[p] + 1 + i]
-            both_by[0, p, 0, 1 + i] += by[i]
-            both_by[0, p, 0, width] += by_s[i] * z[at[p] + 1 + i]
+            both_by[0, p, 0, 0] += by_s[i] * z[at[p] + 1 + i]
+            both_by[0, p, 0, 4 + i] += by[i]
         if number > 0:
             both[0, p, 1] = s * z[at[p] + 2]
-            both_by[0, p, 1, 2] = s
-            both_by[0, p, 1, width] = z[at[p] + 2]
+            both_by[0, p, 1, 0] = z[at[p] + 2]
+            both_by[0, p, 1, 5] = s
         for order in range(2, high):
             for n in range(number):
                 d = z[at[p] + 2 + n]
@@ -465,14 +469,14 @@ def ends(case, z, at, N):
                 for side in range(2):
                     sign = -1.0 if side == 1 and (n + order) % 2 == 1 else 1.0
                     both[side, p, order] += sign * weight * d
-                    both_by[side, p, order, 2 + n] = sign * weight
-                    both_by[side, p, order, width] += sign * rate * d
+                    both_by[side, p, order, 0] += sign * rate * d
+                    both_by[side, p, order, 5 + n] = sign * weight
     return both, both_by
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    kinds, numbers, setting, _, cell = case
+    kinds, numbers, setting, _, cell = case[:5]
     N = order_of(case, z)
     at = places(case, N)
     at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
@@ -504,7 +508,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    kinds, numbers, setting, _, cell = case
+    kinds, numbers, setting, _, cell = case[:5]
     N = order_of(case, z)
     at = places(case, N)
     at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
@@ -542,7 +546,9 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    kinds, _, setting, _, _ = case
+    kinds, _, setting, _, _ = case[:5]
+    if not 0 <= p < len(kinds):
+        raise IndexError("p")
     N = order_of(case, z)
     at = places(case, N)
     d = z[at[p] + 2 : at[p] + 2 + terms(kinds, p, N)]

@@ -62,12 +62,12 @@ class Contender:
 
 def contenders(which: Problem) -> list[Contender]:
     """Return all that can be had for a scene, ours first."""
-    scene, case, rough = which.case.scene, which.case.arguments, which.rough
+    case, rough = which.case, which.rough
     found = [
         Contender(
             method,
-            ours.newton(scene, method),
-            lambda order: (case, order, rough),
+            ours.newton(case.scene, method),
+            lambda order, method=method: (*ours.taken(case, method, order), rough),
             ORDERS if method == MINE else HARMONICS,
         )
         for method in (MINE, "hb-ck", "hb")

@@ -19,10 +19,11 @@ FUNCTIONS = 2
 
 @cache
 def newton(scene, method):
-    """Return Newton's method from rough times: ``solve(case, order, times)``, compiled.
+    """Return Newton's method from rough times: ``solve(taken, sizes, times)``, compiled.
 
     The coefficients that fit the times best, by normal equations, then the iteration of the
     solver.  All but ck-tau start from the times of ck-tau at a low order, as `solve_case` does.
+    What they take for a case at an order, and how many unknowns there are: `taken`.
 
     Parameters
     ----------
@@ -30,20 +31,19 @@ def newton(scene, method):
         Of one motion.
     method : str
     """
-    counts = number_of_functions(scene(), method, None) is not None
-    own = registry.kernel(scene, method, FUNCTIONS if counts else None, compile_it=True)
+    own = _kernel(scene, method)
     if own.condensed:
         return _from_times(own)
-    residual, jacobian, iterate, size = own.residual, own.jacobian, own.iterate, own.size
+    residual, jacobian, iterate = own.residual, own.jacobian, own.iterate
     names = getattr(iterate, "py_func", iterate).__globals__  # plain where numba is disabled
     factorise, solve_factorised = names["factorise"], names["solve_factorised"]
     many, coarse = own.durations + own.forced, method != "ck-tau"
-    before, low = newton(scene, "ck-tau") if coarse else as_given, COARSE[0]
+    before = newton(scene, "ck-tau") if coarse else as_given
 
     @numba.njit(error_model="numpy")
-    def solve(case, order, times):
-        times = before(case, low, times)
-        n = size(order)
+    def solve(taken, sizes, times):
+        times = before(taken[:1], sizes[:1], times)
+        case, n = taken[1], sizes[1]
         count = n - many
         z, R, J = np.zeros(n), np.empty(n), np.empty((n, n))
         z[count:] = times
@@ -68,21 +68,36 @@ def newton(scene, method):
 
 def _from_times(kernel):
     """Return the iteration of a kernel that starts from times alone."""
-    iterate, size = kernel.iterate, kernel.size
+    iterate = kernel.iterate
 
     @numba.njit(error_model="numpy")
-    def solve(case, order, times):
-        z = np.zeros(size(order))
+    def solve(taken, sizes, times):
+        z = np.zeros(sizes[0])
         z[len(z) - len(times) :] = times
-        if iterate(case, z, LIMIT)[0] != 0:
+        if iterate(taken[0], z, LIMIT)[0] != 0:
             z[:] = np.nan
         return z[len(z) - len(times) :].copy()
 
     return solve
 
 
+def taken(case, method, order):
+    """Return what `newton` takes for a case at an order, and how many unknowns there are.
+
+    Of methods that start from another's times, those of that one come first.
+    """
+    orders = {method: order} if method == "ck-tau" else {"ck-tau": COARSE[0], method: order}
+    kernels = [(_kernel(case.scene, name), n) for name, n in orders.items()]
+    return tuple(k.given(case, n) for k, n in kernels), tuple(k.size(n) for k, n in kernels)
+
+
+def _kernel(scene, method):
+    counts = number_of_functions(scene(), method, None) is not None
+    return registry.kernel(scene, method, FUNCTIONS if counts else None, compile_it=True)
+
+
 @numba.njit
-def as_given(case, order, times):
+def as_given(taken, sizes, times):
     """Return the times as they are."""
     return times
 

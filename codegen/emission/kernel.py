@@ -9,7 +9,6 @@ import sympy as sp
 
 from ..galerkin import GalerkinConditions, breaks, closure
 from ..python_text import digest, math_names, python
-from . import class_one, condensed
 from .functions import function, prologue
 from .loops import (
     Row,
@@ -20,7 +19,6 @@ from .loops import (
     size,
 )
 from .runtime import breaks as broken
-from .runtime import condensed as following
 from .runtime import harmonics, moments, phases
 from .used import with_used
 
@@ -49,7 +47,6 @@ CYCLES = " (an integer: periods of the forcing in one of the motion)"
 RUNTIME = (
     moments.spherical_bessel,
     moments.legendre_moments,
-    following.follow,
     phases.integrated,
     phases.phase_motion,
     harmonics.multiples,
@@ -70,8 +67,7 @@ def module_source(system: GalerkinConditions) -> str:
     rows = rows_of(system)
     parts = [form.source for form in forms(rows)]
     parts += [_size(system), _residual(system, rows), _jacobian(system, rows)]
-    parts += [*class_one.functions(system), _motion(system), _coefficients(system)]
-    parts += condensed.functions(system, rows)
+    parts += [_motion(system), _coefficients(system)]
     own = [*_break_series(system), *_function_series(system)]
     parts = [*own, *_runtime("\n".join(parts)), *parts]
     body = "\n\n".join(part.strip() + "\n" for part in parts)

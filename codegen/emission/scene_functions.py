@@ -120,6 +120,15 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     )
 
 
+def start(scene: Scene) -> Iterator[Function]:
+    """Yield the function of the state in which the first phase begins, if the scene says it."""
+    if scene.start:
+        zero = sp.Add(*(symbol - value for symbol, value in scene.start.items()))
+        row = state_row(zero, "start")
+        summary = "Return x, v and constant of what is zero where the first phase begins."
+        yield _scalars("start", summary, (row.x, row.v, row.constant))
+
+
 def guess(scene: Scene) -> Function:
     """Return the function of where a search for one motion begins."""
     summary = "Return rough durations of the phases, if the scene has them."

@@ -9,7 +9,7 @@ from ..scene import Parameter, Scene, switches
 from ..scene.memory import power_of_time
 from ..scene.smoothness import classes_of
 from ..scene.units import dimension_of
-from .scene_functions import Function, extremes, guess, of_phases, whole, words_of
+from .scene_functions import Function, extremes, guess, of_phases, start, whole, words_of
 
 HEADER = '''"""{name}: {title} (C{k}), in numbers.
 
@@ -56,7 +56,9 @@ def mathematics(scene: Scene) -> str:
 
 def _functions(scene: Scene) -> list[Function]:
     """Return what a scene is in formulas; of several motions, what they share."""
-    return list(whole(scene)) if scene.motions else [*whole(scene), *of_phases(scene)]
+    if scene.motions:
+        return list(whole(scene))
+    return [*whole(scene), *of_phases(scene), *start(scene)]
 
 
 def _extremes(scene: Scene) -> str:

@@ -4,7 +4,10 @@ import inspect
 import types
 from collections.abc import Mapping, Sequence
 
+import sympy as sp
+
 from ..python_text import digest, math_names
+from .closed_forms import ClosedForm, function_source
 
 #: The text of a function of a runtime that the generator writes.
 STANDS_FOR = "raise NotImplementedError"
@@ -22,14 +25,17 @@ def functions_of(*modules: types.ModuleType) -> list[str]:
 def module_text(
     document: str,
     constants: Mapping[str, int],
-    closed_forms: Sequence[str],
+    closed_forms: Sequence[ClosedForm],
     functions: Sequence[str],
 ) -> str:
     """Return the text of a module: what it is, its imports, constants, and functions."""
     numbers = "".join(f"{name} = {value}\n" for name, value in constants.items())
-    body = "\n\n".join(text.strip() + "\n" for text in (*closed_forms, *functions))
+    texts = (*map(function_source, closed_forms), *functions)
+    body = "\n\n".join(text.strip() + "\n" for text in texts)
     names = math_names(body)
     math = f"from math import {', '.join(names)}\n\n" if names else ""
     legendre = "from numpy.polynomial import legendre\n" if "legendre.legval" in body else ""
-    mark = f'BODY = "{digest(numbers + body)}"  # of the text below\n'
-    return f"{document}\n{math}import numpy as np\n{legendre}\n{mark}{numbers}\n\n{body}"
+    derived = "\n".join(f"{q.name}{q.arguments}{sp.srepr(q.values)}" for q in closed_forms)
+    marks = f'MATHEMATICS = "{digest(derived)}"  # of the closed forms, by srepr\n'
+    marks += f'BODY = "{digest(numbers + body)}"  # of the text below\n'
+    return f"{document}\n{math}import numpy as np\n{legendre}\n{marks}\n{numbers}\n\n{body}"

@@ -1,8 +1,9 @@
 """Sets of functions, a file each: what a motion is expanded in, and what it is tested with.
 
 None knows an oscillator.  A file has `METHOD`, `TITLE` and ``derive(scene)``, and may have
-`ABOUT`; one whose ``derive`` takes a number of functions besides says in `FUNCTIONS` which
-there may be, and one that is made for some scenes alone has ``applies(scene)``.
+`ABOUT`.  One with a ``test`` has a kernel for any scene, of its own name or, where another's
+serves it, of that in `KERNEL`.  One whose ``derive`` takes a number of functions besides says
+in `FUNCTIONS` which there may be, and one made for some scenes alone has ``applies(scene)``.
 """
 
 import importlib
@@ -36,16 +37,22 @@ def in_order() -> list[ModuleType]:
     return sorted(modules().values(), key=lambda q: (about(q).place, q.METHOD))
 
 
+def kernel_name(module: ModuleType) -> str | None:
+    """Return the name of the kernel that an expansion has for any scene, if it has one."""
+    own = module.__name__.rpartition(".")[2] if hasattr(module, "test") else None
+    return getattr(module, "KERNEL", own)
+
+
 def applies(module: ModuleType, scene: Scene) -> bool:
     """Whether an expansion is made for a scene; most are for every one."""
     return not hasattr(module, "applies") or bool(module.applies(scene))
 
 
 def kernels(scene: Scene) -> Mapping[str, Derivation]:
-    """Return what derives each kernel of a scene, by the name of its module."""
+    """Return what derives each kernel that is of a scene alone, by the name of its module."""
     found: dict[str, Derivation] = {}
     for name, module in modules().items():
-        if not applies(module, scene):
+        if kernel_name(module) or not applies(module, scene):
             continue
         numbers = getattr(module, "FUNCTIONS", None)
         if numbers is None:

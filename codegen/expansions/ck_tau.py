@@ -12,6 +12,7 @@ from ..galerkin import GalerkinConditions, polynomials
 from ..scene import Scene
 
 METHOD = "ck-tau"
+KERNEL = "ck"
 TITLE = "functions of class C^k, tested with Legendre polynomials"
 ABOUT = About(place=5, first=True, colour="#CC79A7", marker="^", line=(0, (3, 1, 1, 1, 1, 1)))
 

@@ -18,9 +18,6 @@ End = Callable[[int, int], sp.Expr]
 #: The name of the condition that stands in the place of the first event.
 START = "start"
 
-#: ``(phase, order)``: the unknown that vanishes where this derivative need not be continuous.
-Once = Callable[[int, int], sp.Expr | None]
-
 
 def one_sum(expression: sp.Expr) -> sp.Expr:
     """Return an expression with its sums over the same index made one."""
@@ -40,7 +37,6 @@ def joints(
     switches: Sequence[Switch],
     start: End,
     end: End,
-    once: Once = lambda p, order: None,
 ) -> Iterator[Condition]:
     """Yield continuity of displacement, the law of the velocity, and smoothness up to C^k."""
     for p, switch in enumerate(switches):
@@ -64,7 +60,6 @@ def joints(
                 f"derivative_{order}_{name}",
                 f"derivative {order} is continuous where {name} begins",
                 one_sum(start(p, order) - sign * end(left, order)),
-                once=once(p, order),
             )
 
 

@@ -63,8 +63,6 @@ class Condition:
         Number in the paper.
     where : str
         The range of the index, for the reader.
-    once : Expr, optional
-        The unknown that vanishes in its place where the motion need be no smoother than C^1.
     """
 
     name: str
@@ -75,7 +73,6 @@ class Condition:
     count: sp.Expr = sp.S.One
     number: str = ""
     where: str = ""
-    once: sp.Expr | None = None
 
 
 @dataclass(frozen=True)

@@ -169,26 +169,6 @@ def orthogonality(
         yield Condition(f"{phase.name}_rest_{i}", f"{title} {rows + i}", row(rows + i, i))
 
 
-def class_one(
-    scene: Scene, found: tuple[Switch, ...], trial: tuple[PhaseSeries, ...], same: bool
-) -> closure.Once:
-    """Return which unknown vanishes in place of continuity beyond the velocity.
-
-    At order N the accelerations of functions of class C^1 are of degree N, tested to degree N.
-    Those of a smoother scene have ``k - 1`` coefficients more and as many tests: so the
-    highest of them vanish instead.  That holds if the tests are the `same` for any class.
-    """
-    smoother = min(switch.k for switch in found) > 1
-
-    def once(p: int, order: int) -> sp.Expr | None:
-        q = trial[p]
-        if not (smoother and same) or q.acceleration is None:
-            return None
-        return q.acceleration[q.count - 1 - (found[p].k - order)]
-
-    return once
-
-
 def _lowest(rows: list[Condition]) -> int:
     """Return the lowest order at which every condition has a row."""
     wanted = [c.count.subs(N, 0) for c in rows if c.index is not None]
@@ -263,11 +243,9 @@ def derive(
     def end(p: int, order: int) -> sp.Expr:
         return trial[p].at_end(order)
 
-    same = all(test(l, switch.k) == test(l, 1) for switch in found)
-    once = class_one(scene, found, trial, same)
     free = [p for p in zip(scene.phases, found, strict=True) if p[0].held is None]
     left = {phase.name: rest_of(phase, switch, test) for phase, switch in free if rest}
-    joined = closure.joints(scene, found, start, end, once)
+    joined = closure.joints(scene, found, start, end)
     events = _events(scene, times, start, end, symmetric=rest is None)
     memory = closure.memory(scene, times, start)
     system = GalerkinConditions(

@@ -32,8 +32,8 @@ def extremes(M, K, V, mu_s, mu_k, F_N):
     )
 
 
-MATHEMATICS = "6944563ef036c224c95455df3e61f7fdd01925ba50d4a3b7540b1e39aaa9263c"  # of what fixes its motion
-BODY = "4e0ee2aaff8e746c959a91b2760795cf82b2a1da4540771c466f58a71bd2b2c7"  # of the text below
+MATHEMATICS = "b126a957aaa75bfcd0d08fe86940acc128fac96454a28d15ef426da8ef16187a"  # of what fixes its motion
+BODY = "08225fd969b69c84e7f2cbd8db0b89446a4243d101a8f0ec33873054536767fe"  # of the text below
 
 NAME = 'stick-slip'
 TITLE = 'a mass on a moving belt, stick and slip'
@@ -150,6 +150,15 @@ def switch_demands(M, K, V, mu_s, mu_k, F_N):
 def memory(M, K, V, mu_s, mu_k, F_N):
     """Return the linear form that each memory is set to."""
     return ()
+
+
+def start(M, K, V, mu_s, mu_k, F_N):
+    """Return x, v and constant of what is zero where the first phase begins."""
+    return (
+        1,
+        0,
+        (F_N*(-2*mu_k + mu_s))/K,
+    )
 
 
 def guess(M, K, V, mu_s, mu_k, F_N):

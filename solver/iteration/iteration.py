@@ -9,7 +9,8 @@ The test looks at the correction that follows with the same Jacobian.  While tha
 it is taken as well: a residual and a solution cost less than half of a Jacobian and its
 factors, and each such step adds one to the order of convergence.
 
-``DURATIONS`` and ``FORCED`` are those of the kernel that `linking` links this module to.
+The functions that stand here with no body are those of the kernel that `linking` links this
+module to.
 """
 
 from collections.abc import Callable
@@ -41,10 +42,6 @@ FAST = 0.125
 
 CONVERGED, OVERFLOW, SINGULAR, NO_DESCENT, TOO_MANY = range(5)
 
-#: Stand for those of the kernel.
-DURATIONS = 1
-FORCED = False
-
 Iteration = Callable[[Any, Vector, int], tuple[int, int, float, float]]
 
 
@@ -58,6 +55,11 @@ def jacobian(case: Any, z: Vector, J: Matrix) -> None:
     raise NotImplementedError
 
 
+def times_of(case: Any) -> tuple[int, int]:
+    """Stand for how many durations are unknown, and 1 if phi is, else 0."""
+    raise NotImplementedError
+
+
 def greatest(values: Vector, first: int, last: int) -> float:
     """Return the largest modulus from `first` up to `last`; not a number if an entry is not."""
     found = 0.0
@@ -68,30 +70,30 @@ def greatest(values: Vector, first: int, last: int) -> float:
     return found
 
 
-def step_size(step: Vector, z: Vector) -> tuple[float, float]:
+def step_size(step: Vector, z: Vector, durations: int, forced: int) -> tuple[float, float]:
     """Return the size of a step, and that of its times alone.
 
     Times are measured as a part of the cell, or of those of its durations that are unknown,
     and of a turn; coefficients against the largest, or `LEAST`.
     """
-    last = len(z) - (1 if FORCED else 0)
-    first, cell = last - DURATIONS, 0.0
+    last = len(z) - forced
+    first, cell = last - durations, 0.0
     for i in range(first, last):
         cell += abs(z[i])
-    times = greatest(step, first, last) / cell if DURATIONS else 0.0
-    if FORCED:
+    times = greatest(step, first, last) / cell if durations else 0.0
+    if forced:
         times = max(times, abs(step[last]) / (2 * np.pi))
     scale = max(greatest(z, 0, first), LEAST)
     return max(times, greatest(step, 0, first) / scale), times
 
 
-def longest_damping(step: Vector, z: Vector) -> float:
+def longest_damping(step: Vector, z: Vector, durations: int, forced: int) -> float:
     """Return the damping that keeps a step within the limits of the times."""
-    last = len(z) - (1 if FORCED else 0)
+    last = len(z) - forced
     excess = 1.0
-    for i in range(last - DURATIONS, last):
+    for i in range(last - durations, last):
         excess = max(excess, abs(step[i]) / (DURATION_STEP * abs(z[i])))
-    if FORCED:
+    if forced:
         excess = max(excess, abs(step[last]) / ANGLE_STEP)
     return 1.0 / excess
 
@@ -130,7 +132,7 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
     follow, is at rounding level or no longer falls.  Returned are the status, 0 if converged,
     the Jacobians factorised, the last correction of the times, and the norm of the residual.
     """
-    n = len(z)
+    n, (durations, forced) = len(z), times_of(case)
     J, rows, vectors = np.empty((n, n)), np.empty(n, dtype=np.int64), np.empty((5, n))
     R, scales, step, following, trial = (
         vectors[0],
@@ -148,21 +150,22 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
             status = SINGULAR if np.isfinite(greatest(R, 0, n)) else OVERFLOW
             return status, iteration, correction, greatest(R, 0, n)
         correct(J, rows, scales, R, step)
-        length, correction = step_size(step, z)
+        length, correction = step_size(step, z, durations, forced)
         if not np.isfinite(length):
             return OVERFLOW, iteration, correction, greatest(R, 0, n)
         at_rest = correction <= ROUNDOFF or correction > 0.5 * previous
         if length <= SETTLED and at_rest:
-            add(z, longest_damping(step, z), step, z)  # a duration near 0 stays positive
+            # a duration near 0 stays positive
+            add(z, longest_damping(step, z, durations, forced), step, z)
             residual(case, z, R)
             return CONVERGED, iteration, correction, greatest(R, 0, n)
         previous = correction
-        damping = min(1.0, 2.0 * damping, longest_damping(step, z))
+        damping = min(1.0, 2.0 * damping, longest_damping(step, z, durations, forced))
         while True:
             add(z, damping, step, trial)
             residual(case, trial, R)
             correct(J, rows, scales, R, following)
-            size, ahead = step_size(following, z)
+            size, ahead = step_size(following, z, durations, forced)
             if size <= (1 - damping / 4) * length or max(size, length) <= SETTLED:
                 break
             damping /= 2
@@ -174,7 +177,8 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
             correction = ahead
             converged = max(size, length) <= SETTLED and correction <= ROUNDOFF
             fast = damping == 1 and size <= FAST * length
-            if not (converged or (fast and longest_damping(following, z) == 1)):
+            whole = longest_damping(following, z, durations, forced) == 1
+            if not (converged or (fast and whole)):
                 break
             add(z, 1.0, following, z)
             if not converged or size > ROUNDOFF:  # else the residual hardly changes
@@ -183,5 +187,5 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
                 return CONVERGED, iteration, correction, greatest(R, 0, n)
             correct(J, rows, scales, R, following)
             length, previous = size, correction
-            size, ahead = step_size(following, z)
+            size, ahead = step_size(following, z, durations, forced)
     return TOO_MANY, limit, correction, greatest(R, 0, n)

@@ -1,12 +1,12 @@
-"""Newton's method where a single unknown is left, as Python that numba compiles.
+"""Newton's method where a single duration is unknown, as Python that numba compiles.
 
 The first step is Newton's.  Each residual after it is a further point of the inverse function,
-``y`` by the residual; the polynomial through all of them, with the slope at the first, is at 0
-the next iterate.  Its error is of the size of the product of all errors before, that of the
-first squared, and no derivative is formed again.  Where corrections do not shrink fast, it
+the duration by the residual; the polynomial through all of them, with the slope at the first,
+is at 0 the next iterate.  Its error is of the size of the product of all errors before, that of
+the first squared, and no derivative is formed again.  Where corrections do not shrink fast, it
 begins anew with Newton's step, damped and limited as in `iteration`.
 
-``residual``, ``jacobian`` and the constants are those of the kernel that is linked.
+``residual`` and ``jacobian`` are those that `linking` links this module to.
 """
 
 from typing import Any
@@ -15,7 +15,6 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from .iteration import (
-    ANGLE_STEP,
     CONVERGED,
     DURATION_STEP,
     NO_DESCENT,
@@ -33,10 +32,6 @@ FAST = 0.25
 #: Most points of the inverse function; they are used up by rounding long before.
 POINTS = 8
 
-#: Stand for those of the kernel.
-DURATIONS = 1
-FORCED = False
-
 
 def residual(work: Any, y: Vector, R: Vector) -> None:
     """Stand for the residual of the kernel."""
@@ -48,18 +43,9 @@ def jacobian(work: Any, y: Vector, J: Matrix) -> None:
     raise NotImplementedError
 
 
-def size_of(y: float) -> float:
-    """Return what a correction of the unknown is measured by: itself, or a turn."""
-    return 2 * np.pi if FORCED else max(abs(y), 1e-300)
-
-
 def limited(step: float, y: float) -> float:
-    """Return the damping that keeps a step within the limits of the times."""
-    if FORCED:
-        return min(1.0, ANGLE_STEP / abs(step))
-    if DURATIONS:
-        return min(1.0, DURATION_STEP * abs(y) / abs(step))
-    return 1.0
+    """Return the damping that keeps a step within the limit of a duration."""
+    return min(1.0, DURATION_STEP * abs(y) / abs(step))
 
 
 def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, float]:
@@ -76,7 +62,7 @@ def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, f
         jacobian(work, y, J)
         if J[0, 0] == 0:
             return SINGULAR, iteration, correction, abs(R[0])
-        begin, value, size = y[0], R[0], size_of(y[0])
+        begin, value, size = y[0], R[0], max(abs(y[0]), 1e-300)
         step = -value / J[0, 0]
         length = abs(step) / size
         if not np.isfinite(length):

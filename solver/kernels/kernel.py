@@ -8,22 +8,21 @@ that is compiled with them, so that a change finds nothing old.
 import hashlib
 import types
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from ..arrays import Matrix, Vector
 from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
-from ..iteration import condensed, iteration
+from ..iteration import iteration
 from ..iteration.iteration import Iteration
-from ..scenes.method_names import with_class_one
-from .linking import CALLS, CALLS_OF_SEVERAL, driver_text, iteration_of, linked
+from ..scenes.case import Case
+from .linking import NEWTON, PLAIN, Make, newton_of, text_of
 
-#: What a kernel does that only NumPy can: plain Python, even where the rest is compiled.
-PLAIN = (
-    "motion", "coefficients", "integrated", "phase_motion",
-    "once", "residual_once", "jacobian_once",
-)  # fmt: skip
+
+def _numbers(case: Case, order: int) -> Any:
+    """Return what the functions of a module of one scene call the case."""
+    return case.arguments
 
 
 @dataclass(frozen=True)
@@ -40,11 +39,18 @@ class Kernel:
         Whether the last unknown is the phase of the forcing.
     lowest : int
         The lowest order.
-    size, residual, jacobian, motion, coefficients : callable
-        As the generated modules have them.
+    size : callable
+        Number of unknowns of an order.
+    residual, jacobian, motion : callable
+        ``residual(given, z, R)``, ``jacobian(given, z, J)``, and
+        ``motion(given, z, p, u, derivative)``.
+    coefficients : callable
+        Unknowns by name, each with the power of 1/time in its unit.
     iterate : callable
-        ``iterate(case, z, limit)``: `iteration.iterate_scene` for these, or, if `condensed`,
-        `condensed.iterate_condensed`.
+        ``iterate(given, z, limit)``: `iteration.iterate_scene` for these, or, if `condensed`,
+        `together.iterate_together`.
+    given : callable
+        ``given(case, order)``: what these functions take for a case.
     condensed : bool
         Whether it starts from the times in ``z`` alone.
     account : Account or None
@@ -63,6 +69,7 @@ class Kernel:
     motion: Callable[[Any, Vector, int, Vector, int], Vector]
     coefficients: Callable[[Vector], dict[str, tuple[Any, int]]]
     iterate: Iteration
+    given: Callable[[Case, int], Any] = _numbers
     condensed: bool = False
     account: Account | None = None
     starts: bool = False
@@ -77,78 +84,62 @@ class Kernel:
         return times[: self.durations], float(times[-1]) if self.forced else 0.0
 
 
+def pays(spent: Account, order: int) -> bool:
+    """Return whether the next use of a kernel is better by its compiled form.
+
+    Parameters
+    ----------
+    spent : Account
+        What it has cost.
+    order : int
+        For which it is wanted: of a high order it is compiled from the first, if it is in
+        numba's cache.
+    """
+    return spent.pays() or (order > PLAIN_ORDER and spent.is_cached())
+
+
+def compiling(key: str) -> Make:
+    """Return what compiles functions under names with a key of all that they are made from."""
+
+    def compiled_one(function: Any, names: dict[str, Any]) -> Any:
+        clone = rebuilt(function, names)
+        clone.__qualname__ = f"{function.__name__}_{key}"
+        return jit(clone)
+
+    return compiled_one
+
+
+#: Stand for those of a generated module.
+DURATIONS, FORCED = 1, False
+
+
+def times_of(case: Any) -> tuple[int, int]:
+    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
+    return DURATIONS, 1 if FORCED else 0
+
+
 @cache
 def plain(module: types.ModuleType) -> Kernel:
-    """Return the kernel of a generated module as plain Python."""
-    return _kernel(module, vars(module), iteration_of(vars(module), rebuilt), account(module))
-
-
-@cache
-def once_continuous(module: types.ModuleType) -> Kernel | None:
-    """Return the kernel for functions of class C^1, where a smoother scene's module has it.
-
-    Accelerations are polynomials of degree N on each phase, tested to degree N, and need not be
-    continuous.  Order, size and sequence of the unknowns are those of the module; it is wanted
-    where the module's own conditions are singular, and rarely: so it stays plain Python.
-    """
-    if not hasattr(module, "residual_once"):
-        return None
-    found, functions = plain(module), (module.residual_once, module.jacobian_once)
-    return replace(
-        found,
-        method=with_class_one(found.method),
-        residual=functions[0],
-        jacobian=functions[1],
-        iterate=linked(*functions, found.durations, found.forced),
-        condensed=False,
-        account=None,
-    )
+    """Return the kernel of a generated module of one scene as plain Python."""
+    return _kernel(module, vars(module), rebuilt, account(module))
 
 
 @cache
 def account(module: types.ModuleType) -> Account:
     """Return what the kernel of a module has cost in plain Python."""
-    entry = condensed.iterate_condensed if "bands" in vars(module) else iteration.iterate_scene
+    entry = iteration.iterate_scene
     return Account(entry.__code__.co_filename, f"{entry.__name__}_{fingerprint(module)}")
-
-
-def quicker(module: types.ModuleType, order: int = 0) -> Kernel:
-    """Return the kernel of a module in the form that is the better one by now.
-
-    Parameters
-    ----------
-    module : module
-        Generated.
-    order : int
-        For which it is wanted: of a high order it is compiled from the first, if it is in
-        numba's cache.
-    """
-    spent = account(module)
-    wanted = spent.pays() or (order > PLAIN_ORDER and spent.is_cached())
-    return compiled(module) if wanted else plain(module)
 
 
 @cache
 def compiled(module: types.ModuleType) -> Kernel:
     """Return the kernel of a generated module compiled by numba, cached where possible."""
-    namespace = dict(vars(module))
-    own = [
-        value
-        for name, value in vars(module).items()
-        if isinstance(value, types.FunctionType) and name not in PLAIN
-    ]
-    key = fingerprint(module)
-    calls = CALLS if namespace.get("KEPT") == 1 else CALLS_OF_SEVERAL
-
-    def compiled_one(function: Any, names: dict[str, Any]) -> Any:
-        clone = rebuilt(function, names)
-        clone.__qualname__ = f"{function.__name__}_{key}"
-        return jit(clone, inlined=function.__name__ not in calls)
-
-    for function in own:
-        namespace[function.__name__] = compiled_one(function, namespace)
+    namespace, make = dict(vars(module)), compiling(fingerprint(module))
+    for name, value in vars(module).items():
+        if isinstance(value, types.FunctionType) and name not in PLAIN:
+            namespace[name] = make(value, namespace)
     account(module).is_compiled = True
-    return _kernel(module, namespace, iteration_of(namespace, compiled_one))
+    return _kernel(module, namespace, make)
 
 
 def fingerprint(module: types.ModuleType) -> str:
@@ -157,24 +148,24 @@ def fingerprint(module: types.ModuleType) -> str:
     The name of the module is part of it: numba imports it again with what it has cached.
     """
     own = f"{module.__name__} {module.BODY} {module.DURATIONS} {module.FORCED}".encode()
-    return hashlib.sha256(own + driver_text()).hexdigest()[:16]
+    return hashlib.sha256(own + text_of(*NEWTON)).hexdigest()[:16]
 
 
 def _kernel(
     module: types.ModuleType,
     functions: dict[str, Any],
-    iterate: Iteration,
+    make: Make,
     spent: Account | None = None,
 ) -> Kernel:
     names = ("size", "residual", "jacobian", "motion", "coefficients")
+
+    own = {name: functions[name] for name in names}
     return Kernel(
         method=str(module.METHOD).partition(",")[0],
         durations=int(module.DURATIONS),
         forced=bool(module.FORCED),
         lowest=int(getattr(module, "LOWEST", 1)),
-        iterate=iterate,
-        condensed="bands" in functions,
-        starts=bool(getattr(module, "STARTS", False)),
+        iterate=newton_of(own["residual"], own["jacobian"], make(times_of, functions), make),
         account=spent,
-        **{name: functions[name] for name in names},
+        **own,
     )

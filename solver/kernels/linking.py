@@ -1,5 +1,6 @@
-"""Newton's method, linked to the functions of a kernel: plain, or compiled with them."""
+"""Functions of a kernel and Newton's method, linked to each other: plain, or compiled."""
 
+import types
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -7,47 +8,19 @@ from typing import Any
 
 from ..arrays import Matrix, Vector
 from ..compiling import rebuilt
-from ..iteration import bands, condensed, iteration, linear, single
+from ..iteration import iteration, linear, single
 from ..iteration.iteration import Iteration
+from ..maps import band, series, together
 
-#: Functions that are compiled with a kernel, callers after what they call.
-DRIVER: tuple[Any, ...] = (
-    iteration.greatest,
-    iteration.step_size,
-    iteration.longest_damping,
-    iteration.scale_rows,
-    linear.factorise,
-    linear.solve_factorised,
-    iteration.correct,
-    iteration.add,
-    iteration.iterate_scene,
-)
+#: Modules of Newton's method, for several unknowns and for one.
+SEVERAL, ONE = (linear, iteration), (single,)
+NEWTON = SEVERAL + ONE
 
-#: Functions that are compiled with a kernel whose bands are solved for by themselves.
-CONDENSED: tuple[Any, ...] = (
-    bands.eliminate_row,
-    bands.factorise_band,
-    bands.substitute,
-    bands.solve_columns,
-    linear.least_squares,
-    condensed.condensed_residual,
-    condensed.complete,
-    condensed.condensed_jacobian,
-    condensed.workplace,
-    condensed.fitted,
-)
+#: Modules of the quick way for motions that are polynomials on each phase.
+MAPS = (band, linear, series, together)
 
-#: Functions that are compiled where a single unknown is left.
-SINGLE: tuple[Any, ...] = (single.size_of, single.limited, single.iterate_single)
-
-#: Where they stand.
-DRIVER_FILES = (iteration, linear, bands, condensed, single)
-
-#: Functions that stay calls when compiled: large, and called from several places.
-CALLS = frozenset(("residual", "jacobian", "iterate_scene", "iterate_condensed"))
-
-#: So do these, where more than a single unknown is left.
-CALLS_OF_SEVERAL = CALLS | {"condensed_residual", "condensed_jacobian"}
+#: What only NumPy can do: plain Python, even where the rest is compiled.
+PLAIN = frozenset(("motion", "coefficients", "integrated", "phase_motion"))
 
 #: Makes a function over a namespace, plain or compiled.
 Make = Callable[[Any, dict[str, Any]], Any]
@@ -60,55 +33,53 @@ def linked(
     forced: bool,
 ) -> Iteration:
     """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python."""
-    namespace = {
-        "residual": residual,
-        "jacobian": jacobian,
-        "DURATIONS": durations,
-        "FORCED": forced,
-    }
-    return iteration_of(namespace, rebuilt)
+
+    def times_of(case: Any) -> tuple[int, int]:
+        return durations, int(forced)
+
+    return newton_of(residual, jacobian, times_of, rebuilt)
 
 
-def _several(kernel: dict[str, Any], make: Make) -> Iteration:
-    """Return Newton's method for a residual and a Jacobian of several unknowns."""
-    namespace = {**vars(iteration), **kernel}
-    for function in DRIVER:
-        namespace[function.__name__] = make(function, namespace)
-    iterate: Iteration = namespace["iterate_scene"]
+def newton_of(
+    residual: Any, jacobian: Any, times_of: Any, make: Make, **constants: float
+) -> Iteration:
+    """Return `iteration.iterate_scene` for such functions, all it calls made by `make`."""
+    own = {"residual": residual, "jacobian": jacobian, "times_of": times_of}
+    iterate: Iteration = made(SEVERAL, own | constants, make)["iterate_scene"]
     return iterate
 
 
-def _single(kernel: dict[str, Any], make: Make) -> Iteration:
-    """Return it for one unknown."""
-    namespace = {**vars(single), **kernel}
-    for function in SINGLE:
-        namespace[function.__name__] = make(function, namespace)
-    iterate: Iteration = namespace["iterate_single"]
-    return iterate
+def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
+    """Return the functions of a generated module, and the quick way to its solutions."""
+    found = made((*MAPS, equations), {}, make)
+    residual, jacobian = found["together_residual"], found["together_jacobian"]
+    iterate = newton_of(residual, jacobian, found["times_of"], make, FAST=together.FAST)
+    found["iterate_scene"] = iterate
+    own = {"residual": found["event_residual"], "jacobian": found["event_rate"]}
+    found["iterate_single"] = made(ONE, own, make)["iterate_single"]
+    return found
 
 
-def iteration_of(kernel: dict[str, Any], make: Make) -> Iteration:
-    """Return the iteration for the functions of a kernel, itself and all it calls by `make`."""
-    if "bands" not in kernel:
-        return _several(kernel, make)
-    namespace = {**vars(linear), **vars(condensed), **kernel}
-    for function in CONDENSED:
-        namespace[function.__name__] = make(function, namespace)
-    remaining = {
-        "residual": namespace["condensed_residual"],
-        "jacobian": namespace["condensed_jacobian"],
-        "DURATIONS": kernel["KEPT_DURATIONS"],
-        "FORCED": kernel["KEPT_FORCED"],
-    }
-    if kernel["KEPT"] == 1:
-        namespace["iterate_scene"] = _single(remaining, make)
-    else:
-        namespace["iterate_scene"] = _several({**remaining, "FAST": condensed.FAST}, make)
-    whole: Iteration = make(condensed.iterate_condensed, namespace)
-    return whole
+def made(
+    modules: tuple[types.ModuleType, ...], given: dict[str, Any], make: Make
+) -> dict[str, Any]:
+    """Return the content of modules and what is given, their functions made over all that.
+
+    Functions with no body stand for those that are given, or put in later.
+    """
+    namespace: dict[str, Any] = {}
+    for module in modules:
+        namespace |= {name: q for name, q in vars(module).items() if not name.startswith("__")}
+    for module in modules:
+        for name, value in vars(module).items():
+            own = isinstance(value, types.FunctionType) and value.__module__ == module.__name__
+            if own and "NotImplementedError" not in value.__code__.co_names:
+                namespace[name] = value if name in PLAIN else make(value, namespace)
+    namespace |= given
+    return namespace
 
 
 @cache
-def driver_text() -> bytes:
-    """Return the text of what is compiled with every kernel."""
-    return b"".join(Path(str(part.__file__)).read_bytes() for part in DRIVER_FILES)
+def text_of(*modules: types.ModuleType) -> bytes:
+    """Return the text of what is compiled together."""
+    return b"".join(Path(str(module.__file__)).read_bytes() for module in modules)

@@ -3,15 +3,17 @@
 import hashlib
 import importlib
 import types
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...nearest import one_of
 from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
 from ..scenes.method_names import generic, with_class_one, without_class
+from ..scenes.methods import METHODS, about
 
 if TYPE_CHECKING:
+    from ..compiling import Account
     from .kernel import Kernel
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"
@@ -47,7 +49,8 @@ def load(name: str) -> LoadedScene:
 
 def methods(scene: LoadedScene) -> tuple[str, ...]:
     """Return the methods that have a kernel for a scene."""
-    return tuple(sorted({method for method, _ in scene.files}))
+    of_any = (method for method in METHODS if about(method).kernel)
+    return tuple(sorted({*of_any, *(method for method, _ in scene.files)}))
 
 
 def functions(scene: LoadedScene, method: str) -> tuple[int, ...]:
@@ -82,13 +85,9 @@ def class_one(scene: LoadedScene, method: str) -> str | None:
 
     None where it has no such conditions of its own, or the scene is not smoother.
     """
-    from .kernel import once_continuous  # noqa: PLC0415  (NumPy: lists of scenes need none)
-
-    if scene.k < 2 or (method, None) not in scene.files:
-        return None
-    if once_continuous(scene.kernel_module(method, None)) is None:
-        return None
-    return with_class_one(method)
+    found = about(method)
+    smoother = found.kernel is not None and not found.unseen and scene.k > 1
+    return with_class_one(method) if smoother else None
 
 
 def kernel(
@@ -110,11 +109,7 @@ def kernel(
     UnknownScene
         If the scene has no kernel of it.
     """
-    from .kernel import compiled, plain  # noqa: PLC0415  (NumPy: lists of scenes need none)
-
-    found = _module(scene, method, number)
-    once = _once(scene, method, found)
-    return once or (compiled(found) if compile_it else plain(found))
+    return _kernel(scene, method, number, lambda spent: compile_it)
 
 
 def quicker_kernel(
@@ -124,21 +119,39 @@ def quicker_kernel(
 
     The same as `kernel`, which see; `order` is that for which it is wanted.
     """
-    from .kernel import quicker  # noqa: PLC0415  (NumPy: lists of scenes need none)
+    from .kernel import pays  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
-    found = _module(scene, method, number)
-    return _once(scene, method, found) or quicker(found, order)
-
-
-def _once(scene: LoadedScene, method: str, module: types.ModuleType) -> "Kernel | None":
-    """Return the kernel of class C^1 if that is the method; else None."""
-    from .kernel import once_continuous  # noqa: PLC0415  (NumPy: lists of scenes need none)
-
-    name = generic_method(scene, method)
-    return None if name in methods(scene) else once_continuous(module)
+    return _kernel(scene, method, number, lambda spent: pays(spent, order))
 
 
-def _module(scene: LoadedScene, method: str, number: int | None) -> types.ModuleType:
+def _kernel(
+    scene: LoadedScene,
+    method: str,
+    number: int | None,
+    compiles: "Callable[[Account], bool]",
+) -> "Kernel":
+    """Return the kernel of a method, compiled if that is to be by what it has cost.
+
+    Raises
+    ------
+    UnknownScene
+        If the scene has none.
+    """
+    from . import kernel, polynomials  # noqa: PLC0415  (NumPy: lists of scenes need none)
+
+    wanted = generic_method(scene, method)
+    name = without_class(wanted)
+    if about(name).kernel is None:
+        module = _module(scene, name, number)
+        spent = kernel.account(module)
+        return kernel.compiled(module) if compiles(spent) else kernel.plain(module)
+    if number is not None:
+        raise UnknownScene(f"functions: got {number!r}, expected for {name}: none")
+    once = wanted != name
+    return polynomials.kernel(scene, name, once, compiles(polynomials.account(name)))
+
+
+def _module(scene: LoadedScene, name: str, number: int | None) -> types.ModuleType:
     """Return the generated module of a method.
 
     Raises
@@ -146,7 +159,6 @@ def _module(scene: LoadedScene, method: str, number: int | None) -> types.Module
     UnknownScene
         If the scene has none.
     """
-    name = without_class(generic_method(scene, method))
     if (name, number) not in scene.files:
         known = ", ".join(map(str, functions(scene, name))) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
@@ -160,11 +172,17 @@ def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
     """
     wanted = {without_class(generic_method(scene, method)) for method in chosen}
     texts = [scene.module.MATHEMATICS]
+    texts += [f"{q} {_of_any(q).MATHEMATICS}" for q in sorted(wanted) if about(q).kernel]
     for motion in scene.each_motion:
         texts.append(motion.module.MATHEMATICS)
         by_path = sorted((path, key) for key, path in motion.files.items() if key[0] in wanted)
         texts += [motion.kernel_module(*key).MATHEMATICS for _, key in by_path]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
+
+
+def _of_any(method: str) -> types.ModuleType:
+    """Return the generated module of a method that has one kernel for any scene."""
+    return importlib.import_module(f"{_GENERATED}.{about(method).kernel}")
 
 
 def _folder(module: types.ModuleType) -> Path:

@@ -37,9 +37,10 @@ def is_singular(kernel: Kernel, case: Case, order: int, times: Vector) -> bool:
     times : ndarray
         Durations and, if the scene is forced, the phase of the forcing; without units.
     """
-    z = with_coefficients(kernel, case.arguments, kernel.size(order), times)
+    given = kernel.given(case, order)
+    z = with_coefficients(kernel, given, kernel.size(order), times)
     J = np.empty((len(z), len(z)))
-    kernel.jacobian(case.arguments, z, J)
+    kernel.jacobian(given, z, J)
     if not np.isfinite(J).all():
         return False
     values = np.linalg.svd(equilibrated(J), compute_uv=False)

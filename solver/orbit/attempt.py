@@ -29,10 +29,10 @@ def attempt(
         See `Solution`.
     """
     with nullcontext() if kernel.account is None else kernel.account.spending():
-        size = kernel.size(order)
+        size, given = kernel.size(order), kernel.given(case, order)
         if kernel.condensed:
             start = np.concatenate([np.zeros(size - len(times)), times])
         else:
-            start = with_coefficients(kernel, case.arguments, size, times)
-        outcome = newton(kernel.iterate, case.arguments, start)
+            start = with_coefficients(kernel, given, size, times)
+        outcome = newton(kernel.iterate, given, start)
     return Solution(case, kernel.method, order, outcome, outcome.iterations, functions)

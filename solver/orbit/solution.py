@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -54,6 +55,11 @@ class Solution(Motion):
     def _kernel(self) -> Kernel:
         return registry.kernel(self.case.scene, self.method, self.functions)
 
+    @cached_property
+    def _given(self) -> Any:
+        """What the functions of the kernel take for the case."""
+        return self._kernel.given(self.case, self.order)
+
     @property
     def unknowns(self) -> Vector:
         """The unknowns of the kernel, without units: coefficients, then times."""
@@ -71,7 +77,7 @@ class Solution(Motion):
 
     def _part(self, p: int, u: Vector, derivative: int) -> Vector:
         """Return a derivative of the displacement on phase `p` of the cell, without units."""
-        values = self._kernel.motion(self.case.arguments, self.unknowns, p, u, derivative)
+        values = self._kernel.motion(self._given, self.unknowns, p, u, derivative)
         return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
 
     @property

@@ -9,11 +9,15 @@ import ast
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
+from math import prod
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from flint import arb, ctx, fmpq
+
+#: Whole numbers of a kernel: of loops, and of arrays.
+WHOLE = (int, np.integer)
 
 #: Fills R with the residual at z: ``residual(case, z, R)``, over balls.
 Residual = Callable[[Any, Any, Any], None]
@@ -57,7 +61,7 @@ def _functions(path: str, digits: int) -> dict[str, Any]:
         "quotient": quotient,
     }
     exec(compile(ast.fix_missing_locations(tree), path, "exec"), namespace)
-    namespace["spherical_bessel"] = spherical_bessel
+    namespace |= {"spherical_bessel": spherical_bessel, "rising": rising}
     return namespace
 
 
@@ -79,17 +83,35 @@ class _Exact(ast.NodeTransformer):
 
 def quotient(above: Any, below: Any) -> Any:
     """Return a quotient; of whole numbers, with no rounding but that of a ball."""
-    if isinstance(above, int) and isinstance(below, int):
-        return arb(fmpq(above, below))
+    if isinstance(above, WHOLE) and isinstance(below, WHOLE):
+        return arb(fmpq(int(above), int(below)))
     return above / (arb(below) if isinstance(below, int | float) else below)
+
+
+def rising(x: int, k: int) -> int:
+    """Return ``x (x + 1) ... (x + k - 1)``, exact."""
+    return prod(range(int(x), int(x + k)))
+
+
+def as_balls(given: Any) -> Any:
+    """Return what the functions of a kernel take for a case, with balls for its floats."""
+    if isinstance(given, tuple):
+        return tuple(map(as_balls, given))
+    if isinstance(given, np.ndarray) and given.dtype == float:
+        return np.array([arb(q) for q in given.ravel().tolist()], dtype=object).reshape(
+            given.shape
+        )
+    return given
 
 
 class _Arrays:
     """What kernels use of NumPy, with room for any number."""
 
+    int64 = np.int64
+
     @staticmethod
-    def zeros(shape: Any) -> Any:
-        return np.full(shape, arb(0), dtype=object)
+    def zeros(shape: Any, dtype: Any = None) -> Any:
+        return np.full(shape, arb(0), dtype=object) if dtype is None else np.zeros(shape, dtype)
 
     @staticmethod
     def ones(shape: Any) -> Any:

@@ -199,7 +199,7 @@ def _of_method(
     tail = (sensitive, found.iterations)
     if not (found.converged and found.admissible):
         return Kept(*head, "not-converged", None, None, *tail)
-    return _kept(head, tail, kernel, case, case.arguments, found.unknowns, False)
+    return _kept(head, tail, kernel, case, kernel.given(case, order), found.unknowns, False)
 
 
 def _kept(

@@ -13,7 +13,7 @@ from flint import arb, ctx
 
 from ..arrays import Matrix, Vector
 from ..kernels.kernel import Kernel
-from .balls import Residual, precision, residual_in_balls
+from .balls import Residual, as_balls, precision, residual_in_balls
 
 #: Digits carried at first beyond those asked for; most that are tried; most steps.
 GUARD, MOST_DIGITS, STEPS = 25, 2000, 60
@@ -73,7 +73,7 @@ def refine(
     while working <= MOST_DIGITS:
         with precision(working):
             made = residual_in_balls(kernel.residual) if in_balls is None else in_balls()
-            found = _refined(kernel, made, arguments, start, inverse, digits)
+            found = _refined(kernel, made, as_balls(arguments), start, inverse, digits)
         if found is not None:
             return found
         working *= 2

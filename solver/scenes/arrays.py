@@ -1,6 +1,6 @@
 """The equations of a cell as arrays: what kernels of any scene take for a case."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -44,9 +44,9 @@ class Arrays(NamedTuple):
 def arrays_of(
     cell: Cell,
     classes: Sequence[int] = (),
-    start: tuple[float, ...] = (),
-    beside: Callable[[int, bool], int] = lambda k, free: 0,
+    beside: Sequence[int] = (),
     after: bool = False,
+    starts: bool = False,
 ) -> Arrays:
     """Return the arrays of a cell.
 
@@ -55,33 +55,28 @@ def arrays_of(
     cell : Cell
     classes : sequence of int
         The k of the switch that begins each phase; 1 without them.
-    start : tuple of float
-        The linear form in x, v and 1 that is zero where the first phase begins; it stands in
-        the place of the event that ends that phase.  Empty without one.
-    beside : callable
-        ``beside(k, free)``: how many unknowns there are beside the series of a phase that
-        begins C^k.
+    beside : sequence of int
+        How many unknowns each phase has beside a series; none without it.
     after : bool
         Whether events are of the state after them, but for a velocity that jumps.
+    starts : bool
+        Whether the start of the cell, if it has one, stands in the place of the first event.
     """
     mass = next(phase.m for phase in cell.phases if not phase.held)
     rows = (_of_phase(phase, mass, after) for phase in cell.phases)
     kinds, numbers = zip(*rows, strict=True)
-    found = np.array(kinds, dtype=np.int64)
-    if classes:
-        found[:, ck.CLASS] = classes
-    for row in found:
-        row[ck.BESIDE] = beside(int(row[ck.CLASS]), bool(row[ck.FREE]))
     arrays = Arrays(
-        found,
+        np.array(kinds, dtype=np.int64),
         np.array(numbers, dtype=float),
         np.array([each.phase for each in cell.memory], dtype=np.int64),
         np.array([each.value[:4] for each in cell.memory], dtype=float).reshape(-1, 4),
         np.array([cell.sign, cell.omega, 2 * cell.cycles / cell.cells if cell.forced else 0]),
     )
-    if start:
+    arrays.kinds[:, ck.CLASS] = classes or 1
+    arrays.kinds[:, ck.BESIDE] = beside or 0
+    if starts and cell.start:
         arrays.kinds[0, ck.OF_X : ck.OF_V + 1] = ck.AT_BEGIN
-        arrays.numbers[0, ck.E_X : ck.E_0 + 1] = *start[:2], 0.0, start[2]
+        arrays.numbers[0, ck.E_X : ck.E_0 + 1] = *cell.start[:2], 0.0, cell.start[2]
     return arrays
 
 

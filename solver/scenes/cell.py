@@ -123,6 +123,11 @@ class Cell:
         Periods of the forcing in a period.
     memory : tuple of Memory
         What switches set.
+    classes : tuple of int
+        The k of the switch that begins each phase.
+    start : Form
+        The factors of x and x' and the constant of what is zero where the first phase begins
+        on the exact orbit; empty where the scene does not say it.
     """
 
     phases: tuple[Phase, ...]
@@ -132,6 +137,8 @@ class Cell:
     guess: tuple[float, ...]
     cycles: int = 1
     memory: tuple[Memory, ...] = ()
+    classes: tuple[int, ...] = ()
+    start: Form = ()
 
     def remembering(self, values: Sequence[float]) -> "Cell":
         """Return the cell with numbers for the memory: one without a memory."""
@@ -236,7 +243,9 @@ def cell_of(scene: "LoadedScene", numbers: tuple[float, ...], cycles: int = 1) -
         for (name, phase, power, _), value in zip(module.MEMORY, values, strict=True)
     )
     sign = -1 if module.HALF_PERIOD else 1
-    return Cell(phases, frequency, sign, scene.k, guess, cycles, memory)
+    classes = tuple(k for k, _ in module.SWITCHES)
+    start = _form(scene.numbers("start", numbers)) if hasattr(module, "start") else ()
+    return Cell(phases, frequency, sign, scene.k, guess, cycles, memory, classes, start)
 
 
 def _form(row: tuple[float, ...]) -> Form:

@@ -7,7 +7,7 @@ from typing import Any
 from ...generated.methods import FIRST, METHODS
 from .method_names import without_class
 
-__all__ = ["EXACT", "FIRST", "About", "about", "in_order"]
+__all__ = ["EXACT", "FIRST", "METHODS", "About", "about", "in_order"]
 
 #: What the way by the exact flow is called where methods are.
 EXACT = "exact"
@@ -25,11 +25,17 @@ class About:
         Whether its errors fall as a power of the order; else by a factor with each order.
     look : dict
         Of its curve in pictures: colour, marker, line.
+    kernel : str or None
+        The generated module of its kernel for any scene, if it has one.
+    unseen : tuple of int
+        How many polynomials its tests do not see on a phase, by its class; empty if none.
     """
 
     title: str
     power: bool
     look: dict[str, Any]
+    kernel: str | None
+    unseen: tuple[int, ...]
 
 
 def about(method: str) -> About:
@@ -40,13 +46,14 @@ def about(method: str) -> About:
     >>> about(FIRST).power, about("another").title
     (False, 'another')
     """
-    unknown = {"title": method, "power": False}
-    facts: dict[str, Any] = dict(METHODS.get(without_class(method), unknown))
-    title, power = facts.pop("title"), facts.pop("power")
+    facts: dict[str, Any] = {"title": method, "power": False, "kernel": None, "unseen": ()}
+    facts.update(METHODS.get(without_class(method), {}))  # type: ignore[call-overload]
+    own = [facts.pop(name) for name in ("title", "power", "kernel", "unseen")]
     look = {"color": "0.5", "marker": "x", "linestyle": "--"} | facts
     if not look.pop("filled", True):
         look["markerfacecolor"] = "white"
-    return About(title, power, look)
+    title, power, kernel, unseen = own
+    return About(title, power, look, kernel, unseen)
 
 
 def in_order(methods: Iterable[str]) -> tuple[str, ...]:

@@ -167,7 +167,8 @@ def test_the_key_of_compiled_code_covers_all_of_it() -> None:
 def test_coefficients_at_exact_times_solve_all_conditions() -> None:
     kernel, case = registry.kernel(IMPACT, "ck-tau"), IMPACT()
     solved = attempt(kernel, case, 8, np.array([6.28, 1.0])).unknowns
-    z = with_coefficients(kernel, case.arguments, len(solved), kernel.times(solved))
+    given = kernel.given(case, 8)
+    z = with_coefficients(kernel, given, len(solved), kernel.times(solved))
     np.testing.assert_allclose(z, solved, rtol=0, atol=1e-12)
 
 
@@ -208,5 +209,6 @@ def test_the_first_coefficients_do_not_depend_on_the_scale_of_an_equation() -> N
 
     times = np.array([6.0, 1.5])  # that no coefficients satisfy
     scaled = replace(kernel, residual=residual, jacobian=jacobian)
-    one, two = (with_coefficients(k, case.arguments, size, times) for k in (kernel, scaled))
+    given = kernel.given(case, 5)
+    one, two = (with_coefficients(k, given, size, times) for k in (kernel, scaled))
     np.testing.assert_allclose(one, two, rtol=0, atol=1e-12)

@@ -1,5 +1,7 @@
 """Kernels in ball arithmetic: right by another program, by quadrature, and by each other."""
 
+from types import SimpleNamespace
+
 import mpmath as mp
 import numpy as np
 import pytest
@@ -9,9 +11,12 @@ pytest.importorskip("flint")
 
 from flint import arb, ctx
 
+from nonsmooth.generated import ck
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import exact_kernel
+from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import with_coefficients
 from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.precision import exact_balls
 from nonsmooth.solver.precision import refine as refining
@@ -22,6 +27,8 @@ from nonsmooth.solver.precision.balls import (
     spherical_bessel,
 )
 from nonsmooth.solver.precision.refine import PrecisionError, refine
+from nonsmooth.solver.scenes.cell import cell_of
+from nonsmooth.solver.scenes.methods import about
 from nonsmooth.solver.solve import solve_case
 
 #: Of the references: a shipped scene, its motion, and parameters in decimals, in its order.
@@ -43,28 +50,57 @@ ROWS = [
 ]
 
 
-def kernel_of(name, kernel):
+def scene_of(name):
     scene, motion, _ = CASES[name]
     found = registry.load(scene)
-    return registry.kernel(found.of_motion(motion) if motion else found, *kernel)
+    return found.of_motion(motion) if motion else found
+
+
+def kernel_of(name, kernel):
+    return registry.kernel(scene_of(name), *kernel)
+
+
+def with_exact_numbers(given, scene, parameters):
+    """Return what a kernel of any scene takes, with the scene's numbers of exact parameters."""
+    numbers, memory, cell = (given[i].astype(object) for i in (1, 3, 4))
+    found = zip(
+        scene.module.PHASES,
+        *(scene.numbers(what, parameters) for what in ("coefficients", "jumps", "events")),
+        strict=True,
+    )
+    for p, ((_, held), equation, jump, event) in enumerate(found):
+        row = [*equation[:5], *jump, *event[:4], *equation[5:], *event[4:]]
+        numbers[p, 5 if held else 0 :] = row[5 if held else 0 :]
+    for i, value in enumerate(scene.numbers("memory", parameters)):
+        memory[i] = value[:4]
+    if scene.frequency is not None:
+        names = [parameter.name for parameter in scene.parameters]
+        cell[1] = parameters[names.index(scene.frequency)]
+    if given[0][0, ck.OF_X] == ck.AT_BEGIN:
+        x, v, constant = scene.numbers("start", parameters)
+        numbers[0, ck.E_X : ck.E_0 + 1] = x, v, 0, constant
+    return (given[0], numbers, given[2], memory, cell, given[5])
 
 
 @pytest.mark.parametrize(("name", "row"), ROWS, ids=lambda q: q if isinstance(q, str) else "")
 def test_solutions_have_the_digits_of_another_program(name, row) -> None:
     """From times of 5 digits; what mpmath found in 30, of the parameters in decimals."""
-    kernel = kernel_of(name, KERNELS[row["kernel"]])
+    kernel, method = kernel_of(name, KERNELS[row["kernel"]]), KERNELS[row["kernel"]][0]
     parameters = CASES[name][2].split()
+    of_any_scene = about(method).kernel is not None
     cycles = (1,) if kernel.forced else ()
     arguments = (*map(float, parameters), *cycles)
+    if of_any_scene:
+        cell = cell_of(scene_of(name), arguments[: len(parameters)], *cycles)
+        arguments = kernel.given(SimpleNamespace(cell=cell), row["order"])
     rough = np.array([float(f"{float(t):.5g}") for t in row["times"]])
-    from nonsmooth.solver.iteration.newton import newton
-    from nonsmooth.solver.kernels.start import with_coefficients
-
     start = with_coefficients(kernel, arguments, kernel.size(row["order"]), rough)
     z = newton(kernel.iterate, arguments, start).unknowns
 
     def in_decimals():
         exact = (*map(arb, parameters), *cycles)
+        if of_any_scene:
+            exact = with_exact_numbers(arguments, scene_of(name), exact[: len(parameters)])
         own = residual_in_balls(kernel.residual)
         return lambda case, z, R: own(exact, z, R)
 
@@ -79,7 +115,8 @@ def test_the_exact_equations_agree_with_an_expansion_that_has_converged(scene, o
     """Two systems that share no line: exponentials of matrices, and orthogonality."""
     orbit = solve_case(registry.load(scene)(), "ck-tau", order)
     kernel = registry.kernel(orbit.case.scene, "ck-tau")
-    times = refine(kernel, orbit.case.arguments, orbit.unknowns, 22).times
+    given = kernel.given(orbit.case, order)
+    times = refine(kernel, given, orbit.unknowns, 22).times
     exact = exact_orbit(orbit.case)
     cell = exact.case.cell
     judge = refine(
@@ -118,7 +155,7 @@ def test_a_start_that_is_no_solution_is_refused_and_the_setting_restored() -> No
     z = solve_case(case, "ck-tau", 6).unknowns.copy()
     z[-1] += 1.5
     with pytest.raises(PrecisionError, match="the refinement does not converge"):
-        refine(kernel, case.arguments, z, 22)
+        refine(kernel, kernel.given(case, 6), z, 22)
     assert ctx.dps == before
 
 
@@ -127,7 +164,8 @@ def test_a_wider_start_asks_for_more_digits_of_the_balls() -> None:
     case = registry.load("dry-friction")().of_motion("sliding")
     kernel = registry.kernel(case.scene, "ck-tau")
     orbit = attempt(kernel, case, 4, exact_orbit(case).times)
-    few, many = (refine(kernel, case.arguments, orbit.unknowns, d) for d in (20, 200))
+    given = kernel.given(case, 4)
+    few, many = (refine(kernel, given, orbit.unknowns, d) for d in (20, 200))
     with precision(230):
         assert abs(few.times[-1] - many.times[-1]) < arb("1e-19")
         assert float(many.times[-1].rad()) < 1e-199
@@ -139,8 +177,9 @@ def test_balls_that_are_too_wide_for_the_digits_asked_for_are_not_taken() -> Non
     kernel = registry.kernel(case.scene, "ck-tau")
     z = solve_case(case, "ck-tau", 6).unknowns
     J = np.empty((len(z), len(z)))
-    kernel.jacobian(case.arguments, z, J)
+    given = kernel.given(case, 6)
+    kernel.jacobian(given, z, J)
     with precision(10):
         own = residual_in_balls(kernel.residual)
-        found = refining._refined(kernel, own, case.arguments, z, np.linalg.inv(J), 22)
+        found = refining._refined(kernel, own, given, z, np.linalg.inv(J), 22)
     assert found is None

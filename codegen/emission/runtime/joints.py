@@ -5,17 +5,17 @@ A scene is arrays.  `kinds` and `numbers` have a row a phase, with the columns n
 that it is set to; `cell` has the sign of the next cell, the angular frequency of the forcing,
 and how many times ``pi`` over it the cell lasts, 0 where nothing forces.
 
-Unknowns are, for each phase from ``at[p]`` on, the state in which it begins and what else is its
-own; then the memory, the durations, and the phase of the forcing.  How a phase ends is given:
+Unknowns are, for each phase from ``at[p]`` on, the state in which it begins and what else is
+its own; then the memory, the durations, the phase of the forcing.  How a phase ends is given:
 
 gained : ndarray, shape (P, derivatives)
     What displacement and velocity gain in the phase; from the second derivative on, what the
     derivatives are at its end.
 begins : ndarray, shape (P, derivatives)
     From the second on, what they are at its begin.
-gained_by, begins_by : ndarray, shape (P, derivatives, width + 3)
-    Their derivatives by the unknowns of the phase, as many as it has; in the last columns by
-    its duration, by its constant force, and by the angle of the forcing where it begins.
+gained_by, begins_by : ndarray, shape (P, derivatives, 3 + width)
+    Their derivatives: by the duration of the phase, by the angle of the forcing where it
+    begins, by its constant force, and by its own unknowns, as many as it has.
 """
 
 from math import cos, pi, sin
@@ -44,7 +44,7 @@ def highest(kinds, q):
 
 def angles(case, z, at):
     """Return the angle of the forcing where each phase begins, and where the last one ends."""
-    kinds, _, setting, _, cell = case
+    kinds, _, setting, _, cell = case[:5]
     count, at_s = len(kinds), at[len(kinds)] + len(setting)
     found = np.zeros(count + 1)
     found[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
@@ -55,15 +55,17 @@ def angles(case, z, at):
 
 def joints(case, z, at, gained, begins, R, row):
     """Fill R from a row on with the left sides of the conditions that join the phases."""
-    kinds, numbers, setting, memory, cell = case
+    kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
     at_w, theta = at[count], angles(case, z, at)
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
         sign = cell[0] if q == 0 else 1.0
-        x, v = z[at[p]] + gained[p, 0], z[at[p] + 1] + gained[p, 1]
-        R[row] = z[at[q]] - sign * x
-        R[row + 1] = z[at[q] + 1] - sign * (numbers[p, RHO] * v + numbers[p, JUMP])
+        rho, jump = numbers[p, RHO], numbers[p, JUMP]
+        # states first: what is gained may be far below them
+        R[row] = z[at[q]] - sign * z[at[p]] - sign * gained[p, 0]
+        law = rho * z[at[p] + 1] + jump
+        R[row + 1] = z[at[q] + 1] - sign * law - sign * rho * gained[p, 1]
         row += 2
         for order in range(2, highest(kinds, q) + 1):
             R[row] = begins[q, order] - sign * gained[p, order]
@@ -105,16 +107,16 @@ def joints(case, z, at, gained, begins, R, row):
 
 def add_joint(case, J, row, factor, by, at, p):
     """Add a factor times a row of `gained_by` or `begins_by` of a phase to a row of J."""
-    kinds, numbers, setting, _, cell = case
-    count, more, width = len(kinds), len(setting), len(by) - 3
-    own, at_w, at_s = at[p + 1] - at[p], at[count], at[count] + more
-    for j in range(min(own, width)):
-        J[row, at[p] + j] += factor * by[j]
-    J[row, at_s + p] += factor * by[width]
-    for i in range(more):
-        J[row, at_w + i] += factor * by[width + 1] * numbers[p, MEMORY + i]
+    kinds, numbers, setting, _, cell = case[:5]
+    count, more = len(kinds), len(setting)
+    at_w, at_s = at[count], at[count] + more
+    J[row, at_s + p] += factor * by[0]
     if cell[2] != 0:
-        add_angle(J, row, factor * by[width + 2], cell[1], at_s, p)
+        add_angle(J, row, factor * by[1], cell[1], at_s, p)
+    for i in range(more):
+        J[row, at_w + i] += factor * by[2] * numbers[p, MEMORY + i]
+    for j in range(min(at[p + 1] - at[p], len(by) - 3)):
+        J[row, at[p] + j] += factor * by[3 + j]
 
 
 def add_angle(J, row, factor, omega, at_s, count):
@@ -126,7 +128,7 @@ def add_angle(J, row, factor, omega, at_s, count):
 
 def joint_rates(case, z, at, gained_by, begins_by, J, row):
     """Add the derivatives of `joints` to J from a row on, where it is zero."""
-    kinds, numbers, setting, memory, cell = case
+    kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
     at_w, theta = at[count], angles(case, z, at)
     for q in range(count):

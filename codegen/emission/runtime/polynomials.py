@@ -7,10 +7,10 @@ which the generator writes.
 import numpy as np
 
 from .joints import (
+    BESIDE,
     CLASS,
     FREE,
     MEMORY,
-    BESIDE,
     C,
     F,
     G,
@@ -138,7 +138,7 @@ def places(case, N):
 
 def size(case, N):
     """Return the number of unknowns: of the phases, memory, durations, phase of the forcing."""
-    kinds, _, setting, _, cell = case
+    kinds, _, setting, _, cell = case[:5]
     return places(case, N)[len(kinds)] + len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
 
 
@@ -150,23 +150,23 @@ def order_of(case, z):
 
 def ends(case, z, at, N):
     """Return what each phase gains, begins with, and their derivatives, for `joints`."""
-    kinds, _, setting, _, _ = case
+    kinds, _, setting, _, _ = case[:5]
     count, width, high = len(kinds), 2, 2
     for p in range(count):
         width = max(width, 2 + terms(kinds, p, N))
         high = max(high, kinds[p, CLASS] + 1)
-    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, width + 3))
+    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, 3 + width))
     for p in range(count):
         s, number = z[at[count] + len(setting) + p], terms(kinds, p, N)
         by, by_s = displacement_gained(s), displacement_gained_by_s(s)
         for i in range(1 + min(2, number)):
             both[0, p, 0] += by[i] * z[at[p] + 1 + i]
-            both_by[0, p, 0, 1 + i] += by[i]
-            both_by[0, p, 0, width] += by_s[i] * z[at[p] + 1 + i]
+            both_by[0, p, 0, 0] += by_s[i] * z[at[p] + 1 + i]
+            both_by[0, p, 0, 4 + i] += by[i]
         if number > 0:
             both[0, p, 1] = s * z[at[p] + 2]
-            both_by[0, p, 1, 2] = s
-            both_by[0, p, 1, width] = z[at[p] + 2]
+            both_by[0, p, 1, 0] = z[at[p] + 2]
+            both_by[0, p, 1, 5] = s
         for order in range(2, high):
             for n in range(number):
                 d = z[at[p] + 2 + n]
@@ -175,14 +175,14 @@ def ends(case, z, at, N):
                 for side in range(2):
                     sign = -1.0 if side == 1 and (n + order) % 2 == 1 else 1.0
                     both[side, p, order] += sign * weight * d
-                    both_by[side, p, order, 2 + n] = sign * weight
-                    both_by[side, p, order, width] += sign * rate * d
+                    both_by[side, p, order, 0] += sign * rate * d
+                    both_by[side, p, order, 5 + n] = sign * weight
     return both, both_by
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
-    kinds, numbers, setting, _, cell = case
+    kinds, numbers, setting, _, cell = case[:5]
     N = order_of(case, z)
     at = places(case, N)
     at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
@@ -214,7 +214,7 @@ def residual(case, z, R):
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
-    kinds, numbers, setting, _, cell = case
+    kinds, numbers, setting, _, cell = case[:5]
     N = order_of(case, z)
     at = places(case, N)
     at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
@@ -252,7 +252,9 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
-    kinds, _, setting, _, _ = case
+    kinds, _, setting, _, _ = case[:5]
+    if not 0 <= p < len(kinds):
+        raise IndexError("p")
     N = order_of(case, z)
     at = places(case, N)
     d = z[at[p] + 2 : at[p] + 2 + terms(kinds, p, N)]

@@ -105,7 +105,7 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
     checks.check(len(z) == size, f"{len(z)} unknowns, expected {size}")
     checks.check(bool(np.isfinite(z).all()), "unknowns that are not finite")
     R = np.empty(len(z))
-    equations.residual(case.arguments, z, R)
+    equations.residual(equations.given(case, order), z, R)
     off, allowed = float(np.abs(R).max()), RESIDUAL * max(1.0, float(np.abs(z).max()))
     checks.check(off <= allowed, f"an orbit that does not satisfy its equations, by {off:.1e}")
     made = Outcome(**outcome | {"unknowns": z})

@@ -7,7 +7,9 @@ SCAN = ("tests/existence/test_two_phases.py",)
 NONE = ("tests/existence/test_existence.py",)
 ITERATION = "tests/kernels/test_iteration_scenes.py"
 WRONG = ("tests/orbit/test_never_wrong.py",)
-SINGLE = ("tests/kernels/test_single_unknown.py",)
+SINGLE = ("tests/maps/test_single_unknown.py",)
+
+TOGETHER = ("tests/maps/test_together.py",)
 ORBITS = "tests/orbit/test_orbit_scenes.py"
 MULTIPLIERS = ("tests/stability/test_multipliers.py",)
 BALLS = ("tests/precision/test_balls.py",)
@@ -119,6 +121,27 @@ MUTANTS = (
         "product *= -points",
         "product *= points",
         SINGLE,
+    ),
+    Mutant(
+        "the duration of a held phase that one condition gives is counted from the other end",
+        "solver/maps/together.py",
+        "(sign * y[at[q]] - y[at[p]])",
+        "(y[at[p]] - sign * y[at[q]])",
+        ("tests/existence/test_roots.py",),
+    ),
+    Mutant(
+        "of two full columns the second is that of the first row alone",
+        "solver/maps/series.py",
+        "full[PAD + low, 1] += tables[p, low, 1] * second",
+        "full[PAD + low, 1] += 0.0",
+        TOGETHER,
+    ),
+    Mutant(
+        "rows of a band are never exchanged",
+        "solver/maps/band.py",
+        "if LARGE * abs(own) <",
+        "if 1e300 * abs(own) <",
+        ("tests/maps/test_band.py",),
     ),
     Mutant(
         "the phase of the forcing goes the long way round",

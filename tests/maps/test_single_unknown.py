@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from nonsmooth.solver.compiling import rebuilt
 from nonsmooth.solver.iteration.iteration import (
-    ANGLE_STEP,
     CONVERGED,
     DURATION_STEP,
     NO_DESCENT,
@@ -18,10 +17,10 @@ from nonsmooth.solver.iteration.iteration import (
     SINGULAR,
     TOO_MANY,
 )
-from nonsmooth.solver.kernels.linking import _single
+from nonsmooth.solver.kernels.linking import ONE, made
 
 
-def solve(function, slope, start, durations=1, forced=False, limit=40):
+def solve(function, slope, start, limit=40):
     """Return where the iteration ends, and the points at which it evaluates."""
     seen, slopes = [], []
 
@@ -33,8 +32,7 @@ def solve(function, slope, start, durations=1, forced=False, limit=40):
         slopes.append(float(y[0]))
         J[0, 0] = slope(y[0])
 
-    names = {"residual": residual, "jacobian": jacobian}
-    iterate = _single({**names, "DURATIONS": durations, "FORCED": forced}, rebuilt)
+    iterate = made(ONE, {"residual": residual, "jacobian": jacobian}, rebuilt)["iterate_single"]
     y = np.array([float(start)])
     with np.errstate(all="ignore"):
         status, iterations, correction, norm = iterate(None, y, limit)
@@ -110,17 +108,11 @@ def test_any_rising_cubic_is_solved_to_the_last_digits(root, a, b, off) -> None:
     assert abs(found.y - root) <= 4 * np.finfo(float).eps * root
 
 
-def test_steps_of_a_duration_and_of_a_phase_are_limited() -> None:
+def test_steps_are_limited() -> None:
     duration = solve(math.log, lambda y: 1 / y, 1e4)
     assert duration.status == CONVERGED
     for before, after in zip(duration.slopes, duration.slopes[1:], strict=False):
         assert abs(after - before) <= (1 + 1e-12) * DURATION_STEP * before
-    angle = solve(lambda y: y - 3.0, lambda y: 1.0, 0.0, durations=0, forced=True)
-    assert angle.seen[1] == pytest.approx(ANGLE_STEP)
-    assert angle.status == CONVERGED
-    assert angle.y == 3.0
-    free = solve(lambda y: y - 3.0, lambda y: 1.0, 0.5, durations=0)
-    assert free.seen[1] == 3.0
 
 
 def test_it_begins_anew_where_corrections_do_not_shrink_fast() -> None:

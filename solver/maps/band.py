@@ -1,0 +1,87 @@
+"""Band matrices, factorised from the highest index down, as Python that numba compiles.
+
+A row of a band is kept by its diagonals: entry ``[PAD + i, PAD + j - i]`` is that of unknown j
+in row i.  In front there are PAD rows of zeros, so that sums over diagonals need no ends.  The
+first two rows stay a block, and its inverse is kept in their place: a pivot in the second of
+them may vanish where nothing is singular.  Rows above are exchanged only where a factor would
+be large: that is seldom, in phases of several periods.
+"""
+
+from typing import Any
+
+from ..arrays import Matrix
+
+#: Diagonals on either side; rows that are exchanged reach down as far as both together.
+SIDE = 2
+PAD = 2 * SIDE
+
+#: Rows of the block at the low end.
+BLOCK = 2
+
+#: The largest factor that is taken without an exchange.
+LARGE = 10.0
+
+
+def factorise_band(D: Matrix, exchanged: Any, size: int) -> bool:
+    """Factorise a band in place; whether rows were exchanged.
+
+    D : ndarray, shape (PAD + size, PAD + SIDE + 1)
+        Pivots become their reciprocals, what is above them the factors.
+    exchanged : ndarray of int, shape (PAD + size,)
+        Filled with the row that was exchanged with each.
+    """
+    wide = False
+    for i in range(PAD + size - 1, PAD + BLOCK - 1, -1):
+        own, above, second = D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
+        exchanged[i] = i
+        if LARGE * abs(own) < max(abs(above), abs(second)):
+            exchanged[i] = pivot = i - 1 if abs(above) >= abs(second) else i - 2
+            wide = True  # from now on rows may reach further down
+            for q in range(PAD + 1):
+                value = D[i, q]
+                D[i, q] = D[pivot, q + i - pivot]
+                D[pivot, q + i - pivot] = value
+            above, second = D[i - 1, PAD + 1], D[i - 2, PAD + 2]
+        inverse = 1.0 / D[i, PAD]
+        above, second = above * inverse, second * inverse
+        D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2] = inverse, above, second
+        for q in range(0 if wide else SIDE, PAD):
+            D[i - 1, q + 1] -= above * D[i, q]
+            D[i - 2, q + 2] -= second * D[i, q]
+    a, b = D[PAD, PAD], D[PAD, PAD + 1]
+    c, d = D[PAD + 1, PAD - 1], D[PAD + 1, PAD]
+    inverse = 1.0 / (a * d - b * c)
+    D[PAD, PAD], D[PAD, PAD + 1] = d * inverse, -b * inverse
+    D[PAD + 1, PAD - 1], D[PAD + 1, PAD] = -c * inverse, a * inverse
+    return wide
+
+
+def eliminate(D: Matrix, exchanged: Any, size: int, B: Matrix, first: int, last: int) -> None:
+    """Eliminate in columns of right sides, from the highest row down to the block."""
+    for i in range(PAD + size - 1, PAD + BLOCK - 1, -1):
+        pivot, above, second = exchanged[i], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
+        for c in range(first, last):
+            if pivot != i:
+                B[i, c], B[pivot, c] = B[pivot, c], B[i, c]
+            B[i - 1, c] -= above * B[i, c]
+            B[i - 2, c] -= second * B[i, c]
+
+
+def solve_block(D: Matrix, B: Matrix, first: int, last: int) -> None:
+    """Overwrite the first two rows of columns with those of the solution."""
+    for c in range(first, last):
+        low, high = B[PAD, c], B[PAD + 1, c]
+        B[PAD, c] = D[PAD, PAD] * low + D[PAD, PAD + 1] * high
+        B[PAD + 1, c] = D[PAD + 1, PAD - 1] * low + D[PAD + 1, PAD] * high
+
+
+def substitute(
+    D: Matrix, wide: bool, B: Matrix, begin: int, end: int, first: int, last: int
+) -> None:
+    """Overwrite rows of columns with those of the solution; the rows before are there."""
+    for i in range(PAD + max(begin, BLOCK), PAD + end):
+        for c in range(first, last):
+            value = B[i, c] - D[i, PAD - 1] * B[i - 1, c] - D[i, PAD - 2] * B[i - 2, c]
+            if wide:
+                value -= D[i, PAD - 3] * B[i - 3, c] + D[i, PAD - 4] * B[i - 4, c]
+            B[i, c] = value * D[i, PAD]
