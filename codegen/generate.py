@@ -11,26 +11,26 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from . import expansions, scenes
-from .emission import kernel, phase_maps, scene_numbers
 from .emission import method_table as methods
-from .expansions import kernels
+from .emission import one_function, phase_maps, scene_numbers, whole_period
 from .scene import Scene
 from .space import emission as space
 
 #: The folder of the generated modules, beside the folder of this file.
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
 
-INIT = '"""Kernels, a folder for each scene, written by ``nonsmooth generate``."""\n'
+INIT = '"""Kernels, and scenes in numbers, written by ``nonsmooth generate``."""\n'
 
 #: Of the folder of a scene.
-SCENE_INIT = '"""Kernels of {name}: {title}; written by ``nonsmooth generate``."""\n'
+SCENE_INIT = '"""{name}: {title}; written by ``nonsmooth generate``."""\n'
 
 
 def sources() -> dict[str, str]:
     """Derive everything and return the text of each generated file, by its place."""
     files = {"__init__.py": INIT, "methods.py": methods.methods_source()}
+    files |= {"hb.py": whole_period.module_source(), "hb_c1.py": one_function.module_source()}
     for name, expansion in expansions.modules().items():
-        if expansions.kernel_name(expansion) == name:
+        if expansions.kernel_name(expansion) == name and hasattr(expansion, "test"):
             files[f"{name}.py"] = phase_maps.module_source(expansion)
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
@@ -39,7 +39,7 @@ def sources() -> dict[str, str]:
 
 
 def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:
-    """Derive the kernels of a scene and yield place and text of each file of its folder.
+    """Yield place and text of each file of the folder of a scene: what it is in numbers.
 
     Several motions have a folder each, as if each were a scene of its own.
     """
@@ -49,8 +49,6 @@ def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:
         folder = motion.replace("-", "_")
         for name, text in scene_sources(scene.of_motion(motion)):
             yield f"{folder}/{name}", text
-    for name, derivation in () if scene.motions else kernels(scene).items():
-        yield f"{name}.py", kernel.module_source(derivation(scene))
 
 
 def _present(folder: Path) -> dict[str, str]:

@@ -1,1 +1,1 @@
-"""Kernels, a folder for each scene, written by ``nonsmooth generate``."""
+"""Kernels, and scenes in numbers, written by ``nonsmooth generate``."""

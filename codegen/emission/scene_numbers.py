@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
+from .. import expansions
 from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
 from ..scene.memory import power_of_time
@@ -83,6 +84,7 @@ def _data(scene: Scene) -> Iterator[str]:
     yield f"FREQUENCY = {frequency!r}  # the parameter that is the frequency of the forcing"
     yield f"MOTIONS = {tuple(scene.motions)!r}  # orders of phases, a folder each, if several"
     yield f"MOTION = {scene.motion or None!r}  # which of them this is"
+    yield f"ALONE = {_alone(scene)!r}  # methods made for some scenes alone, this among them"
     yield ""
     yield "#: Name, symbol, unit, default, what it is, bound, largest value."
     yield from _table("PARAMETERS", (repr(_parameter(q)) for q in scene.parameters))
@@ -92,6 +94,13 @@ def _data(scene: Scene) -> Iterator[str]:
         yield from _dataof_phases(scene)
     yield "#: What must not be negative of the parameters."
     yield f"REQUIRES = {tuple(scene.requires)!r}"
+
+
+def _alone(scene: Scene) -> tuple[str, ...]:
+    """Return the methods for some scenes alone that apply to every motion of a scene."""
+    found = (q for q in expansions.in_order() if hasattr(q, "applies"))
+    each = scene.each_motion
+    return tuple(q.METHOD for q in found if all(q.applies(motion) for motion in each))
 
 
 def _table(name: str, rows: Iterable[str]) -> Iterator[str]:

@@ -4,8 +4,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from ..emission.terms import Term, terms
 from ..galerkin import Block, Condition
+from ..galerkin.terms import Term, terms
 
 #: What is done to the factor of an unknown before it is shown.
 Spelling = Callable[[sp.Expr], sp.Expr]

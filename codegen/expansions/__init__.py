@@ -1,22 +1,20 @@
 """Sets of functions, a file each: what a motion is expanded in, and what it is tested with.
 
 None knows an oscillator.  A file has `METHOD`, `TITLE` and ``derive(scene)``, and may have
-`ABOUT`.  One with a ``test`` has a kernel for any scene, of its own name or, where another's
-serves it, of that in `KERNEL`.  One whose ``derive`` takes a number of functions besides says
-in `FUNCTIONS` which there may be, and one made for some scenes alone has ``applies(scene)``.
+`ABOUT`.  Its kernel has the name of the file or, where another's serves it, that in `KERNEL`;
+of one with a ``test`` it is written with no more ado.  One whose ``derive`` takes a number of
+functions besides says in `FUNCTIONS` which there may be, and one made for some scenes alone has
+``applies(scene)``.
 """
 
 import importlib
 import pkgutil
-from collections.abc import Callable, Mapping
-from functools import cache, partial
+from collections.abc import Mapping
+from functools import cache
 from types import ModuleType
 
 from ..expansion import About
-from ..galerkin import GalerkinConditions
 from ..scene import Scene
-
-Derivation = Callable[[Scene], GalerkinConditions]
 
 
 @cache
@@ -37,27 +35,12 @@ def in_order() -> list[ModuleType]:
     return sorted(modules().values(), key=lambda q: (about(q).place, q.METHOD))
 
 
-def kernel_name(module: ModuleType) -> str | None:
-    """Return the name of the kernel that an expansion has for any scene, if it has one."""
-    own = module.__name__.rpartition(".")[2] if hasattr(module, "test") else None
-    return getattr(module, "KERNEL", own)
+def kernel_name(module: ModuleType) -> str:
+    """Return the name of the kernel of an expansion."""
+    own = module.__name__.rpartition(".")[2]
+    return str(getattr(module, "KERNEL", own))
 
 
 def applies(module: ModuleType, scene: Scene) -> bool:
     """Whether an expansion is made for a scene; most are for every one."""
     return not hasattr(module, "applies") or bool(module.applies(scene))
-
-
-def kernels(scene: Scene) -> Mapping[str, Derivation]:
-    """Return what derives each kernel that is of a scene alone, by the name of its module."""
-    found: dict[str, Derivation] = {}
-    for name, module in modules().items():
-        if kernel_name(module) or not applies(module, scene):
-            continue
-        numbers = getattr(module, "FUNCTIONS", None)
-        if numbers is None:
-            found[name] = module.derive
-        else:
-            for number in numbers:
-                found[f"{name}_{number}"] = partial(module.derive, functions=number)
-    return found

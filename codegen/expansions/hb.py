@@ -17,6 +17,7 @@ from ..python_text import floating, python
 from ..scene import Phase, Scene, Switch, switches, v
 
 METHOD = "hb"
+KERNEL = "hb"
 TITLE = "Fourier series"
 ABOUT = About(place=1, power=True, colour="#0072B2", marker="D", line=(0, (6, 2)), filled=False)
 

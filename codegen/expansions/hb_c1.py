@@ -26,6 +26,7 @@ from ..scene import Phase, Scene, switches
 from . import hb
 
 METHOD = "hb-c1"
+KERNEL = "hb_c1"
 TITLE = "Fourier series and one function of class C^1"
 ABOUT = About(place=2, power=True, colour="#56B4E9", marker="v", line=(0, (6, 2, 3, 2)))
 

@@ -19,6 +19,7 @@ from ..scene import Phase, Scene, Switch, switches, v
 from . import hb
 
 METHOD = "hb-ck"
+KERNEL = "hb"
 TITLE = "Fourier series and functions of class C^k"
 ABOUT = About(place=3, power=True, colour="#D55E00", marker="s", line=(0, (6, 2, 1.5, 2)))
 

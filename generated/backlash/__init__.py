@@ -1,1 +1,1 @@
-"""Kernels of backlash: a driven mass with play on both sides of its spring; written by ``nonsmooth generate``."""
+"""backlash: a driven mass with play on both sides of its spring; written by ``nonsmooth generate``."""

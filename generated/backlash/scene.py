@@ -27,7 +27,7 @@ def extremes(m, c, k, k_0, g, F, Omega):
 
 
 MATHEMATICS = "06718938ed5de4dfae7dff0e327e7b6daf802d4b93a65531811cbc8903d2119b"  # of what fixes its motion
-BODY = "a104c3686959a352186eb27b083413091e602dff822e6b94b3c768c866b44afd"  # of the text below
+BODY = "72953d9d445dab574fa2aab9ec454607185a78f717f064f91dbddfb9b6dc3cca"  # of the text below
 
 NAME = 'backlash'
 TITLE = 'a driven mass with play on both sides of its spring'
@@ -37,6 +37,7 @@ HALF_PERIOD = True
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

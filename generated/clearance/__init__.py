@@ -1,1 +1,1 @@
-"""Kernels of clearance: a driven mass with a second spring behind a clearance; written by ``nonsmooth generate``."""
+"""clearance: a driven mass with a second spring behind a clearance; written by ``nonsmooth generate``."""

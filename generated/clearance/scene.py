@@ -33,7 +33,7 @@ def extremes(m, c, k, k_c, g, F, Omega):
 
 
 MATHEMATICS = "e8d5d31d03f8f7339d1e8f0676521e48d780e46bfa0ba59140a98d51ea2e9cbe"  # of what fixes its motion
-BODY = "439c6a8b8037f2eb9df5d9c307d4e13043a787caf9654c0462eef0b7023b9610"  # of the text below
+BODY = "335d6919e57edcf0a7be010719771849dab0998638a59a4d27f53fe644371494"  # of the text below
 
 NAME = 'clearance'
 TITLE = 'a driven mass with a second spring behind a clearance'
@@ -43,6 +43,7 @@ HALF_PERIOD = False
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

@@ -1,1 +1,1 @@
-"""Kernels of dry-friction: a driven mass with dry friction; written by ``nonsmooth generate``."""
+"""dry-friction: a driven mass with dry friction; written by ``nonsmooth generate``."""

@@ -26,7 +26,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "eb7f736c84d7665558d51619fdb91bb007e095999733935ca72f0bcb37b44900"  # of what fixes its motion
-BODY = "fde4505413f7baf379743e33c16c58d91edf4836e4bf36116dfb20d5d43812cf"  # of the text below
+BODY = "127367f76747110072274e2d31565b08b9469cefce55d3d46183508956588b98"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -36,6 +36,7 @@ HALF_PERIOD = True
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ('sliding', 'two-stops')  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

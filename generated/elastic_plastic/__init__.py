@@ -1,1 +1,1 @@
-"""Kernels of elastic-plastic: a driven mass on an elastic-plastic element; written by ``nonsmooth generate``."""
+"""elastic-plastic: a driven mass on an elastic-plastic element; written by ``nonsmooth generate``."""

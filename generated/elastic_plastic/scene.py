@@ -33,7 +33,7 @@ def extremes(m, c, k, F_y, h, F, Omega):
 
 
 MATHEMATICS = "63955929b2bd9ff90460bb747ab34ee37fce4750734e4ade22e85a934edee892"  # of what fixes its motion
-BODY = "1ff6fbe7e480b8843847e8efebe03f20bcc31f214b736312082d765a3ea1da66"  # of the text below
+BODY = "ee89dab718d613f053bf3ea9bcb668b183746583585c985864025a4d12221971"  # of the text below
 
 NAME = 'elastic-plastic'
 TITLE = 'a driven mass on an elastic-plastic element'
@@ -43,6 +43,7 @@ HALF_PERIOD = True
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

@@ -1,1 +1,1 @@
-"""Kernels of impact: a driven mass that bounces off a stop; written by ``nonsmooth generate``."""
+"""impact: a driven mass that bounces off a stop; written by ``nonsmooth generate``."""

@@ -33,7 +33,7 @@ def extremes(m, c, k, F, Omega, g, r):
 
 
 MATHEMATICS = "3ed960e7555145f22aedf028c5b7fa15bd4cff7d47800c08a4be2c8f613906a3"  # of what fixes its motion
-BODY = "582336f80abf9211649b0623c042fd5f6d4f1a1f27b4af3b9ad89c4042ffa804"  # of the text below
+BODY = "d30b697ba81612877f6f7b5376ab26574d8a80704dace26add5239632635e174"  # of the text below
 
 NAME = 'impact'
 TITLE = 'a driven mass that bounces off a stop'
@@ -43,6 +43,7 @@ HALF_PERIOD = False
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

@@ -27,7 +27,7 @@ def extremes(m, c, k, F, Omega, g):
 
 
 MATHEMATICS = "f819b331bd93c58b00c9b5be5a86e7d6ad9c56b81335f74c8c5a1e14191abb92"  # of what fixes its motion
-BODY = "7109d58ea4df6783751ddc0070e4c0d18063847c58655763179bb27f59c0fb91"  # of the text below
+BODY = "50de043088126117b2157f4117150ccabb6affd276ca0d9ed6a9c2b7a7df911c"  # of the text below
 
 NAME = 'impact-inelastic'
 TITLE = 'a driven mass that hits a stop and rests on it'
@@ -37,6 +37,7 @@ HALF_PERIOD = False
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

@@ -1,1 +1,1 @@
-"""Kernels of impact-two-sided: a driven mass that bounces between two stops; written by ``nonsmooth generate``."""
+"""impact-two-sided: a driven mass that bounces between two stops; written by ``nonsmooth generate``."""

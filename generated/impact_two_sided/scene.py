@@ -31,7 +31,7 @@ def extremes(m, c, k, F, Omega, g, r):
 
 
 MATHEMATICS = "8906079daa39669ab5399c649d3bec38a04e75b7f04f6e96dac9a68949808ab5"  # of what fixes its motion
-BODY = "997c7391db1e4596ae3b4a6648395c3dc133735502381bb5d57f85a6f6055a2e"  # of the text below
+BODY = "015eb38f8301d2e7705caff13b832c11d4658be27118382895be6662dbf88c77"  # of the text below
 
 NAME = 'impact-two-sided'
 TITLE = 'a driven mass that bounces between two stops'
@@ -41,6 +41,7 @@ HALF_PERIOD = True
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

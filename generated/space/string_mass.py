@@ -10,7 +10,7 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, sin, sqrt
 
 MATHEMATICS = "c3ab41e17edae94f6a6591d4ec0d2d47dc8b76a3943dcf5ad2503154886de95e"  # of the closed forms, by srepr
-BODY = "4fc25dcfc2b28a8acc1d8514a54ad37c9dbcb37fc71e6217691b40ef6d4556e0"  # of the text below
+BODY = "cf6e1570fa6fe8a58ce1246d5fc350abcb009a88cd178670ef9393358328be24"  # of the text below
 
 
 def strength(L, T, rho_L, m_0):
@@ -35,7 +35,7 @@ def receptance_over_sine(beta, sin_a, cos_a, sin_b, cos_b):
 
 def receptance_rest(beta, a, b):
     """Return the other part."""
-    return 0
+    return 0.0
 
 
 def shape_over_sine(beta, x, sin_b, cos_b):
@@ -49,8 +49,8 @@ def shape_over_sine(beta, x, sin_b, cos_b):
 def shape_rest(beta, x, b):
     """Return the other part of them."""
     return (
-        0,
-        0,
+        0.0,
+        0.0,
     )
 
 

@@ -10,7 +10,7 @@ the sine" is to be divided by ``sin(beta)``.  The functions take floats or array
 from numpy import cos, sin, sqrt
 
 MATHEMATICS = "de5c7e2db4752941033b3dcfaf1247421d05670375498d4b7da5350a9f399675"  # of the closed forms, by srepr
-BODY = "557a1122a6831c411087077c56add9f0867667d5d2215bf4ae2e915376d135d0"  # of the text below
+BODY = "c4ee5fe073d42353d976d80d87638cf7dbe890aade517a6396b6e57f668bc1c6"  # of the text below
 
 
 def strength(L, T, rho_L, k):
@@ -35,7 +35,7 @@ def receptance_over_sine(beta, sin_a, cos_a, sin_b, cos_b):
 
 def receptance_rest(beta, a, b):
     """Return the other part."""
-    return 0
+    return 0.0
 
 
 def shape_over_sine(beta, x, sin_b, cos_b):
@@ -49,8 +49,8 @@ def shape_over_sine(beta, x, sin_b, cos_b):
 def shape_rest(beta, x, b):
     """Return the other part of them."""
     return (
-        0,
-        0,
+        0.0,
+        0.0,
     )
 
 

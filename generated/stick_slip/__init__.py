@@ -1,1 +1,1 @@
-"""Kernels of stick-slip: a mass on a moving belt, stick and slip; written by ``nonsmooth generate``."""
+"""stick-slip: a mass on a moving belt, stick and slip; written by ``nonsmooth generate``."""

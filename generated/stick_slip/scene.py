@@ -33,7 +33,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N):
 
 
 MATHEMATICS = "b126a957aaa75bfcd0d08fe86940acc128fac96454a28d15ef426da8ef16187a"  # of what fixes its motion
-BODY = "08225fd969b69c84e7f2cbd8db0b89446a4243d101a8f0ec33873054536767fe"  # of the text below
+BODY = "ccde6a6f3ab2e52446561973d773c6eef3fdaa829578b2d6a4abd2f8f7d67b92"  # of the text below
 
 NAME = 'stick-slip'
 TITLE = 'a mass on a moving belt, stick and slip'
@@ -43,6 +43,7 @@ HALF_PERIOD = False
 FREQUENCY = None  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ('hb-c1',)  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

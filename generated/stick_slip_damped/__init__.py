@@ -1,1 +1,1 @@
-"""Kernels of stick-slip-damped: a damped mass on a moving belt, with weakening friction; written by ``nonsmooth generate``."""
+"""stick-slip-damped: a damped mass on a moving belt, with weakening friction; written by ``nonsmooth generate``."""

@@ -35,7 +35,7 @@ def extremes(M, K, V, mu_s, mu_k, F_N, c, w):
 
 
 MATHEMATICS = "6f2862355a3421eb06cc761ae3464832484bb715a044bf0e09afecc2e3d9645c"  # of what fixes its motion
-BODY = "e691fe66368877b0872a7ce330b48051940a2867e22047e4d2f4ddaf99334261"  # of the text below
+BODY = "e4b78f8f7ae660e6d9cfec00aff949367196b6dbc844edcc759a72eb35271c64"  # of the text below
 
 NAME = 'stick-slip-damped'
 TITLE = 'a damped mass on a moving belt, with weakening friction'
@@ -45,6 +45,7 @@ HALF_PERIOD = False
 FREQUENCY = None  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = None  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

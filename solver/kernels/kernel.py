@@ -1,28 +1,19 @@
 """Kernels of a scene: residual, Jacobian, motion of one method, and Newton's method for them.
 
-A kernel may come from a generated module, plain or compiled, or be made in place, as the exact
+They come from a generated module, plain or compiled, or are made in place, as the exact
 equations are.  Compiled functions stand in numba's cache under names that carry a hash of all
 that is compiled with them, so that a change finds nothing old.
 """
 
-import hashlib
-import types
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 from ..arrays import Matrix, Vector
 from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
-from ..iteration import iteration
 from ..iteration.iteration import Iteration
 from ..scenes.case import Case
-from .linking import NEWTON, PLAIN, Make, newton_of, text_of
-
-
-def _numbers(case: Case, order: int) -> Any:
-    """Return what the functions of a module of one scene call the case."""
-    return case.arguments
+from .linking import Make
 
 
 @dataclass(frozen=True)
@@ -69,7 +60,7 @@ class Kernel:
     motion: Callable[[Any, Vector, int, Vector, int], Vector]
     coefficients: Callable[[Vector], dict[str, tuple[Any, int]]]
     iterate: Iteration
-    given: Callable[[Case, int], Any] = _numbers
+    given: Callable[[Case, int], Any] = lambda case, order: case.cell
     condensed: bool = False
     account: Account | None = None
     starts: bool = False
@@ -107,65 +98,3 @@ def compiling(key: str) -> Make:
         return jit(clone)
 
     return compiled_one
-
-
-#: Stand for those of a generated module.
-DURATIONS, FORCED = 1, False
-
-
-def times_of(case: Any) -> tuple[int, int]:
-    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
-    return DURATIONS, 1 if FORCED else 0
-
-
-@cache
-def plain(module: types.ModuleType) -> Kernel:
-    """Return the kernel of a generated module of one scene as plain Python."""
-    return _kernel(module, vars(module), rebuilt, account(module))
-
-
-@cache
-def account(module: types.ModuleType) -> Account:
-    """Return what the kernel of a module has cost in plain Python."""
-    entry = iteration.iterate_scene
-    return Account(entry.__code__.co_filename, f"{entry.__name__}_{fingerprint(module)}")
-
-
-@cache
-def compiled(module: types.ModuleType) -> Kernel:
-    """Return the kernel of a generated module compiled by numba, cached where possible."""
-    namespace, make = dict(vars(module)), compiling(fingerprint(module))
-    for name, value in vars(module).items():
-        if isinstance(value, types.FunctionType) and name not in PLAIN:
-            namespace[name] = make(value, namespace)
-    account(module).is_compiled = True
-    return _kernel(module, namespace, make)
-
-
-def fingerprint(module: types.ModuleType) -> str:
-    """Return a hash of all that is compiled for a generated module, the driver included.
-
-    The name of the module is part of it: numba imports it again with what it has cached.
-    """
-    own = f"{module.__name__} {module.BODY} {module.DURATIONS} {module.FORCED}".encode()
-    return hashlib.sha256(own + text_of(*NEWTON)).hexdigest()[:16]
-
-
-def _kernel(
-    module: types.ModuleType,
-    functions: dict[str, Any],
-    make: Make,
-    spent: Account | None = None,
-) -> Kernel:
-    names = ("size", "residual", "jacobian", "motion", "coefficients")
-
-    own = {name: functions[name] for name in names}
-    return Kernel(
-        method=str(module.METHOD).partition(",")[0],
-        durations=int(module.DURATIONS),
-        forced=bool(module.FORCED),
-        lowest=int(getattr(module, "LOWEST", 1)),
-        iterate=newton_of(own["residual"], own["jacobian"], make(times_of, functions), make),
-        account=spent,
-        **own,
-    )

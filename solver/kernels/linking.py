@@ -49,6 +49,18 @@ def newton_of(
     return iterate
 
 
+def times_of(case: Any) -> tuple[int, int]:
+    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
+    return len(case[0]), 1 if case[4][2] != 0 else 0
+
+
+def whole_period(equations: types.ModuleType, make: Make) -> dict[str, Any]:
+    """Return the functions of a generated module, and Newton's method on all its unknowns."""
+    found = made((equations,), {}, make)
+    own = found["residual"], found["jacobian"], make(times_of, found)
+    return found | {"iterate": newton_of(*own, make)}
+
+
 def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
     """Return the functions of a generated module, and the quick way to its solutions."""
     found = made((*MAPS, equations), {}, make)
@@ -57,7 +69,7 @@ def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
     found["iterate_scene"] = iterate
     own = {"residual": found["event_residual"], "jacobian": found["event_rate"]}
     found["iterate_single"] = made(ONE, own, make)["iterate_single"]
-    return found
+    return found | {"iterate": found["iterate_together"]}
 
 
 def made(

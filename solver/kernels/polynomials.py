@@ -1,27 +1,26 @@
 """The kernel of motions that are polynomials on each phase: one for all scenes and classes."""
 
-import hashlib
-import sys
 from dataclasses import dataclass
 from functools import cache, cached_property
-from importlib import import_module
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from ...generated import ck
 from ..arrays import Vector
-from ..compiling import Account, rebuilt
 from ..maps import together
 from ..maps.unseen import combinations
 from ..scenes.arrays import arrays_of
 from ..scenes.case import Case
 from ..scenes.loaded import LoadedScene
 from ..scenes.method_names import with_class_one
-from ..scenes.methods import About, about
-from .kernel import Kernel, compiling
-from .linking import MAPS, NEWTON, phase_maps, text_of
+from ..scenes.methods import about
+from . import linking
+from .family import Family, module_of
+from .kernel import Kernel
+
+FAMILY = Family(linking.phase_maps, linking.MAPS + linking.NEWTON, together.iterate_together)
+account = FAMILY.account
 
 
 @dataclass(frozen=True)
@@ -34,25 +33,25 @@ class Layout:
         Of one motion.
     classes : tuple of int
         The class of the functions that begin each phase.
-    method : About
-        What is known of the method.
+    method : str
+        Generic name.
     """
 
     scene: LoadedScene
     classes: tuple[int, ...]
-    method: About
+    method: str
 
     @property
     def equations(self) -> ModuleType:
         """The generated module."""
-        return _module(str(self.method.kernel))
+        return module_of(self.method)
 
     @cached_property
     def phases(self) -> tuple[tuple[str, bool, int, int], ...]:
         """Name of each phase, whether it is free, its class, and what no test sees of it."""
         rows, unseen = (
             zip(self.scene.module.PHASES, self.classes, strict=True),
-            self.method.unseen,
+            about(self.method).unseen,
         )
         return tuple(
             (name, not held, k, unseen[k] if unseen and not held else 0)
@@ -104,7 +103,7 @@ class Layout:
         sides = [left for _, _, _, left in self.phases]
         after = not case.cell.forced
         arrays = arrays_of(
-            case.cell, self.classes, sides, after=after, starts=bool(self.method.unseen)
+            case.cell, self.classes, sides, after=after, starts=bool(about(self.method).unseen)
         )
         tests = [order + k + 1 - max(1, k) for _, _, k, _ in self.phases]
         tables = np.zeros((len(sides), max(tests) if any(sides) else 0, max(sides)))
@@ -131,54 +130,18 @@ def kernel(
         Whether numba is to compile it; once for all scenes.
     """
     classes = tuple(min(k, 1) if class_one else k for k, _ in scene.module.SWITCHES)
-    layout = Layout(scene, classes, about(method))
-    name = layout.equations.__name__
-    functions = _compiled(name) if compile_it else _plain(name)
+    layout = Layout(scene, classes, method)
+    found = FAMILY.functions(method, compile_it)
     return Kernel(
         method=with_class_one(method) if class_one else method,
         durations=len(classes),
         forced=scene.frequency is not None,
         lowest=layout.lowest,
         size=layout.size,
-        residual=functions["residual"],
-        jacobian=functions["jacobian"],
-        motion=functions["motion"],
         coefficients=layout.coefficients,
-        iterate=functions["iterate_together"],
         given=layout.given,
         condensed=True,
         account=None if compile_it else account(method),
         starts=bool(about(method).unseen) and hasattr(scene.module, "start"),
+        **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
     )
-
-
-def account(method: str) -> Account:
-    """Return what all kernels of a generated module have cost in plain Python."""
-    return _account(_module(str(about(method).kernel)).__name__)
-
-
-@cache
-def _account(name: str) -> Account:
-    entry = together.iterate_together
-    return Account(entry.__code__.co_filename, f"{entry.__name__}_{_fingerprint(name)}")
-
-
-def _module(kernel: str) -> ModuleType:
-    return import_module(f"{ck.__package__}.{kernel}")
-
-
-def _fingerprint(name: str) -> str:
-    """Return a hash of all that is compiled."""
-    text = text_of(sys.modules[name], *MAPS, *NEWTON)
-    return hashlib.sha256(name.encode() + text).hexdigest()[:16]
-
-
-@cache
-def _plain(name: str) -> dict[str, Any]:
-    return phase_maps(sys.modules[name], rebuilt)
-
-
-@cache
-def _compiled(name: str) -> dict[str, Any]:
-    _account(name).is_compiled = True
-    return phase_maps(sys.modules[name], compiling(_fingerprint(name)))

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from ...nearest import one_of
 from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
 from ..scenes.method_names import generic, with_class_one, without_class
-from ..scenes.methods import METHODS, about
+from ..scenes.method_names import methods as methods  # noqa: PLC0414  (its own, too)
+from ..scenes.methods import about
 
 if TYPE_CHECKING:
     from ..compiling import Account
@@ -47,19 +48,9 @@ def load(name: str) -> LoadedScene:
     return LoadedScene(module, _folder(module))
 
 
-def methods(scene: LoadedScene) -> tuple[str, ...]:
-    """Return the methods that have a kernel for a scene."""
-    of_any = (method for method in METHODS if about(method).kernel)
-    return tuple(sorted({*of_any, *(method for method, _ in scene.files)}))
-
-
 def functions(scene: LoadedScene, method: str) -> tuple[int, ...]:
-    """Return how many functions beside the harmonics a method may have; empty if it has none.
-
-    One kernel a number: ``<method>_<number>.py``.
-    """
-    found = (number for name, number in scene.files if name == method)
-    return tuple(sorted(number for number in found if number is not None))
+    """Return how many functions beside the harmonics a method may have; empty if none."""
+    return about(method).functions if method in methods(scene) else ()
 
 
 def generic_method(scene: LoadedScene, method: object) -> str:
@@ -86,7 +77,7 @@ def class_one(scene: LoadedScene, method: str) -> str | None:
     None where it has no such conditions of its own, or the scene is not smoother.
     """
     found = about(method)
-    smoother = found.kernel is not None and not found.unseen and scene.k > 1
+    smoother = not found.is_series and not found.unseen and scene.k > 1
     return with_class_one(method) if smoother else None
 
 
@@ -137,32 +128,19 @@ def _kernel(
     UnknownScene
         If the scene has none.
     """
-    from . import kernel, polynomials  # noqa: PLC0415  (NumPy: lists of scenes need none)
+    from . import polynomials, series  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
     wanted = generic_method(scene, method)
-    name = without_class(wanted)
-    if about(name).kernel is None:
-        module = _module(scene, name, number)
-        spent = kernel.account(module)
-        return kernel.compiled(module) if compiles(spent) else kernel.plain(module)
-    if number is not None:
-        raise UnknownScene(f"functions: got {number!r}, expected for {name}: none")
-    once = wanted != name
-    return polynomials.kernel(scene, name, once, compiles(polynomials.account(name)))
-
-
-def _module(scene: LoadedScene, name: str, number: int | None) -> types.ModuleType:
-    """Return the generated module of a method.
-
-    Raises
-    ------
-    UnknownScene
-        If the scene has none.
-    """
-    if (name, number) not in scene.files:
-        known = ", ".join(map(str, functions(scene, name))) or "none"
-        raise UnknownScene(f"functions: got {number!r}, expected for {name}: {known}")
-    return scene.kernel_module(name, number)
+    name, found = without_class(wanted), about(wanted)
+    known = found.functions or (None,)
+    if number not in known:
+        expected = ", ".join(map(str, found.functions)) or "none"
+        raise UnknownScene(f"functions: got {number!r}, expected for {name}: {expected}")
+    family = series if found.is_series else polynomials
+    compile_it = compiles(family.account(name))
+    if found.is_series:
+        return series.kernel(scene, name, number or 0, compile_it)
+    return polynomials.kernel(scene, name, wanted != name, compile_it)
 
 
 def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
@@ -171,17 +149,13 @@ def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
     The title of a scene, the defaults of its parameters and other words are not part of it.
     """
     wanted = {without_class(generic_method(scene, method)) for method in chosen}
-    texts = [scene.module.MATHEMATICS]
-    texts += [f"{q} {_of_any(q).MATHEMATICS}" for q in sorted(wanted) if about(q).kernel]
-    for motion in scene.each_motion:
-        texts.append(motion.module.MATHEMATICS)
-        by_path = sorted((path, key) for key, path in motion.files.items() if key[0] in wanted)
-        texts += [motion.kernel_module(*key).MATHEMATICS for _, key in by_path]
+    texts = [scene.module.MATHEMATICS, *(q.module.MATHEMATICS for q in scene.each_motion)]
+    texts += [f"{q} {_module(q).MATHEMATICS}" for q in sorted(wanted)]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
 
 
-def _of_any(method: str) -> types.ModuleType:
-    """Return the generated module of a method that has one kernel for any scene."""
+def _module(method: str) -> types.ModuleType:
+    """Return the generated module of a method."""
     return importlib.import_module(f"{_GENERATED}.{about(method).kernel}")
 
 

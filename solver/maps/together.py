@@ -115,7 +115,7 @@ def is_alone(case: Any, p: int, state: int) -> bool:
 def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
     """Fill in the unknowns that conditions give one by one, and mark both.
 
-    They are states that an event gives, velocities that a held phase keeps or an impact does
+    They are states that an event gives, velocities that a held phase keeps or a jump does
     not depend on, and the only duration of a cell that the forcing makes so long.
     """
     kinds, numbers, _, _, cell = case[:5]
@@ -279,7 +279,12 @@ def one_by_one(
         if i == count - 1:
             begin = numbers[p, E_X] * turned * (total + (1.0 - cell[0]) * y[at[first]])
         place = (case, at, N, work, y, p, begin)
-        status, steps, last, left = iterate_single(place, s, limit)
+        if kinds[p, FREE]:
+            status, steps, last, left = iterate_single(place, s, limit)
+        else:  # what a held phase gains is its speed times its duration
+            status, steps, last, left = 0, 0, 0.0, 0.0
+            s[0] = -begin / (numbers[p, E_X] * y[at[p] + 1])
+            event_residual(place, s, np.empty(1))
         iterations, correction = max(iterations, steps), max(correction, last)
         norm = max(norm, left)
         if status != 0:

@@ -3,7 +3,6 @@
 import types
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +15,7 @@ if TYPE_CHECKING:
     from .case import Case
 
 
-#: The module of a folder that holds the scene itself; any other module is a method's.
+#: The module of a folder that holds a scene.
 SCENE = "scene"
 
 
@@ -63,7 +62,7 @@ class Parameter:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LoadedScene:
-    """A scene in numbers: its generated module ``scene.py``, and the folder of its kernels.
+    """A scene in numbers: its generated module ``scene.py``.
 
     Calling it makes a case: ``scene(mass=2.0)``; what is not given has its default.  A scene
     of several motions has a folder for each, which is a scene of one motion.
@@ -73,7 +72,7 @@ class LoadedScene:
     module : module
         The generated module.
     folder : Path
-        Where the modules of the methods lie.
+        Where the module lies, and those of several motions.
     kept : mapping of str to bytes, optional
         What was read of it, and is used in place of the files; see `sealed`.
     """
@@ -190,31 +189,6 @@ class LoadedScene:
     def whole(self) -> "LoadedScene":
         """The scene with all its motions; itself if it has only one."""
         return self if self.motion is None else load_folder(self.folder.parent)
-
-    @cached_property
-    def files(self) -> dict[tuple[str, int | None], Path]:
-        """The modules of its methods, by method and number of functions; looked for once."""
-        if self.motions:
-            return self.each_motion[0].files  # those of the others are the same
-        found: dict[tuple[str, int | None], Path] = {}
-        there = self.folder.glob("*.py") if self.kept is None else map(Path, self.kept)
-        for path in there:
-            parts = path.stem.split("_")
-            number = int(parts.pop()) if parts[-1].isdecimal() else None
-            if path.suffix == ".py" and path.stem not in (SCENE, "__init__"):
-                found["-".join(parts), number] = self.folder / path
-        return found
-
-    @cached_property
-    def _kernels(self) -> dict[tuple[str, int | None], types.ModuleType]:
-        return {}
-
-    def kernel_module(self, method: str, number: int | None) -> types.ModuleType:
-        """Return the module of a method, loaded once."""
-        key = method, number
-        if key not in self._kernels:
-            self._kernels[key] = module_of(self.files[key], self.kept)
-        return self._kernels[key]
 
     @property
     def frequency(self) -> str | None:

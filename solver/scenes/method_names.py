@@ -1,5 +1,7 @@
 """What methods are called where people read them: with the class of the scene."""
 
+from typing import Any
+
 from ...generated.methods import METHODS
 from .loaded import LoadedScene
 
@@ -10,6 +12,13 @@ CLASS = "ck"
 CLASS_ONE = CLASS.replace("k", "1")
 
 
+def methods(scene: LoadedScene) -> tuple[str, ...]:
+    """Return the methods that there are for a scene, by their generic names."""
+    made_for_it = getattr(scene.module, "ALONE", ())
+    facts: dict[str, dict[str, Any]] = METHODS
+    return tuple(sorted(q for q in facts if not facts[q]["alone"] or q in made_for_it))
+
+
 def shown(scene: LoadedScene, method: str) -> str:
     """Return the name of a method with the class of a scene: ``c0-tau`` for ``ck-tau``.
 
@@ -17,13 +26,13 @@ def shown(scene: LoadedScene, method: str) -> str:
     ``hb-c1`` of the paper.
     """
     name = method.replace(CLASS, f"c{scene.k}")
-    return method if (name, None) in scene.files else name
+    return method if name in methods(scene) else name
 
 
 def generic(scene: LoadedScene, name: str) -> str:
     """Return the generic name of a method that may be spelled with the class of a scene."""
     name = name.replace("_", "-")
-    if (name, None) in scene.files:
+    if name in methods(scene):
         return name
     return "-".join(CLASS if part == f"c{scene.k}" else part for part in name.split("-"))
 

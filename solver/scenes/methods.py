@@ -25,17 +25,26 @@ class About:
         Whether its errors fall as a power of the order; else by a factor with each order.
     look : dict
         Of its curve in pictures: colour, marker, line.
-    kernel : str or None
-        The generated module of its kernel for any scene, if it has one.
+    kernel : str
+        The generated module of its kernel; empty of a method without a record.
     unseen : tuple of int
         How many polynomials its tests do not see on a phase, by its class; empty if none.
+    functions : tuple of int
+        How many functions beside the harmonics it may have at a switch; empty if it has none.
+    alone : bool
+        Whether it is made for some scenes alone.
+    is_series : bool
+        Whether it is one series over the period, and not a polynomial on each phase.
     """
 
     title: str
     power: bool
     look: dict[str, Any]
-    kernel: str | None
+    kernel: str
     unseen: tuple[int, ...]
+    functions: tuple[int, ...]
+    alone: bool
+    is_series: bool
 
 
 def about(method: str) -> About:
@@ -46,14 +55,14 @@ def about(method: str) -> About:
     >>> about(FIRST).power, about("another").title
     (False, 'another')
     """
-    facts: dict[str, Any] = {"title": method, "power": False, "kernel": None, "unseen": ()}
-    facts.update(METHODS.get(without_class(method), {}))  # type: ignore[call-overload]
-    own = [facts.pop(name) for name in ("title", "power", "kernel", "unseen")]
-    look = {"color": "0.5", "marker": "x", "linestyle": "--"} | facts
+    own: dict[str, Any] = {"title": method, "power": False, "kernel": ""}
+    own |= {"unseen": (), "functions": (), "alone": False, "is_series": False}
+    look: dict[str, Any] = {"color": "0.5", "marker": "x", "linestyle": "--"}
+    for name, fact in METHODS.get(without_class(method), {}).items():
+        (own if name in own else look)[name] = fact
     if not look.pop("filled", True):
         look["markerfacecolor"] = "white"
-    title, power, kernel, unseen = own
-    return About(title, power, look, kernel, unseen)
+    return About(look=look, **own)
 
 
 def in_order(methods: Iterable[str]) -> tuple[str, ...]:

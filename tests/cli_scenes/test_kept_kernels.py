@@ -56,10 +56,10 @@ def files_in(folder: Path) -> list[Path]:
 
 
 def test_one_digit_that_was_changed(scene_file: Path, kept: Path, right: float) -> None:
-    path = kept / "ck_tau.py"
+    path = kept / "scene.py"
     text = path.read_text("utf-8")
-    assert text.count("j[n] = (2 * n - 1)") == 1
-    path.write_text(text.replace("j[n] = (2 * n - 1)", "j[n] = (2 * n - 2)"), "utf-8")
+    assert text.count("CLASS = 0") == 1
+    path.write_text(text.replace("CLASS = 0", "CLASS = 1"), "utf-8")
     derived, replaced = DERIVING, f"{kept} was not as it was written, and is written anew"
     assert solved(scene_file) == (right, [derived, replaced])
     assert path.read_text("utf-8") == text
@@ -124,7 +124,7 @@ def foreign(path: Path) -> None:
 
 
 PLACES: dict[str, Callable[[Path], Path]] = {
-    "module": lambda kept: kept / "ck_tau.py",
+    "module": lambda kept: kept / "scene.py",
     "seal": lambda kept: kept / sealed.SEAL,
     "folder": lambda kept: kept,
     "folder of all": lambda kept: kept.parent,
@@ -204,7 +204,7 @@ def test_without_numbers_of_users_nothing_is_refused(
 
 
 def test_what_cannot_be_read(scene_file: Path, kept: Path, right: float) -> None:
-    path = kept / "ck_tau.py"
+    path = kept / "scene.py"
     path.chmod(0)
     if os.access(path, os.R_OK):
         pytest.skip("this user reads anything")
@@ -234,7 +234,6 @@ def test_what_is_pickled_is_checked_when_it_is_loaded(scene_file: Path, kept: Pa
 def test_motions_are_checked_as_well(tmp_path: Path, monkeypatch) -> None:
     """A file of one motion in the place of that of the other."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(generate, "kernels", lambda scene: {})
     scene = find.find_scene(replace(dry_friction.SCENE, name="rough-ground"), print)
     sliding = scene.each_motion[0]
     assert pickle.loads(pickle.dumps(sliding)) == sliding
@@ -246,7 +245,7 @@ def test_motions_are_checked_as_well(tmp_path: Path, monkeypatch) -> None:
 
 def test_code_of_another_python_is_compiled(kept: Path) -> None:
     content = sealed.read(kept)
-    path, name = kept / "ck_tau.py", f"ck_tau{modules.CODE}"
+    path, name = kept / "scene.py", f"scene{modules.CODE}"
     code = modules._code(path, content)
     others = (
         {q: text for q, text in content.items() if q != name},

@@ -7,24 +7,19 @@ import shutil
 import sys
 import types
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import numba
 import numpy as np
 import pytest
 
-from nonsmooth.codegen.emission.kernel import module_source
-from nonsmooth.codegen.equations.registry import conditions, scene_named
-from nonsmooth.solver.kernels import kernel
+from nonsmooth.solver.kernels import series
 
-SOLVER = Path(kernel.__file__).parents[1]
+SOLVER = Path(series.__file__).parents[1]
 
 #: A module as ``generated/`` has them: ``z0 z1 = 2`` and ``z0 + 3 z1 = 7``.
 SMALL = """
-METHOD, BODY, DURATIONS, FORCED = "small", "the text of this module", 1, False
-
-def size(N):
+def size(case, N):
     return 2
 
 def residual(case, z, R):
@@ -35,9 +30,6 @@ def jacobian(case, z, J):
 
 def motion(case, z, p, u, derivative):
     return u
-
-def coefficients(z):
-    return {}
 """
 
 #: Files of the driver, and edits of the same length by which it solves worse or not at all.
@@ -93,15 +85,26 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     forget()
 
 
+#: Arrays of one phase, which nothing forces: what is looked at for the number of the durations.
+CASE = tuple(np.zeros(shape) for shape in ((1, 5), (1, 11), (0,), (0, 4), (3,)))
+
+
+def compiled(family, path: Path):
+    """Return the functions of a file, compiled as those of a generated module are."""
+    module = imported(path)
+    sys.modules[module.__name__] = module
+    family.__class__.compiled.cache_clear()
+    family.__class__._account.cache_clear()
+    return family.compiled(module.__name__)
+
+
 def solved(folder: Path) -> tuple[tuple[object, ...], int]:
     """Solve with the copy as a new process would; what is found, and hits of the cache."""
     forget()
-    copy = importlib.import_module("edited.solver.kernels.kernel")
-    iterate, z = (
-        copy.compiled(imported(folder.parents[1] / "small.py")).iterate,
-        np.array([1.5, 1.0]),
-    )
-    found = iterate((), z, 20)
+    copy = importlib.import_module("edited.solver.kernels.series")
+    iterate = compiled(copy.FAMILY, folder.parents[1] / "small.py")["iterate"]
+    z = np.array([1.5, 1.0])
+    found = iterate(CASE, z, 20)
     return (*found, *z), sum(iterate.stats.cache_hits.values())
 
 
@@ -130,20 +133,17 @@ def test_an_edit_of_the_driver_is_compiled_anew(folder: Path, edited: str) -> No
 def test_a_cached_kernel_never_survives_a_regeneration(tmp_path: Path) -> None:
     """A file with other mathematics, but the same size and time, is compiled anew."""
     path = tmp_path / "regenerated.py"
-    right = conditions(scene_named("stick-slip"), "hb")
-    first, *others = right.conditions
-    wrong = replace(right, conditions=(replace(first, expression=-first.expression), *others))
-    texts = [module_source(system) for system in (right, wrong)]
-    size = max(map(len, texts))
 
     def start(text: str) -> tuple[list[float], int]:
-        path.write_text(text.ljust(size))
+        path.write_text(text)
         touch(path)
-        residual, R = kernel.compiled(imported(path)).residual, np.empty(5)
-        residual((1.0, 1.0, 1.0, 0.5, 0.25, 4.0), np.array([0.7, 0.2, -0.9, 2.0, 4.0]), R)
+        residual, R = compiled(series.FAMILY, path)["residual"], np.empty(2)
+        residual(CASE, np.array([3.0, 0.5]), R)
         return R.tolist(), sum(residual.stats.cache_hits.values())
 
-    before, hits = start(texts[0])
+    before, hits = start(SMALL)
     assert hits == 0
-    assert start(texts[0]) == (before, 1)
-    assert start(texts[1]) == ([-before[0], *before[1:]], 0)
+    assert start(SMALL) == (before, 1)
+    other = SMALL.replace("z[0]*z[1] - 2", "z[0]*z[1] - 3")
+    assert len(other) == len(SMALL)
+    assert start(other) == ([before[0] - 1, before[1]], 0)

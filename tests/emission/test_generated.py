@@ -2,6 +2,7 @@
 
 import dataclasses
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -9,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from nonsmooth.codegen import generate, scenes
-from nonsmooth.codegen.emission.kernel import mathematics
-from nonsmooth.codegen.equations.registry import conditions
-from nonsmooth.codegen.expansions import kernels as kernels_of_a_scene
+from nonsmooth.codegen.emission import one_function, phase_maps, whole_period
+from nonsmooth.codegen.emission.text import module_text
+from nonsmooth.codegen.expansions import ck
 
 DERIVE = """
 import sys
@@ -42,15 +43,10 @@ def test_the_folder_has_the_files_of_every_scene_and_no_others() -> None:
     assert found == {name.replace("-", "_") for name in scenes.names()}
     for scene in map(scenes.load, scenes.names()):
         folder = generate.FOLDER / scene.name.replace("-", "_")
-        own = (scene.of_motion(motion) for motion in scene.motions)
-        kernels = kernels_of_a_scene(next(own, scene))
-        expected = {"__init__", "scene", *kernels}
-        motions = [folder / motion.replace("-", "_") for motion in scene.motions]
-        for each in motions or [folder]:
-            assert {path.stem for path in each.glob("*.py")} == expected
-        if motions:
-            assert {path.stem for path in folder.glob("*.py")} == {"__init__", "scene"}
-            assert {path.parent for path in folder.glob("*/scene.py")} == {*motions}
+        motions = {folder / motion.replace("-", "_") for motion in scene.motions}
+        for each in (folder, *motions):
+            assert {path.stem for path in each.glob("*.py")} == {"__init__", "scene"}
+        assert {path.parent for path in folder.glob("*/scene.py")} == motions
 
 
 #: What stands for the derived files where only the handling of files is tested.
@@ -92,12 +88,33 @@ def test_text_and_set_of_files_are_compared_without_writing(tmp_path: Path) -> N
     assert (tmp_path / "scene" / "ck.py").read_text() == FILES["scene/ck.py"]
 
 
-@pytest.mark.parametrize("method", ["hb", "hb-c1", "ck"])
-def test_every_condition_counts_in_the_hash(method: str) -> None:
-    system = conditions(scenes.load("stick-slip"), method)
-    hashes = {mathematics(system)}
-    for place, condition in enumerate(system.conditions):
-        more = dataclasses.replace(condition, expression=condition.expression + 1)
-        changed = (*system.conditions[:place], more, *system.conditions[place + 1 :])
-        hashes.add(mathematics(dataclasses.replace(system, conditions=changed)))
-    assert len(hashes) == 1 + len(system.conditions) > 4
+FORMS = {
+    "ck": lambda: phase_maps.closed_forms(ck.rest),
+    "hb": whole_period.closed_forms,
+    "hb_c1": one_function.closed_forms,
+}
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_every_closed_form_counts_in_the_hash_and_is_called(name: str) -> None:
+    forms = list(FORMS[name]())
+    mark = re.compile(r'MATHEMATICS = "(\w+)"')
+    text = (generate.FOLDER / f"{name}.py").read_text("utf-8")
+    used = [form for form in forms if len(re.findall(rf"\b{form.name}\(", text)) > 1]
+    assert len(used) > 5
+    hashes = set(mark.findall(text)) | set(mark.findall(module_text("", {}, used, [])))
+    assert len(hashes) == 1
+    for place, form in enumerate(used):
+        changed = dataclasses.replace(form, values=(form.values[0] + 1, *form.values[1:]))
+        others = [*used[:place], changed, *used[place + 1 :]]
+        hashes.update(mark.findall(module_text("", {}, others, [])))
+    assert len(hashes) == 1 + len(used)
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_a_kernel_has_no_function_that_nothing_calls(name: str) -> None:
+    text = (generate.FOLDER / f"{name}.py").read_text("utf-8")
+    found = re.findall(r"^def (\w+)", text, re.M)
+    assert len(found) == len(set(found))
+    alone = {each for each in found if len(re.findall(rf"\b{each}\(", text)) == 1}
+    assert alone <= {"size", "residual", "jacobian", "motion", "highest"}

@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 from every_run import tried
-from galerkin.by_quadrature import OSCILLATORS, broken
+from galerkin.by_quadrature import OSCILLATORS
 from galerkin.derived import DERIVE, module, pairs
 from galerkin.oscillators import case_of
 from numpy.polynomial import Polynomial
@@ -138,111 +138,6 @@ def test_multiples_of_an_angle_keep_their_digits(angle):
             cosines[: few + 1].tolist(),
             sines[: few + 1].tolist(),
         ]
-
-
-def breaks(sign):
-    """Return a kernel's functions for breaks, up to the n that they are there for."""
-    made = module("S3b" if sign == -1 else "S2b", "hb_ck_2")
-    return made, 4 if sign == -1 else 5
-
-
-def part(p, q, durations, sign):
-    """Return where phase q is on the cell that begins at switch p, and the sign there."""
-    ends, cell = ends_of(durations), np.sum(durations)
-    begin = (ends[q] - ends[p]) / cell + (0.0 if q >= p else 1.0)
-    return begin, durations[q] / cell, 1 if q >= p else sign
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("p", [0, 1, 2])
-def test_functions_with_a_break_on_each_phase(sign, p):
-    made, highest = breaks(sign)
-    ends, cell = ends_of(DURATIONS), DURATIONS.sum()
-    at_ends = made.break_ends(made.breaks_on_phases(p, ends, sign, True))
-    u = np.linspace(0, 1, 7)
-    for q in range(3):
-        begin, length, turned = part(p, q, DURATIONS, sign)
-        for n in range(2, highest + 1):
-            for order in range(3):
-                exact = broken(n, sign).deriv(order)(begin + length * u)
-                expected = turned * exact / cell**order
-                got = made.breaks_on_phase(((p, n, 1.0),), ends, sign, q, u, order)
-                np.testing.assert_allclose(got, expected, rtol=0, atol=1e-14)
-            values = turned * broken(n, sign)(begin + length * u[[0, -1]])
-            np.testing.assert_allclose(at_ends[0, n, q], values, rtol=0, atol=1e-15)
-    rates = differences(
-        lambda s: made.break_ends(made.breaks_on_phases(p, ends_of(s), sign, False))[0],
-        DURATIONS,
-    )
-    np.testing.assert_allclose(at_ends[1:], rates, rtol=0, atol=1e-11)
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_a_function_has_its_break_at_its_switch_alone(sign):
-    made, highest = breaks(sign)
-    ends, cell = ends_of(DURATIONS), DURATIONS.sum()
-    both = np.array([0.0, 1.0])
-    for p in range(3):
-        for n in range(2, highest + 1):
-            for order in range(n):
-                on = [
-                    made.breaks_on_phase(((p, n, 1.0),), ends, sign, q, both, order)
-                    for q in range(3)
-                ]
-                for q in range(3):
-                    before = on[q - 1][1] * (sign if q == 0 else 1)
-                    jump = cell ** -(n - 1) if q == p and order == n - 1 else 0.0
-                    assert on[q][0] - before == pytest.approx(jump, abs=1e-12)
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("p", [0, 2])
-def test_integrals_of_breaks_with_harmonics(sign, p):
-    made, n = breaks(sign)
-    coefficients = ((1.0, 0.2, 5.0), (0.7, 0.0, 0.0), (2.0, -0.3, 1.0))
-    numbers = np.arange(6) if sign == 1 else np.array([1, 1, 3, 5])
-    turns = 1 if sign == 1 else 2
-
-    def table(durations, rates=True):
-        ends = ends_of(durations)
-        series = made.breaks_on_phases(p, ends, sign, rates)
-        return made.break_integrals(n, series, coefficients, ends, turns * ends[-1], numbers)
-
-    found, cell = table(DURATIONS), DURATIONS.sum()
-    for row, wave in enumerate((np.cos, np.sin)):
-        for column, number in enumerate(numbers):
-
-            def integrand(q, t, u, wave=wave, number=number):
-                begin, length, turned = part(p, q, DURATIONS, sign)
-                derivatives = (
-                    broken(n, sign).deriv(order)(begin + length * u) / cell**order
-                    for order in (2, 1, 0)
-                )
-                terms = zip(coefficients[q], derivatives, strict=True)
-                test = wave(number * 2 * np.pi * t / (turns * cell))
-                return turned * test * sum(factor * value for factor, value in terms)
-
-            expected = over_cell(DURATIONS, integrand)
-            assert found[row, 0, column] == pytest.approx(expected, abs=1e-14)
-    rates = differences(lambda s: table(s, rates=False)[:, 0], DURATIONS)
-    for q, rate in enumerate(rates):
-        np.testing.assert_allclose(found[:, 1 + q], rate, rtol=0, atol=1e-9)
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_what_a_residual_needs_of_breaks_has_no_derivatives_and_the_same_bits(sign):
-    made, n = breaks(sign)
-    ends, numbers = ends_of(DURATIONS), np.arange(6)
-    coefficients = ((1.0, 0.2, 5.0), (0.7, 0.0, 0.0), (2.0, -0.3, 1.0))
-    full, few = (made.breaks_on_phases(1, ends, sign, rates) for rates in (True, False))
-    assert few.shape[1] == 1
-    assert few[:, 0].tolist() == full[:, 0].tolist()
-    tables = [
-        made.break_integrals(n, series, coefficients, ends, 2 * ends[-1], numbers)
-        for series in (full, few)
-    ]
-    assert tables[1].shape[1] == 1
-    assert tables[1][:, 0].tolist() == tables[0][:, 0].tolist()
 
 
 def test_a_phase_is_its_acceleration_integrated_twice():

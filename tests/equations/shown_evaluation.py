@@ -107,7 +107,7 @@ class Evaluation:
         if order > 2 and numbers.record.section == "3.3":
             raise UnknownError(order)
         case, z = tuple(numbers.case.values()), numbers.z
-        motion = numbers.module["motion"]
+        motion = numbers.kernel.motion
         if time == t:
             p, ends = self.phase, numbers.ends
             local = (self.more["t"] - ends[p]) / (ends[p + 1] - ends[p])

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from galerkin.derived import of_conditions
 from shown_evaluation import Evaluation
 
-from nonsmooth.codegen.emission.kernel import module_source
 from nonsmooth.codegen.equations import method_equations
 from nonsmooth.codegen.galerkin import GalerkinConditions
 from nonsmooth.codegen.system import Equation
@@ -43,8 +43,7 @@ class Numbers:
         self.values: dict[str, float] = self.case | {"N": order, "pi": math.pi}
         self._times(drawn)
         self._coefficients(drawn)
-        self.module: dict[str, Any] = {}
-        exec(module_source(conditions), self.module)
+        self.kernel = of_conditions(conditions)
 
     def _times(self, drawn: np.random.Generator) -> None:
         times = self.conditions.times
@@ -81,7 +80,7 @@ class Numbers:
     def rows(self) -> np.ndarray:
         """Return the residual of the kernel."""
         found = np.zeros(len(self.z))
-        self.module["residual"](tuple(self.case.values()), self.z, found)
+        self.kernel.residual(tuple(self.case.values()), self.z, found)
         return found
 
     def at(self, expression: sp.Expr, phase: int = 0, **more: Any) -> Any:

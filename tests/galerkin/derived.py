@@ -1,23 +1,21 @@
-"""Kernels of the scenes of the references, derived once in a process."""
+"""Kernels for the scenes of the references, as if each were a module of one scene."""
 
 import json
+import re
 import types
-from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from pathlib import Path
 
-import numpy as np
 from galerkin.oscillators import SCENES
 
-from nonsmooth.codegen.emission.kernel import module_source
 from nonsmooth.codegen.emission.scene_numbers import scene_source
 from nonsmooth.codegen.expansions import ck, ck_tau, hb, hb_c1, hb_ck
 from nonsmooth.codegen.galerkin import GalerkinConditions
-from nonsmooth.solver.kernels import polynomials
-from nonsmooth.solver.kernels.kernel import Kernel
+from nonsmooth.solver.kernels import polynomials, series
 from nonsmooth.solver.scenes.cell import cell_of
 from nonsmooth.solver.scenes.loaded import LoadedScene
+from nonsmooth.solver.scenes.methods import about
 
 REFERENCES = json.loads(Path(__file__).with_name("references.json").read_text("utf-8"))
 
@@ -30,9 +28,6 @@ DERIVE = {
     "hb_ck_1": lambda scene: hb_ck.derive(scene, 1),
     "hb_ck_2": lambda scene: hb_ck.derive(scene, 2),
 }
-
-#: Those that are one kernel for any scene.
-OF_ANY_SCENE = ("ck_tau", "ck")
 
 #: The oscillators of a kernel that is made for some alone.
 ONLY = {"hb_c1": ("S0",)}
@@ -61,28 +56,34 @@ def _scene(label: str):
 @cache
 def loaded(label: str) -> LoadedScene:
     """Return a scene of the references in numbers."""
-    made = types.ModuleType(label)
-    exec(scene_source(_scene(label)), made.__dict__)
+    return in_numbers(_scene(label))
+
+
+def in_numbers(scene) -> LoadedScene:
+    """Return a scene in numbers, without a file."""
+    made = types.ModuleType(scene.label)
+    exec(scene_source(scene), made.__dict__)
     return LoadedScene(made, Path("nowhere"))
 
 
-@dataclass(frozen=True)
-class OfAnyScene:
-    """A kernel of any scene with a scene's parameters for a case, as modules of one have it."""
+class OfOneScene:
+    """A kernel with one scene's parameters for a case, and the cycles behind them."""
 
-    kernel: Kernel
-    scene: LoadedScene
-
-    def __post_init__(self):
+    def __init__(self, scene: LoadedScene, method: str, functions=0, class_one=False):
+        if about(method).is_series:
+            self.kernel = series.kernel(scene, method, functions)
+        else:
+            self.kernel = polynomials.kernel(scene, method, class_one)
+        self.scene, self.METHOD, self.size = scene, method, self.kernel.size
+        self.coefficients = self.kernel.coefficients
         for name in ("durations", "forced", "lowest"):
-            object.__setattr__(self, name.upper(), getattr(self.kernel, name))
-        object.__setattr__(self, "size", self.kernel.size)
+            setattr(self, name.upper(), getattr(self.kernel, name))
 
     def given(self, case, z):
-        """Return the arrays of the parameters, and of the cycles behind them."""
+        """Return what the kernel takes."""
         count = len(self.scene.parameters)
         cell = cell_of(self.scene, tuple(case[:count]), *case[count:])
-        order = next(n for n in range(1, 1000) if self.kernel.size(n) == len(z))
+        order = next(n for n in range(1, 1000) if self.size(n) == len(z))
         return self.kernel.given(types.SimpleNamespace(cell=cell), order)
 
     def residual(self, case, z, R):
@@ -94,36 +95,23 @@ class OfAnyScene:
     def motion(self, case, z, p, u, derivative):
         return self.kernel.motion(self.given(case, z), z, p, u, derivative)
 
-    def iterate(self, case, z, limit=40):
-        with np.errstate(all="ignore"):
-            return self.kernel.iterate(self.given(case, z), z, limit)
+
+def of_conditions(conditions: GalerkinConditions) -> OfOneScene:
+    """Return the kernel of the scene and the method of a record."""
+    method, _, functions = conditions.method.partition(", K = ")
+    return OfOneScene(in_numbers(conditions.scene), method, int(functions or 0))
 
 
-def source(name: str, kernel: str) -> str:
-    """Return the text of a kernel of a scene of the references."""
-    return _source(SCENES[name][0].label, kernel)
-
-
-@cache
-def _source(scene: str, kernel: str) -> str:
-    return module_source(_derived(scene, kernel))
-
-
-def module(name: str, kernel: str, class_one: bool = False):
-    """Return a kernel of a scene of the references: a module of plain Python, or as one."""
-    label = SCENES[name][0].label
-    if kernel in OF_ANY_SCENE:
-        scene = loaded(label)
-        made = polynomials.kernel(scene, kernel.replace("_", "-"), class_one)
-        return OfAnyScene(made, scene)
-    return _module(label, kernel)
+def module(name: str, kernel: str, class_one: bool = False) -> OfOneScene:
+    """Return a kernel for a scene of the references."""
+    return _module(SCENES[name][0].label, kernel, class_one)
 
 
 @cache
-def _module(scene: str, kernel: str) -> types.ModuleType:
-    made = types.ModuleType(f"{scene}_{kernel}")
-    exec(_source(scene, kernel), made.__dict__)
-    return made
+def _module(label: str, kernel: str, class_one: bool) -> OfOneScene:
+    found = re.fullmatch(r"(\w+?)(?:_(\d))?", kernel)
+    method, functions = found[1].replace("_", "-"), int(found[2] or 0)
+    return OfOneScene(loaded(label), method, functions, class_one)
 
 
 def solutions(*kernels: str):

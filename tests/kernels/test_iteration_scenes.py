@@ -3,7 +3,6 @@
 import math
 from dataclasses import replace
 from itertools import pairwise
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,14 +10,15 @@ from made_scenes import made
 
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
-from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.kernels.kernel import fingerprint
+from nonsmooth.solver.kernels import family, polynomials, registry, series
 from nonsmooth.solver.kernels.linking import linked
 from nonsmooth.solver.kernels.start import rough_times, with_coefficients
 from nonsmooth.solver.orbit.attempt import attempt
 
 IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")
+
+MODULES = ("nonsmooth.generated.ck", "nonsmooth.generated.hb")
 
 
 def solve(
@@ -157,11 +157,17 @@ def test_compiled_and_plain_kernels_give_the_same_bits() -> None:
     assert plain.outcome.iterations == compiled.outcome.iterations
 
 
-def test_the_key_of_compiled_code_covers_all_of_it() -> None:
-    module = SimpleNamespace(__name__="m", BODY="a", DURATIONS=1, FORCED=False)
-    changes = ({"BODY": "b"}, {"DURATIONS": 2}, {"FORCED": True}, {"__name__": "n"})
-    keys = {fingerprint(SimpleNamespace(**{**vars(module), **change})) for change in changes}
-    assert len(keys | {fingerprint(module)}) == 5
+def test_the_key_of_compiled_code_covers_all_of_it(monkeypatch) -> None:
+    """The module by its name, its text, and that of all that is compiled with it."""
+    seen = []
+    monkeypatch.setattr(family, "text_of", lambda *modules: seen.extend(modules) or b"text")
+    keys = {
+        f.fingerprint(name) for f in (polynomials.FAMILY, series.FAMILY) for name in MODULES
+    }
+    assert len(keys) == len(MODULES)
+    assert {module.__name__.rpartition(".")[2] for module in seen} >= {
+        *("ck", "hb", "band", "linear", "together", "iteration", "single"),
+    }
 
 
 def test_coefficients_at_exact_times_solve_all_conditions() -> None:

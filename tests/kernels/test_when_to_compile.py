@@ -10,6 +10,7 @@ import nonsmooth as ns
 from nonsmooth.solver import compiling
 from nonsmooth.solver.compiling import COMPILE, LOAD, START, Account
 from nonsmooth.solver.kernels import polynomials, registry
+from nonsmooth.solver.kernels.family import Family
 from nonsmooth.solver.orbit.attempt import attempt
 
 
@@ -87,13 +88,13 @@ def test_what_is_spent_is_counted_also_where_it_failed(account, monkeypatch) -> 
 def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
     case = ns.scene("impact")()
     of_scene = polynomials.account("ck-tau")
-    functions, used = polynomials._plain("nonsmooth.generated.ck"), []
+    functions, used = polynomials.FAMILY.plain("nonsmooth.generated.ck"), []
     monkeypatch.setattr(of_scene, "is_compiled", False)
     monkeypatch.setattr(of_scene, "seconds", 0.0)
     first = ns.solve(case, order=7)
     assert of_scene.seconds > 0
     monkeypatch.setattr(of_scene, "pays", lambda: True)
-    monkeypatch.setattr(polynomials, "_compiled", lambda name: used.append(1) or functions)
+    monkeypatch.setattr(Family, "compiled", lambda self, name: used.append(1) or functions)
     polynomials.kernel.cache_clear()
     assert ns.solve(case, order=7) == first
     assert used

@@ -102,7 +102,7 @@ def test_what_is_returned_solves_the_whole_system(scene, method):
         ("stick-slip", {"v_stick", "x_slip", "v_slip"}, 1),
         ("stick-slip-damped", {"v_stick", "x_slip", "v_slip"}, 1),
         ("impact", {"s_flight"}, -1),
-        ("impact-inelastic", {"v_rest"}, -1),
+        ("impact-inelastic", {"v_rest", "v_flight"}, -1),
         ("clearance", set(), -1),
     ],
 )

@@ -28,7 +28,6 @@ from nonsmooth.solver.precision.balls import (
 )
 from nonsmooth.solver.precision.refine import PrecisionError, refine
 from nonsmooth.solver.scenes.cell import cell_of
-from nonsmooth.solver.scenes.methods import about
 from nonsmooth.solver.solve import solve_case
 
 #: Of the references: a shipped scene, its motion, and parameters in decimals, in its order.
@@ -68,9 +67,16 @@ def with_exact_numbers(given, scene, parameters):
         *(scene.numbers(what, parameters) for what in ("coefficients", "jumps", "events")),
         strict=True,
     )
+    free = scene.numbers("coefficients", parameters)
     for p, ((_, held), equation, jump, event) in enumerate(found):
         row = [*equation[:5], *jump, *event[:4], *equation[5:], *event[4:]]
-        numbers[p, 5 if held else 0 :] = row[5 if held else 0 :]
+        first = 5 if held else 0
+        numbers[p, first:] = row[first:]
+        if held:  # its equation is that of a mass alone
+            mass = next(
+                q[0] for q, (_, h) in zip(free, scene.module.PHASES, strict=True) if not h
+            )
+            numbers[p, 0], numbers[p, 11 : 11 + len(equation) - 5] = mass, 0
     for i, value in enumerate(scene.numbers("memory", parameters)):
         memory[i] = value[:4]
     if scene.frequency is not None:
@@ -79,32 +85,27 @@ def with_exact_numbers(given, scene, parameters):
     if given[0][0, ck.OF_X] == ck.AT_BEGIN:
         x, v, constant = scene.numbers("start", parameters)
         numbers[0, ck.E_X : ck.E_0 + 1] = x, v, 0, constant
-    return (given[0], numbers, given[2], memory, cell, given[5])
+    return (given[0], numbers, given[2], memory, cell, *given[5:])
 
 
 @pytest.mark.parametrize(("name", "row"), ROWS, ids=lambda q: q if isinstance(q, str) else "")
 def test_solutions_have_the_digits_of_another_program(name, row) -> None:
     """From times of 5 digits; what mpmath found in 30, of the parameters in decimals."""
-    kernel, method = kernel_of(name, KERNELS[row["kernel"]]), KERNELS[row["kernel"]][0]
+    kernel = kernel_of(name, KERNELS[row["kernel"]])
     parameters = CASES[name][2].split()
-    of_any_scene = about(method).kernel is not None
     cycles = (1,) if kernel.forced else ()
-    arguments = (*map(float, parameters), *cycles)
-    if of_any_scene:
-        cell = cell_of(scene_of(name), arguments[: len(parameters)], *cycles)
-        arguments = kernel.given(SimpleNamespace(cell=cell), row["order"])
+    cell = cell_of(scene_of(name), tuple(map(float, parameters)), *cycles)
+    given = kernel.given(SimpleNamespace(cell=cell), row["order"])
     rough = np.array([float(f"{float(t):.5g}") for t in row["times"]])
-    start = with_coefficients(kernel, arguments, kernel.size(row["order"]), rough)
-    z = newton(kernel.iterate, arguments, start).unknowns
+    start = with_coefficients(kernel, given, kernel.size(row["order"]), rough)
+    z = newton(kernel.iterate, given, start).unknowns
 
     def in_decimals():
-        exact = (*map(arb, parameters), *cycles)
-        if of_any_scene:
-            exact = with_exact_numbers(arguments, scene_of(name), exact[: len(parameters)])
+        exact = with_exact_numbers(given, scene_of(name), tuple(map(arb, parameters)))
         own = residual_in_balls(kernel.residual)
         return lambda case, z, R: own(exact, z, R)
 
-    found = refine(kernel, arguments, z, 22, in_decimals)
+    found = refine(kernel, given, z, 22, in_decimals)
     with precision(40):
         for time, expected in zip(found.times, row["times"], strict=True):
             assert abs(time - arb(expected)) < arb("1e-20") * max(1, abs(float(expected)))

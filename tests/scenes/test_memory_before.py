@@ -8,10 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
-from galerkin.derived import REFERENCES
+from galerkin.derived import REFERENCES, of_conditions
 from galerkin.solving import solve, times_of
 
-from nonsmooth.codegen.emission.kernel import module_source
 from nonsmooth.codegen.emission.scene_numbers import scene_source
 from nonsmooth.codegen.expansions import ck_tau, hb
 from nonsmooth.codegen.scene import Event, Parameter, Phase, Scene, v
@@ -78,7 +77,7 @@ def test_a_memory_of_the_cell_before_has_the_opposite_sign_in_half_a_period():
 )
 def test_so_it_has_in_the_conditions_of_an_expansion(derive, order, bound):
     scene = cut_elsewhere()
-    kernel = module_of(module_source(derive(scene)))
+    kernel = of_conditions(derive(scene))
     case = (*(float(q.default) for q in scene.parameters), 1)
     orbit = exact_orbit_cut_elsewhere()
     exact = np.array([*orbit.durations[:3], orbit.forcing_phase])

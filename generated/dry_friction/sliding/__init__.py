@@ -1,1 +1,1 @@
-"""Kernels of dry-friction, sliding: a driven mass with dry friction; written by ``nonsmooth generate``."""
+"""dry-friction, sliding: a driven mass with dry friction; written by ``nonsmooth generate``."""

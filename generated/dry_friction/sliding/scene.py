@@ -27,7 +27,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "e7d0a2e72aed33017469aa3655b8d9278ff1bb7534d2392ca279e7ca25da59e2"  # of what fixes its motion
-BODY = "8e6a24b789a98ca13b7ead721f591ad3729d2383a115134814c3adb9cd20fb23"  # of the text below
+BODY = "747cd2a05f280a6f92a694ad3dbfbdae339379f7a635a65717070cd18ab0ad6e"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -37,6 +37,7 @@ HALF_PERIOD = True
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = 'sliding'  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

@@ -1,1 +1,1 @@
-"""Kernels of dry-friction, two-stops: a driven mass with dry friction; written by ``nonsmooth generate``."""
+"""dry-friction, two-stops: a driven mass with dry friction; written by ``nonsmooth generate``."""

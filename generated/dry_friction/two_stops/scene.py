@@ -27,7 +27,7 @@ def extremes(m, c, k, F_N, mu_s, mu_k, F, Omega):
 
 
 MATHEMATICS = "10754724b0139dd2c451d5192dfcb497f5123921a83704774a9c105895e6d301"  # of what fixes its motion
-BODY = "56c425b0be05c733a366c8bd8106b2c849656100b6d332247f72011b63c7f9dd"  # of the text below
+BODY = "8bf83d115970812d1496cf35afe535b8426797befaf06b206f19380fa2386185"  # of the text below
 
 NAME = 'dry-friction'
 TITLE = 'a driven mass with dry friction'
@@ -37,6 +37,7 @@ HALF_PERIOD = True
 FREQUENCY = 'frequency'  # the parameter that is the frequency of the forcing
 MOTIONS = ()  # orders of phases, a folder each, if several
 MOTION = 'two-stops'  # which of them this is
+ALONE = ()  # methods made for some scenes alone, this among them
 
 #: Name, symbol, unit, default, what it is, bound, largest value.
 PARAMETERS = (

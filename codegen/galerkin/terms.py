@@ -1,4 +1,4 @@
-"""A condition as linear terms: what is multiplied by which unknown, for each time as well."""
+"""A condition as linear terms: what is multiplied by which unknown."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,11 +6,8 @@ from functools import cache
 
 import sympy as sp
 
-from ..galerkin import Block, Condition, GalerkinConditions, Table
-from ..galerkin.condition import N
-from ..galerkin.tables import by_time
-from ..galerkin.weights import weights
-from ..python_text import python
+from .condition import Block, Condition
+from .weights import weights
 
 
 @dataclass(frozen=True)
@@ -97,62 +94,3 @@ def _unknowns(expression: sp.Expr, block: Block) -> list[sp.Expr]:
         return [block.symbol] if expression.has(block.symbol) else []
     there = [q for q in expression.atoms(sp.Indexed) if q.base == block.symbol]
     return sorted(there, key=lambda q: sp.default_sort_key(q.indices[0]))
-
-
-@dataclass(frozen=True)
-class ClosedFunction:
-    """The coefficients of some terms as one function of a kernel."""
-
-    name: str
-    arguments: tuple[sp.Expr, ...]
-    source: str
-
-    @property
-    def call(self) -> str:
-        """How it is called, its arguments being there under their names."""
-        return f"{self.name}({', '.join(map(str, self.arguments))})"
-
-    def assigned(self, wanted: int | Sequence[bool]) -> str:
-        """Return the statement that has its values in ``q0, q1, ...``, or those wanted."""
-        flags = [True] * wanted if isinstance(wanted, int) else wanted
-        names = [f"q{i}" if flag else "_" for i, flag in enumerate(flags)]
-        return f"{', '.join(names)} = {self.call}"
-
-
-def closed_function(
-    name: str,
-    summary: str,
-    values: Sequence[sp.Expr],
-    order: Sequence[sp.Expr],
-) -> ClosedFunction:
-    """Return a function that returns `values`; its arguments in the sequence of `order`."""
-    there: set[sp.Expr] = set()
-    for value in values:
-        indexed = value.atoms(sp.Indexed)
-        there |= {q.base for q in indexed}
-        labels = {q.base.label for q in indexed}
-        there |= value.free_symbols - labels - indexed
-    arguments = tuple(q for q in order if q in there)
-    texts = [python(value) for value in values]
-    result = texts[0] if len(texts) == 1 else _tuple(texts)
-    signature = ", ".join(map(str, arguments))
-    source = f'def {name}({signature}):\n    """{summary}"""\n    return {result}\n'
-    return ClosedFunction(name, arguments, source)
-
-
-def _tuple(texts: Sequence[str]) -> str:
-    return "(\n" + "".join(f"        {text},\n" for text in texts) + "    )"
-
-
-def rates(
-    found: Sequence[Term], time: sp.Symbol, tables: Sequence[Table]
-) -> list[tuple[Term, sp.Expr]]:
-    """Return the terms whose coefficients depend on a time, with their derivatives."""
-    derivatives = [(term, by_time(term.coefficient, time, tables)) for term in found]
-    return [(term, factored(rate)) for term, rate in derivatives if rate != 0]
-
-
-def known(system: GalerkinConditions) -> list[sp.Expr]:
-    """Return what closed forms may take, in the sequence of their arguments."""
-    bases: list[sp.Expr] = [table.base for table in system.tables]
-    return [N, *system.parameters, *system.times.unknown, *bases]

@@ -1,0 +1,210 @@
+"""Functions with a break at a switch: their ends, and their residual in the rows of harmonics.
+
+For the switch that begins phase p, ``beta_n`` is a function of ``u = (t - t_p)/T`` on the cell
+that begins there, and ``d beta_n/du = beta_(n-1)``.  Functions that stand here with no body are
+closed forms, which the generator writes.
+"""
+
+from math import pi
+
+import numpy as np
+
+from .fourier import cosine_place, moved, number
+from .joints import BESIDE, CLASS, C, K, M
+from .moments import legendre_moments
+
+
+def in_the_middle():
+    """Stand for beta_0, beta_1, ... in the middle of the cell."""
+    raise NotImplementedError
+
+
+def in_the_middle_mirrored():
+    """Stand for them where the motion repeats with the opposite sign."""
+    raise NotImplementedError
+
+
+def integral(l):
+    """Stand for what P_(l-1)*, P_(l+1)* of a function are in its integral, in P_l*."""
+    raise NotImplementedError
+
+
+def top(kinds):
+    """Return the highest n of the functions; 0 if there are none."""
+    found = 0
+    for p in range(len(kinds)):
+        if kinds[p, BESIDE] > 0:
+            found = max(found, kinds[p, CLASS] + 1 + kinds[p, BESIDE])
+    return found
+
+
+def break_value(n, u, sign):
+    """Return ``beta_n`` at u, from its derivatives in the middle."""
+    middle = in_the_middle() if sign > 0 else in_the_middle_mirrored()
+    found = 0.0 * u
+    for i in range(n, -1, -1):
+        found = found * (u - 1 / 2) / (i + 1) + middle[n - i]
+    return found
+
+
+def break_series(highest, begin, length, sign):
+    """Return ``beta_n(begin + length w)`` in shifted Legendre polynomials of w: [n, l]."""
+    found = np.zeros((highest + 1, highest + 1))
+    for n in range(highest + 1):
+        for l in range(n + 1 if n > 0 else 0):
+            below, above = integral(l)
+            before = found[n - 1, l - 1] if l > 0 else -found[n - 1, 0]
+            after = found[n - 1, l + 1] if l < n else 0.0
+            found[n, l] = length * (below * before + above * after)
+        found[n, 0] = found[n, 0] + break_value(n, begin, sign)
+    return found
+
+
+def break_tables(kinds, sign, ends):
+    """Return the functions of each switch on each phase: as series, and where it begins, ends.
+
+    Returns
+    -------
+    ndarray, shape (P, P, n, n)
+        For a switch and a phase, the coefficients [n, l].
+    ndarray, shape (P, P, 2, n)
+        The values of ``beta_n`` where the phase begins and ends.
+    """
+    phases, highest, T = len(kinds), top(kinds), ends[len(kinds)]
+    series = np.zeros((phases, phases, highest + 1, highest + 1))
+    values = np.zeros((phases, phases, 2, highest + 1))
+    for p in range(phases):
+        for q in range(phases if kinds[p, BESIDE] > 0 else 0):
+            begin, length = (ends[q] - ends[p]) / T, (ends[q + 1] - ends[q]) / T
+            if q < p:  # in the cell that began before
+                begin = begin + 1
+            factor = sign if q < p else 1.0
+            found = break_series(highest, begin, length, sign)
+            for n in range(highest + 1):
+                for l in range(n + 1):
+                    series[p, q, n, l] = factor * found[n, l]
+                    values[p, q, 0, n] += factor * found[n, l] * (1 - 2 * (l % 2))
+                    values[p, q, 1, n] += factor * found[n, l]
+    return series, values
+
+
+def add_break_states(case, z, at, ends, values, found):
+    """Add the functions to derivatives of the displacement, as in `beside_series`."""
+    kinds, setting = case[0], case[2]
+    phases, T, at_s = len(kinds), ends[len(kinds)], at[len(kinds)] + len(setting)
+    for p in range(phases):
+        for i in range(kinds[p, BESIDE]):
+            place, n = at[p] + i, kinds[p, CLASS] + 2 + i
+            for q in range(phases):
+                for side in range(2):
+                    power = 1.0
+                    for order in range(min(n + 1, found.shape[2])):
+                        value = values[p, q, side, n - order] / power
+                        power = power * T
+                        found[q, side, order, 0] += z[place] * value
+                        if found.shape[3] == 1:
+                            continue
+                        found[q, side, order, 1 + place] += value
+                        slope = values[p, q, side, n - order - 1] / power if order < n else 0.0
+                        for r in range(phases):
+                            apart = moved(ends, r, q + side) - moved(ends, r, p)
+                            change = z[place] * (apart * slope - order / T * value)
+                            found[q, side, order, 1 + at_s + r] += change
+
+
+def harmonic_moments(sign, ends, period, count, degrees):
+    """Return the integrals of shifted Legendre polynomials with harmonics over each phase.
+
+    Returns
+    -------
+    ndarray, shape (P, degrees, 2, count)
+        With the sine and with the cosine.
+    """
+    phases = len(ends) - 1
+    found = np.zeros((phases, degrees, 2, count))
+    for q in range(phases):
+        s = ends[q + 1] - ends[q]
+        for i in range(count):
+            omega = number(sign, i) * (2 * pi / period)
+            moments = legendre_moments(degrees, omega * s, omega * ends[q])
+            for l in range(degrees):
+                found[q, l, 0, i], found[q, l, 1, i] = -s * moments[1, l], s * moments[0, l]
+    return found
+
+
+def break_residual(numbers, q, beta, n, T):
+    """Return the left side of the equation of phase q for ``beta_n``, from values of all."""
+    found = numbers[q, K] * beta[n] + numbers[q, C] * beta[n - 1] / T
+    return found + numbers[q, M] * beta[n - 2] / T**2 if n > 1 else found
+
+
+def integrals_of_break(numbers, n, T, series, moments):
+    """Return the integrals of the left side for ``beta_n`` with the harmonics.
+
+    Returns
+    -------
+    ndarray, shape (2, 2, count)
+        With the sine and with the cosine; and T times their derivatives by T, with the
+        harmonics and u as they are.
+    """
+    found = np.zeros((2, 2, moments.shape[3]))
+    for q in range(len(numbers)):
+        for l in range(n + 1):
+            place = numbers[q, K] * series[q, n, l]
+            rate = numbers[q, C] * series[q, n - 1, l] / T
+            twice = numbers[q, M] * series[q, n - 2, l] / T**2 if n > 1 else 0.0 * rate
+            for wave in range(2):
+                for i in range(moments.shape[3]):
+                    found[0, wave, i] += (place + rate + twice) * moments[q, l, wave, i]
+                    found[1, wave, i] += (place - twice) * moments[q, l, wave, i]
+    return found
+
+
+def add_breaks(case, z, at, ends, moments, tables, at_ends, N, rows):
+    """Add to (5), (6), (7) what the functions make of the left side of the equation."""
+    kinds, (series, values) = case[0], tables
+    rates = rows.shape[1] > 1
+    for p in range(len(kinds)):
+        first = kinds[p, CLASS] + 2
+        before = np.zeros((2, 2, moments.shape[3]))
+        begin = first - 1 if rates else first
+        for n in range(begin, first + kinds[p, BESIDE] if kinds[p, BESIDE] > 0 else begin):
+            found = integrals_of_break(case[1], n, ends[len(kinds)], series[p], moments)
+            if n >= first:
+                add_break(case, z, at, ends, p, n, found, before, N, rows)
+                if rates:
+                    add_moved_ends(case, z, at, ends, p, n, values[p], at_ends, N, rows)
+            before = found
+
+
+def add_break(case, z, at, ends, p, n, found, before, N, rows):
+    """Add a function to the rows of harmonics, with ends of phases where they are."""
+    kinds, setting, sign = case[0], case[2], case[4][0]
+    place, T = at[p] + n - kinds[p, CLASS] - 2, ends[len(kinds)]
+    at_s = at[len(kinds)] + len(setting)
+    for wave in range(2):
+        for i in range(found.shape[2]):
+            row = cosine_place(sign, N, i) if wave == 1 else i
+            rows[row, 0] += z[place] * found[0, wave, i]
+            if rows.shape[1] > 1:
+                rows[row, 1 + place] += found[0, wave, i]
+                for r in range(len(kinds)):
+                    change = found[1, wave, i] - moved(ends, r, p) * before[0, wave, i]
+                    rows[row, 1 + at_s + r] += z[place] * change / T
+
+
+def add_moved_ends(case, z, at, ends, p, n, values, at_ends, N, rows):
+    """Add what of a function goes from one phase to the next when the ends of phases move."""
+    kinds, numbers, setting, sign = case[0], case[1], case[2], case[4][0]
+    phases, at_s = len(kinds), at[len(kinds)] + len(setting)
+    c = z[at[p] + n - kinds[p, CLASS] - 2]
+    for q in range(phases):
+        for side in range(2):
+            left = break_residual(numbers, q, values[q, side], n, ends[phases])
+            left = c * left if side == 1 else -c * left
+            for wave in range(2):
+                for i in range(at_ends.shape[3]):
+                    row = cosine_place(sign, N, i) if wave == 1 else i
+                    there = left * at_ends[q + side, 0, wave, i]
+                    for r in range(phases):
+                        rows[row, 1 + at_s + r] += there * moved(ends, r, q + side)

@@ -1,0 +1,169 @@
+"""Residual and Jacobian of a Fourier series and one function of class C^1: (12), (14).
+
+For a held phase and a free one without damping.  Unknowns are the constant, which is twice the
+mean, sines, cosines, the coefficient of the function, and the two durations.  Functions that
+stand here with no body are closed forms, which the generator writes.
+"""
+
+from math import pi
+
+import numpy as np
+
+from .breaks import break_ends, break_integrals, legendre_on_phase
+from .fourier import amplitudes, cosine_place, series_at_ends, times, waves
+from .harmonics import harmonic_integrals, series_on_phase
+from .joints import C, F, K, M
+from .orthogonality import add_forces, add_harmonics
+from .whole_period import add_closure
+
+
+def on_phases(held, free):
+    """Stand for T**2 G'', T G', G on both phases, as Legendre series one behind the other."""
+    raise NotImplementedError
+
+
+def on_phases_by_s_held(held, free):
+    """Stand for their derivatives by the duration of the held phase."""
+    raise NotImplementedError
+
+
+def on_phases_by_s_free(held, free):
+    """Stand for those by the duration of the free phase."""
+    raise NotImplementedError
+
+
+def by_itself(m, k, held, free):
+    """Stand for the integral of the left side for G with G, and its two derivatives."""
+    raise NotImplementedError
+
+
+def force_by(f, held, free):
+    """Stand for that of the force with G, and its two derivatives."""
+    raise NotImplementedError
+
+
+def function_series(held, free, rates):
+    """Return the function and its derivatives in shifted Legendre polynomials.
+
+    Returns
+    -------
+    ndarray, shape (2, 3 or 1, 4, 4)
+        On each phase the coefficients [n, l] with n = 3 for G, 2 for T G', 1 for T**2 G'';
+        behind them, if wanted, their derivatives by both durations.
+    """
+    found = np.zeros((2, 3 if rates else 1, 4, 4))
+    for r in range(found.shape[1]):
+        values = on_phases(held, free)
+        if r > 0:
+            values = (
+                on_phases_by_s_held(held, free) if r == 1 else on_phases_by_s_free(held, free)
+            )
+        i = 0
+        for p in range(2):
+            for n in range(1, 4):
+                for l in range(n + 1):
+                    found[p, r, n, l] = values[i]
+                    i += 1
+    return found
+
+
+def size(case, N):
+    """Return the number of unknowns."""
+    return 2 * N + 4
+
+
+def add_function(case, z, motion, ends, series, rows):
+    """Add the function to the rows of harmonics, and the row that is orthogonal to it."""
+    numbers, N, T = case[1], motion.shape[1] - 1, ends[2]
+    own, at_s = 2 * N + 1, 2 * N + 2
+    c1 = z[own]
+    weights = (
+        (numbers[0, M], numbers[0, C], numbers[0, K]),
+        (numbers[1, M], numbers[1, C], numbers[1, K]),
+    )
+    found = break_integrals(3, series, weights, ends, T, np.arange(0, N + 1))
+    for wave in range(2):
+        for i in range(N + 1):
+            row = cosine_place(1.0, N, i) if wave == 1 else i
+            for r in range(found.shape[1]):
+                value, column = found[1 - wave, r, i], at_s + r if r > 0 else 0
+                rows[row, column] += c1 * value
+                rows[own, column] += motion[wave, i] * value
+            if rows.shape[1] > 1:
+                rows[row, 1 + own] += found[1 - wave, 0, i]
+                rows[own, 1 + row] += found[1 - wave, 0, i]
+    left = by_itself(numbers[1, M], numbers[1, K], z[at_s], z[at_s + 1])
+    right = force_by(numbers[1, F], z[at_s], z[at_s + 1])
+    for r in range(found.shape[1]):
+        rows[own, at_s + r if r > 0 else 0] += c1 * left[r] - right[r]
+    if rows.shape[1] > 1:
+        rows[own, 1 + own] += left[0]
+
+
+def beside_series(z, ends, series, N, width):
+    """Return what displacement and velocity have beside the harmonics, as at `whole_period`.
+
+    Returns
+    -------
+    ndarray, shape (2, 2, 2, width)
+        Where each phase begins and ends.
+    """
+    own, at_s, T = 2 * N + 1, 2 * N + 2, ends[2]
+    found, values = np.zeros((2, 2, 2, width)), break_ends(series)
+    for p in range(2):
+        for side in range(2):
+            for order in range(2):
+                power = T if order == 1 else 1.0
+                value = values[0, 3 - order, p, side] / power
+                found[p, side, order, 0] = z[own] * value
+                if width > 1:
+                    found[p, side, order, 1 + own] = value
+                for r in range(1, values.shape[0]):
+                    change = values[r, 3 - order, p, side] / power - order / T * value
+                    found[p, side, order, at_s + r] = z[own] * change
+    return found
+
+
+def fill(case, z, rows):
+    """Fill rows, which are zero, with the left sides of the conditions and derivatives."""
+    numbers, N, rates = case[1], (len(z) - 4) // 2, rows.shape[1] > 1
+    at_s, width = 2 * N + 2, rows.shape[1]
+    ends, T = times(z, at_s, 1.0, 2)
+    motion = amplitudes(z, 1.0, N)
+    integrals = harmonic_integrals(ends, T, 2 * N, rates)
+    at_ends = waves(1.0, ends, T, N + 1, 2)
+    add_harmonics(numbers, 1.0, motion, ends, T, integrals, at_s, rows)
+    add_forces(case, z, at_s, ends, T, integrals, N, rows)
+    series = function_series(z[at_s], z[at_s + 1], rates)
+    add_function(case, z, motion, ends, series, rows)
+    harmonics = series_at_ends(1.0, motion, ends, at_ends, at_s, N, width)
+    others = beside_series(z, ends, series, N, width)
+    add_closure(case, z, at_s, ends, harmonics, others, rows)
+    if rates:
+        rows[:, 1] /= 2
+
+
+def residual(case, z, R):
+    """Fill R with the left sides of the conditions."""
+    R[:] = 0.0
+    fill(case, z, R.reshape((len(R), 1)))
+
+
+def jacobian(case, z, J):
+    """Fill J with their derivatives."""
+    rows = np.zeros((len(z), 1 + len(z)))
+    fill(case, z, rows)
+    J[:, :] = rows[:, 1:]
+
+
+def motion(case, z, p, u, derivative):
+    """Return a derivative of the displacement on phase p at local times u in [0, 1]."""
+    if not 0 <= p < 2:
+        raise IndexError("p")
+    N = (len(z) - 4) // 2
+    ends, T = times(z, 2 * N + 2, 1.0, 2)
+    (a, b), s = amplitudes(z, 1.0, N), ends[p + 1] - ends[p]
+    numbers, omega_0 = np.arange(0, N + 1), 2 * pi / T
+    found = series_on_phase(0.0, a, b, numbers, omega_0, ends[p], s, 0.0, 0.0, u, derivative)
+    series = function_series(z[2 * N + 2], z[2 * N + 3], False)[p, 0, 3]
+    return found + z[2 * N + 1] * legendre_on_phase(series, s, u, derivative)

@@ -1,0 +1,70 @@
+"""What kernels of a family of methods share: a module, linked as plain Python or compiled."""
+
+import hashlib
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+from ...generated import ck
+from ..compiling import Account, rebuilt
+from ..scenes.methods import about
+from .kernel import compiling
+from .linking import Make, text_of
+
+
+@dataclass(frozen=True)
+class Family:
+    """Methods whose generated modules are linked in one way.
+
+    Parameters
+    ----------
+    link : callable
+        ``link(module, make)``: the functions of a generated module and what solves it.
+    modules : tuple of module
+        What is compiled with it.
+    entry : function
+        By which a compiled kernel is found in numba's cache.
+    """
+
+    link: Callable[[ModuleType, Make], dict[str, Any]]
+    modules: tuple[ModuleType, ...]
+    entry: Any
+
+    def account(self, method: str) -> Account:
+        """Return what all kernels of the module of a method have cost in plain Python."""
+        return self._account(module_of(method).__name__)
+
+    def functions(self, method: str, compile_it: bool) -> dict[str, Any]:
+        """Return the functions of the module of a method, linked once for all scenes."""
+        return (self.compiled if compile_it else self.plain)(module_of(method).__name__)
+
+    @cache  # noqa: B019  (there are as many families as methods of linking)
+    def _account(self, name: str) -> Account:
+        return Account(
+            self.entry.__code__.co_filename, f"{self.entry.__name__}_{self.fingerprint(name)}"
+        )
+
+    def fingerprint(self, name: str) -> str:
+        """Return a hash of all that is compiled."""
+        text = text_of(sys.modules[name], *self.modules)
+        return hashlib.sha256(name.encode() + text).hexdigest()[:16]
+
+    @cache  # noqa: B019
+    def plain(self, name: str) -> dict[str, Any]:
+        """Return the functions of a module by its name, as plain Python."""
+        return self.link(sys.modules[name], rebuilt)
+
+    @cache  # noqa: B019
+    def compiled(self, name: str) -> dict[str, Any]:
+        """Return them compiled by numba, cached where possible."""
+        self._account(name).is_compiled = True
+        return self.link(sys.modules[name], compiling(self.fingerprint(name)))
+
+
+def module_of(method: str) -> ModuleType:
+    """Return the generated module of a method."""
+    return import_module(f"{ck.__package__}.{about(method).kernel}")

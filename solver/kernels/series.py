@@ -1,0 +1,116 @@
+"""Kernels of motions that are one series over the period: one for all scenes of a method."""
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from ..arrays import Vector
+from ..iteration import iteration
+from ..scenes.arrays import arrays_of
+from ..scenes.case import Case
+from ..scenes.loaded import LoadedScene
+from ..scenes.methods import about
+from . import linking
+from .family import Family
+from .kernel import Kernel
+
+FAMILY = Family(linking.whole_period, linking.NEWTON, iteration.iterate_scene)
+account = FAMILY.account
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Which unknowns a scene has in such a method.
+
+    Parameters
+    ----------
+    scene : LoadedScene
+        Of one motion.
+    method : str
+    functions : int
+        Functions beside the harmonics at each switch.
+    """
+
+    scene: LoadedScene
+    method: str
+    functions: int
+
+    @property
+    def classes(self) -> tuple[int, ...]:
+        """The class of the motion where each phase begins."""
+        return tuple(k for k, _ in self.scene.module.SWITCHES)
+
+    @property
+    def half(self) -> bool:
+        """Whether the cell is half a period: then only odd harmonics are there."""
+        return bool(self.scene.module.HALF_PERIOD)
+
+    @property
+    def single(self) -> list[tuple[str, int]]:
+        """The unknowns between harmonics and times, with powers of 1/time in their units."""
+        found: list[tuple[str, int]] = []
+        for (name, _), k in zip(self.scene.module.PHASES, self.classes, strict=True):
+            if k == 0 and not self.functions:
+                found.append((f"J_{name}", 1))
+            found += [(f"c{k + 2 + i}_{name}", 0) for i in range(self.functions)]
+        if about(self.method).alone:
+            found = [("c1", 0)]
+        return found + [(name, power) for name, _, power, _ in self.scene.module.MEMORY]
+
+    @property
+    def fixed(self) -> int:
+        """How many unknowns there are beside the harmonics."""
+        times = len(self.classes) + (self.scene.frequency is not None)
+        return (not self.half) + len(self.single) + times
+
+    def size(self, order: int) -> int:
+        """Return the number of unknowns; of half a period the order is the highest harmonic."""
+        return 2 * ((order + 1) // 2 if self.half else order) + self.fixed
+
+    def coefficients(self, z: Vector) -> dict[str, tuple[Any, int]]:
+        """Return the coefficients by name, each with the power of 1/time in its unit."""
+        number, at = (len(z) - self.fixed) // 2, 0
+        found: dict[str, tuple[Any, int]] = {}
+        if not self.half:
+            found["a0"], at = (z[0], 0), 1
+        for name in ("a", "b"):
+            found[name] = z[at : at + number], 0
+            at += number
+        for i, (name, power) in enumerate(self.single):
+            found[name] = z[at + i], power
+        return found
+
+    def given(self, case: Case, order: int) -> Any:
+        """Return what the functions of the kernel take for a case."""
+        beside = [self.functions] * len(self.classes)
+        return tuple(arrays_of(case.cell, self.classes, beside))
+
+
+@cache
+def kernel(
+    scene: LoadedScene, method: str, functions: int = 0, compile_it: bool = False
+) -> Kernel:
+    """Return the kernel of a method of this family for a scene of one motion.
+
+    Parameters
+    ----------
+    scene, method : LoadedScene, str
+        The generic name of the method.
+    functions : int
+        Functions beside the harmonics at each switch.
+    compile_it : bool
+        Whether numba is to compile it; once for all scenes.
+    """
+    layout = Layout(scene, method, functions)
+    found = FAMILY.functions(method, compile_it)
+    return Kernel(
+        method=method,
+        durations=len(layout.classes),
+        forced=scene.frequency is not None,
+        lowest=1,
+        size=layout.size,
+        coefficients=layout.coefficients,
+        given=layout.given,
+        account=None if compile_it else account(method),
+        **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
+    )
