@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .orbit import Orbit
 
 #: Of the document's keys and their meaning.
-SCHEMA = 1
+SCHEMA = 2
 
 
 def document(orbit: "Orbit") -> dict[str, Any]:

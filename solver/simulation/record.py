@@ -19,7 +19,7 @@ from ..scenes.cell import Phase
 from .bounds import window
 
 #: Of the document's keys and their meaning.
-SCHEMA = 1
+SCHEMA = 2
 
 #: How far beyond an end of a motion a time may be that is rounded, as a part of its duration.
 ROUNDING = 16 * float(np.finfo(float).eps)

@@ -186,13 +186,27 @@ def test_a_file_that_ends_early(suffix: str, tmp_path: Path) -> None:
             ns.load(path)
 
 
+def test_an_orbit_of_the_first_schema_is_judged_by_its_residual(tmp_path: Path) -> None:
+    """Its hash is that of kernels that are not there any more."""
+    path = saved("orbit", tmp_path, ".json")
+    document = json.loads(path.read_text("utf-8"))
+    old = {"schema": 1, "mathematics": "of before"}
+    path.write_text(sealed(document | old))
+    assert ns.load(path) == thing("orbit")
+    outcome = dict(document["outcome"])
+    outcome["unknowns"] = [1.001 * value for value in outcome["unknowns"]]
+    path.write_text(sealed(document | old | {"outcome": outcome}))
+    with pytest.raises(ns.FileError, match="does not satisfy its equations"):
+        ns.load(path)
+
+
 @pytest.mark.parametrize("suffix", FORMS)
 def test_a_newer_schema(suffix: str, tmp_path: Path, monkeypatch) -> None:
     with monkeypatch.context() as patch:
         for module in ("json_text", *(["netcdf"] if suffix == ".nc" else [])):
-            patch.setattr(f"nonsmooth.files.{module}.SCHEMA", 2)
+            patch.setattr(f"nonsmooth.files.{module}.SCHEMA", 3)
         path = saved("sweep", tmp_path, suffix)
-    with pytest.raises(ns.FileError, match=r"schema 2 is from a newer nonsmooth; .* up to 1"):
+    with pytest.raises(ns.FileError, match=r"schema 3 is from a newer nonsmooth; .* up to 2"):
         ns.load(path)
 
 
@@ -245,9 +259,9 @@ def test_what_has_no_orbit_is_no_file_of_one(run, tmp_path: Path) -> None:
 
 #: What documents of the kernels for the paper alone had, which was given up.
 OLD = {
-    "an orbit of other equations (4877ec5e16119ccc): compute it anew": {
+    "0 unknowns, expected 14": {
         "method": "c1", "order": 5, "converged": True, "exact": {}, "phases": [],
-        "outcome": {"unknowns": []},
+        "outcome": {"unknowns": []}, "iterations": 1,
     },
     "a sweep of other equations (4877ec5e16119ccc): compute it anew": {
         "c1_terms": 1, "rows": [{"method": "c1"}], "rates": {},

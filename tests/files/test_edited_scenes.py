@@ -8,8 +8,6 @@ import pytest
 from shown import ROOT
 
 import nonsmooth as ns
-from nonsmooth.codegen import generate
-from nonsmooth.codegen.expansions import ck_tau
 from nonsmooth.scene_files import store
 
 #: The scene that is edited.
@@ -70,10 +68,9 @@ def edits(seed: int) -> tuple[list[str], bool]:
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory):
-    """Derive one expansion alone, and return the folder of an orbit, a sweep and a family."""
+    """Return the folder of an orbit, a sweep and a family."""
     folder = tmp_path_factory.mktemp("edited")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(generate, "kernels", lambda scene: {"ck_tau": ck_tau.derive})
         patch.setenv("XDG_CACHE_HOME", str(folder))
         patch.setattr(store, "_FOR_NOW", {})
         (folder / "scene.py").write_text(BALL, "utf-8")

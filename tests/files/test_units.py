@@ -33,7 +33,7 @@ def test_the_units_in_a_document_and_in_a_netcdf(kind: str, tmp_path: Path) -> N
         expected = units.PARAMETERS | units.OF_ANY_SCENE | units.WALL_TIME | {"period": "s"}
         assert expected.items() <= each["units"].items()
         assert all(unit == units.SCALARS[name] for name, unit in each["units"].items())
-        assert (each["schema"], each["version"]) == (1, ns.__version__)
+        assert (each["schema"], each["version"]) == (2, ns.__version__)
         own = ["hb"] if each.get("method") == "hb" else ["ck"]
         assert each["mathematics"] == mathematics(BELT.scene, own)
 

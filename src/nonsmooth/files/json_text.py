@@ -16,7 +16,7 @@ from typing import Any
 from .file_errors import FileError, FileWarning, damaged
 
 #: Version of what is in the files; a file with a higher one is from a newer program.
-SCHEMA = 1
+SCHEMA = 2
 
 #: The key of the digest, and that of the rows, which are digested one by one.
 DIGEST, ROWS = "sha256", "rows"
@@ -90,7 +90,7 @@ def check_schema(path: Path, schema: object) -> None:
     if isinstance(schema, Integral) and int(schema) > SCHEMA:
         newer = f"schema {schema} is from a newer nonsmooth"
         raise FileError(path, f"{newer}; this one knows up to {SCHEMA}")
-    if schema != SCHEMA:
+    if not (isinstance(schema, Integral) and 1 <= int(schema)):
         raise FileError(path, "not a file of nonsmooth: it has no schema")
 
 
