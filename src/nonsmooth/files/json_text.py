@@ -90,7 +90,7 @@ def check_schema(path: Path, schema: object) -> None:
     if isinstance(schema, Integral) and int(schema) > SCHEMA:
         newer = f"schema {schema} is from a newer nonsmooth"
         raise FileError(path, f"{newer}; this one knows up to {SCHEMA}")
-    if not (isinstance(schema, Integral) and 1 <= int(schema)):
+    if not (isinstance(schema, Integral) and int(schema) >= 1):
         raise FileError(path, "not a file of nonsmooth: it has no schema")
 
 

@@ -94,7 +94,9 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
     method = generic_method(case.scene, document["method"])
     functions, order = document.get("functions"), document["order"]
     every = [each["method"] for each in document.get("orbits", [document])]
-    if document["schema"] > 1:  # before, each scene had kernels of its own: their residual judges
+    if (
+        document["schema"] > 1
+    ):  # of the first each scene had kernels of its own: see the residual
         _check_mathematics(path, document, "an orbit", case.scene, [method], every)
     if document.get("outcome") is None:
         raise FileError(path, "an orbit without its unknowns, from before these were written")
