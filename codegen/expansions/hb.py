@@ -13,8 +13,7 @@ from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
-from ..python_text import floating, python
-from ..scene import Phase, Scene, Switch, switches, v
+from ..scene import Scene, Switch, switches, v
 
 METHOD = "hb"
 KERNEL = "hb"
@@ -128,7 +127,6 @@ def derive(scene: Scene) -> GalerkinConditions:
         conditions,
         tuple(harmonics.tables()),
         lowest=1,
-        motion=lambda phase, duration: _motion(harmonics, found, phase),
         odd_harmonics=harmonics.odd,
     )
     system.check_count()
@@ -150,31 +148,3 @@ def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
             what = f"jump of the velocity where {switch.before} begins"
             yield Block(jump(found, p), sp.Integer(1), 1, what)
     yield from closure.memory_blocks(scene)
-
-
-def series_arguments(harmonics: Harmonics, p: int) -> str:
-    """Return the first arguments of the function that evaluates (3) on a phase."""
-    times = harmonics.times
-    mean = "0.0" if harmonics.odd else "z[at_a0]/2"
-    families = "z[at_a:at_a + N], z[at_b:at_b + N]"
-    numbers = "np.arange(1, 2*N, 2)" if harmonics.odd else "np.arange(1, N + 1)"
-    start = floating(times.start(p))
-    return (
-        f"{mean}, {families}, {numbers}, {python(harmonics.omega_0)}, "
-        f"{start}, {times.durations[p]}"
-    )
-
-
-def _motion(harmonics: Harmonics, found: tuple[Switch, ...], phase: Phase) -> str:
-    """Return the statement by which a kernel evaluates the motion on a phase."""
-    p = harmonics.scene.phases.index(phase)
-    after = (p + 1) % len(found)
-    sign = harmonics.scene.sign if after == 0 else 1
-    begins = f"z[at_{impulse(found[p])}]" if found[p].k == 0 else "0.0"
-    ends = (
-        f"{'-' if sign == -1 else ''}z[at_{impulse(found[after])}]"
-        if found[after].k == 0
-        else "0.0"
-    )
-    series_ = series_arguments(harmonics, p)
-    return f"return series_on_phase({series_}, {begins}, {ends}, u, derivative)"

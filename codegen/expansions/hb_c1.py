@@ -22,7 +22,7 @@ from ..galerkin.harmonics import Harmonics, a, a0, b, ends_of_phases, equations,
 from ..galerkin.legendre import in_legendre
 from ..galerkin.tables import tables_with_rates
 from ..python_text import floating, python
-from ..scene import Phase, Scene, switches
+from ..scene import Scene, switches
 from . import hb
 
 METHOD = "hb-c1"
@@ -144,22 +144,9 @@ def derive(scene: Scene) -> GalerkinConditions:
         (*orthogonality(harmonics), *closure.events(scene, times, end)),
         (*harmonics.tables(), *tables(harmonics)),
         lowest=1,
-        motion=lambda phase, duration: _motion(harmonics, phase),
         function_series=tuple(
             tuple(in_legendre(row, u) for row in rows) for rows in derivatives(times)
         ),
     )
     system.check_count()
     return system
-
-
-def _motion(harmonics: Harmonics, phase: Phase) -> str:
-    """Return the statement by which a kernel evaluates the motion on a phase."""
-    p = harmonics.scene.phases.index(phase)
-    durations = harmonics.times.durations
-    arguments = hb.series_arguments(harmonics, p)
-    series = f"series_on_phase({arguments}, 0.0, 0.0, u, derivative)"
-    made = f"function_series({', '.join(map(str, durations))}, False)[{p}, 0, 3]"
-    return (
-        f"return {series} + z[at_c1]*legendre_on_phase({made}, {durations[p]}, u, derivative)"
-    )

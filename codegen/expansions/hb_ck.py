@@ -15,7 +15,7 @@ from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, break
 from ..galerkin.harmonics import Harmonics, ends_of_phases, equations, j
 from ..galerkin.tables import tables_with_rates
 from ..python_text import floating, python
-from ..scene import Phase, Scene, Switch, switches, v
+from ..scene import Scene, Switch, switches, v
 from . import hb
 
 METHOD = "hb-ck"
@@ -187,7 +187,6 @@ def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
         rows,
         looked_up,
         lowest=1,
-        motion=lambda phase, duration: _motion(e, phase),
         break_series=forms,
         odd_harmonics=e.harmonics.odd,
     )
@@ -201,12 +200,3 @@ def _blocks(e: Expansion) -> Iterator[Block]:
         what = f"of beta_{n} of the switch to {e.switches[p].before}"
         yield Block(c, sp.Integer(1), 0, what)
     yield from closure.memory_blocks(e.scene)
-
-
-def _motion(e: Expansion, phase: Phase) -> str:
-    """Return the statement by which a kernel evaluates the motion on a phase."""
-    q = e.scene.phases.index(phase)
-    parts = ", ".join(f"({p}, {n}, z[at_{c}])" for p, n, c in e.all())
-    series = f"series_on_phase({hb.series_arguments(e.harmonics, q)}, 0.0, 0.0, u, derivative)"
-    where = f"{ends_of_phases(e.times)}, {e.times.sign}, {q}"
-    return f"return {series} + breaks_on_phase(({parts},), {where}, u, derivative)"

@@ -1,11 +1,10 @@
 """The record that emission and printing read: unknowns, conditions, tables."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 
-from ..scene import Phase, Scene
+from ..scene import Scene
 from .tables import Table
 from .times import Times, cycles
 
@@ -95,8 +94,6 @@ class GalerkinConditions:
         What the conditions look up.
     lowest : int
         The smallest order at which there are as many conditions as unknowns and none is void.
-    motion : callable
-        ``motion(phase, duration)``: the statement of the kernel that evaluates a phase.
     break_series : tuple of tuple of Expr
         The Legendre coefficients of functions with a break, if the expansion has them.
     function_series : tuple of tuple of tuple of Expr
@@ -115,7 +112,6 @@ class GalerkinConditions:
     conditions: tuple[Condition, ...]
     tables: tuple[Table, ...]
     lowest: int
-    motion: Callable[[Phase, sp.Symbol], str]
     break_series: tuple[tuple[sp.Expr, ...], ...] = ()
     function_series: tuple[tuple[tuple[sp.Expr, ...], ...], ...] = ()
     odd_harmonics: bool = False

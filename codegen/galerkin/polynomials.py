@@ -175,15 +175,6 @@ def _lowest(rows: list[Condition]) -> int:
     return max(1, *(-int(count) for count in wanted))
 
 
-def motion(phase: Phase, duration: sp.Symbol) -> str:
-    """Return the statement by which a kernel evaluates the motion on a phase."""
-    name = phase.name
-    state = f"z[at_x_{name}], z[at_v_{name}]"
-    family = f"z[at_d_{name}:at_d_{name} + number_d_{name}]"
-    series = family if phase.held is None else "z[:0]"
-    return f"return phase_motion({state}, {series}, {duration}, u, derivative)"
-
-
 def _events(
     scene: Scene, times: Times, start: closure.End, end: closure.End, symmetric: bool
 ) -> Iterator[Condition]:
@@ -257,7 +248,6 @@ def derive(
         (*rows, *joined, *events, *memory, *closure.period(times)),
         looked_up,
         lowest=_lowest(rows),
-        motion=motion,
     )
     system.check_count()
     return system

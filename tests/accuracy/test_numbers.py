@@ -48,10 +48,14 @@ def test_errors_at_alpha_1(
 ) -> None:
     chosen = belt if which == "default" else at_alpha_1(OTHER)
     orbit = ns.solve(chosen, method, order)
-    assert orbit.errors.period == pytest.approx(period, rel=1e-8, abs=1e-12)
+    # the equations of hb-c1 have a condition of 4e6 at N = 40: rounding is worth 1e-9 of T
+    rounding = 1e-11 if method == "hb-c1" else 1e-12
+    assert orbit.errors.period == pytest.approx(period, rel=1e-8, abs=rounding)
     assert orbit.t1 * chosen.omega_n == pytest.approx(t1, abs=6e-11)
     # (22) to half of the last of seven digits; near its floor a part in 1e-5.
-    assert orbit.errors.acceleration == pytest.approx(acceleration, rel=2.2e-7, abs=1e-10)
+    assert orbit.errors.acceleration == pytest.approx(
+        acceleration, rel=2.2e-7, abs=1e-9 if method == "hb-c1" else 1e-10
+    )
 
 
 def test_the_acceleration_error_of_hb_is_not_quite_monotone(belt: ns.StickSlip) -> None:

@@ -175,13 +175,13 @@ def test_generate_check_passes_and_fails_with_status_1(
     assert run("generate", "--check") == (0, "generated/ is up to date\n", "")
     folder = tmp_path / "generated"
     shutil.copytree(stage.FOLDER, folder, ignore=shutil.ignore_patterns("__pycache__"))
-    (folder / "stick_slip" / "hb.py").write_text("wrong")
+    (folder / "stick_slip" / "scene.py").write_text("wrong")
     for name in ("differences", "write"):
         function = getattr(stage, name)
         monkeypatch.setattr(stage, name, lambda function=function: function(folder))
-    assert run("generate", "--check") == (1, "stick_slip/hb.py: differs\n", "")
-    assert (folder / "stick_slip" / "hb.py").read_text() == "wrong"
-    assert run("generate") == (0, "stick_slip/hb.py: written\n", "")
+    assert run("generate", "--check") == (1, "stick_slip/scene.py: differs\n", "")
+    assert (folder / "stick_slip" / "scene.py").read_text() == "wrong"
+    assert run("generate") == (0, "stick_slip/scene.py: written\n", "")
     assert run("generate") == (0, "generated/ was up to date\n", "")
 
 

@@ -178,7 +178,7 @@ def test_what_is_left_of_g1_and_what_its_jacobian_loses() -> None:
     orbit = case().orbit("hb-c1", 40)
     J = np.empty((len(orbit.unknowns),) * 2)
     kernel = registry.kernel(DEFAULT.scene, "hb-c1")
-    kernel.jacobian(DEFAULT.arguments, orbit.unknowns, J)
+    kernel.jacobian(kernel.given(DEFAULT, 40), orbit.unknowns, J)
     raised = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
     for text, found in (
         (plain, np.linalg.cond(J)),

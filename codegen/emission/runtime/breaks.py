@@ -1,9 +1,4 @@
-"""Functions with one break on the phases of a cell: their integrals with harmonics, their ends.
-
-`break_series` is written by the generator: the Legendre coefficients of ``beta_0, beta_1, ...``
-on a phase that begins at a part of the cell and lasts a part of it.  So is `function_series`:
-those of one function of the whole cell.
-"""
+"""A function of the whole cell on its phases: its ends, its integrals with harmonics."""
 
 from math import cos, pi, sin
 
@@ -13,50 +8,9 @@ from numpy.polynomial import legendre
 from .moments import spherical_bessel
 
 
-def break_series(begin, length, rates):
-    """Stand for the closed forms: coefficients [n, l] and, if wanted, derivatives by both."""
-    raise NotImplementedError
-
-
 def function_series(*durations_and_rates):
     """Stand for the closed forms of one function: `breaks_on_phases` of T**3 G''' to G."""
     raise NotImplementedError
-
-
-def breaks_on_phases(p, ends, sign, rates):
-    """Return the series of the functions of switch p on each phase.
-
-    Parameters
-    ----------
-    p : int
-        The switch that has the break.
-    ends : tuple of float, length P + 1
-        Where the phases begin, and where the last one ends.
-    sign : int
-        What the motion is multiplied by from one cell to the next.
-    rates : bool
-        Whether the derivatives are wanted as well.
-
-    Returns
-    -------
-    ndarray, shape (P, 1 + P or 1, n, n)
-        For each phase the coefficients [n, l], and their derivatives by each duration.
-    """
-    phases, cell = len(ends) - 1, ends[len(ends) - 1]
-    size = break_series(0.0, 1.0, False).shape[1]
-    found = np.zeros((phases, 1 + phases if rates else 1, size, size))
-    for q in range(phases):
-        after = q >= p
-        begin = (ends[q] - ends[p]) / cell + (0.0 if after else 1.0)
-        length = (ends[q + 1] - ends[q]) / cell
-        series = break_series(begin, length, rates) * (1.0 if after else sign)
-        found[q, 0] = series[0]
-        for r in range(phases if rates else 0):
-            moved = (1.0 if r < q else 0.0) - (1.0 if r < p else 0.0)
-            by_begin = (moved - (ends[q] - ends[p]) / cell) / cell
-            by_length = ((1.0 if r == q else 0.0) - length) / cell
-            found[q, 1 + r] = by_begin * series[1] + by_length * series[2]
-    return found
 
 
 def break_ends(series):
@@ -148,21 +102,3 @@ def legendre_on_phase(series, duration, u, derivative):
     w = 2 * np.asarray(u, dtype=float) - 1
     slope = legendre.legder(series, derivative, scl=2)
     return legendre.legval(w, slope) / duration**derivative
-
-
-def breaks_on_phase(parts, ends, sign, q, u, derivative):
-    """Return a sum of functions with a break on phase q, or a derivative by time.
-
-    Parameters
-    ----------
-    parts : tuple of (int, int, float)
-        The switch, the n of the function, and what it is multiplied by.
-    ends : ndarray, shape (P + 1,)
-    u : ndarray
-        Local time, from 0 to 1.
-    """
-    total = np.zeros_like(np.asarray(u, dtype=float))
-    for p, n, c in parts:
-        series = breaks_on_phases(p, ends, sign, False)[q, 0, n]
-        total = total + c * legendre_on_phase(series, ends[q + 1] - ends[q], u, derivative)
-    return total
