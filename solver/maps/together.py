@@ -36,6 +36,7 @@ from ...generated.ck import (
     joints,
 )
 from ..arrays import Matrix, Vector
+from ..iteration.iteration import SINGULAR
 from ..iteration.linear import least_squares
 
 #: In the place of `iteration.FAST`: here a new Jacobian costs little more than a residual.
@@ -131,6 +132,8 @@ def given_alone(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
             i, sign = (at[p] + state, 1.0) if of == AT_BEGIN else (at[q] + state, 1.0)
             if of == AFTER and q == 0:
                 sign = cell[0]
+            if known[i]:  # what a second condition says of it is left to Newton's method
+                continue
             y[i] = -sign * numbers[p, E_0] / numbers[p, E_X + state]
             known[i], used[events + p] = True, True
     for _ in range(count):
@@ -159,7 +162,7 @@ def given_last(case: Any, y: Vector, at: Any, known: Any, used: Any) -> None:
     for q in range(count if cell[2] == 0 else 0):
         p, sign = (q - 1, 1.0) if q > 0 else (count - 1, cell[0])
         of_end = kinds[p, OF_X] == AT_END or kinds[p, OF_V] == AT_END
-        if not (kinds[p, FREE] or of_end) and known[at[p] + 1]:
+        if not (kinds[p, FREE] or of_end) and known[at[p] + 1] and y[at[p] + 1] != 0:
             i = at[count] + len(setting) + p
             y[i] = (sign * y[at[q]] - y[at[p]]) / y[at[p] + 1]
             known[i], used[row] = True, True
@@ -282,8 +285,11 @@ def one_by_one(
         if kinds[p, FREE]:
             status, steps, last, left = iterate_single(place, s, limit)
         else:  # what a held phase gains is its speed times its duration
+            slope = numbers[p, E_X] * y[at[p] + 1]
+            if slope == 0:
+                return SINGULAR, iterations, correction, norm
             status, steps, last, left = 0, 0, 0.0, 0.0
-            s[0] = -begin / (numbers[p, E_X] * y[at[p] + 1])
+            s[0] = -begin / slope
             event_residual(place, s, np.empty(1))
         iterations, correction = max(iterations, steps), max(correction, last)
         norm = max(norm, left)
