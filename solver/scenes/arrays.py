@@ -12,9 +12,6 @@ from .cell import Cell, Phase
 
 Integers: TypeAlias = npt.NDArray[np.int64]
 
-#: Columns of `Arrays.numbers` before those of the memory.
-COLUMNS = ck.MEMORY
-
 
 class Arrays(NamedTuple):
     """A cell as arrays; their columns are named in the generated modules.
