@@ -116,7 +116,7 @@ ERRORS = {"period", "t1", "acceleration"}
 def test_documents_have_the_keys_that_programs_read(run, method: str) -> None:
     document = json.loads(run("solve", "--method", method, "--order", 5, "--json")[1])
     assert document.keys() >= KEYS | {"schema"}
-    assert (document["schema"], document["method"], document["order"]) == (1, method, 5)
+    assert (document["schema"], document["method"], document["order"]) == (2, method, 5)
     assert document["parameters"] == SECTION_4
     assert document["exact"].keys() >= {"t1", "period"}
     assert document["errors"].keys() >= ERRORS

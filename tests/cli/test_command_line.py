@@ -30,7 +30,7 @@ def test_solve_prints_the_fixed_keys(method: str, run, belt: ns.StickSlip) -> No
     document = json.loads(out)
     assert status == 0
     assert set(document) == KEYS
-    assert document["schema"] == 1
+    assert document["schema"] == 2
     assert document["method"] == method
     assert document["order"] == 7
     assert document["converged"] is True
@@ -94,7 +94,7 @@ def test_sweep_of_the_issue_has_120_rows_and_all_of_c1_settled(run, monkeypatch)
     status, out, err = run(*arguments)
     document = json.loads(out)
     assert status == 0
-    assert document["schema"] == 1
+    assert document["schema"] == 2
     assert len(document["rows"]) == 120
     fixed = {"method", "order", "status", "t1", "period", "iterations", "errors", "seconds"}
     assert all(fixed <= set(row) for row in document["rows"])
@@ -139,7 +139,7 @@ def test_roots_marks_the_orbit_among_all_solutions(run) -> None:
     status, out, _ = run("roots", "--order", 7, "--json")
     document = json.loads(out)
     assert status == 0
-    assert document["schema"] == 1
+    assert document["schema"] == 2
     assert len(document["roots"]) == 5
     (orbit,) = (root for root in document["roots"] if root["admissible"])
     _, out, _ = run("solve", "--method", "c1", "--order", 7, "--json")

@@ -45,7 +45,7 @@ def test_the_list_of_scenes(run) -> None:
     assert max(map(len, out.splitlines())) <= 80
     _, out, _ = run("scenes", "--json")
     document = json.loads(out)
-    assert document["schema"] == 1
+    assert document["schema"] == 2
     assert [each["name"] for each in document["scenes"]] == list(registry.names())
     assert [set(each) for each in document["scenes"]] == [
         {"name", "what", "class", "phases", "motions"}

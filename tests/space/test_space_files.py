@@ -176,7 +176,7 @@ EDITS = {
     "KeyError 'order'": lambda d: d.pop("order"),
     "of another nonsmooth: structure: got 'plate'": lambda d: d.update(structure="plate"),
     "modes of other equations": lambda d: d.update(mathematics="0" * 16),
-    "schema 2 is from a newer nonsmooth": lambda d: d.update(schema=2),
+    "schema 3 is from a newer nonsmooth": lambda d: d.update(schema=3),
 }
 
 
