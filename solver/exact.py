@@ -6,12 +6,14 @@ from itertools import islice
 import numpy as np
 
 from .any_motion import of_any_motion
-from .existence.known import known, known_orbits
+from .existence.known import is_stable, known, known_orbits
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
+from .in_order import settled_cases
 from .kernels.start import PATIENCE, RoughTimes, rough_times
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case
+from .scenes.orders import OrderedScene
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 __all__ = ["ExactOrbit", "exact_orbit"]
@@ -28,7 +30,8 @@ def exact_orbit(
         The oscillator.
     durations : sequence of float
         Rough durations of the phases of one cell in s, to start from; without them, the
-        scene's guess, equal durations, and at last those on which a simulation settles.
+        scene's guess, equal durations, and at last those on which a simulation settles: also
+        of an order of phases that is not declared, if no other orbit is stable.
     forcing_phase : float
         Rough phase of the forcing, with them.
 
@@ -39,11 +42,34 @@ def exact_orbit(
     NoOrbit
         If no start leads to an admissible orbit; with what each led to.
     """
-    if not len(durations):
-        for orbit in known_orbits(case):
-            return orbit
-    if case.scene.motions:
-        return of_any_motion(case, exact_orbit)
+    if len(durations):
+        return _of_motion(case, durations, forcing_phase)
+    try:
+        found = next(iter(known_orbits(case)), None) or of_any_motion(case, _of_motion)
+    except NoOrbit:
+        other = settled_orbit(case)
+        if other is None:
+            raise
+        return other
+    unstable = case.scene.motion is None and is_stable(found) is False
+    return (settled_orbit(case) if unstable else None) or found
+
+
+def settled_orbit(case: Case) -> ExactOrbit | None:
+    """Return the exact orbit on which a simulation settles in an order that is not declared.
+
+    None if there is none, or a motion is asked for.
+    """
+    if case.scene.motion is not None:
+        return None
+    found = (from_times(each, times) for each, times in settled_cases(case))
+    return next((q for q in found if q.outcome.converged and q.admissible), None)
+
+
+def _of_motion(
+    case: Case, durations: Sequence[float] = (), forcing_phase: float = 0.0
+) -> ExactOrbit:
+    """Return the exact orbit of a case of one motion, as `exact_orbit` does."""
     given = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
@@ -67,16 +93,20 @@ def exact_orbit(
 def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
     """Yield rough times, then those on which a simulation settles; why not goes to `tried`.
 
-    Where it is shown that there is no orbit, a simulation says what there is instead.
+    Of an order that is not declared, those of a simulation come first.  Where it is shown that
+    there is no orbit, a simulation says what there is instead.
     """
-    found = known(case)
-    if not found.none:
-        yield from islice(rough_times(case.cell), PATIENCE if found.listed else None)
+    found, undeclared = known(case), isinstance(case.scene, OrderedScene)
+    rough = islice(rough_times(case.cell), PATIENCE if found.listed else None)
+    if not (undeclared or found.none):
+        yield from rough
     for settled in rough_times_by_simulation(case, FEW if found.listed else PHASES):
         if settled.times is None:
             tried.append(settled.words)
         else:
             yield settled.times
+    if undeclared:
+        yield from rough
 
 
 def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes | None:

@@ -103,7 +103,8 @@ def _next(
     """Return the orbit of a case, from the one before if that can be, and its row."""
     spent = 0
     if before is not None:
-        here = case.of_motion(before.case.scene.motion) if case.scene.motions else case
+        own = before.case.scene
+        here = case if own == case.scene else Case(own, case.values, case.cycles)
         kernel = registry.quicker_kernel(here.scene, method, functions, order)
         times = kernel.times(before.unknowns).copy()
         durations = slice(0, len(here.cell.phases))

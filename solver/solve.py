@@ -1,7 +1,7 @@
 """One orbit of a case by one method, or the reason why there is none."""
 
 import operator
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
@@ -11,9 +11,10 @@ import numpy as np
 
 from .any_motion import of_any_motion
 from .arrays import Vector
-from .exact import ExactOrbit, exact_orbit
-from .existence.known import known, known_orbits
+from .exact import ExactOrbit, exact_orbit, settled_orbit
+from .existence.known import is_stable, known, known_orbits
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
+from .in_order import cases_in_order
 from .kernels import registry
 from .kernels.kernel import Kernel
 from .kernels.singular import is_reversible, is_singular
@@ -24,6 +25,7 @@ from .orbit.solution import Solution
 from .results.orbit import Orbit
 from .scenes.case import Case
 from .scenes.methods import FIRST
+from .scenes.orders import OrderedScene
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
@@ -59,7 +61,8 @@ def solve_case(
         where the velocity jumps, if not given.
     motion : str, optional
         One of the motions of the scene, where it has several; else each is tried, in their
-        order, until an orbit is found.
+        order, until an orbit is found; and if none is stable, the order of phases on which a
+        simulation settles.
 
     Raises
     ------
@@ -90,11 +93,49 @@ def solve_case(
         kernel = registry.kernel(each.scene, method, functions)
         return _Search(each, method, check_order(kernel, order), functions)
 
-    for exact in known_orbits(case):
-        found = search(exact.case).from_exact(exact)
-        if found is not None:
-            return found
-    return of_any_motion(case, lambda each: search(each).run())
+    def settled() -> Orbit | None:
+        exact = settled_orbit(case)
+        if exact is None:
+            return None
+        other = search(exact.case)
+        return other.from_exact(exact) or other.run()
+
+    declared = (search(exact.case).from_exact(exact) for exact in known_orbits(case))
+    try:
+        found = next((orbit for orbit in declared if orbit is not None), None)
+        found = found or of_any_motion(case, lambda each: search(each).run())
+    except NoOrbit:
+        other = settled()
+        if other is None:
+            raise
+        return other
+    unstable = case.scene.motion is None and is_stable(found) is False
+    return (settled() if unstable else None) or found
+
+
+def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = None) -> Case:
+    """Return the case of an order of phases of which an orbit is found; else of any.
+
+    Parameters
+    ----------
+    case, phases, cycles
+        See `cases_in_order`.
+
+    Raises
+    ------
+    UnknownScene
+        A `ValueError`: if there is no such order.
+    """
+    found = cases_in_order(case, phases, cycles)
+    return next((each for each in found if len(found) > 1 and _has_orbit(each)), found[0])
+
+
+def _has_orbit(case: Case) -> bool:
+    try:
+        exact_orbit(case)
+    except NoOrbit:
+        return False
+    return True
 
 
 def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
@@ -114,7 +155,8 @@ def with_motion(case: Case, order: int = COARSE[-1]) -> Case:
     if not case.scene.motions:
         return case
     for exact in known_orbits(case):
-        return exact.case
+        if is_stable(exact) is not False:
+            return exact.case
     return solve_case(case, order=max(order, COARSE[-1])).case
 
 
@@ -260,20 +302,17 @@ class _Search:
     def starts(self) -> Iterator[Vector]:
         """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
 
-        Then those on which a simulation settles, or why there are none; at last those of the
-        exact orbit, which may be found where a coarse one is not.  Where it is shown that there
-        is none, a simulation alone: it says what there is instead.
+        Then those on which a simulation settles, or why there are none: first, if the order of
+        the phases is not declared.  At last those of the exact orbit, which may be found where
+        a coarse one is not.  Where it is shown that there is none, a simulation alone: it says
+        what there is instead.
         """
-        listed = known(self.case).listed
-        if not known(self.case).none:
+        listed, undeclared = known(self.case).listed, isinstance(self.case.scene, OrderedScene)
+        if not (undeclared or known(self.case).none):
             yield from self._coarse()
-        for settled in rough_times_by_simulation(self.case, FEW if listed else PHASES):
-            self.words = settled.words
-            if settled.times is None:
-                self.tried.append(settled.words)
-            else:
-                angle = (settled.times.angle,) if self.kernel.forced else ()
-                yield np.array([*settled.times.durations, *angle])
+        yield from self._settled(FEW if listed else PHASES)
+        if undeclared:
+            yield from self._coarse()
         if listed:
             return
         try:
@@ -282,6 +321,16 @@ class _Search:
             return
         self.exact, self.words = True, "the times of the exact orbit"
         yield exact.times
+
+    def _settled(self, phases: int) -> Iterator[Vector]:
+        """Yield the times on which simulations settle, and note what others come to."""
+        for settled in rough_times_by_simulation(self.case, phases):
+            self.words = settled.words
+            if settled.times is None:
+                self.tried.append(settled.words)
+            else:
+                angle = (settled.times.angle,) if self.kernel.forced else ()
+                yield np.array([*settled.times.durations, *angle])
 
     def _coarse(self) -> Iterator[Vector]:
         """Yield the times of orbits by a coarse method, from rough times."""

@@ -11,8 +11,8 @@ TAKEN = frozenset(
     (
         *("all", "budget", "case", "cycles", "digits", "figure", "format", "forcing_phase"),
         *("fragment", "functions", "help", "json", "log", "method", "methods", "motion"),
-        *("order", "orders", "output", "quick", "state", "time", "tol", "vary", "verbose"),
-        "version",
+        *("order", "orders", "output", "phases", "quick", "state", "time", "tol", "vary"),
+        *("verbose", "version"),
     )
 )
 

@@ -17,6 +17,7 @@ from ..flow.exact_system import residual
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
 from ..orbit.exact_orbit import ExactOrbit, from_times
+from ..orbit.motion import Motion
 from ..scenes.case import Case
 from ..stability.monodromy import NoMultipliersError
 from . import one_phase, two_phases
@@ -114,7 +115,7 @@ def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:
     return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: is_stable(q) is not True)
 
 
-def is_stable(orbit: ExactOrbit) -> bool | None:
+def is_stable(orbit: Motion) -> bool | None:
     """Return whether an orbit is stable; None where that cannot be told."""
     try:
         return orbit.stable

@@ -49,13 +49,10 @@ class Layout:
     @cached_property
     def phases(self) -> tuple[tuple[str, bool, int, int], ...]:
         """Name of each phase, whether it is free, its class, and what no test sees of it."""
-        rows, unseen = (
-            zip(self.scene.module.PHASES, self.classes, strict=True),
-            about(self.method).unseen,
-        )
+        unseen = about(self.method).unseen
         return tuple(
             (name, not held, k, unseen[k] if unseen and not held else 0)
-            for (name, held), k in rows
+            for (name, held), k in zip(self.scene.kinds, self.classes, strict=True)
         )
 
     @property
@@ -67,7 +64,7 @@ class Layout:
     def fixed(self) -> int:
         """How many unknowns there are besides."""
         own = sum(2 + (k if free else 0) + left for _, free, k, left in self.phases)
-        memory, forced = len(self.scene.module.MEMORY), self.scene.frequency is not None
+        memory, forced = len(self.scene.memory), self.scene.frequency is not None
         return own + memory + len(self.phases) + forced
 
     @property
@@ -91,7 +88,7 @@ class Layout:
             for i in range(left):
                 found[f"tau{i}_{name}"] = (z[at + i], 2)
             at += left
-        for i, (name, _, power, _) in enumerate(self.scene.module.MEMORY):
+        for i, (name, _, power, _) in enumerate(self.scene.memory):
             found[name] = (z[at + i], power)
         return found
 
@@ -129,7 +126,7 @@ def kernel(
     compile_it : bool
         Whether numba is to compile it; once for all scenes.
     """
-    classes = tuple(min(k, 1) if class_one else k for k, _ in scene.module.SWITCHES)
+    classes = tuple(min(k, 1) if class_one else k for k in scene.classes)
     layout = Layout(scene, classes, method)
     found = FAMILY.functions(method, compile_it)
     return Kernel(
@@ -142,6 +139,6 @@ def kernel(
         given=layout.given,
         condensed=True,
         account=None if compile_it else account(method),
-        starts=bool(about(method).unseen) and hasattr(scene.module, "start"),
+        starts=bool(about(method).unseen) and scene.has_start,
         **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
     )

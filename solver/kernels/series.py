@@ -38,24 +38,24 @@ class Layout:
     @property
     def classes(self) -> tuple[int, ...]:
         """The class of the motion where each phase begins."""
-        return tuple(k for k, _ in self.scene.module.SWITCHES)
+        return self.scene.classes
 
     @property
     def half(self) -> bool:
         """Whether the cell is half a period: then only odd harmonics are there."""
-        return bool(self.scene.module.HALF_PERIOD)
+        return self.scene.half_period
 
     @property
     def single(self) -> list[tuple[str, int]]:
         """The unknowns between harmonics and times, with powers of 1/time in their units."""
         found: list[tuple[str, int]] = []
-        for (name, _), k in zip(self.scene.module.PHASES, self.classes, strict=True):
+        for (name, _), k in zip(self.scene.kinds, self.classes, strict=True):
             if k == 0 and not self.functions:
                 found.append((f"J_{name}", 1))
             found += [(f"c{k + 2 + i}_{name}", 0) for i in range(self.functions)]
         if about(self.method).alone:
             found = [("c1", 0)]
-        return found + [(name, power) for name, _, power, _ in self.scene.module.MEMORY]
+        return found + [(name, power) for name, _, power, _ in self.scene.memory]
 
     @property
     def fixed(self) -> int:

@@ -6,17 +6,18 @@ duration.  Each demand of a phase is followed over the phase through its critica
 must fall where the event that ends the phase is the end of the demand.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from ..arrays import Vector
 from ..scenes.cell import Form
+from ..simulation.followers import not_followed
 from . import chebyshev
 from .crossings import met_before
 from .extremes import LOOK
 from .forms import scale_of, terms, vanishes_by_event
-from .motion import Motion
+from .motion import Motion, OrbitPhase
 
 #: What a demand may be below 0, as a part of its scale, where rounding is all that is off.
 ROUNDING = 1e-9
@@ -78,7 +79,7 @@ def violations(
             found += _at_switch(orbit, p, words, form, allowed)
         if not any(vanishes_by_event(orbit, p, form) for _, form in phase.demands):
             found += _too_late(orbit, p, allowed)
-    return tuple(found) or _repeated(orbit)
+    return tuple(found) or not_followed(orbit) or _repeated(orbit)
 
 
 def is_seen_violated(orbit: Motion) -> bool:
@@ -146,27 +147,31 @@ def _at_switch(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance
 
 
 def _repeated(orbit: Motion) -> tuple[str, ...]:
-    """Return that an orbit of several cycles is one of fewer, again and again, if it is."""
-    phases, cycles = orbit.phases, orbit.cell.cycles
-    sizes = [max(map(abs, ends)) for ends in orbit.extremes.values()] if cycles > 1 else []
-    for times in range(cycles, 1, -1):
-        if cycles % times or len(phases) % times:
+    """Return that an orbit is a shorter one, again and again, if it is."""
+    phases, cell = orbit.phases, orbit.cell
+    for times in range(cell.cycles if cell.forced else len(phases), 1, -1):
+        if len(phases) % times or (cell.forced and cell.cycles % times):
             continue
         later = len(phases) // times
-        again = [*phases[later:], *phases[:later]]
-        apart = max(
-            max(
-                abs(one.duration - other.duration) / orbit.period,
-                abs(one.displacement - other.displacement) / sizes[0],
-                abs(one.velocity - other.velocity) / sizes[1],
-            )
-            for one, other in zip(phases, again, strict=True)
-        )
-        if apart <= SAME:
-            count = cycles // times
-            cell = f"{count} cycle{'s' if count > 1 else ''}"
-            return (f"it is an orbit of {cell} of the forcing, {times} times in a row",)
+        if not _are_same(orbit, [*phases[later:], *phases[:later]]):
+            continue
+        if not cell.forced:
+            return (f"it is an orbit of {later} phases, {times} times in a row",)
+        count = cell.cycles // times
+        cycles = f"{count} cycle{'s' if count > 1 else ''}"
+        return (f"it is an orbit of {cycles} of the forcing, {times} times in a row",)
     return ()
+
+
+def _are_same(orbit: Motion, others: Sequence[OrbitPhase]) -> bool:
+    """Whether the phases of an orbit are the same as others, but for rounding."""
+    x, v = (max(map(abs, ends)) for ends in orbit.extremes.values())
+    return all(
+        abs(one.duration - other.duration) <= SAME * orbit.period
+        and abs(one.displacement - other.displacement) <= SAME * x
+        and abs(one.velocity - other.velocity) <= SAME * v
+        for one, other in zip(orbit.phases, others, strict=True)
+    )
 
 
 def _held(orbit: Motion, p: int) -> list[str]:

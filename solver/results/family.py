@@ -11,6 +11,7 @@ from ..orbit.errors import Errors
 from ..presentation.table import Table, flat
 from ..scenes.case import Case
 from ..scenes.method_names import shown
+from ..scenes.orders import motion_of
 from .document import without_errors
 from .of_rows import OfRows
 
@@ -143,8 +144,9 @@ class Family(OfRows):
     def durations_of(self, row: FamilyRow) -> dict[str, float]:
         """Return the durations of a cell's phases in s, by name; empty without an orbit."""
         scene = self.case.scene
-        own = scene.of_motion(row.motion) if row.motion else scene
-        return dict(zip(own.phases, row.durations or (), strict=False))
+        own = motion_of(scene, row.motion) if row.motion else scene
+        names = (name for name, _ in own.kinds)
+        return dict(zip(names, row.durations or (), strict=False))
 
     def plot(self, ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
         """Draw one quantity along the parameter and return the axes.

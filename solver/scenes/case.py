@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from ...nearest import nearest
-from .cell import Cell, cell_of
+from .cell import Cell
 from .dimensionless import Units, UnitsError, units_of
 from .parameter_error import ParameterError, is_number
 
@@ -97,6 +97,14 @@ class Case:
         """
         return Case(self.scene.of_motion(name), self.values, self.cycles)
 
+    def of_fullest(self) -> "Case":
+        """Return the case of the motion with the most phases; itself if there is one."""
+        fullest = self.scene.fullest
+        if fullest is self.scene:
+            return self
+        odd = self.cycles % 2 == 1 or not fullest.half_period
+        return Case(fullest, self.values, self.cycles if odd else 1)
+
     @property
     def whole(self) -> "Case":
         """The case of all motions of the scene; itself if it has only one."""
@@ -162,7 +170,7 @@ class Case:
         if self.scene.motions:
             known = ", ".join(self.scene.motions)
             raise ValueError(f"motion: got none, expected one of {known}")
-        return cell_of(self.scene, self.numbers, self.cycles)
+        return self.scene.cell(self.numbers, self.cycles)
 
     @property
     def description(self) -> str:
@@ -184,7 +192,7 @@ def _wrong_cycles(scene: "LoadedScene", cycles: object) -> list[str]:
         expected = f"a whole number from 1 to {MOST_CYCLES}"
     elif scene.frequency is None and cycles != 1:
         expected = f"1: nothing forces {scene.name}"
-    elif scene.module.HALF_PERIOD and cycles % 2 == 0:  # type: ignore[operator]
+    elif scene.half_period and cycles % 2 == 0:  # type: ignore[operator]
         expected = f"an odd number: x(t + T/2) = -x(t) in {scene.name}"
     else:
         return []

@@ -207,7 +207,7 @@ def cell_of(scene: "LoadedScene", numbers: tuple[float, ...], cycles: int = 1) -
     """Return the cell of a scene of one motion for dimensionless parameters."""
     module = scene.module
     rows = zip(
-        module.PHASES,
+        scene.kinds,
         scene.numbers("coefficients", numbers),
         scene.numbers("held", numbers),
         scene.numbers("events", numbers),
@@ -240,12 +240,11 @@ def cell_of(scene: "LoadedScene", numbers: tuple[float, ...], cycles: int = 1) -
     values = scene.numbers("memory", numbers)
     memory = tuple(
         Memory(name, phase, power, _form(value))
-        for (name, phase, power, _), value in zip(module.MEMORY, values, strict=True)
+        for (name, phase, power, _), value in zip(scene.memory, values, strict=True)
     )
-    sign = -1 if module.HALF_PERIOD else 1
-    classes = tuple(k for k, _ in module.SWITCHES)
-    start = _form(scene.numbers("start", numbers)) if hasattr(module, "start") else ()
-    return Cell(phases, frequency, sign, scene.k, guess, cycles, memory, classes, start)
+    sign = -1 if scene.half_period else 1
+    start = _form(scene.numbers("start", numbers)) if scene.has_start else ()
+    return Cell(phases, frequency, sign, scene.k, guess, cycles, memory, scene.classes, start)
 
 
 def _form(row: tuple[float, ...]) -> Form:

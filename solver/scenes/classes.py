@@ -25,7 +25,7 @@ def _class(cell: Cell, p: int) -> int:
     left, right, sign = cell.phases[p - 1], cell.phases[p], cell.sign if p == 0 else 1
     if left.rho != 1 or left.d != 0:
         return 0
-    before, after = _generator(cell, left, sign), _generator(cell, right, 1)
+    before, after = generator(cell, left, sign), generator(cell, right, 1)
     known = np.array(_known(cell, p, left, sign))
     row_before, row_after = before[0], after[0]
     for order in range(2, HIGHEST + 1):
@@ -36,7 +36,7 @@ def _class(cell: Cell, p: int) -> int:
     return HIGHEST
 
 
-def _generator(cell: Cell, phase: Phase, sign: int) -> Matrix:
+def generator(cell: Cell, phase: Phase, sign: int) -> Matrix:
     """Return ``A`` of ``y' = A y`` with ``y = (x, x', 1, cos, sin, memory)``."""
     count = 5 + len(cell.memory)
     found = np.zeros((count, count))

@@ -13,6 +13,7 @@ from .sealed import Kept
 
 if TYPE_CHECKING:
     from .case import Case
+    from .cell import Cell
 
 
 #: The module of a folder that holds a scene.
@@ -108,7 +109,7 @@ class LoadedScene:
         return f"<scene {self.label}: {self.title} (C{self.k})>"
 
     @property
-    def _identity(self) -> tuple[str, str]:
+    def _identity(self) -> tuple[object, ...]:
         return self.name, self.module.BODY
 
     @property
@@ -153,10 +154,35 @@ class LoadedScene:
         return tuple(self.module.POWERS)
 
     @property
+    def kinds(self) -> tuple[tuple[str, bool], ...]:
+        """Name of each phase of its cell, and whether a constraint holds its velocity."""
+        return tuple(self.module.PHASES)
+
+    @property
+    def classes(self) -> tuple[int, ...]:
+        """The k of the switch that begins each phase of its cell."""
+        return tuple(k for k, _ in self.module.SWITCHES)
+
+    @property
+    def memory(self) -> tuple[tuple[str, int, int, str], ...]:
+        """Of each memory its name, the phase that sets it, a power of 1/time, what it is."""
+        return tuple(self.module.MEMORY)
+
+    @property
+    def half_period(self) -> bool:
+        """Whether its cell is half a period, and the other half the mirror image."""
+        return bool(self.module.HALF_PERIOD)
+
+    @property
+    def has_start(self) -> bool:
+        """Whether it says in which state its first phase begins."""
+        return hasattr(self.module, "start")
+
+    @property
     def phases(self) -> tuple[str, ...]:
         """The names of the phases of its cell; of several motions, of any of them."""
         if not self.motions:
-            return tuple(name for name, _ in self.module.PHASES)
+            return tuple(name for name, _ in self.kinds)
         found = (name for motion in self.each_motion for name in motion.phases)
         return tuple(dict.fromkeys(found))
 
@@ -186,9 +212,20 @@ class LoadedScene:
         return load_folder(self.folder / folder, kept)
 
     @property
+    def fullest(self) -> "LoadedScene":
+        """Its motion with the most phases: of these are the orders that it does not declare."""
+        return max(self.each_motion, key=lambda each: len(each.phases))
+
+    @property
     def whole(self) -> "LoadedScene":
         """The scene with all its motions; itself if it has only one."""
         return self if self.motion is None else load_folder(self.folder.parent)
+
+    def cell(self, numbers: tuple[float, ...], cycles: int = 1) -> "Cell":
+        """Return the cell of a scene of one motion for parameters without units."""
+        from .cell import cell_of  # noqa: PLC0415  (a list of scenes needs none)
+
+        return cell_of(self, numbers, cycles)
 
     @property
     def frequency(self) -> str | None:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from ..scenes.cell import Cell, Form
+from ..scenes.orders import Step
 from .bounds import local
 from .locate import NOISE, sign_after
 from .nodes import Node, nodes
@@ -75,15 +76,23 @@ class Machine:
 
     def law(self, node: Node, surface: int) -> tuple[float, float]:
         """Return rho and d of the switch where a phase ends on a surface."""
+        ending = self.ending(node, surface)
+        return (1.0, 0.0) if ending is None else (ending.phase.rho, ending.phase.d)
+
+    def ending(self, node: Node, surface: int) -> Node | None:
+        """Return the phase of the same equation whose event is a surface; None without one."""
 
         def equation(q: Node) -> tuple[object, ...]:
             phase = q.phase
             return phase.m, phase.c, phase.k, phase.f, phase.g, phase.held, phase.memory
 
-        for other in (node, *self.nodes):
-            if other.event == surface and equation(other) == equation(node):
-                return other.phase.rho, other.phase.d
-        return 1.0, 0.0
+        turn = (node, *self.nodes)
+        same = (q for q in turn if q.event == surface and equation(q) == equation(node))
+        return next(same, None)
+
+    def node(self, step: Step) -> Node:
+        """Return a phase as an order calls it."""
+        return self.nodes[step.phase + len(self.cell.phases) * step.mirrored]
 
     def crossed(self, node: Node, surface: int, form: Form, end: State) -> State:
         """Return the state behind the switch on a surface from that in which a phase ends.

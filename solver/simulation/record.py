@@ -16,6 +16,7 @@ from ..presentation.showing import UNITS as COURSE
 from ..presentation.table import Table, Tabular
 from ..scenes.case import Case
 from ..scenes.cell import Phase
+from ..scenes.orders import Step
 from .bounds import window
 
 #: Of the document's keys and their meaning.
@@ -45,6 +46,8 @@ class Segment:
         The state in which it starts, after the switch.
     s : float
         How long it lasts.
+    step : Step or None
+        What an order of phases calls it: the phase whose event ends it, or None if none does.
     """
 
     phase: Phase
@@ -55,6 +58,7 @@ class Segment:
     x: float
     v: float
     s: float
+    step: Step | None = None
 
 
 @dataclass(frozen=True)

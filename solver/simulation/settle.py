@@ -10,8 +10,8 @@ left of a transient that is `NEAR`.  That it has no more switches is said if it 
 """
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -20,6 +20,7 @@ from ..flow import flow
 from ..kernels.start import RoughTimes
 from ..scenes.case import Case
 from ..scenes.cell import Cell
+from ..scenes.orders import Order, OrderedScene, Step, half_if_mirrored
 from .lasting import lasts
 from .machine import Machine, State
 from .record import Segment, Simulation
@@ -37,6 +38,10 @@ PHASES = 4000
 
 #: As many, where a simulation only says what there is instead of an orbit.
 FEW = 500
+
+#: Phases of the forcing from which motions start at rest, where those from 0 come to nothing:
+#: all around, each far from those before.
+ANGLES = tuple(2.4 * j % (2 * math.pi) for j in range(1, 6))
 
 #: How far from its limit a settled motion may be, in units of time and length, and as a part of
 #: its size; and what is rounding there.
@@ -56,10 +61,33 @@ class Settled:
         Of a cell of the declared order; None if it did not settle on one.
     words : str
         What it settled on, or that it did not.
+    other : Other or None
+        Another order on which it settled.
+    conclusive : bool
+        Whether it came to anything: a periodic motion, or one without switches.
     """
 
     times: RoughTimes | None
     words: str
+    other: "Other | None" = None
+    conclusive: bool = True
+
+
+@dataclass(frozen=True)
+class Other:
+    """An order of phases that is not the declared one, with times of a cell.
+
+    Parameters
+    ----------
+    order : Order
+    times : RoughTimes
+    cycles : int
+        Periods of the forcing in a period of the motion.
+    """
+
+    order: Order
+    times: RoughTimes
+    cycles: int
 
 
 def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Settled]:
@@ -78,10 +106,43 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
     >>> f"{found.times.angle:.6f}", found.words
     ('0.929644', 'a simulation settles on flight')
     """
-    machine = Machine.of(case.cell)
+    base = case.of_fullest() if isinstance(case.scene, OrderedScene) else case
+    machine = Machine.of(base.cell)
     starts = [at_rest(machine, 0.0)]
     held = [State(0.0, q.phase.speed, 0.0) for q in machine.nodes if q.phase.held]
     starts += map(machine.remembered, held)
+    for settled in _followed_from(base, machine, starts, phases):
+        yield settled if base is case else _in_that(case, settled)
+
+
+def _in_that(case: Case, settled: Settled) -> Settled:
+    """Return what a simulation came to, as it is seen from an order that is not declared."""
+    assert isinstance(case.scene, OrderedScene)
+    other = settled.other
+    same = other is not None and (other.order, other.cycles) == (case.scene.order, case.cycles)
+    return replace(settled, times=other.times if other and same else None, other=None)
+
+
+def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
+    """Yield what simulations of a case come to: see `rough_times_by_simulation`.
+
+    Where they all end, or come to nothing, those from rest at other phases of the forcing
+    follow.
+    """
+    nothing = True
+    for settled in rough_times_by_simulation(case, phases):
+        nothing = nothing and not settled.conclusive
+        yield settled
+    if nothing and case.cell.forced:
+        machine = Machine.of(case.cell)
+        starts = [at_rest(machine, angle) for angle in ANGLES]
+        yield from _followed_from(case, machine, starts, FEW * len(ANGLES))
+
+
+def _followed_from(
+    case: Case, machine: Machine, starts: Sequence[State | None], phases: int
+) -> Iterator[Settled]:
+    """Yield what simulations come to from each of several states that a phase takes."""
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.first(q)]
     for start in possible:
         yield _followed(case, start, phases // len(possible))
@@ -125,13 +186,13 @@ def settled(cell: Cell, motion: Simulation) -> Settled:
 def _unsettled(cell: Cell, motion: Simulation) -> Settled:
     last = motion.segments[-1]
     cycles = round((last.t + last.s) / cycle(cell))
-    return Settled(None, f"a simulation of {cycles} cycles does not settle")
+    return Settled(None, f"a simulation of {cycles} cycles does not settle", conclusive=False)
 
 
 def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
     """Return what a motion came to; None if it has not settled yet."""
     if motion.ended:
-        return Settled(None, f"a simulation ends: {motion.ended}")
+        return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
     last = motion.segments[-1]
     begun = np.array([last.x, last.v])
     x, v = map(float, flow.end(last.phase, begun, last.angle, cell.omega, last.s).state)
@@ -193,10 +254,30 @@ def _declared(cell: Cell, repeated: tuple[Segment, ...]) -> Settled | None:
 
 
 def _other(cell: Cell, repeated: tuple[Segment, ...]) -> Settled:
-    """Return in words on which other order of phases a motion settles."""
+    """Return on which other order of phases a motion settles, and that in words."""
     names = ", ".join(f"{'-' if q.mirrored else ''}{q.phase.name}" for q in repeated)
     count = round(sum(q.s for q in repeated) / cycle(cell))
     every = "each period" if count == 1 else f"every {count} periods"
     within = f", in {every} of the forcing" if cell.forced else ""
     words = f"a simulation settles on another order of phases: {names}{within}"
-    return Settled(None, words)
+    return Settled(None, words, _in_order(cell, repeated, count if cell.forced else 1))
+
+
+def _in_order(cell: Cell, repeated: tuple[Segment, ...], cycles: int) -> Other | None:
+    """Return the phases that repeat as an order, and the times of its cell.
+
+    It begins with the first of them that the scene has, as it is and not mirrored if it can.
+    """
+    steps = tuple(q.step for q in repeated if q.step is not None)
+    if len(steps) < len(repeated):
+        return None
+    turns = [i for i in range(len(steps)) if steps[i:] + steps[:i] == min(_rotations(steps))]
+    i = max(turns, key=lambda turn: repeated[turn].s)  # of several, by the longest phase
+    order = half_if_mirrored(cell, Order(steps[i:] + steps[:i]))
+    own = (repeated[i:] + repeated[:i])[: len(order.steps)]
+    times = RoughTimes(tuple(q.s for q in own), own[0].angle, "the times of a simulation")
+    return Other(order, times, cycles)
+
+
+def _rotations(steps: tuple[Step, ...]) -> list[tuple[Step, ...]]:
+    return [steps[i:] + steps[:i] for i in range(len(steps))]

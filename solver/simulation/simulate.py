@@ -9,6 +9,7 @@ import numpy as np
 
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form, Phase
+from ..scenes.orders import Step
 from ..scenes.parameter_error import is_number
 from .bounds import local, window
 from .chatter import accumulates, end_of, time_left
@@ -81,7 +82,7 @@ def simulate(
     """
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
-    case = whole(case)
+    case = case.of_fullest()
     turn = _number("forcing_phase", forcing_phase, "a finite number of rad")
     if turn and case.scene.frequency is None:
         expected = f"0: nothing forces {case.scene.name}"
@@ -100,11 +101,6 @@ def simulate(
             f"{case.scene.name} takes; {machine.unmet(start)}"
         )
     return follow(case, machine, start, duration)
-
-
-def whole(case: Case) -> Case:
-    """Return the case of the motion with the most phases, where a scene has several."""
-    return max(case.each_motion, key=lambda each: len(each.cell.phases))
 
 
 @dataclass(frozen=True)
@@ -168,7 +164,9 @@ def walk(
         end, on = _end(
             machine, node, state, min(float(whole - clock.t), _reach(phase, omega, most))
         )
-        segments.append(_segment(node, state, clock, end.s))
+        ending = None if on is None else machine.ending(node, on[0])
+        step = None if ending is None else ending.step
+        segments.append(_segment(node, state, clock, end.s, step))
         most -= effort(phase, omega, end.s)
         if on is None or most < 1:
             return segments, place, end.ended
@@ -217,9 +215,11 @@ def _end(
     return end, None if end.form is None else watched[end.form]
 
 
-def _segment(node: Node, state: State, clock: Clock, s: float) -> Segment:
+def _segment(
+    node: Node, state: State, clock: Clock, s: float, step: Step | None = None
+) -> Segment:
     place = (node.index, node.mirrored, clock.t, state.angle)
-    return Segment(node.at(state), *place, state.x, state.v, s)
+    return Segment(node.at(state), *place, state.x, state.v, s, step)
 
 
 def _time_left(machine: Machine, node: Node, surface: int, after: Node, state: State) -> float:

@@ -11,7 +11,7 @@ from .solver.family import family_case
 from .solver.scenes.case import Case
 from .solver.scenes.methods import FIRST
 from .solver.simulation.simulate import simulate as simulated
-from .solver.solve import solve_case
+from .solver.solve import solve_case, with_order
 from .solver.sweep import sweep_case
 from .solver.trade.budget import choose_within
 from .solver.trade.tolerance import choose_order
@@ -38,6 +38,7 @@ def solve(
     tol: float | None = None,
     budget: float | None = None,
     motion: str | None = None,
+    phases: str | None = None,
     cycles: int | None = None,
 ) -> "Orbit":
     """Return the periodic orbit of an oscillator: by method and order, or as accurate as asked.
@@ -64,7 +65,11 @@ def solve(
         by any.  It chooses the order, and excludes a tolerance.
     motion : str, optional
         Of a scene with several motions, orders of its phases, the one that is meant; without
-        it each is tried, and the orbit that there is is returned.
+        it each is tried, and the orbit that there is is returned.  If none is stable, that is
+        the orbit on which a simulation settles, of whatever order of phases.
+    phases : str, optional
+        An order of phases that the scene need not declare: ``"slide,stop,slide,stop"``, with a
+        minus before the mirror image of one.
     cycles : int, optional
         Periods of the forcing in one of the motion; without it those of the case, usually 1.
 
@@ -101,7 +106,11 @@ def solve(
     """
     _check(case)
     functions = _whole(functions)
-    if cycles is not None:
+    if phases is not None:
+        if motion is not None:
+            raise ValueError(f"phases: got {phases!r} beside a motion, expected one of them")
+        case = with_order(case, phases, cycles)
+    elif cycles is not None:
         case = case.with_cycles(cycles)
     if (tol is not None or budget is not None) and order is not None:
         what = "a budget" if tol is None else "a tolerance"

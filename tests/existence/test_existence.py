@@ -12,6 +12,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.existence.reasons import not_decided, shown_to_be_none, without_switches
 from nonsmooth.solver.flow.exact_system import residual
+from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.kernels import registry, start
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.solve import solve_case
@@ -129,8 +130,10 @@ def test_equations_with_infinitely_many_solutions_are_said_to_have_them():
         "0.333333 rad/s is 1/3 of the natural frequency of crossing"
     )
     assert list(not_decided(TWO_SIDED(damping=0, frequency=0.35))) == []
+    (declared,) = cases_in_order(case, "crossing,mirrored")
     with pytest.raises(NoOrbit, match="infinitely many solutions, none isolated"):
-        solve_case(case)
+        solve_case(declared)
+    assert solve_case(case).case.scene.motion == "crossing,crossing,crossing,mirrored"
 
 
 def test_a_constant_on_the_circle_alone_decides():

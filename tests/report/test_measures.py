@@ -115,8 +115,8 @@ def test_errors_rates_and_who_is_behind_are_those_of_a_sweep() -> None:
             expected = rate(DEFAULT, of, method)
             # hb-c1 has condition 4e6; a jump that lies one bit elsewhere changes (22) by
             # 1e-8, which is 1e-2 of the floor of its errors
-            exact = of == "period" and method != "hb-c1"
-            assert case().rate(of, method) == pytest.approx(expected, rel=1e-9 if exact else 1e-6)
+            rounding = 1e-9 if of == "period" and method != "hb-c1" else 1e-6
+            assert case().rate(of, method) == pytest.approx(expected, rel=rounding)
     size = {m: {N: abs(e) for N, e in period_errors(DEFAULT, m).items()} for m in METHODS}
     behind = [N for N in range(1, 13) if size["c1"][N] > size["hb-c1"][N]]
     assert case().behind("period", "c1", "hb-c1") == behind == [1, 2, 3, 4]

@@ -45,7 +45,7 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
         "class": f"C{scene.k}",
         "source": module.SOURCE,
         "frequency": scene.frequency,
-        "half_period": bool(module.HALF_PERIOD),
+        "half_period": scene.half_period,
         "parameters": [
             {
                 "name": q.name, "symbol": q.symbol, "unit": q.unit, "default": q.default,
@@ -81,9 +81,9 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
     def named(text: str) -> str:
         return text.replace("cos(Omega", f"cos({frequency}")
 
-    name, held = module.PHASES[p]
+    name, held = scene.kinds[p]
     m, c, k, f, g, *memory = rows(module, "coefficients")[p]
-    words = [word for word, *_ in module.MEMORY]
+    words = [word for word, *_ in scene.memory]
     state = (*STATE, *words)
     right = linear((f, g, *memory), (*RIGHT, *words))
     equation = f"{linear((m, c, k), LEFT)} = {right}"
@@ -107,7 +107,7 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         "sets": [
             {"memory": name, "what": what, "expression": named(linear(form))}
             for (name, phase, _, what), form in zip(
-                module.MEMORY, rows(module, "memory"), strict=True
+                scene.memory, rows(module, "memory"), strict=True
             )
             if phase == p
         ],

@@ -17,6 +17,7 @@ from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.sweep import Sweep, SweepRow
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene, UnknownScene
+from nonsmooth.solver.scenes.orders import motion_of
 
 from . import checks
 from .file_errors import FileError, other_kind
@@ -72,7 +73,7 @@ def _case(path: Path, document: Mapping[str, Any], scene: object) -> Case:
     if found.name != name:
         raise FileError(path, f"of the scene {name!r}, got {found.name!r}")
     if document.get("motion") is not None:
-        found = found.of_motion(document["motion"])
+        found = motion_of(found, document["motion"])
     given = document["parameters"]
     missing = [q.name for q in found.parameters if q.name not in given]
     checks.check(not missing, f"parameters without {', '.join(missing)}")

@@ -25,7 +25,7 @@ MUTANTS = (
     ),
     Mutant(
         "two surfaces near each other are taken for one",
-        "solver/simulation/nodes.py",
+        "solver/scenes/mirror.py",
         "<= ROUNDING * np.abs(ratios[0])).all()",
         "<= ROUNDING * np.abs(ratios[0])).any()",
         SURFACES,
@@ -39,7 +39,7 @@ MUTANTS = (
     ),
     Mutant(
         "the event of a mirrored phase is not mirrored",
-        "solver/simulation/nodes.py",
+        "solver/scenes/mirror.py",
         "        event=_mirrored(phase.event),\n",
         "        event=phase.event,\n",
         MOTION,

@@ -1,7 +1,7 @@
 """The flags of a scene, and the case that they and a case file describe."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 from click.shell_completion import CompletionItem
@@ -51,8 +51,10 @@ def motion_options(scene: "LoadedScene") -> list[click.Parameter]:
     if scene.motions:
         words = f"{', '.join(scene.motions)}; without it, the one that there is."
         found.append(click.Option(["--motion", f"{PREFIX}motion"], help=words))
+    words = "An order of phases: names joined by commas, a minus before a mirrored one."
+    found.append(click.Option(["--phases", f"{PREFIX}phases"], metavar="NAMES", help=words))
     if scene.frequency is not None:
-        odd = ", an odd number" if scene.module.HALF_PERIOD else ""
+        odd = ", an odd number" if scene.half_period else ""
         words = f"Periods of the forcing in one of the motion{odd}.  [default: 1]"
         names = ["--cycles", f"{PREFIX}cycles"]
         found.append(click.Option(names, type=int, metavar="n", help=words))
@@ -86,9 +88,12 @@ def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
     from nonsmooth.kim_perkins import as_in_paper
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.parameter_error import ParameterError
+    from nonsmooth.solver.solve import with_order
 
     scene, flags = given.about, {**given.flags, **others}
-    motion: Any = flags.pop("motion", None)
+    motion, phases = (flags.pop(name, None) for name in ("motion", "phases"))
+    if motion is not None and phases is not None:
+        raise Problem(f"--phases: got {phases} beside --motion {motion}, expected one of them")
     cycles = flags.pop("cycles", 1)
     table = given.table()
     missing = [
@@ -98,13 +103,16 @@ def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
     ]
     wrong: list[str] = []
     try:
-        case = as_in_paper(Case(scene, table | flags, cycles))
+        own = 1 if phases is not None else cycles  # those of its order
+        case = as_in_paper(Case(scene, table | flags, own))
     except ParameterError as error:
         wrong = [_as_flag(line) for line in error.errors]
     if wrong or missing:  # a name that is misspelled before that which it should have been
         first, *more = wrong + missing
         raise Problem(given.where + first, below=more)
     with as_problems():
+        if phases is not None:
+            return with_order(case, str(phases), cycles)
         return case if motion is None else case.of_motion(motion)
 
 

@@ -20,7 +20,7 @@ def rate_of_times(case: Case, functions: int) -> int:
     """
     found, phases = [], case.cell.phases
     for p, phase in enumerate(phases):
-        k, _ = case.scene.module.SWITCHES[(p + 1) % len(phases)]
+        k = case.scene.classes[(p + 1) % len(phases)]
         by_displacement = phase.event[0] != 0
         smooth = phase.rho == 1 and phase.d == 0
         r = 0 if by_displacement and smooth else 1

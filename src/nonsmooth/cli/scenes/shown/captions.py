@@ -47,16 +47,14 @@ def smoother(case: "Case") -> list[str]:
     if scene.motions:
         return []
     found = []
-    for p, (k, (general, _)) in enumerate(
-        zip(classes(case.cell), scene.module.SWITCHES, strict=True)
-    ):
+    for p, (k, general) in enumerate(zip(classes(case.cell), scene.classes, strict=True)):
         if k > general:
             less = "at least " if k == HIGHEST else ""
             found.append(
                 f"Where {scene.phases[p - 1]} ends and {scene.phases[p]} begins the motion is "
                 f"{less}C{k} for these parameters, C{general} in general."
             )
-    return found
+    return list(dict.fromkeys(found))
 
 
 def _wrapped(parameters: str) -> list[str]:

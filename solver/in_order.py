@@ -1,0 +1,122 @@
+"""Cases whose phases have an order that the scene does not declare."""
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import product
+
+from .existence.known import known
+from .kernels.start import RoughTimes
+from .scenes.case import Case
+from .scenes.loaded import LoadedScene, UnknownScene
+from .scenes.orders import (
+    MIRRORED,
+    Order,
+    Step,
+    choices,
+    half_if_mirrored,
+    in_order,
+    pairs,
+)
+from .simulation.followers import may_follow
+from .simulation.machine import Machine
+from .simulation.settle import FEW, PHASES, from_several_states
+
+#: Most phases of an order, and most ways in which names may be meant.
+MOST_PHASES, MOST_WAYS = 100, 4096
+
+
+def cases_in_order(
+    case: Case, phases: str | Sequence[str], cycles: int | None = None
+) -> list[Case]:
+    """Return the cases in which the phases of a scene have an order.
+
+    Several, if it is not said which phases are mirrored, or the order may be that of half a
+    period as well as that of a whole one: then that of half comes first.
+
+    Parameters
+    ----------
+    case : Case
+        Its parameters are taken.
+    phases : str or sequence of str
+        Names of phases, as a text joined by commas; ``-`` in front means the mirror image of
+        one, ``mirrored`` behind them that they are half a period.  Without a minus, each may
+        be the phase or its mirror image.
+    cycles : int, optional
+        Periods of the forcing in a period, which may be any of an order of a whole period;
+        without it those of the case.
+
+    Raises
+    ------
+    ParameterError
+        A `ValueError`: if it is not a number of cycles.
+    UnknownScene
+        A `ValueError`: if there is no such phase, or one cannot follow another.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> case = registry.load("dry-friction")()
+    >>> [each.scene.motion for each in cases_in_order(case, "slide,stop")]
+    ['slide,stop,mirrored', 'slide,-stop']
+    """
+    base = case.scene.fullest
+    names = phases.split(",") if isinstance(phases, str) else list(phases)
+    names = [name.strip() for name in names]
+    half = names[-1:] == [MIRRORED]
+    machine = Machine.of(Case(base, case.values).cell)
+    ways = _ways(base, names[:-1] if half else names)
+    orders = list(dict.fromkeys(_orders(machine, ways, half)))
+    count = case.cycles if cycles is None else cycles
+    whole = [order for order in orders if not order.half_period]
+    orders = whole if whole and count % 2 == 0 else orders
+    if not orders:
+        raise UnknownScene(f"phases: got {','.join(names)}, where one cannot follow another")
+    return [Case(in_order(base, order), case.values, count) for order in orders]
+
+
+def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
+    """Yield cases in orders on which simulations settle, with times of their cells.
+
+    Only motions of the period of the case, and none in an order that is declared.  Where those
+    from rest and from constraints come to nothing, more are tried.
+    """
+    base = case.of_fullest()
+    listed = known(base).listed
+    declared = {(each.half_period, each.phases) for each in case.scene.whole.each_motion}
+    seen: set[Order] = set()
+    for settled in from_several_states(base, FEW if listed else PHASES):
+        other = settled.other
+        if other is None or other.cycles != case.cycles or other.order in seen:
+            continue
+        seen.add(other.order)
+        scene = in_order(base.scene, other.order)
+        if (scene.half_period, scene.phases) not in declared:
+            yield Case(scene, case.values, case.cycles), other.times
+
+
+def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
+    """Return the phases that names may mean."""
+    signed = any(name.startswith("-") for name in names)
+    found = [choices(base, name) for name in names]
+    if base.half_period and not signed:
+        found = [[*own, *(Step(p, True) for p, _ in own)] for own in found]
+    count = math.prod(map(len, found))
+    if not 1 <= len(names) <= MOST_PHASES or count > MOST_WAYS:
+        got = f"{len(names)} that may be meant in {count} ways"
+        raise UnknownScene(f"phases: got {got}, expected fewer, or a minus before the mirrored")
+    return [steps for steps in product(*found) if steps[0] == found[0][0]]
+
+
+def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
+    """Yield what phases may be an order of, half a period first; or that alone."""
+
+    def possible(order: Order) -> bool:
+        return all(
+            other is not None and may_follow(machine, one, other)
+            for one, other in pairs(machine.cell, order)
+        )
+
+    yield from filter(possible, (Order(steps, True) for steps in ways))
+    for order in filter(possible, map(Order, () if half else ways)):
+        smaller = half_if_mirrored(machine.cell, order)
+        yield from (order,) if smaller == order else (smaller, order)

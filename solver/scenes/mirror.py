@@ -1,0 +1,52 @@
+"""Mirror images of phases, and forms that say the same."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from .cell import Form, Phase
+
+#: What may be rounding of the factors of a form, as a part of each.
+ROUNDING = 1e-12
+
+
+def mirror(phase: Phase) -> Phase:
+    """Return the mirror image of a phase: the motion ``-x`` half a period of the forcing on."""
+    return replace(
+        phase,
+        f=-phase.f,
+        speed=-phase.speed,
+        event=_mirrored(phase.event),
+        d=-phase.d,
+        demands=tuple((words, _mirrored(form)) for words, form in phase.demands),
+        switch_demands=tuple((words, _mirrored(form)) for words, form in phase.switch_demands),
+    )
+
+
+def _mirrored(form: Form) -> Form:
+    x, v, cos, constant, *memory = form
+    return -x, -v, -cos, constant, *(-factor for factor in memory)
+
+
+def same(one: Form, other: Form) -> bool:
+    """Whether two forms vanish at the same states: their factors are in one proportion.
+
+    Each factor counts, however small it is beside the others.
+
+    Examples
+    --------
+    >>> same((1.0, 0.0, 0.0, -0.5), (-2.0, 0.0, 0.0, 1.0))
+    True
+    >>> same((1.0, 0.0, 0.0, -1e-300), (1.0, 0.0, 0.0, 1e-300))
+    False
+    >>> same((1.0, 0.0, 0.0, -1e300), (-2.0, 0.0, 0.0, 2e300))
+    True
+    """
+    a, b = np.array(one), np.array(other)
+    where = a != 0
+    if not where.any() or (where != (b != 0)).any():
+        return False
+    (p, power), (q, other_power) = np.frexp(a[where]), np.frexp(b[where])  # no ratio overflows
+    powers = other_power - power
+    ratios = np.ldexp(q / p, np.clip(powers - powers[0], -4, 4))
+    return bool((np.abs(ratios - ratios[0]) <= ROUNDING * np.abs(ratios[0])).all())

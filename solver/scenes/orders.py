@@ -1,0 +1,357 @@
+"""Orders of phases that a scene does not declare, each as a scene of one motion.
+
+An order is a list of phases of a scene, as they are or mirrored.  Each ends by its own event: a
+phase that may end in two ways stands in the scene twice, with another event, or its mirror
+image is the same with another event.  The list is a period or, where the other half is the
+mirror image, half of one.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+from ...nearest import one_of
+from .cell import Cell, Form, Memory, Phase
+from .classes import HIGHEST, classes
+from .loaded import LoadedScene, UnknownScene
+from .mirror import mirror, same
+from .parameter_error import ParameterError
+
+#: Behind the phases of half a period, of which the other half is the mirror image.
+MIRRORED = "mirrored"
+
+
+class Step(NamedTuple):
+    """One phase of an order: which of the scene's cell, and whether it is mirrored."""
+
+    phase: int
+    mirrored: bool = False
+
+
+@dataclass(frozen=True)
+class Order:
+    """An order of phases.
+
+    Parameters
+    ----------
+    steps : tuple of Step
+        Of one cell of the motion.
+    half_period : bool
+        Whether the next cell is the mirror image of this one.
+    """
+
+    steps: tuple[Step, ...]
+    half_period: bool = False
+
+
+def image(cell: Cell, step: Step) -> Step | None:
+    """Return the mirror image of a phase of a cell; None if the cell has none."""
+    if cell.sign < 0:
+        return Step(step.phase, not step.mirrored)
+    one = cell.phases[step.phase]
+    found = (q for q, other in enumerate(cell.phases) if is_image(one, other))
+    return next(map(Step, found), None)
+
+
+def pairs(cell: Cell, order: Order) -> list[tuple[Step, Step | None]]:
+    """Return each phase of an order, and the one that follows it."""
+    first = order.steps[0]
+    after = image(cell, first) if order.half_period else first
+    return list(zip(order.steps, (*order.steps[1:], after), strict=True))
+
+
+def half_if_mirrored(cell: Cell, order: Order) -> Order:
+    """Return half of an order of phases whose other half is its image; else the order.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> steps = Step(0), Step(1), Step(0, True), Step(1, True)
+    >>> half_if_mirrored(registry.load("backlash")().cell, Order(steps)).half_period
+    True
+    """
+    half = len(order.steps) // 2
+    first, second = order.steps[:half], order.steps[half:]
+    mirrored = tuple(image(cell, step) for step in first) == second
+    return Order(first, True) if mirrored and not order.half_period else order
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class OrderedScene(LoadedScene):
+    """A scene whose motion has its phases in another order than those that are declared.
+
+    Parameters
+    ----------
+    base : LoadedScene
+        The scene of one motion, of which the phases are.
+    order : Order
+        Theirs.
+    """
+
+    base: LoadedScene
+    order: Order
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return in_order, (self.base, self.order)
+
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        return *self.base._identity, self.order
+
+    @property
+    def motions(self) -> tuple[str, ...]:
+        """None: it is one motion."""
+        return ()
+
+    @property
+    def motion(self) -> str:
+        """Its phases, joined by commas; a minus says that one is mirrored.
+
+        ``mirrored`` at the end says that the other half of the period is the mirror image.
+        """
+        names = self.base.phases
+        words = [f"{'-' * q.mirrored}{names[q.phase]}" for q in self.order.steps]
+        return ",".join([*words, MIRRORED] if self.half_period else words)
+
+    @property
+    def fullest(self) -> LoadedScene:
+        """The motion of which the phases are."""
+        return self.base
+
+    @property
+    def whole(self) -> LoadedScene:
+        """The scene with all motions that it declares."""
+        return self.base.whole
+
+    @property
+    def half_period(self) -> bool:
+        """Whether its cell is half a period."""
+        return self.order.half_period
+
+    @property
+    def has_start(self) -> bool:
+        """No: what is known of a start is of the declared order."""
+        return False
+
+    @property
+    def phases(self) -> tuple[str, ...]:
+        """The names of the phases of its cell."""
+        return tuple(phase.name for phase in self._in_general.phases)
+
+    @property
+    def kinds(self) -> tuple[tuple[str, bool], ...]:
+        """Name of each phase, which it has alone, and whether a constraint holds it."""
+        held = (phase.held for phase in self._in_general.phases)
+        return tuple(zip(_numbered(self.phases), held, strict=True))
+
+    @property
+    def classes(self) -> tuple[int, ...]:
+        """The k of the switch that begins each phase."""
+        return self._in_general.classes
+
+    @property
+    def k(self) -> int:
+        """Class of its motion."""
+        return min(self.classes)
+
+    @property
+    def memory(self) -> tuple[tuple[str, int, int, str], ...]:
+        """What its switches set, each time that they do."""
+        steps = self.order.steps
+        what = [q[3] for q in self.base.memory for step in steps if step.phase == q[1]]
+        return tuple(
+            (q.name, q.phase, q.power, words)
+            for q, words in zip(self._in_general.memory, what, strict=True)
+        )
+
+    def remembered(self, values: Sequence[float], p: int) -> tuple[float, ...]:
+        """Return the memory of the declared cell on a phase of this one, from its own."""
+        columns = _columns([phase for _, phase, *_ in self.base.memory], self.order, p)
+        return tuple(sign * values[column] for column, sign in columns)
+
+    @cached_property
+    def _in_general(self) -> Cell:
+        """Its cell for parameters of which nothing is special."""
+        numbers = tuple(0.4 + 0.4 * (0.618034 * i % 1) for i in range(len(self.parameters)))
+        found = in_cell(self.base.cell(numbers), self.order)
+        found = replace(found, classes=classes(found))
+        for p, k in enumerate(found.classes):
+            if k == HIGHEST:
+                one, other = found.phases[p - 1].name, found.phases[p].name
+                raise UnknownScene(
+                    f"phases: got {self.motion}, but nothing changes where {one} ends and "
+                    f"{other} begins"
+                )
+        return found
+
+    def cell(self, numbers: tuple[float, ...], cycles: int = 1) -> Cell:
+        """Return its cell for parameters without units.
+
+        Raises
+        ------
+        ParameterError
+            If it is half a period, and the scene is not odd for these parameters.
+        """
+        declared = self.base.cell(numbers)
+        if self.half_period and not is_odd(declared):
+            problem = f"parameters: the mirror image of {self.motion} is no motion for these"
+            raise ParameterError([problem])
+        found = in_cell(declared, self.order)
+        return replace(found, classes=self.classes, k=self.k, cycles=cycles)
+
+
+def in_order(base: LoadedScene, order: Order) -> OrderedScene:
+    """Return a scene of one motion with its phases in another order."""
+    return OrderedScene(base.module, base.folder, base.kept, base=base, order=order)
+
+
+def choices(base: LoadedScene, name: str) -> list[Step]:
+    """Return the phases that have a name, with a minus in front the mirror images.
+
+    Raises
+    ------
+    UnknownScene
+        If there is none.
+    """
+    plain = name.removeprefix("-")
+    found = [Step(p, name != plain) for p, each in enumerate(base.phases) if each == plain]
+    if not found or (name != plain and not base.half_period):
+        raise UnknownScene(f"phases: got {name!r}, expected {one_of(plain, base.phases)}")
+    return found
+
+
+def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
+    """Return a scene of one motion by the name of the motion.
+
+    That of an order which is not declared is `OrderedScene.motion`; of several phases of one
+    name it means the first.
+
+    Raises
+    ------
+    UnknownScene
+        If there is no such motion.
+    """
+    if motion == scene.motion:
+        return scene
+    scene = scene.whole
+    names = motion.split(",") if isinstance(motion, str) else []
+    if motion in scene.motions or names[:1] == [] or names[0].lstrip("-") not in scene.phases:
+        return scene.of_motion(motion)
+    half = names[-1] == MIRRORED
+    steps = (choices(scene.fullest, name)[0] for name in (names[:-1] if half else names))
+    return in_order(scene.fullest, Order(tuple(steps), half))
+
+
+def in_cell(cell: Cell, order: Order) -> Cell:
+    """Return a cell with its phases in another order; its classes are not known."""
+    sign = -1 if order.half_period else 1
+    steps = [(cell.carrying(p), mirrored) for p, mirrored in order.steps]
+    phases = [mirror(phase) if mirrored else phase for phase, mirrored in steps]
+    at = [each.phase for each in cell.memory]
+    columns = [_columns(at, order, p) for p in range(len(phases))]
+    memory = [_set_by(cell.memory[i], order.steps[p], p) for i, p in _settings(at, order)]
+    named = _numbered([q.name for q in memory])
+    return Cell(
+        tuple(map(_with_columns, phases, columns, [len(memory)] * len(phases))),
+        cell.frequency,
+        sign,
+        cell.k,
+        (),
+        memory=tuple(replace(q, name=name) for q, name in zip(memory, named, strict=True)),
+    )
+
+
+def _set_by(memory: Memory, step: Step, p: int) -> Memory:
+    """Return a memory that a phase of an order sets, which may be mirrored."""
+    x, v, cos, constant = memory.value[:4]
+    return replace(memory, phase=p, value=(x, v, cos, -constant if step.mirrored else constant))
+
+
+def is_odd(cell: Cell) -> bool:
+    """Whether the mirror image of each phase is a phase.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> [is_odd(registry.load(name)().cell) for name in ("backlash", "clearance")]
+    [True, False]
+    """
+    return None not in [image(cell, Step(p)) for p in range(len(cell.phases))]
+
+
+def is_image(one: Phase, other: Phase) -> bool:
+    """Whether a phase without a memory is the mirror image of another."""
+
+    def numbers(q: Phase) -> tuple[object, ...]:
+        return q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.rho, q.d
+
+    there = mirror(one)
+    alike = numbers(there) == numbers(other) and same(there.event, other.event)
+    forms, others = ([form for _, form in q.demands] for q in (there, other))
+    demands = all(any(_demand_the_same(a, b) for b in others) for a in forms)
+    return alike and demands and len(forms) == len(others) and not (one.memory or other.memory)
+
+
+def _demand_the_same(one: Form, other: Form) -> bool:
+    """Whether two forms are not negative at the same states."""
+    return same(one, other) and all(a * b >= 0 for a, b in zip(one, other, strict=True))
+
+
+def _settings(at: Sequence[int], order: Order) -> list[tuple[int, int]]:
+    """Return which memory is set, and by which phase of an order, each time that one is.
+
+    `at` has the phase of a cell that sets each.
+    """
+    steps = order.steps
+    return [(i, p) for i, q in enumerate(at) for p, step in enumerate(steps) if step.phase == q]
+
+
+def _columns(at: Sequence[int], order: Order, p: int) -> list[tuple[int, int]]:
+    """Return which setting each memory has on a phase of an order, and its sign there."""
+    settings, found = _settings(at, order), []
+    for i, phase in enumerate(at):
+        own = [(where, column) for column, (q, where) in enumerate(settings) if q == i]
+        if not own:
+            expected = f"expected phase {phase + 1} of the scene among them"
+            raise UnknownScene(f"phases: {expected}: it sets a memory")
+        before = [column for where, column in own if where <= p]
+        sign = 1 if before or not order.half_period else -1
+        found.append((before[-1] if before else own[-1][1], sign))
+    return found
+
+
+def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) -> Phase:
+    """Return a phase whose factors of the memory are those of the settings of an order."""
+
+    def put(factors: Sequence[float]) -> tuple[float, ...]:
+        found = [0.0] * count
+        for factor, (column, sign) in zip(factors, columns, strict=False):
+            found[column] += sign * factor
+        return tuple(found)
+
+    def form(row: Form) -> Form:
+        return (*row[:4], *put(row[4:]))
+
+    def all_of(demands: tuple[tuple[str, Form], ...]) -> tuple[tuple[str, Form], ...]:
+        return tuple((words, form(row)) for words, row in demands)
+
+    return replace(
+        phase,
+        event=form(phase.event),
+        demands=all_of(phase.demands),
+        switch_demands=all_of(phase.switch_demands),
+        memory=put(phase.memory),
+    )
+
+
+def _numbered(names: Sequence[str]) -> list[str]:
+    """Return names with a number behind those that occurred before.
+
+    Examples
+    --------
+    >>> _numbered(["slide", "stop", "slide"])
+    ['slide', 'stop', 'slide_2']
+    """
+    counts = [names[: i + 1].count(name) for i, name in enumerate(names)]
+    return [f"{name}_{n}" if n > 1 else name for name, n in zip(names, counts, strict=True)]
