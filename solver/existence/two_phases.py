@@ -23,7 +23,7 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..flow import flow
-from ..flow.divided import of_three, of_two
+from ..flow.divided import of_three_at, of_two_at
 from ..scenes.cell import Cell, Phase
 from . import enclosure
 
@@ -226,11 +226,11 @@ def _end(phase: Phase, omega: float, begin: Vector, s: Vector) -> tuple[Matrix, 
         constant, none = np.array([phase.speed * s, speed]).T, np.array([zero, zero]).T
         return moved, constant, none, none, none
     small, large = flow.roots(phase)
-    impulse = of_two(small, large, s)
+    impulse = of_two_at(small, large, s)
     of_x, of_v = np.exp(small * s) - small * impulse, np.exp(large * s) + small * impulse
     moved = np.array([[of_x, impulse], [-phase.k / phase.m * impulse, of_v]]).real
-    unit = np.array([of_three(small, large, 0j, s), impulse]).real.T / phase.m
-    wave = of_three(small, large, 1j * omega, s)
+    unit = np.array([of_three_at(small, large, 0j, s), impulse]).real.T / phase.m
+    wave = of_three_at(small, large, 1j * omega, s)
     turn = phase.g / phase.m * np.exp(1j * omega * begin)
     forced = turn * np.array([wave, 1j * omega * wave + impulse])
     return np.moveaxis(moved, 2, 0), phase.f * unit, unit, forced.real.T, -forced.imag.T

@@ -4,7 +4,12 @@ Every response of a linear oscillator is one of them: with the roots ``a, b`` of
 characteristic equation, ``exp[a, b]`` is what an impulse does, ``exp[a, b, 0]`` a constant
 force and ``exp[a, b, i Omega]`` a harmonic one.  They are entire functions of the nodes: no
 case of equal roots, of no stiffness or of resonance is special.
+
+They are here at one time, and at many: a call of NumPy takes longer than one of these numbers.
 """
+
+import cmath
+import math
 
 import numpy as np
 import numpy.typing as npt
@@ -17,8 +22,68 @@ Waves = npt.NDArray[np.complex128]
 TERMS = 20
 
 
-def of_two(a: complex, b: complex, t: Vector) -> Waves:
-    """Return ``(exp(a t) - exp(b t))/(a - b)`` for times `t`, also where ``a = b``."""
+#: The exponent beyond which ``exp`` is infinite in float64.
+LARGEST = 709.0
+
+
+def exp(z: complex) -> complex:
+    """Return ``exp(z)``; where that is beyond float64, infinite or not a number."""
+    if abs(z.imag) < math.inf:
+        size = math.exp(z.real) if z.real <= LARGEST else math.inf
+        return complex(size * math.cos(z.imag), size * math.sin(z.imag))
+    return complex(math.nan, math.nan)
+
+
+def expm1(z: complex) -> complex:
+    """Return ``exp(z) - 1`` to its own digits, where the exponential does not overflow."""
+    if not (z.real <= LARGEST and abs(z.imag) < math.inf):
+        return exp(z)
+    less = math.expm1(z.real)
+    return complex(
+        less * math.cos(z.imag) - 2 * math.sin(z.imag / 2) ** 2,
+        (less + 1) * math.sin(z.imag),
+    )
+
+
+def of_two(a: complex, b: complex, t: float) -> complex:
+    """Return ``(exp(a t) - exp(b t))/(a - b)`` for a time, also where ``a = b``."""
+    half = (a - b) / 2 * t
+    square = half.real * half.real + half.imag * half.imag
+    if square > 1:
+        return (exp(a * t) - exp(b * t)) / (a - b)
+    ratio = cmath.sinh(half) / half if square > 1e-18 else 1.0
+    return t * exp((a + b) / 2 * t) * ratio
+
+
+def of_three(a: complex, b: complex, c: complex, t: float) -> complex:
+    """Return the second divided difference of ``exp(z t)`` at nodes `a`, `b`, `c`.
+
+    Where the nodes are close, by the series in complete symmetric polynomials about their
+    mean; elsewhere by the quotient over the two that are farthest apart.
+    """
+    a, b, c = _farthest_first(a, b, c)
+    if not abs(a - c) * t <= 1:
+        return (of_two(a, b, t) - of_two(b, c, t)) / (a - c)
+    mean = (a + b + c) / 3
+    a, b, c = a - mean, b - mean, c - mean
+    pairs, product = a * b + b * c + c * a, a * b * c
+    before, last, now = 0j, 0j, 1 + 0j  # complete symmetric polynomials, degree j - 2 to j
+    power, total = t * t / 2, 0j
+    for j in range(TERMS):
+        total += now * power
+        power = power * t / (j + 3)
+        before, last, now = last, now, product * before - pairs * last
+    return exp(mean * t) * total
+
+
+def _farthest_first(a: complex, b: complex, c: complex) -> tuple[complex, complex, complex]:
+    """Return three nodes in turn, the two that are farthest apart at the ends."""
+    turns = (a, b, c), (b, c, a), (c, a, b)
+    return max(turns, key=lambda nodes: abs(nodes[0] - nodes[2]))
+
+
+def of_two_at(a: complex, b: complex, t: Vector) -> Waves:
+    """Return `of_two` at times `t`."""
     half = (a - b) / 2 * t
     near = np.abs(half) <= 1
     if a != b:
@@ -32,17 +97,13 @@ def of_two(a: complex, b: complex, t: Vector) -> Waves:
     return np.asarray(close if a == b else np.where(near, close, far))
 
 
-def of_three(a: complex, b: complex, c: complex, t: Vector) -> Waves:
-    """Return the second divided difference of ``exp(z t)`` at nodes `a`, `b`, `c`.
-
-    Where the nodes are close, by the series in complete symmetric polynomials about their
-    mean; elsewhere by the quotient over the two that are farthest apart.
-    """
-    a, b, c = max(((a, b, c), (b, c, a), (c, a, b)), key=lambda nodes: abs(nodes[0] - nodes[2]))
+def of_three_at(a: complex, b: complex, c: complex, t: Vector) -> Waves:
+    """Return `of_three` at times `t`."""
+    a, b, c = _farthest_first(a, b, c)
     near = abs(a - c) * t <= 1
     if near.all():
         return _series(a, b, c, t)
-    far = (of_two(a, b, t) - of_two(b, c, t)) / (a - c)
+    far = (of_two_at(a, b, t) - of_two_at(b, c, t)) / (a - c)
     return np.asarray(np.where(near, _series(a, b, c, t), far)) if near.any() else far
 
 

@@ -3,12 +3,13 @@
 import cmath
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..scenes.cell import Phase
-from .divided import Waves, of_three, of_two
+from .divided import exp, expm1, of_three, of_three_at, of_two, of_two_at
 
 
 @dataclass(frozen=True)
@@ -72,8 +73,7 @@ def motion(
         values = (start[0] + phase.speed * t, np.full(t.shape, phase.speed), np.zeros(t.shape))
         return np.asarray(values[derivative])
     with np.errstate(all="ignore"):  # a trial of Newton's method may grow beyond float64
-        parts = _differences(phase, omega, t.ravel())
-        x, v, *_ = _responses(phase, start, angle, omega, t.ravel(), parts)
+        x, v = _states(phase, start, angle, omega, t.ravel())
         if derivative == 2:
             x = _acceleration(phase, x, v, np.cos(omega * t.ravel() + angle))
     return np.asarray((x, v, x)[derivative]).reshape(t.shape)
@@ -81,88 +81,112 @@ def motion(
 
 def end(phase: Phase, start: Vector, angle: float, omega: float, duration: float) -> End:
     """Return the state in which a phase ends, with all its derivatives; see `motion`."""
+    x, v = map(float, start)
     if phase.held:
-        x, speed = start[0] + phase.speed * duration, phase.speed
+        state = np.array([x + phase.speed * duration, phase.speed])
         first = np.array([[1.0, 0.0], [0.0, 0.0]])
         change = np.array([phase.speed * duration, 0.0])
-        return End(np.array([x, speed]), change, np.array([speed, 0.0]), np.zeros(2), first)
-    with np.errstate(all="ignore"):
-        t = np.array([duration])
-        parts = _differences(phase, omega, t)
-        x, v, by_start, by_angle = _responses(phase, start, angle, omega, t, parts)
-        a = _acceleration(phase, x, v, np.cos(omega * t + angle))
-        change = _change(phase, start, angle, omega, t, parts)
-    state, field = np.array([x[0], v[0]]), np.array([v[0], a[0]])
-    return End(state, change, field, by_angle[:, 0], by_start[:, :, 0])
+        return End(state, change, np.array([phase.speed, 0.0]), np.zeros(2), first)
+    found = _parts(phase, angle, omega, duration)
+    state = np.array(found.state(x, v))
+    a = (
+        phase.f + phase.g * math.cos(omega * duration + angle)
+        - phase.c * state[1] - phase.k * state[0]
+    ) / phase.m  # fmt: skip
+    return End(
+        state,
+        np.array(found.change(x, v)),
+        np.array([state[1], a]),
+        np.array(found.by_angle),
+        np.array(found.by_start),
+    )
+
+
+def state_at(
+    phase: Phase, x: float, v: float, angle: float, omega: float, t: float
+) -> tuple[float, float]:
+    """Return displacement and velocity a time after a phase starts with them; see `motion`."""
+    if phase.held:
+        return x + phase.speed * t, phase.speed
+    return _parts(phase, angle, omega, t).state(x, v)
+
+
+class _Parts(NamedTuple):
+    """What a phase makes of its start, and of its forces, in a time.
+
+    Parameters
+    ----------
+    forced : (float, float)
+        Displacement and velocity by the forces alone.
+    by_angle : (float, float)
+        Their derivatives by the angle of the forcing.
+    by_start : 2 x 2 float
+        Derivatives of the state by the start.
+    less : (float, float)
+        Those of x by x and of v by v, less 1, to their own digits.
+    """
+
+    forced: tuple[float, float]
+    by_angle: tuple[float, float]
+    by_start: tuple[tuple[float, float], tuple[float, float]]
+    less: tuple[float, float]
+
+    def state(self, x: float, v: float) -> tuple[float, float]:
+        """Return the state that a start comes to."""
+        (xx, xv), (vx, vv) = self.by_start
+        return xx * x + xv * v + self.forced[0], vx * x + vv * v + self.forced[1]
+
+    def change(self, x: float, v: float) -> tuple[float, float]:
+        """Return its difference from the start, with no difference of large numbers."""
+        (_, xv), (vx, _) = self.by_start
+        return (
+            self.less[0] * x + xv * v + self.forced[0],
+            self.less[1] * v + vx * x + self.forced[1],
+        )
+
+
+def _parts(phase: Phase, angle: float, omega: float, t: float) -> _Parts:
+    small, large = roots(phase)
+    impulse = of_two(small, large, t)
+    # each as the sum that does not cancel: the smaller root stands at the impulse
+    of_x = exp(small * t) - small * impulse
+    of_v = exp(large * t) + small * impulse
+    less = expm1(small * t) - small * impulse, expm1(large * t) + small * impulse
+    x, v, by_angle = 0.0, 0.0, (0.0, 0.0)
+    if phase.f:
+        x = phase.f / phase.m * of_three(small, large, 0j, t).real
+        v = phase.f / phase.m * impulse.real
+    if phase.g:
+        wave = of_three(small, large, 1j * omega, t)
+        turn = phase.g / phase.m * cmath.exp(1j * angle)
+        moved, moving = turn * wave, turn * (1j * omega * wave + impulse)
+        x, v, by_angle = x + moved.real, v + moving.real, (-moved.imag, -moving.imag)
+    by_start = (of_x.real, impulse.real), (-phase.k / phase.m * impulse.real, of_v.real)
+    return _Parts((x, v), by_angle, by_start, (less[0].real, less[1].real))
 
 
 def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:
     return (phase.f + phase.g * cosine - phase.c * v - phase.k * x) / phase.m
 
 
-def _differences(phase: Phase, omega: float, t: Vector) -> tuple[Waves, Waves, Waves]:
-    """Return the responses to an impulse, to a constant force 1, to a harmonic one.
+def _states(
+    phase: Phase, start: Vector, angle: float, omega: float, t: Vector
+) -> tuple[Vector, Vector]:
+    """Return displacement and velocity at times after the start of a free phase.
 
-    Of a force that is zero the response is not looked for.
+    As `_parts`; of a force that is zero the response is not looked for.
     """
     small, large = roots(phase)
-    nothing = np.zeros(len(t), dtype=complex)
-    return (
-        of_two(small, large, t),
-        of_three(small, large, 0j, t) if phase.f else nothing,
-        of_three(small, large, 1j * omega, t) if phase.g else nothing,
-    )
-
-
-def _change(
-    phase: Phase,
-    start: Vector,
-    angle: float,
-    omega: float,
-    t: Vector,
-    parts: tuple[Waves, Waves, Waves],
-) -> Vector:
-    """Return the differences of x and x' from the start, with no difference of large numbers.
-
-    As `_responses`, with ``exp(z) - 1`` for each ``exp(z)`` that stands alone.
-    """
-    small, large = roots(phase)
-    impulse, constant, wave = parts
-    x = (np.expm1(small * t) - small * impulse).real * start[0] + impulse.real * start[1]
-    v = (np.expm1(large * t) + small * impulse).real * start[1]
-    v = v + (phase.f - phase.k * start[0]) / phase.m * impulse.real
-    if phase.f:
-        x = x + phase.f / phase.m * constant.real
-    if phase.g:
-        turn = phase.g / phase.m * cmath.exp(1j * angle)
-        x, v = x + (turn * wave).real, v + (turn * (1j * omega * wave + impulse)).real
-    return np.array([x[0], v[0]])
-
-
-def _responses(
-    phase: Phase,
-    start: Vector,
-    angle: float,
-    omega: float,
-    t: Vector,
-    parts: tuple[Waves, Waves, Waves],
-) -> tuple[Vector, Vector, Vector, Vector]:
-    """Return x and x', and their derivatives by the start and by the angle of the forcing."""
-    small, large = roots(phase)
-    impulse, constant, wave = parts
-    # each as the sum that does not cancel: the smaller root stands at the impulse
+    impulse = of_two_at(small, large, t)
     of_x = np.exp(small * t) - small * impulse
     of_v = np.exp(large * t) + small * impulse
-    by_start = np.array([[of_x, impulse], [-phase.k / phase.m * impulse, of_v]]).real
-    x = by_start[0, 0] * start[0] + by_start[0, 1] * start[1]
-    v = by_start[1, 0] * start[0] + by_start[1, 1] * start[1]
+    x = of_x.real * start[0] + impulse.real * start[1]
+    v = of_v.real * start[1] - phase.k / phase.m * impulse.real * start[0]
     if phase.f:
-        x = x + phase.f / phase.m * constant.real
+        x = x + phase.f / phase.m * of_three_at(small, large, 0j, t).real
         v = v + phase.f / phase.m * impulse.real
-    by_angle = np.zeros((2, len(t)))
     if phase.g:
+        wave = of_three_at(small, large, 1j * omega, t)
         turn = phase.g / phase.m * cmath.exp(1j * angle)
-        forced = turn * np.array([wave, 1j * omega * wave + impulse])
-        x, v = x + forced[0].real, v + forced[1].real
-        by_angle = -forced.imag
-    return x, v, by_start, by_angle
+        x, v = x + (turn * wave).real, v + (turn * (1j * omega * wave + impulse)).real
+    return x, v

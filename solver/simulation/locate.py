@@ -114,7 +114,8 @@ def first_event(
     placed : bool
         Whether the displacement at the start is exact to its own rounding.
     """
-    s, (x, v) = 0.0, map(float, start)
+    begin = float(start[0]), float(start[1])
+    s, (x, v) = 0.0, begin
     widest = window(phase, omega)
     largest = max((abs(factor) for form in forms for factor in form), default=1.0)
     for _ in range(MOST_STEPS):
@@ -127,10 +128,10 @@ def first_event(
             end = s + _last_correction(at, forms[nearest], s)  # type: ignore[index]
         else:
             end = most if nearest is None and s + step >= most else s + step
-        state = flow.end(phase, start, angle, omega, end).state
-        if not np.isfinite(state).all():
+        there = flow.state_at(phase, *begin, angle, omega, end)
+        if not (math.isfinite(there[0]) and math.isfinite(there[1])):
             return Reached(s, x, v, None, f"the motion in {phase.name} is beyond float64")
-        s, (x, v) = end, map(float, state)
+        s, (x, v) = end, there
         if found or s == most:
             return Reached(s, x, v, nearest if found else None)
     words = f"no event was located in {phase.name} within {MOST_STEPS} steps"
@@ -164,14 +165,14 @@ def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
         return most
     if values[leading] < 0:
         return min(most, _touch(values, sizes)) if leading == 1 else 0.0
-    powers, scale = np.empty(TERMS + 1), 1.0
+    powers, scale = [], 1.0
     for j, value in enumerate(values):
-        powers[j] = value * scale
+        powers.append(value * scale)
         scale *= most / (j + 1)
-    powers[TERMS] = -bound(at, form, most) * scale
-    if powers[leading] > -np.minimum(powers[leading + 1 :], 0.0).sum():
+    powers.append(-bound(at, form, most) * scale)
+    if powers[leading] > -sum(min(power, 0.0) for power in powers[leading + 1 :]):
         return most
-    found = first_zero(powers[leading:]) if np.isfinite(powers).all() else 0.0
+    found = first_zero(powers[leading:]) if all(map(math.isfinite, powers)) else 0.0
     if found is None:
         return most
     if found == 0:  # an interval of the size of what is left

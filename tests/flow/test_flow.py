@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from nonsmooth.solver.flow import flow
-from nonsmooth.solver.flow.divided import of_three, of_two
+from nonsmooth.solver.flow.divided import expm1, of_three, of_three_at, of_two, of_two_at
 from nonsmooth.solver.scenes.cell import Phase
 
 START, ANGLE = (0.7, -0.4), 0.9
@@ -116,6 +116,19 @@ def test_divided_differences_of_near_and_far_nodes(gap) -> None:
         values = [mp.exp(z) for z in nodes]
         ab, bc = ((values[i] - values[i + 1]) / (nodes[i] - nodes[i + 1]) for i in (0, 1))
         two, three = complex(ab), complex((ab - bc) / (nodes[0] - nodes[2]))
-    assert of_two(a, b, t)[0] == pytest.approx(two, rel=4e-15)
-    assert of_three(a, b, c, t)[0] == pytest.approx(three, rel=2e-14)
-    assert of_three(c, a, b, t)[0] == pytest.approx(three, rel=2e-14)
+    for found in (of_two(a, b, 1.0), of_two_at(a, b, t)[0]):
+        assert found == pytest.approx(two, rel=4e-15)
+    for nodes in ((a, b, c), (c, a, b)):
+        for found in (of_three(*nodes, 1.0), of_three_at(*nodes, t)[0]):
+            assert found == pytest.approx(three, rel=2e-14)
+
+
+def test_what_is_beyond_float64_is_infinite_or_no_number() -> None:
+    """A trial of Newton's method may have any duration."""
+    phase = Phase("p", 1, -1.0, 1, 0.5, 0.2, False, 0, (1, 0, 0, 0), 1, 0, ())
+    for duration in (1e4, 1e5, 1e300):
+        found = flow.end(phase, np.array([0.5, 9.0]), 0.3, 1.7, duration)
+        assert not np.isfinite(found.state).all()
+        assert not np.isfinite(found.change).all()
+    assert expm1(complex(1e-9, 1e-9)) == pytest.approx(complex(1e-9, 1e-9), rel=1e-8)
+    assert expm1(complex(0.0, 3e-8)).real == pytest.approx(-4.5e-16, rel=1e-12)

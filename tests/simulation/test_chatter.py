@@ -61,7 +61,8 @@ def accumulation(t, v, restitution):
                 return sum(c * r**derivative * mpmath.exp(r * s) for c, r in parts).real
 
             near = 2 * v / x(0, 2)
-            s = mpmath.findroot(lambda s: (x(s) - GAP) / s, (0.99 * near, 1.01 * near))
+            ends = (near / 2, 2 * near)  # before the landing, and behind it
+            s = mpmath.findroot(lambda s: (x(s) - GAP) / s, ends, solver="illinois")
             t, v = t + s, restitution * x(s, 1)
         return float(t)
 
