@@ -13,29 +13,15 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.polynomial import legendre
 
-MATHEMATICS = "d77a399e2391898f2e2596c9c7046bef6447c6ec7f914af32641be83a8bc0bbe"  # of the closed forms, by srepr
-BODY = "7085799b56fa1b35395d69d3bb5e19896ae6fdb3ac3fdf6d9f50b198aba2a64f"  # of the text below
+MATHEMATICS = "22d699d8a8e76ea77df26c3908e7a3bf157242147f8e85d945818a19479d5140"  # of the closed forms, by srepr
+BODY = "e945d262317e3cb231031441a17d8089a77efd89356045e8c9a44125c90331cb"  # of the text below
 
-FREE = 0
-CLASS = 1
-BESIDE = 2
-OF_X = 3
-OF_V = 4
-AT_END = 0
-AFTER = 1
-AT_BEGIN = 2
 M = 0
 C = 1
 K = 2
 F = 3
-G = 4
-RHO = 5
-JUMP = 6
 E_X = 7
-E_V = 8
-E_COS = 9
 E_0 = 10
-MEMORY = 11
 
 
 def products(j, n, C, S):
@@ -55,14 +41,6 @@ def alone(above, own):
         0.0,
         0.0,
         above/2 + own/2,
-    )
-
-
-def of_forcing(j, cycles, cosine, sine, C, S):
-    """Return the integrals of sine and cosine j with the forcing."""
-    return (
-        (cosine*S[cycles + j])/2 - (cosine*S[cycles - j])/2 + (sine*C[cycles + j])/2 - (sine*C[cycles - j])/2,
-        (cosine*C[cycles + j])/2 + (cosine*C[cycles - j])/2 - (sine*S[cycles + j])/2 - (sine*S[cycles - j])/2,
     )
 
 
@@ -322,97 +300,6 @@ def series_on_phase(mean, a, b, numbers, omega_0, start, s, begins, ends, u, der
     return motion
 
 
-def add_angle(J, row, factor, omega, at_s, count):
-    """Add a factor times the angle of the forcing where a phase begins to a row of J."""
-    J[row, J.shape[1] - 1] += factor
-    for q in range(count):
-        J[row, at_s + q] += omega * factor
-
-
-def break_ends(series):
-    """Return each function where the phases begin and end, from `breaks_on_phases`.
-
-    Returns
-    -------
-    ndarray, shape (1 + P or 1, n, P, 2)
-        The values, and their derivatives by each duration, at the begin and at the end.
-    """
-    phases, rates, size, _ = series.shape
-    found = np.zeros((rates, size, phases, 2))
-    for q in range(phases):
-        for r in range(rates):
-            for n in range(size):
-                for l in range(size):
-                    found[r, n, q, 0] += series[q, r, n, l] * (1 - 2 * (l % 2))
-                    found[r, n, q, 1] += series[q, r, n, l]
-    return found
-
-
-def break_integrals(n, series, weights, ends, period, numbers):
-    """Return the integrals over a cell of the residual of ``beta_n`` times harmonics.
-
-    Parameters
-    ----------
-    n : int
-        The function.
-    series : ndarray
-        From `breaks_on_phases`, with or without derivatives.
-    weights : tuple of (m, c, k) on each phase
-    ends : tuple of float, length P + 1
-    period : float
-        ``omega_0 = 2 pi/period``; a multiple of the cell.
-    numbers : ndarray
-        The harmonics; the first is that of the constant.
-
-    Returns
-    -------
-    ndarray, shape (2, 1 + P or 1, len(numbers))
-        With the cosine and with the sine: the integrals, their derivatives by each duration.
-    """
-    phases, rows, cell = len(ends) - 1, series.shape[1], ends[len(ends) - 1]
-    omega = 2 * pi / period
-    found = np.zeros((2, rows, len(numbers)))
-    rho = np.zeros((rows, n + 1))
-    even, odd = np.zeros(n + 2), np.zeros(n + 2)
-    for q in range(phases):
-        m, c, k = weights[q]
-        s, t = ends[q + 1] - ends[q], ends[q]
-        rho[:, :] = 0.0
-        for l in range(n + 1):
-            rate, twice = (
-                series[q, 0, n - 1, l] * c / cell,
-                series[q, 0, n - 2, l] * m / cell**2,
-            )
-            rho[0, l] = k * series[q, 0, n, l] + rate + twice
-            for r in range(1, rows):
-                rho[r, l] = k * series[q, r, n, l] + series[q, r, n - 1, l] * c / cell
-                rho[r, l] += series[q, r, n - 2, l] * m / cell**2 - (rate + 2 * twice) / cell
-        for column in range(len(numbers)):
-            w = numbers[column] * omega
-            bessel = spherical_bessel(n + 2, w * s / 2)
-            for turned in range(2):  # the sine is the cosine, a quarter turn back
-                middle = w * (t + s / 2) - turned * pi / 2
-                co, si = cos(middle), sin(middle)
-                for l in range(n + 2):
-                    turn = l % 4
-                    value = co if turn == 0 else -si if turn == 1 else -co if turn == 2 else si
-                    ahead = -si if turn == 0 else -co if turn == 1 else si if turn == 2 else co
-                    even[l], odd[l] = value * bessel[l], ahead * bessel[l]
-                for l in range(n + 1):
-                    found[turned, 0, column] += s * rho[0, l] * even[l]
-                for l in range(n + 1 if rows > 1 else 0):
-                    near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
-                    stretch = (odd[l] + near / (2 * l + 1)) / 2
-                    for r in range(phases):
-                        by_kappa = w * ((1.0 if r == q else 0.0) - s / cell)
-                        by_theta = w * ((1.0 if r < q else 0.0) - t / cell)
-                        slope = by_kappa * stretch + by_theta * odd[l]
-                        change = rho[1 + r, l] * even[l] + rho[0, l] * slope
-                        own = rho[0, l] * even[l] if r == q else 0.0
-                        found[turned, 1 + r, column] += s * change + own
-    return found
-
-
 def legendre_on_phase(series, duration, u, derivative):
     """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
     w = 2 * np.asarray(u, dtype=float) - 1
@@ -525,14 +412,6 @@ def is_same(numbers, column):
     return same
 
 
-def cycles_of(cell):
-    """Return how many periods of the forcing there are in the period."""
-    found = 0
-    while found * (1 if odd(cell[0]) else 2) < cell[2]:
-        found += 1
-    return found
-
-
 def add_harmonics(numbers, sign, motion, ends, period, integrals, at_s, rows):
     """Add to (5), (6), (7) what the harmonics make of the left side of the equation.
 
@@ -607,46 +486,11 @@ def add_alone(whole, order, sign, motion, ends, at_s, rows):
             rows[place, 1 + at_s + r] += (1 - order) / ends[phases] * by_cosine
 
 
-def add_forces(case, z, at_w, ends, period, integrals, N, rows):
-    """Add what constant force, memory and forcing make of the right side."""
-    kinds, numbers, setting, _, cell = case[:5]
-    more, at_s = len(setting), at_w + len(setting)
-    if more > 0 or not is_same(numbers, F) or numbers[0, F] != 0:
-        force = np.zeros((len(kinds), 1))
-        for p in range(len(kinds)):
-            force[p, 0] = numbers[p, F]
-            for i in range(more):
-                force[p, 0] = force[p, 0] + numbers[p, MEMORY + i] * z[at_w + i]
-        table = weighted_integrals(integrals, force[:, 0], 0, ends, period)
-        for r in range(table.shape[1]):
-            add_force(table[0, r], table[1, r], cell[0], N, rows, at_s + r if r > 0 else 0)
-    for i in range(more if rows.shape[1] > 1 else 0):
-        table = weighted_integrals(integrals, numbers[:, MEMORY + i], 0, ends, period)
-        add_force(table[0, 0], table[1, 0], cell[0], N, rows, 1 + at_w + i)
-    if cell[2] != 0:
-        cosine, sine = cos(z[len(z) - 1]), sin(z[len(z) - 1])
-        table = weighted_integrals(integrals, numbers[:, G], 0, ends, period)
-        for r in range(table.shape[1]):
-            column = at_s + r if r > 0 else 0
-            add_forcing(table[0, r], table[1, r], cosine, sine, cell, N, rows, column)
-        if rows.shape[1] > 1:
-            add_forcing(table[0, 0], table[1, 0], -sine, cosine, cell, N, rows, len(z))
-
-
 def add_force(C, S, sign, N, rows, column):
     """Take the integrals of a force with sines and cosines from their rows."""
     for i in range(N if odd(sign) else N + 1):
         rows[i, column] -= S[number(sign, i)]
         rows[cosine_place(sign, N, i), column] -= C[number(sign, i)]
-
-
-def add_forcing(C, S, cosine, sine, cell, N, rows, column):
-    """Take those of the forcing from them, with its cosine and sine at the first switch."""
-    sign, cycles = cell[0], cycles_of(cell)
-    for i in range(N if odd(sign) else N + 1):
-        by_sine, by_cosine = of_forcing(number(sign, i), cycles, cosine, sine, C, S)
-        rows[i, column] -= by_sine
-        rows[cosine_place(sign, N, i), column] -= by_cosine
 
 
 def beside_series(z, ends, series, N, width):
@@ -655,21 +499,20 @@ def beside_series(z, ends, series, N, width):
     Returns
     -------
     ndarray, shape (2, 2, 2, width)
-        Where each phase begins and ends.
+        Where each phase ends; no condition is on where it begins.
     """
     own, at_s, T = 2 * N + 1, 2 * N + 2, ends[2]
-    found, values = np.zeros((2, 2, 2, width)), break_ends(series)
+    found = np.zeros((2, 2, 2, width))
     for p in range(2):
-        for side in range(2):
-            for order in range(2):
-                power = T if order == 1 else 1.0
-                value = values[0, 3 - order, p, side] / power
-                found[p, side, order, 0] = z[own] * value
-                if width > 1:
-                    found[p, side, order, 1 + own] = value
-                for r in range(1, values.shape[0]):
-                    change = values[r, 3 - order, p, side] / power - order / T * value
-                    found[p, side, order, at_s + r] = z[own] * change
+        for order in range(2):
+            power = T if order == 1 else 1.0
+            value = at_end(series[p, 0, 3 - order]) / power
+            found[p, 1, order, 0] = z[own] * value
+            if width > 1:
+                found[p, 1, order, 1 + own] = value
+            for r in range(1, series.shape[1]):
+                change = at_end(series[p, r, 3 - order]) / power - order / T * value
+                found[p, 1, order, at_s + r] = z[own] * change
     return found
 
 
@@ -677,47 +520,6 @@ def add_state(rows, row, factor, series, others, p, side, order):
     """Add a factor times a derivative where a phase begins or ends to a row."""
     for i in range(rows.shape[1] if factor != 0 else 0):
         rows[row, i] += factor * (series[p + side, order, i] + others[p, side, order, i])
-
-
-def add_closure(case, z, at_w, ends, series, others, rows):
-    """Add the events, what each memory is set to, and the duration of the cell."""
-    kinds, numbers, setting, memory, cell = case[:5]
-    count, more, rates = len(kinds), len(setting), rows.shape[1] > 1
-    at_s = at_w + more
-    for p in range(count):
-        row = at_w + p
-        rows[row, 0] += numbers[p, E_0]
-        for order in range(2):
-            add_state(rows, row, numbers[p, E_X + order], series, others, p, 1, order)
-        for i in range(more):
-            rows[row, 0] += numbers[p, MEMORY + more + i] * z[at_w + i]
-            if rates:
-                rows[row, 1 + at_w + i] += numbers[p, MEMORY + more + i]
-        add_cosine(rows, row, numbers[p, E_COS], z, ends, cell[1], at_s, p + 1)
-    for i in range(more):
-        row, p = at_w + count + i, setting[i]
-        rows[row, 0] += z[at_w + i] - memory[i, 3]
-        if rates:
-            rows[row, 1 + at_w + i] += 1.0
-        for order in range(2):
-            add_state(rows, row, -memory[i, order], series, others, p, 0, order)
-        add_cosine(rows, row, -memory[i, 2], z, ends, cell[1], at_s, p)
-    if cell[2] != 0:
-        row = at_s + count
-        rows[row, 0] -= cell[2] * pi / cell[1]
-        for p in range(count):
-            rows[row, 0] += z[at_s + p]
-            if rates:
-                rows[row, 1 + at_s + p] += 1.0
-
-
-def add_cosine(rows, row, factor, z, ends, omega, at_s, q):
-    """Add a factor times the forcing where phase q begins, or the last one ends, to a row."""
-    if factor != 0:
-        angle = z[len(z) - 1] + omega * ends[q]
-        rows[row, 0] += factor * cos(angle)
-        if rows.shape[1] > 1:
-            add_angle(rows, row, -factor * sin(angle), omega, 1 + at_s, q)
 
 
 def fill(case, z, rows):
@@ -729,12 +531,12 @@ def fill(case, z, rows):
     integrals = harmonic_integrals(ends, T, 2 * N, rates)
     at_ends = waves(1.0, ends, T, N + 1, 2)
     add_harmonics(numbers, 1.0, motion, ends, T, integrals, at_s, rows)
-    add_forces(case, z, at_s, ends, T, integrals, N, rows)
+    add_constant_force(numbers, at_s, integrals, ends, N, rows)
     series = function_series(z[at_s], z[at_s + 1], rates)
     add_function(case, z, motion, ends, series, rows)
     harmonics = series_at_ends(1.0, motion, ends, at_ends, at_s, N, width)
     others = beside_series(z, ends, series, N, width)
-    add_closure(case, z, at_s, ends, harmonics, others, rows)
+    add_events(numbers, at_s, harmonics, others, rows)
     if rates:
         rows[:, 1] /= 2
 
@@ -790,16 +592,70 @@ def function_series(held, free, rates):
     return found
 
 
+def at_end(series):
+    """Return a series of shifted Legendre polynomials where the phase ends."""
+    found = 0.0
+    for l in range(len(series)):
+        found = found + series[l]
+    return found
+
+
+def function_integrals(series, numbers, ends, count):
+    """Return the integrals over the period of ``m G'' + k G`` with harmonics.
+
+    Integrals of Legendre polynomials are spherical Bessel functions.
+
+    Returns
+    -------
+    ndarray, shape (2, 3 or 1, count)
+        With the cosine and with the sine: the integrals, and if `series` has them their
+        derivatives by both durations.
+    """
+    rows, T = series.shape[1], ends[2]
+    omega = 2 * pi / T
+    found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
+    even, odd = np.zeros(5), np.zeros(5)
+    for q in range(2):
+        m, k = numbers[q, M], numbers[q, K]
+        s, t = ends[q + 1] - ends[q], ends[q]
+        for l in range(4):
+            bent = series[q, 0, 1, l] * m / T**2
+            rho[0, l] = k * series[q, 0, 3, l] + bent
+            for r in range(1, rows):
+                change = series[q, r, 1, l] * m / T**2 - 2 * bent / T
+                rho[r, l] = k * series[q, r, 3, l] + change
+        for column in range(count):
+            w = column * omega
+            bessel = spherical_bessel(5, w * s / 2)
+            for turned in range(2):  # the sine is the cosine, a quarter turn back
+                middle = w * (t + s / 2) - turned * pi / 2
+                co, si = cos(middle), sin(middle)
+                for l in range(5):
+                    turn = l % 4
+                    value = co if turn == 0 else -si if turn == 1 else -co if turn == 2 else si
+                    ahead = -si if turn == 0 else -co if turn == 1 else si if turn == 2 else co
+                    even[l], odd[l] = value * bessel[l], ahead * bessel[l]
+                for l in range(4):
+                    found[turned, 0, column] += s * rho[0, l] * even[l]
+                for l in range(4 if rows > 1 else 0):
+                    near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
+                    stretch = (odd[l] + near / (2 * l + 1)) / 2
+                    for r in range(2):
+                        by_kappa = w * ((1.0 if r == q else 0.0) - s / T)
+                        by_theta = w * ((1.0 if r < q else 0.0) - t / T)
+                        slope = by_kappa * stretch + by_theta * odd[l]
+                        change = rho[1 + r, l] * even[l] + rho[0, l] * slope
+                        own = rho[0, l] * even[l] if r == q else 0.0
+                        found[turned, 1 + r, column] += s * change + own
+    return found
+
+
 def add_function(case, z, motion, ends, series, rows):
     """Add the function to the rows of harmonics, and the row that is orthogonal to it."""
-    numbers, N, T = case[1], motion.shape[1] - 1, ends[2]
+    numbers, N = case[1], motion.shape[1] - 1
     own, at_s = 2 * N + 1, 2 * N + 2
     c1 = z[own]
-    weights = (
-        (numbers[0, M], numbers[0, C], numbers[0, K]),
-        (numbers[1, M], numbers[1, C], numbers[1, K]),
-    )
-    found = break_integrals(3, series, weights, ends, T, np.arange(0, N + 1))
+    found = function_integrals(series, numbers, ends, N + 1)
     for wave in range(2):
         for i in range(N + 1):
             row = cosine_place(1.0, N, i) if wave == 1 else i
@@ -816,3 +672,19 @@ def add_function(case, z, motion, ends, series, rows):
         rows[own, at_s + r if r > 0 else 0] += c1 * left[r] - right[r]
     if rows.shape[1] > 1:
         rows[own, 1 + own] += left[0]
+
+
+def add_constant_force(numbers, at_s, integrals, ends, N, rows):
+    """Take the integrals of the force with harmonics from their rows."""
+    force = weighted_integrals(integrals, numbers[:, F], 0, ends, ends[2])
+    for r in range(force.shape[1]):
+        column = at_s + r if r > 0 else 0
+        add_force(force[0, r], force[1, r], 1.0, N, rows, column)
+
+
+def add_events(numbers, at_s, harmonics, others, rows):
+    """Add the events that end the phases."""
+    for p in range(2):
+        rows[at_s + p, 0] += numbers[p, E_0]
+        for order in range(2):
+            add_state(rows, at_s + p, numbers[p, E_X + order], harmonics, others, p, 1, order)

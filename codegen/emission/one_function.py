@@ -1,5 +1,6 @@
 """A Fourier series and one function of class C^1, as a module of kernels for two phases."""
 
+import ast
 from collections.abc import Iterator
 from functools import cache
 
@@ -11,7 +12,6 @@ from ..galerkin.legendre import in_legendre
 from ..scene import Event, Parameter, Phase, Scene, a, v, x
 from .closed_forms import ClosedForm
 from .runtime import (
-    breaks,
     fourier,
     harmonics,
     joints,
@@ -65,9 +65,9 @@ def closed_forms() -> Iterator[ClosedForm]:
     scene, times = of_any_scene()
     series = tuple(
         coefficient
-        for phase in hb_c1.derivatives(times)
-        for order, polynomial in zip((1, 2, 3), phase[1:], strict=True)
-        for coefficient in _up_to(order, polynomial)
+        for p in range(len(times.durations))
+        for order in (2, 1, 0)
+        for coefficient in _up_to(3 - order, hb_c1.derivative(times, p, order))
     )
     what = "Return T**2 G'', T G', G on both phases, each as a series of Legendre polynomials."
     yield ClosedForm("on_phases", what, times.durations, series)
@@ -97,8 +97,9 @@ def _with_rates(value: sp.Expr) -> tuple[sp.Expr, ...]:
 
 def module_source() -> str:
     """Return the text of ``generated/hb_c1.py``."""
-    runtimes = (moments, harmonics, joints, breaks, fourier, orthogonality)
+    runtimes = (moments, harmonics, joints, fourier, orthogonality)
     loops = called(functions_of(*runtimes, whole_period, one_function))
-    used = " ".join(loops)
-    forms = [form for form in closed_forms() if f"{form.name}(" in used]
-    return module_text(DOCUMENT, joints.COLUMNS, forms, loops)
+    used = {q.id for q in ast.walk(ast.parse("\n".join(loops))) if isinstance(q, ast.Name)}
+    forms = [form for form in closed_forms() if form.name in used]
+    columns = {name: column for name, column in joints.COLUMNS.items() if name in used}
+    return module_text(DOCUMENT, columns, forms, loops)

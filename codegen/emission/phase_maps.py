@@ -10,10 +10,9 @@ from types import ModuleType
 import sympy as sp
 
 from .. import expansions
-from ..galerkin.legendre import PhaseSeries
+from ..galerkin.legendre import Moments, PhaseSeries, l
 from ..galerkin.legendre import n as degree
 from ..galerkin.polynomials import Rest
-from ..galerkin.tables import l, moment_rate
 from ..galerkin.weights import weights
 from ..scene import LinearPhase
 from .closed_forms import ClosedForm
@@ -61,7 +60,7 @@ def closed_forms(rest: Rest) -> Iterator[ClosedForm]:
     harmonic = -SERIES.residual(LinearPhase(zero, zero, zero, zero, one), l, force)
     yield ClosedForm("of_moment", what, (l, force), (harmonic,))
     kappa = sp.Symbol("kappa")
-    rate = moment_rate(moment, turned, kappa, sp.Symbol("theta"))[0]((l,), kappa)
+    rate = Moments(moment, turned, kappa, sp.Symbol("theta")).rate(kappa)
     what = "Return d mu_l/d kappa: its parts of nu_(l - 1), nu_l, nu_(l + 1)."
     parts = _coefficients(rate, (turned[l - 1], turned[l], turned[l + 1]))
     yield ClosedForm("moment_by_kappa", what, (l,), parts)

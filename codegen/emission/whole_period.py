@@ -12,10 +12,9 @@ from functools import cache
 import sympy as sp
 
 from ..expansions import hb, hb_ck
-from ..galerkin import Times, breaks
+from ..galerkin import Times
 from ..galerkin.harmonics import Harmonics, a, b, j, n
-from ..galerkin.legendre import integrated
-from ..galerkin.tables import l
+from ..galerkin.legendre import integrated, l
 from ..galerkin.times import cycles, phi
 from ..galerkin.weights import weights
 from ..scene import Event, Parameter, Phase, Scene, forcing, v, x
@@ -23,7 +22,6 @@ from ..scene import a as acceleration
 from ..scene.smoothness import HIGHEST
 from .closed_forms import ClosedForm
 from .runtime import breaking, fourier, harmonics, joints, moments, orthogonality, whole_period
-from .runtime import breaks as one_break
 from .text import functions_of, module_text
 
 DOCUMENT = '''"""Motions that are one series over the period: `hb` and `hb-ck`, for any scene.
@@ -96,7 +94,7 @@ def closed_forms() -> Iterator[ClosedForm]:
     yield ClosedForm("by_time", what, (omega, sine, cosine), _by_time())
     for name, sign in (("in_the_middle", 1), ("in_the_middle_mirrored", -1)):
         middle = sp.Rational(1, 2)
-        values = tuple(breaks.beta(q, middle, sign) for q in range(LAST + 1))
+        values = tuple(hb_ck.beta(q, middle, sign) for q in range(LAST + 1))
         words = "itself" if sign == 1 else "with the opposite sign"
         what = f"Return beta_0, beta_1, ... at u = 1/2 where the motion repeats {words}."
         yield ClosedForm(name, what, (), values)
@@ -143,7 +141,7 @@ def _by_time() -> tuple[sp.Expr, sp.Expr]:
 
 def module_source() -> str:
     """Return the text of ``generated/hb.py``."""
-    runtimes = (moments, harmonics, joints, one_break, fourier, orthogonality, breaking)
+    runtimes = (moments, harmonics, joints, fourier, orthogonality, breaking)
     loops = functions_of(*runtimes, whole_period)
     forms = list(closed_forms())
     return module_text(DOCUMENT, joints.COLUMNS, forms, called(loops))

@@ -1,8 +1,8 @@
 """Functions with a break beside a Fourier series, for the reader.
 
 In the record their coefficients are ``c2_flight``, their values at the ends of the phases and
-their integrals with harmonics are tables.  Shown are ``beta_n(u)``, polynomials of Bernoulli or
-Euler, and the residual ``r_n(t)`` of each.
+their integrals with harmonics are entries of tables.  Shown are ``beta_n(u)``, polynomials of
+Bernoulli or Euler, and the residual ``r_n(t)`` of each.
 """
 
 from collections.abc import Iterator
@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..expansions import hb_ck
+from ..expansions.hb_ck import beta
 from ..galerkin import GalerkinConditions
-from ..galerkin.breaks import beta
-from ..galerkin.tables import l
+from ..galerkin.legendre import l
 from ..scene import LinearPhase
 from ..system import Equation, Inner
 from .functions import member, omega_0, t, u
@@ -38,11 +38,13 @@ class Breaks:
 
     @classmethod
     def of(cls, conditions: GalerkinConditions, notation: Notation) -> "Breaks":
-        """Return the functions with a break that some conditions have."""
-        if not conditions.break_series:
-            return cls(notation, ())
+        """Return the functions with a break that some conditions have.
+
+        They are those whose coefficients are unknown; a switch has no more than there are
+        unknowns.
+        """
         symbols = {block.symbol for block in conditions.blocks}
-        possible = hb_ck.Expansion.of(conditions.scene, len(conditions.break_series))
+        possible = hb_ck.Expansion.of(conditions.scene, len(symbols))
         return cls(notation, tuple((p, n) for p, n, c in possible.all() if c in symbols))
 
     @property

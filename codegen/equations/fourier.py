@@ -36,7 +36,7 @@ class Fourier:
         self.overlaps = Overlaps.of(self.notation, self.harmonics)
         self.beside: Breaks | OneFunction = (
             OneFunction(self.notation)
-            if conditions.function_series
+            if OneFunction.is_in(conditions)
             else Breaks.of(conditions, self.notation)
         )
         self.section = SECTIONS[self.beside.expansion() != 0]
@@ -119,7 +119,7 @@ class Fourier:
             if condition.name == "cell":
                 continue
             closed = by_unknown(
-                condition, self.conditions.blocks, self.conditions.parameters, self._spelled
+                condition, self.conditions.blocks, self.conditions.scene.symbols, self._spelled
             )
             left = self._tested(condition) or (known[condition.name],)
             sides = (*left, self.beside.spelled(closed), sp.Integer(0))

@@ -7,7 +7,8 @@ from typing import ClassVar
 import sympy as sp
 
 from ..expansions import hb_c1
-from ..galerkin.tables import l
+from ..galerkin import GalerkinConditions
+from ..galerkin.legendre import l
 from ..scene import LinearPhase
 from ..system import Equation, Inner
 from .functions import T, omega_0, t, u
@@ -15,9 +16,6 @@ from .notation import Notation
 
 #: The function, and its residual.
 G, q = sp.Function("G")(t), sp.Function("q")(t)
-
-#: The integrals of the residual with harmonics, by the names of their tables.
-BY_COSINE, BY_SINE = sp.IndexedBase("H_cos"), sp.IndexedBase("H_sin")
 
 
 @dataclass(frozen=True)
@@ -32,6 +30,11 @@ class OneFunction:
     notation: Notation
     numbers: ClassVar = {"expansion": "11", "residual": "13"}
     tests: ClassVar = {"by_function": G}
+
+    @staticmethod
+    def is_in(conditions: GalerkinConditions) -> bool:
+        """Whether the coefficient of the function is an unknown of some conditions."""
+        return any(block.symbol == hb_c1.c1 for block in conditions.blocks)
 
     def expansion(self) -> sp.Expr:
         """Return what the function adds to the Fourier series."""
@@ -60,22 +63,12 @@ class OneFunction:
         yield Equation("", "residual of the function", (q, value), self.notation.during(p))
 
     def entries(self, expression: sp.Expr) -> sp.Expr:
-        """Return an expression with the tables written as shown."""
-        values = {}
-        for entry in expression.atoms(sp.Indexed):
-            if entry.base == hb_c1.ENDS:
-                row, p, _ = map(int, entry.indices)
-                value = hb_c1.derivatives(self.notation.times)[p][row].subs(hb_c1.u, 1)
-                values[entry] = sp.factor(self.notation.in_times(value))
-            elif entry.base == hb_c1.BY_COSINE:
-                values[entry] = BY_COSINE[entry.indices]
-            elif entry.base == hb_c1.BY_SINE:
-                values[entry] = BY_SINE[entry.indices]
-        return expression.xreplace(values)
+        """Return an expression as it is: the integrals are shown as they are called."""
+        return expression
 
     def integrals(self) -> Iterator[Equation]:
         """Yield what the integrals with harmonics are."""
-        for base, f in ((BY_COSINE, sp.cos), (BY_SINE, sp.sin)):
+        for base, f in ((hb_c1.BY_COSINE, sp.cos), (hb_c1.BY_SINE, sp.sin)):
             sides = (base[l], Inner(q, f(l * omega_0 * t)))
             yield Equation("", "integral of the residual with a harmonic", sides)
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..galerkin.harmonics import POWERS, Harmonics, j, n
-from ..galerkin.tables import l
+from ..galerkin.legendre import l
 from ..system import Equation
 from .functions import omega_0, t
 from .notation import Notation

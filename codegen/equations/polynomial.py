@@ -7,9 +7,8 @@ from importlib import import_module
 import sympy as sp
 
 from ..galerkin import Condition, GalerkinConditions, polynomials
-from ..galerkin.legendre import n, repeated_integral
-from ..galerkin.polynomials import Rest, Test, series
-from ..galerkin.tables import Table, by_time, l
+from ..galerkin.legendre import Moments, l, n, repeated_integral
+from ..galerkin.polynomials import Rest, Test, moments, series
 from ..scene import linear_phase
 from ..system import Equation, Inner
 from ..unevaluated import ShiftedLegendre, TwiceIntegrated
@@ -46,6 +45,7 @@ class Polynomial:
         self.conditions = conditions
         self.notation = Notation.of(conditions.scene)
         self.trial = series(conditions.scene, self.notation.times, self.notation.found)
+        self.moments = tuple(moments(conditions.scene, self.notation.times))
         name = conditions.method.replace("-", "_")
         expansion = import_module(f"..expansions.{name}", __package__)
         self.test: Test = expansion.test
@@ -64,29 +64,17 @@ class Polynomial:
         yield from self._residual()
         yield from self._tests()
         yield from self._conditions()
-        yield from map(_moment, self._looked_up())
+        yield from map(_moment, self.moments)
 
     def jacobian(self) -> Iterator[Equation]:
         """Yield the derivatives by the times of what the conditions look up."""
-        used = self._looked_up()
-        for table in self.conditions.tables:
-            if table not in used:
-                yield _moment(table)
-        for table in used:
+        yield from (_moment(q, turned=True) for q in self.moments)
+        for q in self.moments:
             for time in self.notation.times.unknown:
-                entry = table.base[l]
-                rate = by_time(entry, time, self.conditions.tables)
+                rate = q.rate(time)
                 if rate != 0:
-                    sides = (sp.Derivative(entry, time, evaluate=False), by_entries(rate))
+                    sides = (sp.Derivative(q.symbol[l], time, evaluate=False), by_entries(rate))
                     yield Equation("", "time derivative", sides)
-
-    def _looked_up(self) -> list[Table]:
-        """Return the tables that the conditions themselves look up."""
-        there = set().union(
-            *(q.expression.atoms(sp.Indexed) for q in self.conditions.conditions)
-        )
-        bases = {entry.base for entry in there}
-        return [table for table in self.conditions.tables if table.base in bases]
 
     def _number(self, name: str, p: int) -> str:
         """Return the number of an equation of phase `p`, which is of class C^1 in the paper."""
@@ -196,7 +184,7 @@ class Polynomial:
         for condition in self.conditions.conditions:
             if condition.name == "cell":
                 continue
-            blocks, symbols = self.conditions.blocks, self.conditions.parameters
+            blocks, symbols = self.conditions.blocks, self.conditions.scene.symbols
             closed = by_unknown(condition, blocks, symbols, lambda factor: factor)
             left = known.get(condition.name)
             left = left if left is not None else self._tested(condition)
@@ -237,16 +225,16 @@ def _factors(name: str) -> sp.IndexedBase:
     return sp.IndexedBase(f"tau_{name}", real=True)
 
 
-def _moment(table: Table) -> Equation:
-    """Return what a table of moments holds."""
-    assert table.definition is not None
-    degree, kappa, theta = table.definition.args
+def _moment(found: Moments, turned: bool = False) -> Equation:
+    """Return what the moments of the forcing are, or those a quarter turn on."""
+    kappa, theta = found.kappa, found.theta + (sp.pi / 2 if turned else 0)
     wave = sp.cos(kappa * u + theta)
     sign = -1 if wave.could_extract_minus_sign() else 1
-    integral = sign * sp.Integral(ShiftedLegendre(degree, u) * sign * wave, (u, 0, 1))
-    closed = sp.cos(theta + kappa / 2 + degree * sp.pi / 2) * sp.jn(degree, kappa / 2)
+    integral = sign * sp.Integral(ShiftedLegendre(l, u) * sign * wave, (u, 0, 1))
+    closed = sp.cos(theta + kappa / 2 + l * sp.pi / 2) * sp.jn(l, kappa / 2)
     title = "moment of the forcing; `j_l` is the spherical Bessel function"
-    return Equation("", title, (table.base[degree], integral, closed))
+    symbol = found.turned if turned else found.symbol
+    return Equation("", title, (symbol[l], integral, closed))
 
 
 def _combined(weights: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:

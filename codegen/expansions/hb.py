@@ -75,7 +75,6 @@ def _row(
         first=sp.Integer(1),
         count=sp.Integer(1) if index is None else N,
         number={"by_one": "5", "by_sine": "6", "by_cosine": "7"}[name],
-        where="" if index is None else "j = 1, ..., N",
     )
 
 
@@ -125,9 +124,6 @@ def derive(scene: Scene) -> GalerkinConditions:
         tuple(_blocks(scene, found)),
         times,
         conditions,
-        tuple(harmonics.tables()),
-        lowest=1,
-        odd_harmonics=harmonics.odd,
     )
     system.check_count()
     return system
@@ -136,9 +132,9 @@ def derive(scene: Scene) -> GalerkinConditions:
 def series_blocks(scene: Scene) -> Iterator[Block]:
     """Yield the coefficients of (3)."""
     if scene.sign == 1:
-        yield Block(a0, sp.Integer(1), 0, "twice the mean")
-    yield Block(a, N, 0, "of the sines", first=1)
-    yield Block(b, N, 0, "of the cosines", first=1)
+        yield Block(a0, sp.Integer(1), "twice the mean")
+    yield Block(a, N, "of the sines")
+    yield Block(b, N, "of the cosines")
 
 
 def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
@@ -146,5 +142,5 @@ def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
     for p, switch in enumerate(found):
         if switch.k == 0:
             what = f"jump of the velocity where {switch.before} begins"
-            yield Block(jump(found, p), sp.Integer(1), 1, what)
+            yield Block(jump(found, p), sp.Integer(1), what)
     yield from closure.memory_blocks(scene)

@@ -16,12 +16,9 @@ from dataclasses import replace
 import sympy as sp
 
 from ..expansion import About
-from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, closure
+from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.condition import N
-from ..galerkin.harmonics import Harmonics, a, a0, b, ends_of_phases, equations, n
-from ..galerkin.legendre import in_legendre
-from ..galerkin.tables import tables_with_rates
-from ..python_text import floating, python
+from ..galerkin.harmonics import Harmonics, a, a0, b, equations, n
 from ..scene import Scene, switches
 from . import hb
 
@@ -35,8 +32,8 @@ c1 = sp.Symbol("c1", real=True)
 #: Local time of a phase, from 0 to 1.
 u = sp.Symbol("u", real=True)
 
-#: The tables of the residual of ``G`` with harmonics, and of ``G`` at the ends of the phases.
-BY_COSINE, BY_SINE, ENDS = map(sp.IndexedBase, ("G_cos", "G_sin", "G_ends"))
+#: What the integrals of the residual of ``G`` with harmonics are called.
+BY_COSINE, BY_SINE = sp.IndexedBase("H_cos"), sp.IndexedBase("H_sin")
 
 
 def applies(scene: Scene) -> bool:
@@ -56,16 +53,10 @@ def function(times: Times) -> tuple[sp.Expr, sp.Expr]:
     return -ramp[0], u**2 * (3 - 2 * u) - ramp[1]
 
 
-def derivatives(times: Times) -> tuple[tuple[sp.Expr, ...], ...]:
-    """Return ``T**3 G'''``, ``T**2 G''``, ``T G'``, ``G`` on each phase, in local time `u`."""
-    pairs = zip(function(times), times.durations, strict=True)
-    return tuple(
-        tuple(
-            sp.expand(sp.diff(G, u, order) * (times.cell / s) ** order)
-            for order in (3, 2, 1, 0)
-        )
-        for G, s in pairs
-    )
+def derivative(times: Times, p: int, order: int) -> sp.Expr:
+    """Return a derivative of ``G`` on a phase, in local time `u`, times a power of ``T``."""
+    G, s = function(times)[p], times.durations[p]
+    return sp.expand(sp.diff(G, u, order) * (times.cell / s) ** order)
 
 
 def by_itself(scene: Scene, times: Times) -> sp.Expr:
@@ -100,24 +91,6 @@ def orthogonality(harmonics: Harmonics) -> Iterator[Condition]:
     )
 
 
-def tables(harmonics: Harmonics) -> Iterator[Table]:
-    """Yield the function at the ends of the phases, and its residual by the harmonics."""
-    times, ends = harmonics.times, ends_of_phases(harmonics.times)
-    phases = ", ".join(
-        f"({', '.join(map(floating, (q.m, q.c, q.k)))})" for q in equations(harmonics.scene)
-    )
-    made = f"series = function_series({', '.join(map(str, times.durations))}, rates)"
-    at_ends = f"{made}\nat_ends = break_ends(series)"
-    yield from tables_with_rates(str(ENDS), times.durations, "at_ends", at_ends)
-    made = (
-        f"{made}\nover_function = break_integrals(3, series, ({phases},), {ends}, "
-        f"{python(times.period)}, np.arange(0, N + 1))"
-    )
-    for row, base in enumerate((BY_COSINE, BY_SINE)):
-        source = f"over_function[{row}]"
-        yield from tables_with_rates(str(base), times.durations, source, made)
-
-
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene.
 
@@ -132,21 +105,17 @@ def derive(scene: Scene) -> GalerkinConditions:
     harmonics = Harmonics(scene, times)
 
     def end(p: int, order: int) -> sp.Expr:
+        at_end = sp.factor(derivative(times, p, order).subs(u, 1))
         series = hb.series(harmonics, times.start(p + 1), order)
-        return series + c1 * ENDS[3 - order, p, 1] / times.cell**order
+        return series + c1 * at_end / times.cell**order
 
     system = GalerkinConditions(
         scene,
         METHOD,
         TITLE,
-        (*hb.series_blocks(scene), Block(c1, sp.Integer(1), 0, "of the function of (12)")),
+        (*hb.series_blocks(scene), Block(c1, sp.Integer(1), "of the function of (12)")),
         times,
         (*orthogonality(harmonics), *closure.events(scene, times, end)),
-        (*harmonics.tables(), *tables(harmonics)),
-        lowest=1,
-        function_series=tuple(
-            tuple(in_legendre(row, u) for row in rows) for rows in derivatives(times)
-        ),
     )
     system.check_count()
     return system

@@ -3,18 +3,25 @@
 Beside the Fourier series, K functions for each switch: their breaks take from the series the
 jumps of the first K derivatives that jump there.  One row for each: the equation of motion,
 differentiated, says how large the jump is.
+
+For a switch at ``t_p``, ``beta_n(t - t_p)`` has a jump in its derivative of order n - 1 alone.
+With ``u = (t - t_p)/T_c`` on the cell that begins at the switch,
+
+    beta_n = -B_n(u)/n!                    where the motion repeats after a cell,
+    beta_n = E_(n-1)(u)/(2 (n - 1)!)       where it repeats with the opposite sign,
+
+with the polynomials of Bernoulli and Euler; the jump is 1 by u, and
+``d beta_n/dt = beta_(n-1)/T_c``.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from ..expansion import About
-from ..galerkin import Block, Condition, GalerkinConditions, Table, Times, breaks, closure
-from ..galerkin.harmonics import Harmonics, ends_of_phases, equations, j
-from ..galerkin.tables import tables_with_rates
-from ..python_text import floating, python
+from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
+from ..galerkin.harmonics import Harmonics, equations, j
 from ..scene import Scene, Switch, switches, v
 from . import hb
 
@@ -25,6 +32,13 @@ ABOUT = About(place=3, power=True, colour="#D55E00", marker="s", line=(0, (6, 2,
 
 #: How many functions a switch may have.
 FUNCTIONS = (1, 2, 3)
+
+
+def beta(n: int, u: sp.Expr, sign: int) -> sp.Expr:
+    """Return ``beta_n`` at ``u`` from 0 to 1."""
+    if sign == 1:
+        return -sp.bernoulli(n, u) / sp.factorial(n) if n else sp.Integer(-1)
+    return sp.euler(n - 1, u) / (2 * sp.factorial(n - 1)) if n else sp.Integer(0)
 
 
 @dataclass(frozen=True)
@@ -69,11 +83,11 @@ class Expansion:
         return total
 
     def ends(self, p: int) -> sp.IndexedBase:
-        """Return the table of the functions of a switch at the ends of the phases."""
+        """Return what the functions of a switch are called at the ends of the phases."""
         return sp.IndexedBase(f"beta_{self.switches[p].before}")
 
     def integrals(self, p: int, n: int, wave: str) -> sp.IndexedBase:
-        """Return the table of the integrals of a function with harmonics."""
+        """Return what the integrals of a function with harmonics are called."""
         return sp.IndexedBase(f"G{n}_{self.switches[p].before}_{wave}")
 
 
@@ -85,39 +99,7 @@ def orthogonality(e: Expansion) -> Iterator[Condition]:
             wave = "sin" if condition.name == "by_sine" else "cos"
             index = sp.Integer(0) if condition.index is None else j
             extra += c * e.integrals(p, n, wave)[index]
-        yield Condition(
-            condition.name,
-            condition.title,
-            condition.expression + extra,
-            condition.index,
-            condition.first,
-            condition.count,
-            condition.number,
-            condition.where,
-        )
-
-
-def tables(e: Expansion) -> Iterator[Table]:
-    """Yield the functions at the ends of the phases, and their integrals with harmonics."""
-    durations, ends = e.times.durations, ends_of_phases(e.times)
-    numbers = "np.abs(np.arange(-1, 2*N, 2))" if e.harmonics.odd else "np.arange(0, N + 1)"
-    weights = ", ".join(
-        f"({', '.join(map(floating, (q.m, q.c, q.k)))})" for q in equations(e.scene)
-    )
-    for p, switch in enumerate(e.switches):
-        series, at_ends = f"series_{switch.before}", f"ends_{switch.before}"
-        prepare = f"{series} = breaks_on_phases({p}, {ends}, {e.times.sign}, rates)"
-        made = f"{prepare}\n{at_ends} = break_ends({series})"
-        yield from tables_with_rates(str(e.ends(p)), durations, at_ends, made)
-        for n in e.orders(p):
-            name = f"over_beta{n}_{switch.before}"
-            made = (
-                f"{prepare}\n{name} = break_integrals({n}, {series}, ({weights},), {ends}, "
-                f"{python(e.times.period)}, {numbers})"
-            )
-            for row, wave in enumerate(("cos", "sin")):
-                base = str(e.integrals(p, n, wave))
-                yield from tables_with_rates(base, durations, f"{name}[{row}]", made)
+        yield replace(condition, expression=condition.expression + extra)
 
 
 def jumps(e: Expansion) -> Iterator[Condition]:
@@ -176,8 +158,6 @@ def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
         *closure.memory(scene, e.times, lambda p, order: e.smooth(p, order, left=False)),
         *closure.period(e.times),
     )
-    looked_up = (*e.harmonics.tables(), *tables(e))
-    forms = breaks.series(max(n for _, n, _ in e.all()), e.times.sign)
     system = GalerkinConditions(
         scene,
         f"{METHOD}, K = {functions}",
@@ -185,10 +165,6 @@ def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:
         tuple(_blocks(e)),
         e.times,
         rows,
-        looked_up,
-        lowest=1,
-        break_series=forms,
-        odd_harmonics=e.harmonics.odd,
     )
     system.check_count()
     return system
@@ -198,5 +174,5 @@ def _blocks(e: Expansion) -> Iterator[Block]:
     yield from hb.series_blocks(e.scene)
     for p, n, c in e.all():
         what = f"of beta_{n} of the switch to {e.switches[p].before}"
-        yield Block(c, sp.Integer(1), 0, what)
+        yield Block(c, sp.Integer(1), what)
     yield from closure.memory_blocks(e.scene)

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator, Sequence
 import sympy as sp
 
 from ..scene import Scene, Switch, forcing, v, x
-from ..scene.memory import power_of_time
 from .condition import Block, Condition
 from .times import Times
 
@@ -134,4 +133,4 @@ def memory_blocks(scene: Scene) -> Iterator[Block]:
     """Yield the unknown values of the memory."""
     for q in scene.memory:
         what = f"{q.what}, set where {q.at} begins"
-        yield Block(q.symbol, sp.Integer(1), power_of_time(scene, q), what)
+        yield Block(q.symbol, sp.Integer(1), what)

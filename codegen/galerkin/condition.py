@@ -1,12 +1,11 @@
-"""The record that emission and printing read: unknowns, conditions, tables."""
+"""The record that printing reads: unknowns and conditions."""
 
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..scene import Scene
-from .tables import Table
-from .times import Times, cycles
+from .times import Times
 
 #: The order of the expansion; where only odd harmonics are there, their number.
 N = sp.Symbol("N", integer=True, positive=True)
@@ -21,24 +20,18 @@ class Block:
     symbol : Symbol or IndexedBase
         One unknown, or a family with an index.
     count : Expr
-        How many there are, in `N`; indices run from `first`.
-    power : int
-        Its unit is a length over a time to this power.
+        How many there are, in `N`.
     what : str
         What it is, in a few words.
-    first : int
-        The lowest index.
     """
 
     symbol: sp.Expr
     count: sp.Expr
-    power: int
     what: str
-    first: int = 0
 
     @property
     def name(self) -> str:
-        """Its name in a kernel."""
+        """What it is called."""
         return str(self.symbol)
 
 
@@ -49,7 +42,7 @@ class Condition:
     Parameters
     ----------
     name : str
-        Of the function of the kernel.
+        What printing knows it by.
     title : str
         What it says.
     expression : Expr
@@ -60,8 +53,6 @@ class Condition:
         First value of the index, and number of rows, in `N`.
     number : str
         Number in the paper.
-    where : str
-        The range of the index, for the reader.
     """
 
     name: str
@@ -71,18 +62,24 @@ class Condition:
     first: sp.Expr = sp.S.Zero
     count: sp.Expr = sp.S.One
     number: str = ""
-    where: str = ""
+
+    @property
+    def where(self) -> str:
+        """The range of the index, for the reader."""
+        if self.index is None:
+            return ""
+        return f"{self.index} = {self.first}, ..., {self.first + self.count - 1}"
 
 
 @dataclass(frozen=True)
 class GalerkinConditions:
-    """A scene in one expansion: unknowns in the order of the kernel, and conditions.
+    """A scene in one expansion: unknowns and conditions, in the order of the kernel.
 
     Parameters
     ----------
     scene : Scene
     method : str
-        Of the expansion, such as ``"ck-tau"``.
+        Of the expansion, such as ``"ck-tau"``; behind a comma, how many functions it has.
     title : str
         What the expansion is, for the heading.
     blocks : tuple of Block
@@ -90,18 +87,6 @@ class GalerkinConditions:
     times : Times
         The unknown times.
     conditions : tuple of Condition
-    tables : tuple of Table
-        What the conditions look up.
-    lowest : int
-        The smallest order at which there are as many conditions as unknowns and none is void.
-    break_series : tuple of tuple of Expr
-        The Legendre coefficients of functions with a break, if the expansion has them.
-    function_series : tuple of tuple of tuple of Expr
-        Of one function of the whole cell, if the expansion has it: on each phase the Legendre
-        coefficients of ``T**3 G'''``, ``T**2 G''``, ``T G'``, ``G``.
-    odd_harmonics : bool
-        Whether only odd harmonics are there.  The order, which users give, is the highest
-        harmonic; then `N` is ``(order + 1)//2``, and the order itself otherwise.
     """
 
     scene: Scene
@@ -110,17 +95,6 @@ class GalerkinConditions:
     blocks: tuple[Block, ...]
     times: Times
     conditions: tuple[Condition, ...]
-    tables: tuple[Table, ...]
-    lowest: int
-    break_series: tuple[tuple[sp.Expr, ...], ...] = ()
-    function_series: tuple[tuple[tuple[sp.Expr, ...], ...], ...] = ()
-    odd_harmonics: bool = False
-
-    @property
-    def parameters(self) -> tuple[sp.Symbol, ...]:
-        """What makes a case: the parameters of the scene and, if it is forced, the cycles."""
-        forced = self.times.frequency is not None
-        return (*self.scene.symbols, cycles) if forced else self.scene.symbols
 
     def check_count(self) -> None:
         """Check that there are as many conditions as unknowns.

@@ -5,17 +5,14 @@ weight w constant on each phase is one table for each coefficient of the equatio
 Products of harmonics are sums of harmonics, so every entry is a combination of two values.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 import sympy as sp
 from sympy.simplify.fu import TR8
 
-from ..python_text import floating, python
 from ..scene import LinearPhase, Scene, linear_phase
-from .condition import N
-from .tables import Table, tables_with_rates
 from .times import Times, cycles, phi
 
 n, j = sp.symbols("n j", integer=True, positive=True)
@@ -28,16 +25,12 @@ a0 = sp.Symbol("a0", real=True)
 POWERS = {"m": 2, "c": 1, "k": 0, "f": 0, "g": 0}
 
 
-def equations(scene: Scene) -> tuple[LinearPhase, ...]:
+def equations(scene: Scene, memory: tuple[sp.Symbol, ...] = ()) -> tuple[LinearPhase, ...]:
     """Return the equation of motion of each phase; that of a held one times the mass.
 
     A constraint holds its velocity, so its residual is ``m x''``, comparable with the others.
-    A memory, which is unknown, is part of the constant force.
+    A memory, which is unknown, is part of the constant force, but for those given.
     """
-    return _equations(scene, ())
-
-
-def _equations(scene: Scene, memory: tuple[sp.Symbol, ...]) -> tuple[LinearPhase, ...]:
     free = [linear_phase(phase, memory) for phase in scene.cell if phase.held is None]
     none = sp.Integer(0)
     rest = LinearPhase(free[0].m, none, none, none, none, (none,) * len(memory))
@@ -46,28 +39,9 @@ def _equations(scene: Scene, memory: tuple[sp.Symbol, ...]) -> tuple[LinearPhase
     )
 
 
-def _roots(index: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """Yield where the number of a product of harmonics is zero, `j` and `n` from 1 on."""
-    for symbol in (j, n):
-        if index.has(symbol):
-            slope = index.coeff(symbol)
-            root = sp.expand(symbol - index / slope)
-            if root.is_positive:
-                yield symbol, root
-            return
-    if index == 0:
-        yield sp.Integer(0), sp.Integer(0)
-
-
-def ends_of_phases(times: Times) -> str:
-    """Return where the phases begin, and where the last one ends, in Python."""
-    starts = (times.start(p) for p in range(1, len(times.durations) + 1))
-    return f"({', '.join(('0.0', *map(python, starts)))})"
-
-
 @dataclass(frozen=True)
 class Harmonics:
-    """The harmonics of a scene and what integrals of them are tabulated.
+    """The harmonics of a scene, and integrals of them in entries of tables.
 
     Parameters
     ----------
@@ -96,55 +70,11 @@ class Harmonics:
     def weights(self) -> Mapping[str, tuple[sp.Expr, ...]]:
         """The coefficients of the equation of motion on each phase, by their names."""
         memory = tuple(q.symbol for q in self.scene.memory)
-        phases = _equations(self.scene, memory)
+        phases = equations(self.scene, memory)
         found = {name: tuple(getattr(q, name) for q in phases) for name in POWERS}
         for i, symbol in enumerate(memory):
             found[f"w_{symbol}"] = tuple(q.memory[i] for q in phases)
         return found
-
-    def tables(self) -> Iterator[Table]:
-        """Yield the tables that the conditions look up, with their derivatives."""
-        highest, ends = self._highest(), ends_of_phases(self.times)
-        period = python(self.times.period)
-        over = f"over_phases = harmonic_integrals({ends}, {period}, {highest}, rates)"
-        for name, values in self.weights.items():
-            if not any(values):
-                continue
-            power = POWERS.get(name, 0)
-            phases = ", ".join(map(floating, values)) + "," * (len(values) == 1)
-            prepare = (
-                f"{over}\nover_{name} = weighted_integrals(over_phases, ({phases}), {power}, "
-                f"{ends}, {period})"
-            )
-            whole = values[0] * self.omega_0**power * self.times.cell
-            uniform = all(value == values[0] for value in values) and name != "g"
-            for row, letter in enumerate("CS"):
-                yield from tables_with_rates(
-                    f"{letter}_{name}",
-                    self.times.durations,
-                    f"over_{name}[{row}]",
-                    prepare,
-                    partial(self._over_whole_cell, whole if letter == "C" else sp.Integer(0))
-                    if uniform
-                    else None,
-                )
-
-    def _highest(self) -> str:
-        """Return the highest harmonic that is integrated: of products, or of the forcing."""
-        last = self.number(N)
-        products = python(sp.expand(2 * last))
-        if self.times.frequency is None:
-            return products
-        return f"max({products}, {python(sp.expand(last + cycles))})"
-
-    def _over_whole_cell(self, whole: sp.Expr, index: sp.Expr) -> sp.Expr | None:
-        """Return an integral with a uniform weight, `whole` for the constant.
-
-        All harmonics of a period are orthogonal over it, the even ones over half of it as well.
-        """
-        if self.odd and any(q % 2 for q in sp.Poly(index, j, n).coeffs()):
-            return None
-        return whole * sp.Add(*(sp.KroneckerDelta(q, at) for q, at in _roots(index)))
 
     def over_cell(self, name: str, product: sp.Expr) -> sp.Expr:
         """Return the integral of a weight times a product of harmonics, from its tables.

@@ -7,6 +7,17 @@ begins.  What integrating does to the coefficients follows from one fact,
     int_0^u P_n* = (P_(n+1)* - P_(n-1)*)/(2 (2 n + 1)),     P_(-1)* = -P_0*,
 
 so the coefficient of ``P_l*`` in each is a combination of at most three of the ``d_n``.
+
+The forcing has the moments
+
+    ``mu_l(kappa, theta) = int_0^1 P_l*(u) cos(kappa u + theta) du``
+    ``= Re[i^l exp(i (theta + kappa/2))] j_l(kappa/2)``
+
+with the spherical Bessel function j_l.  Their derivatives stay in the family: with ``nu_l`` a
+quarter turn on, ``nu_l(kappa, theta) = mu_l(kappa, theta + pi/2)``,
+
+    ``d mu_l/d theta = nu_l``
+    ``d mu_l/d kappa = [nu_l + ((l + 1) nu_(l+1) + l nu_(l-1))/(2 l + 1)]/2``.
 """
 
 from collections.abc import Callable
@@ -16,7 +27,8 @@ import sympy as sp
 
 from ..scene import LinearPhase
 
-n = sp.Symbol("n", integer=True, nonnegative=True)
+#: The degree of a trial function, and of a test.
+n, l = sp.symbols("n l", integer=True, nonnegative=True)
 
 Coefficient = Callable[[sp.Expr], sp.Expr]
 
@@ -126,3 +138,28 @@ class PhaseSeries:
         sign = sp.Integer(1) if at_end else (-1) ** (n + q)
         term = sign * rising * self.acceleration[n] / self.duration**q
         return sp.Sum(term, (n, 0, self.count - 1))
+
+
+@dataclass(frozen=True)
+class Moments:
+    """The moments of the forcing on one phase, with symbols for them.
+
+    Parameters
+    ----------
+    symbol, turned : IndexedBase
+        The moments, and those a quarter turn on.
+    kappa, theta : Expr
+        What the angle of the forcing gains in the phase, and where it begins.
+    """
+
+    symbol: sp.IndexedBase
+    turned: sp.IndexedBase
+    kappa: sp.Expr
+    theta: sp.Expr
+
+    def rate(self, time: sp.Symbol) -> sp.Expr:
+        """Return the derivative of ``mu_l`` by a time that `kappa` and `theta` depend on."""
+        turned = self.turned
+        near = (l + 1) * turned[l + 1] + l * turned[l - 1]
+        stretch = (turned[l] + near / (2 * l + 1)) / 2
+        return sp.diff(self.kappa, time) * stretch + sp.diff(self.theta, time) * turned[l]

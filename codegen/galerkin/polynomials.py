@@ -18,8 +18,7 @@ import sympy as sp
 from ..scene import Phase, Scene, Switch, linear_phase, switches
 from . import closure
 from .condition import Block, Condition, GalerkinConditions, N
-from .legendre import PhaseSeries
-from .tables import Table, l, moment_tables
+from .legendre import Moments, PhaseSeries, l
 from .times import Times
 
 #: ``test(l, k)``: the test function of index l on a phase that begins C^k, as weights of
@@ -60,32 +59,26 @@ def blocks(
     """Yield the unknowns of each phase: where it begins, its acceleration, what is left."""
     one = sp.Integer(1)
     for phase, q in zip(scene.phases, trial, strict=True):
-        yield Block(q.displacement, one, 0, f"displacement where {phase.name} begins")
-        yield Block(q.velocity, one, 1, f"velocity where {phase.name} begins")
+        yield Block(q.displacement, one, f"displacement where {phase.name} begins")
+        yield Block(q.velocity, one, f"velocity where {phase.name} begins")
         if q.acceleration is not None:
             what = f"acceleration of {phase.name} in Legendre polynomials"
-            yield Block(q.acceleration, q.count, 2, what)
+            yield Block(q.acceleration, q.count, what)
         for tau in left.get(phase.name, ()):
-            yield Block(tau, one, 2, f"of what no test sees of the residual of {phase.name}")
+            yield Block(tau, one, f"of what no test sees of the residual of {phase.name}")
 
 
-def tables(scene: Scene, times: Times, extra: int) -> tuple[Table, ...]:
-    """Return the moments of the forcing on each free phase, for degrees up to N and `extra`."""
-    if times.frequency is None:
-        return ()
-    found: list[Table] = []
-    for p, phase in enumerate(scene.phases):
+def moments(scene: Scene, times: Times) -> Iterator[Moments]:
+    """Yield the moments of the forcing on each free phase that it acts on."""
+    for p, phase in enumerate(scene.cell):
         if phase.held is None and linear_phase(phase).g != 0:
-            kappa = times.frequency * times.durations[p]
-            theta = times.angle(times.start(p))
-            found += moment_tables(phase.name, kappa, theta, f"N + {extra}")
-    return tuple(found)
+            kappa, theta = times.frequency * times.durations[p], times.angle(times.start(p))
+            yield Moments(of_forcing(phase), sp.IndexedBase(f"nu_{phase.name}"), kappa, theta)
 
 
-def moment(found: tuple[Table, ...], phase: Phase, degree: sp.Expr) -> sp.Expr:
-    """Return the moment of the forcing with ``P_degree*`` on a phase."""
-    base = sp.IndexedBase(f"mu_{phase.name}")
-    return base[degree] if any(table.base == base for table in found) else sp.Integer(0)
+def of_forcing(phase: Phase) -> sp.IndexedBase:
+    """Return what the moments of the forcing on a phase are called."""
+    return sp.IndexedBase(f"mu_{phase.name}")
 
 
 def rows_of(q: PhaseSeries, switch: Switch) -> sp.Expr:
@@ -133,12 +126,7 @@ def check_rest(test: Test, rest: Rest | None, k: int) -> None:
 
 
 def orthogonality(
-    phase: Phase,
-    q: PhaseSeries,
-    switch: Switch,
-    found: tuple[Table, ...],
-    test: Test,
-    rest: Rest | None,
+    phase: Phase, q: PhaseSeries, switch: Switch, test: Test, rest: Rest | None
 ) -> Iterator[Condition]:
     """Yield that what is left of the residual of a phase is what the tests do not see."""
     equation = linear_phase(phase)
@@ -146,7 +134,7 @@ def orthogonality(
     left = rest_of(phase, switch, test) if rest else ()
 
     def row(index: sp.Expr, first: int = 0) -> sp.Expr:
-        residual = q.residual(equation, index, moment(found, phase, index))
+        residual = q.residual(equation, index, of_forcing(phase)[index])
         if rest is None:
             return residual
         unseen = (tau * rest(rows + i, index, switch.k) for i, tau in enumerate(left))
@@ -163,16 +151,9 @@ def orthogonality(
         index=l,
         first=sp.Integer(STATE),
         count=rows - STATE,
-        where=f"l = {STATE}, ..., {rows - 1}",
     )
     for i in range(len(left)):
         yield Condition(f"{phase.name}_rest_{i}", f"{title} {rows + i}", row(rows + i, i))
-
-
-def _lowest(rows: list[Condition]) -> int:
-    """Return the lowest order at which every condition has a row."""
-    wanted = [c.count.subs(N, 0) for c in rows if c.index is not None]
-    return max(1, *(-int(count) for count in wanted))
 
 
 def _events(
@@ -219,13 +200,11 @@ def derive(
     for switch in found:
         check_rest(test, rest, switch.k)
     trial = series(scene, times, found)
-    highest = max(switch.k for switch in found)
-    looked_up = tables(scene, times, 2 * highest + 5)
     rows = [
         condition
         for phase, q, switch in zip(scene.cell, trial, found, strict=True)
         if phase.held is None
-        for condition in orthogonality(phase, q, switch, looked_up, test, rest)
+        for condition in orthogonality(phase, q, switch, test, rest)
     ]
 
     def start(p: int, order: int) -> sp.Expr:
@@ -246,8 +225,6 @@ def derive(
         (*blocks(scene, trial, left), *closure.memory_blocks(scene)),
         times,
         (*rows, *joined, *events, *memory, *closure.period(times)),
-        looked_up,
-        lowest=_lowest(rows),
     )
     system.check_count()
     return system

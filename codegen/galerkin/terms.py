@@ -20,7 +20,7 @@ class Term:
     block : Block or None
         Of the unknown; None for what stands alone.
     index : Expr
-        Of the unknown in its block.
+        Of the unknown in its block, if that is a family.
     over : tuple or None
         Index and limits of a sum over the unknowns of the block.
     """
@@ -65,8 +65,8 @@ def _by_unknown(
         raise ValueError(f"{condition.name}: {error} in the unknowns") from None
     rows = []
     for block, unknown in pairs:
-        index = unknown.indices[0] if isinstance(unknown, sp.Indexed) else block.first
-        rows.append(Term(factored(found[unknown]), block, sp.sympify(index)))
+        index = unknown.indices[0] if isinstance(unknown, sp.Indexed) else sp.S.Zero
+        rows.append(Term(factored(found[unknown]), block, index))
     rows.append(Term(factored(found.get(sp.S.One, sp.S.Zero)), None, sp.S.Zero))
     return [term for term in rows if term.coefficient != 0]
 

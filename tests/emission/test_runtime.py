@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from every_run import tried
 from galerkin.by_quadrature import OSCILLATORS
-from galerkin.derived import DERIVE, module, pairs
+from galerkin.derived import KERNELS, module, pairs
 from galerkin.oscillators import case_of
 from numpy.polynomial import Polynomial
 from numpy.polynomial.legendre import leggauss
@@ -180,7 +180,7 @@ def cases(kernels, *more):
     return tried(found, every_run=[pair for pair in found if pair not in DEAR])
 
 
-@pytest.mark.parametrize(("name", "kernel"), cases(DERIVE, ("S4a", "ck")))
+@pytest.mark.parametrize(("name", "kernel"), cases(KERNELS, ("S4a", "ck")))
 def test_velocity_and_acceleration_are_derivatives_of_the_motion(name, kernel):
     made, case = module(name, kernel), case_of(name)
     z = np.random.default_rng(7).uniform(0.3, 1, made.size(5))

@@ -10,7 +10,7 @@ from flint import arb
 from numpy.polynomial import legendre
 
 from nonsmooth.codegen.emission.whole_period import LAST
-from nonsmooth.codegen.galerkin.breaks import beta
+from nonsmooth.codegen.expansions.hb_ck import beta
 from nonsmooth.generated import hb, hb_c1
 from nonsmooth.solver.compiling import rebuilt
 from nonsmooth.solver.kernels import registry

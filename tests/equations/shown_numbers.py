@@ -15,6 +15,7 @@ from shown_evaluation import Evaluation
 
 from nonsmooth.codegen.equations import method_equations
 from nonsmooth.codegen.galerkin import GalerkinConditions
+from nonsmooth.codegen.galerkin.harmonics import a, b
 from nonsmooth.codegen.system import Equation
 
 N = sp.Symbol("N", integer=True, positive=True)
@@ -67,9 +68,10 @@ class Numbers:
             name, _, word = block.name.partition("_")
             letters = name.rstrip("0123456789")
             if isinstance(block.symbol, sp.IndexedBase):
-                for i, value in enumerate(found, start=block.first):
+                first = int(block.symbol in (a, b))  # harmonics are counted from 1
+                for i, value in enumerate(found, start=first):
                     self.values[f"{block.name}[{i}]"] = value
-                self.values.setdefault(f"count {block.name}", block.first + count)
+                self.values.setdefault(f"count {block.name}", first + count)
             else:
                 self.values[block.name] = found[0]
                 self.values[f"{letters}_{word}[{name.removeprefix(letters)}]"] = found[0]

@@ -103,7 +103,6 @@ CASES_OF_EVERY_RUN = [
 
 
 @cache
-def numbers(scene: str, method: str) -> Numbers:
+def numbers(scene: str, method: str, functions: int | None = None) -> Numbers:
     """Return what is shown of a scene in an expansion, with numbers."""
-    found = conditions(scene_named(SCENES[scene]), method)
-    return Numbers(found, max(3, found.lowest))
+    return Numbers(conditions(scene_named(SCENES[scene]), method, functions), 3)

@@ -54,7 +54,16 @@ def is_condition(equation: Equation) -> bool:
 
 @pytest.mark.parametrize(("scene", "method"), tried(CASES, every_run=CASES_OF_EVERY_RUN))
 def test_the_closed_forms_are_the_rows_of_the_kernel(scene: str, method: str) -> None:
-    found = numbers(scene, method)
+    check_rows(numbers(scene, method))
+
+
+def test_so_they_are_with_several_functions_a_switch() -> None:
+    """A constant force is no part of the equation of motion, differentiated."""
+    check_rows(numbers("stick-slip-damped", "hb-ck", 2))
+
+
+def check_rows(found: Numbers) -> None:
+    """Check the closed form of each condition against its row of the kernel."""
     shown = [
         found.at(equation.sides[1], **at)
         for equation in found.record.equations

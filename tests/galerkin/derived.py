@@ -10,7 +10,6 @@ from pathlib import Path
 from galerkin.oscillators import SCENES
 
 from nonsmooth.codegen.emission.scene_numbers import scene_source
-from nonsmooth.codegen.expansions import ck, ck_tau, hb, hb_c1, hb_ck
 from nonsmooth.codegen.galerkin import GalerkinConditions
 from nonsmooth.solver.kernels import polynomials, series
 from nonsmooth.solver.scenes.cell import cell_of
@@ -19,15 +18,8 @@ from nonsmooth.solver.scenes.methods import about
 
 REFERENCES = json.loads(Path(__file__).with_name("references.json").read_text("utf-8"))
 
-#: What derives a kernel, by its name.
-DERIVE = {
-    "ck_tau": ck_tau.derive,
-    "ck": ck.derive,
-    "hb": hb.derive,
-    "hb_c1": hb_c1.derive,
-    "hb_ck_1": lambda scene: hb_ck.derive(scene, 1),
-    "hb_ck_2": lambda scene: hb_ck.derive(scene, 2),
-}
+#: The kernels; behind the name of a method how many functions a switch has.
+KERNELS = ("ck_tau", "ck", "hb", "hb_c1", "hb_ck_1", "hb_ck_2")
 
 #: The oscillators of a kernel that is made for some alone.
 ONLY = {"hb_c1": ("S0",)}
@@ -35,18 +27,8 @@ ONLY = {"hb_c1": ("S0",)}
 
 def pairs(names):
     """Return each oscillator with each kernel that there is for it."""
-    found = product(names, DERIVE)
+    found = product(names, KERNELS)
     return [(name, kernel) for name, kernel in found if name in ONLY.get(kernel, names)]
-
-
-def conditions(name: str, kernel: str) -> GalerkinConditions:
-    """Return the conditions of a scene of the references."""
-    return _derived(SCENES[name][0].label, kernel)
-
-
-@cache
-def _derived(scene: str, kernel: str) -> GalerkinConditions:
-    return DERIVE[kernel](_scene(scene))
 
 
 def _scene(label: str):

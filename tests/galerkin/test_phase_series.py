@@ -7,8 +7,7 @@ from galerkin.by_quadrature import shifted
 from numpy.polynomial import Polynomial
 
 from nonsmooth.codegen.emission.runtime.moments import legendre_moments
-from nonsmooth.codegen.galerkin.legendre import PhaseSeries, repeated_integral
-from nonsmooth.codegen.galerkin.tables import by_time, moment_tables
+from nonsmooth.codegen.galerkin.legendre import Moments, PhaseSeries, l, repeated_integral
 from nonsmooth.codegen.scene import LinearPhase
 
 COEFFICIENTS = (0.3, -1.1, 0.7, 0.25)
@@ -74,27 +73,25 @@ def test_repeated_integrals_with_a_number_and_with_a_symbol(times):
             assert written == parts
 
 
-def test_derivatives_of_moments_stay_in_the_family():
+@pytest.mark.parametrize("degree", [0, 1, 5])
+@pytest.mark.parametrize("turn", [0, 1])
+def test_derivatives_of_moments_stay_in_the_family(degree, turn):
     """By differences: of the moments, and of those a quarter turn on."""
     s, phi = sp.symbols("s phi")
-    tables = moment_tables("p", 3 * s, 2 * s + phi, "9")
-    at = {s: 0.7, phi: 0.4}
+    symbols = sp.symbols("mu nu", cls=sp.IndexedBase)
+    found = Moments(*symbols, 3 * s, 2 * s + phi + turn * sp.pi / 2)
 
     def numbers(s, phi):
-        return legendre_moments(9, 3 * s, 2 * s + phi)
+        return legendre_moments(9, 3 * s, 2 * s + phi + turn * np.pi / 2)
 
-    for row, table in enumerate(tables):
-        for l in (0, 1, 5):
-            for time, step in ((s, (1e-5, 0.0)), (phi, (0.0, 1e-5))):
-                above, below = (
-                    numbers(0.7 + sign * step[0], 0.4 + sign * step[1])[row][l]
-                    for sign in (1, -1)
-                )
-                rate = by_time(table.base[l], time, tables)
-                entries = {
-                    tables[i].base[q]: value
-                    for i, values in enumerate(numbers(0.7, 0.4))
-                    for q, value in enumerate(values)
-                }
-                got = float(rate.subs(entries).subs(at))
-                assert got == pytest.approx((above - below) / 2e-5, abs=1e-8)
+    entries = {
+        base[q]: value
+        for base, values in zip(symbols, numbers(0.7, 0.4), strict=True)
+        for q, value in enumerate(values)
+    }
+    for time, step in ((s, (1e-5, 0.0)), (phi, (0.0, 1e-5))):
+        above, below = (
+            numbers(0.7 + sign * step[0], 0.4 + sign * step[1])[0][degree] for sign in (1, -1)
+        )
+        got = float(found.rate(time).subs(l, degree).subs(entries))
+        assert got == pytest.approx((above - below) / 2e-5, abs=1e-8)

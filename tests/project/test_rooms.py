@@ -41,8 +41,7 @@ MAY_SAY = {
 
 #: Generic texts that have a word of a scene, and why.
 SPOKEN_OF = {
-    "codegen/galerkin/tables.py": {"mu"},  # of the moments of the forcing
-    "codegen/emission/phase_maps.py": {"mu"},  # the same
+    "codegen/emission/phase_maps.py": {"mu"},  # of the moments of the forcing
     "codegen/printing/html.py": {"gap"},  # of columns, in CSS
     "codegen/space/emission.py": {"mu"},  # of the eigenvalues without an attachment
     "src/nonsmooth/cli/__init__.py": {"stick", "slip"},  # the default scene

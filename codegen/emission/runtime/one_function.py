@@ -1,20 +1,27 @@
 """Residual and Jacobian of a Fourier series and one function of class C^1: (12), (14).
 
-For a held phase and a free one without damping.  Unknowns are the constant, which is twice the
-mean, sines, cosines, the coefficient of the function, and the two durations.  Functions that
-stand here with no body are closed forms, which the generator writes.
+For a held phase and a free one without damping, which nothing forces.  Unknowns are the
+constant, which is twice the mean, sines, cosines, the coefficient of the function, and the two
+durations.  Functions that stand here with no body are closed forms, which the generator writes.
 """
 
-from math import pi
+from math import cos, pi, sin
 
 import numpy as np
 
-from .breaks import break_ends, break_integrals, legendre_on_phase
-from .fourier import amplitudes, cosine_place, series_at_ends, times, waves
-from .harmonics import harmonic_integrals, series_on_phase
-from .joints import C, F, K, M
-from .orthogonality import add_forces, add_harmonics
-from .whole_period import add_closure
+from .fourier import (
+    amplitudes,
+    cosine_place,
+    legendre_on_phase,
+    series_at_ends,
+    times,
+    waves,
+)
+from .harmonics import harmonic_integrals, series_on_phase, weighted_integrals
+from .joints import E_0, E_X, F, K, M
+from .moments import spherical_bessel
+from .orthogonality import add_force, add_harmonics
+from .whole_period import add_state
 
 
 def on_phases(held, free):
@@ -67,6 +74,64 @@ def function_series(held, free, rates):
     return found
 
 
+def at_end(series):
+    """Return a series of shifted Legendre polynomials where the phase ends."""
+    found = 0.0
+    for l in range(len(series)):
+        found = found + series[l]
+    return found
+
+
+def function_integrals(series, numbers, ends, count):
+    """Return the integrals over the period of ``m G'' + k G`` with harmonics.
+
+    Integrals of Legendre polynomials are spherical Bessel functions.
+
+    Returns
+    -------
+    ndarray, shape (2, 3 or 1, count)
+        With the cosine and with the sine: the integrals, and if `series` has them their
+        derivatives by both durations.
+    """
+    rows, T = series.shape[1], ends[2]
+    omega = 2 * pi / T
+    found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
+    even, odd = np.zeros(5), np.zeros(5)
+    for q in range(2):
+        m, k = numbers[q, M], numbers[q, K]
+        s, t = ends[q + 1] - ends[q], ends[q]
+        for l in range(4):
+            bent = series[q, 0, 1, l] * m / T**2
+            rho[0, l] = k * series[q, 0, 3, l] + bent
+            for r in range(1, rows):
+                change = series[q, r, 1, l] * m / T**2 - 2 * bent / T
+                rho[r, l] = k * series[q, r, 3, l] + change
+        for column in range(count):
+            w = column * omega
+            bessel = spherical_bessel(5, w * s / 2)
+            for turned in range(2):  # the sine is the cosine, a quarter turn back
+                middle = w * (t + s / 2) - turned * pi / 2
+                co, si = cos(middle), sin(middle)
+                for l in range(5):
+                    turn = l % 4
+                    value = co if turn == 0 else -si if turn == 1 else -co if turn == 2 else si
+                    ahead = -si if turn == 0 else -co if turn == 1 else si if turn == 2 else co
+                    even[l], odd[l] = value * bessel[l], ahead * bessel[l]
+                for l in range(4):
+                    found[turned, 0, column] += s * rho[0, l] * even[l]
+                for l in range(4 if rows > 1 else 0):
+                    near = (l + 1) * odd[l + 1] + (l * odd[l - 1] if l > 0 else 0.0)
+                    stretch = (odd[l] + near / (2 * l + 1)) / 2
+                    for r in range(2):
+                        by_kappa = w * ((1.0 if r == q else 0.0) - s / T)
+                        by_theta = w * ((1.0 if r < q else 0.0) - t / T)
+                        slope = by_kappa * stretch + by_theta * odd[l]
+                        change = rho[1 + r, l] * even[l] + rho[0, l] * slope
+                        own = rho[0, l] * even[l] if r == q else 0.0
+                        found[turned, 1 + r, column] += s * change + own
+    return found
+
+
 def size(case, N):
     """Return the number of unknowns."""
     return 2 * N + 4
@@ -74,14 +139,10 @@ def size(case, N):
 
 def add_function(case, z, motion, ends, series, rows):
     """Add the function to the rows of harmonics, and the row that is orthogonal to it."""
-    numbers, N, T = case[1], motion.shape[1] - 1, ends[2]
+    numbers, N = case[1], motion.shape[1] - 1
     own, at_s = 2 * N + 1, 2 * N + 2
     c1 = z[own]
-    weights = (
-        (numbers[0, M], numbers[0, C], numbers[0, K]),
-        (numbers[1, M], numbers[1, C], numbers[1, K]),
-    )
-    found = break_integrals(3, series, weights, ends, T, np.arange(0, N + 1))
+    found = function_integrals(series, numbers, ends, N + 1)
     for wave in range(2):
         for i in range(N + 1):
             row = cosine_place(1.0, N, i) if wave == 1 else i
@@ -106,22 +167,37 @@ def beside_series(z, ends, series, N, width):
     Returns
     -------
     ndarray, shape (2, 2, 2, width)
-        Where each phase begins and ends.
+        Where each phase ends; no condition is on where it begins.
     """
     own, at_s, T = 2 * N + 1, 2 * N + 2, ends[2]
-    found, values = np.zeros((2, 2, 2, width)), break_ends(series)
+    found = np.zeros((2, 2, 2, width))
     for p in range(2):
-        for side in range(2):
-            for order in range(2):
-                power = T if order == 1 else 1.0
-                value = values[0, 3 - order, p, side] / power
-                found[p, side, order, 0] = z[own] * value
-                if width > 1:
-                    found[p, side, order, 1 + own] = value
-                for r in range(1, values.shape[0]):
-                    change = values[r, 3 - order, p, side] / power - order / T * value
-                    found[p, side, order, at_s + r] = z[own] * change
+        for order in range(2):
+            power = T if order == 1 else 1.0
+            value = at_end(series[p, 0, 3 - order]) / power
+            found[p, 1, order, 0] = z[own] * value
+            if width > 1:
+                found[p, 1, order, 1 + own] = value
+            for r in range(1, series.shape[1]):
+                change = at_end(series[p, r, 3 - order]) / power - order / T * value
+                found[p, 1, order, at_s + r] = z[own] * change
     return found
+
+
+def add_constant_force(numbers, at_s, integrals, ends, N, rows):
+    """Take the integrals of the force with harmonics from their rows."""
+    force = weighted_integrals(integrals, numbers[:, F], 0, ends, ends[2])
+    for r in range(force.shape[1]):
+        column = at_s + r if r > 0 else 0
+        add_force(force[0, r], force[1, r], 1.0, N, rows, column)
+
+
+def add_events(numbers, at_s, harmonics, others, rows):
+    """Add the events that end the phases."""
+    for p in range(2):
+        rows[at_s + p, 0] += numbers[p, E_0]
+        for order in range(2):
+            add_state(rows, at_s + p, numbers[p, E_X + order], harmonics, others, p, 1, order)
 
 
 def fill(case, z, rows):
@@ -133,12 +209,12 @@ def fill(case, z, rows):
     integrals = harmonic_integrals(ends, T, 2 * N, rates)
     at_ends = waves(1.0, ends, T, N + 1, 2)
     add_harmonics(numbers, 1.0, motion, ends, T, integrals, at_s, rows)
-    add_forces(case, z, at_s, ends, T, integrals, N, rows)
+    add_constant_force(numbers, at_s, integrals, ends, N, rows)
     series = function_series(z[at_s], z[at_s + 1], rates)
     add_function(case, z, motion, ends, series, rows)
     harmonics = series_at_ends(1.0, motion, ends, at_ends, at_s, N, width)
     others = beside_series(z, ends, series, N, width)
-    add_closure(case, z, at_s, ends, harmonics, others, rows)
+    add_events(numbers, at_s, harmonics, others, rows)
     if rates:
         rows[:, 1] /= 2
 

@@ -12,12 +12,12 @@ from math import cos, pi, sin
 import numpy as np
 
 from .breaking import add_break_states, add_breaks, break_tables, harmonic_moments, top
-from .breaks import legendre_on_phase
 from .fourier import (
     amplitudes,
     beside,
     by_time,
     jumps,
+    legendre_on_phase,
     number,
     odd,
     own,

@@ -19,9 +19,9 @@ PAPER = ("tests/accuracy/test_kim_perkins.py",)
 MUTANTS = (
     Mutant(
         "the end of a phase moves with the forcing the other way",
-        "solver/flow/flow.py",
-        "by_angle = -forced.imag",
-        "by_angle = forced.imag",
+        "solver/flow/responses.py",
+        "return moved.real, moving.real, -moved.imag",
+        "return moved.real, moving.real, moved.imag",
         FLOW,
     ),
     Mutant(
@@ -33,9 +33,9 @@ MUTANTS = (
     ),
     Mutant(
         "the change of the velocity without its own digits",
-        "solver/flow/flow.py",
-        "v = (np.expm1(large * t) + small * impulse).real * start[1]",
-        "v = (np.exp(large * t) + small * impulse - 1).real * start[1]",
+        "solver/flow/responses.py",
+        "less_v = expm1(large * s) + small * impulse",
+        "less_v = exp(large * s) - 1 + small * impulse",
         (f"{DIGITS}::test_a_slip_that_ends_where_it_began_keeps_its_end",),
     ),
     Mutant(
