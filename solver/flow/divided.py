@@ -6,6 +6,7 @@ force and ``exp[a, b, i Omega]`` a harmonic one.  They are entire functions of t
 case of equal roots, of no stiffness or of resonance is special.
 
 They are here at one time, and at many: a call of NumPy takes longer than one of these numbers.
+Those at one time are compiled by numba with the exact equations.
 """
 
 import cmath
@@ -61,7 +62,7 @@ def of_three(a: complex, b: complex, c: complex, t: float) -> complex:
     Where the nodes are close, by the series in complete symmetric polynomials about their
     mean; elsewhere by the quotient over the two that are farthest apart.
     """
-    a, b, c = _farthest_first(a, b, c)
+    a, b, c = farthest_first(a, b, c)
     if not abs(a - c) * t <= 1:
         return (of_two(a, b, t) - of_two(b, c, t)) / (a - c)
     mean = (a + b + c) / 3
@@ -76,10 +77,12 @@ def of_three(a: complex, b: complex, c: complex, t: float) -> complex:
     return exp(mean * t) * total
 
 
-def _farthest_first(a: complex, b: complex, c: complex) -> tuple[complex, complex, complex]:
+def farthest_first(a: complex, b: complex, c: complex) -> tuple[complex, complex, complex]:
     """Return three nodes in turn, the two that are farthest apart at the ends."""
-    turns = (a, b, c), (b, c, a), (c, a, b)
-    return max(turns, key=lambda nodes: abs(nodes[0] - nodes[2]))
+    ab, bc, ca = abs(a - b), abs(b - c), abs(c - a)
+    if ca >= ab and ca >= bc:
+        return a, b, c
+    return (b, c, a) if ab >= bc else (c, a, b)
 
 
 def of_two_at(a: complex, b: complex, t: Vector) -> Waves:
@@ -99,7 +102,7 @@ def of_two_at(a: complex, b: complex, t: Vector) -> Waves:
 
 def of_three_at(a: complex, b: complex, c: complex, t: Vector) -> Waves:
     """Return `of_three` at times `t`."""
-    a, b, c = _farthest_first(a, b, c)
+    a, b, c = farthest_first(a, b, c)
     near = abs(a - c) * t <= 1
     if near.all():
         return _series(a, b, c, t)

@@ -3,13 +3,13 @@
 import cmath
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..scenes.cell import Phase
-from .divided import exp, expm1, of_three, of_three_at, of_two, of_two_at
+from . import responses
+from .divided import of_three_at, of_two_at
 
 
 @dataclass(frozen=True)
@@ -37,18 +37,7 @@ class End:
 
 def roots(phase: Phase) -> tuple[complex, complex]:
     """Return the roots of ``m r**2 + c r + k = 0``, the one of smaller modulus first."""
-    gamma, square = phase.c / (2 * phase.m), phase.k / phase.m
-    root = cmath.sqrt(_difference_of_squares(gamma, square))
-    if root.imag:
-        return -gamma + root, -gamma - root
-    large = -(gamma + math.copysign(root.real, gamma))
-    return (complex(square / large), complex(large)) if large else (0j, 0j)
-
-
-def _difference_of_squares(gamma: float, square: float) -> float:
-    if square <= 0:
-        return gamma * gamma - square
-    return (gamma - math.sqrt(square)) * (gamma + math.sqrt(square))
+    return responses.roots(phase.m, phase.c, phase.k)
 
 
 def motion(
@@ -87,19 +76,14 @@ def end(phase: Phase, start: Vector, angle: float, omega: float, duration: float
         first = np.array([[1.0, 0.0], [0.0, 0.0]])
         change = np.array([phase.speed * duration, 0.0])
         return End(state, change, np.array([phase.speed, 0.0]), np.zeros(2), first)
-    found = _parts(phase, angle, omega, duration)
-    state = np.array(found.state(x, v))
-    a = (
-        phase.f + phase.g * math.cos(omega * duration + angle)
-        - phase.c * state[1] - phase.k * state[0]
-    ) / phase.m  # fmt: skip
-    return End(
-        state,
-        np.array(found.change(x, v)),
-        np.array([state[1], a]),
-        np.array(found.by_angle),
-        np.array(found.by_start),
-    )
+    xx, xv, vx, vv, less_x, less_v = responses.by_start(phase.m, phase.c, phase.k, duration)
+    forced, by_angle = _forced(phase, angle, omega, duration)
+    state = np.array([xx * x + xv * v + forced[0], vx * x + vv * v + forced[1]])
+    change = np.array([less_x * x + xv * v + forced[0], vx * x + less_v * v + forced[1]])
+    cosine = math.cos(omega * duration + angle)
+    force = phase.f + phase.g * cosine - phase.c * state[1] - phase.k * state[0]
+    by_duration = np.array([state[1], force / phase.m])
+    return End(state, change, by_duration, np.array(by_angle), np.array([[xx, xv], [vx, vv]]))
 
 
 def state_at(
@@ -108,61 +92,24 @@ def state_at(
     """Return displacement and velocity a time after a phase starts with them; see `motion`."""
     if phase.held:
         return x + phase.speed * t, phase.speed
-    return _parts(phase, angle, omega, t).state(x, v)
+    xx, xv, vx, vv, *_ = responses.by_start(phase.m, phase.c, phase.k, t)
+    (moved, moving), _ = _forced(phase, angle, omega, t)
+    return xx * x + xv * v + moved, vx * x + vv * v + moving
 
 
-class _Parts(NamedTuple):
-    """What a phase makes of its start, and of its forces, in a time.
-
-    Parameters
-    ----------
-    forced : (float, float)
-        Displacement and velocity by the forces alone.
-    by_angle : (float, float)
-        Their derivatives by the angle of the forcing.
-    by_start : 2 x 2 float
-        Derivatives of the state by the start.
-    less : (float, float)
-        Those of x by x and of v by v, less 1, to their own digits.
-    """
-
-    forced: tuple[float, float]
-    by_angle: tuple[float, float]
-    by_start: tuple[tuple[float, float], tuple[float, float]]
-    less: tuple[float, float]
-
-    def state(self, x: float, v: float) -> tuple[float, float]:
-        """Return the state that a start comes to."""
-        (xx, xv), (vx, vv) = self.by_start
-        return xx * x + xv * v + self.forced[0], vx * x + vv * v + self.forced[1]
-
-    def change(self, x: float, v: float) -> tuple[float, float]:
-        """Return its difference from the start, with no difference of large numbers."""
-        (_, xv), (vx, _) = self.by_start
-        return (
-            self.less[0] * x + xv * v + self.forced[0],
-            self.less[1] * v + vx * x + self.forced[1],
-        )
-
-
-def _parts(phase: Phase, angle: float, omega: float, t: float) -> _Parts:
-    small, large = roots(phase)
-    impulse = of_two(small, large, t)
-    # each as the sum that does not cancel: the smaller root stands at the impulse
-    of_x = exp(small * t) - small * impulse
-    of_v = exp(large * t) + small * impulse
-    less = expm1(small * t) - small * impulse, expm1(large * t) + small * impulse
-    x, v, by_angle = 0.0, 0.0, (0.0, 0.0)
+def _forced(
+    phase: Phase, angle: float, omega: float, t: float
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return displacement and velocity by the forces alone, and their changes by the angle."""
+    equation, x, v, by_angle = (phase.m, phase.c, phase.k), 0.0, 0.0, (0.0, 0.0)
     if phase.f:
-        x = phase.f / phase.m * of_three(small, large, 0j, t).real
-        v = phase.f / phase.m * impulse.real
+        moved, moving = responses.by_force(*equation, t)
+        x, v = phase.f * moved, phase.f * moving
     if phase.g:
-        wave = of_three(small, large, 1j * omega, t)
-        turn = phase.g / phase.m * cmath.exp(1j * angle)
-        moved, moving = turn * wave, turn * (1j * omega * wave + impulse)
-        x, v, by_angle = x + moved.real, v + moving.real, (-moved.imag, -moving.imag)
-    by_start = (of_x.real, impulse.real), (-phase.k / phase.m * impulse.real, of_v.real)
-    return _Parts((x, v), by_angle, by_start, (less[0].real, less[1].real))
+        moved, moving, *turned = responses.by_forcing(*equation, omega, angle, t)
+        x, v = x + phase.g * moved, v + phase.g * moving
+        by_angle = phase.g * turned[0], phase.g * turned[1]
+    return (x, v), by_angle
 
 
 def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:
@@ -174,7 +121,7 @@ def _states(
 ) -> tuple[Vector, Vector]:
     """Return displacement and velocity at times after the start of a free phase.
 
-    As `_parts`; of a force that is zero the response is not looked for.
+    As `end`; of a force that is zero the response is not looked for.
     """
     small, large = roots(phase)
     impulse = of_two_at(small, large, t)
