@@ -13,7 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..flow.exact_system import residual
+from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
 from ..orbit.exact_orbit import ExactOrbit, from_times
@@ -148,6 +148,6 @@ def _of_state(case: Case, state: tuple[float, float, float]) -> ExactOrbit:
     """Return a solution in closed form as an orbit, admissible or not."""
     x, v, angle = state
     z, R = np.array([x, v, case.cell.duration, angle]), np.empty(4)
-    residual(case.cell, z, R)
+    exact_kernel(case.cell).residual(case.cell, z, R)
     norm = float(np.abs(R).max())
     return ExactOrbit(case, Outcome(z, True, 0, 0.0, norm, "converged"))

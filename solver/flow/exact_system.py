@@ -1,42 +1,131 @@
 """The exact equations of a cell, by the flow of each phase, as a kernel.
 
 Unknowns: displacement and velocity in which each phase begins, what its switches set (the
-memory), durations, and the phase of the forcing.  Conditions: each phase begins where the one
-before ends, with the jump of its velocity; each ends by its event; the memory is what it is set
-to; and the cell is as long as the forcing makes it.  Like those of every expansion they are
-linear in all but the times.
+memory), durations, and the phase of the forcing.  The conditions are those that join the phases
+of every expansion, `generated.ck.joints`: continuity with the jumps, events, memory, the length
+of the cell.  Like those of every expansion they are linear in all but the times.
+
+A cell is arrays; the functions `places` to `jacobian` and Newton's method are plain Python, or
+compiled by numba once that pays, for all scenes.
 """
 
-import math
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...generated import ck
+from ...generated.ck import FREE, MEMORY, C, F, G, K, M, angles, joint_rates, joints
 from ..arrays import Matrix, Vector
-from ..kernels.kernel import Kernel
-from ..kernels.linking import linked
+from ..iteration.iteration import iterate_scene
+from ..kernels import linking
+from ..kernels.family import Family
+from ..kernels.kernel import Kernel, pays
+from ..scenes.arrays import Arrays, arrays_of
 from ..scenes.cell import Cell
-from . import flow
+from . import divided, flow, responses
+from .responses import by_force, by_forcing, by_start
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
 
 
+def places(case: Any) -> Any:
+    """Return where the unknowns of each phase begin, and those behind all phases."""
+    return 2 * np.arange(len(case[0]) + 1)
+
+
+def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
+    """Return what each phase gains, and its derivatives, for `joints`."""
+    kinds, numbers, setting, _, cell = case
+    count, more = len(kinds), len(setting)
+    theta = angles(case, z, at)
+    gained, gained_by = np.zeros((count, 2)), np.zeros((count, 2, 5))
+    for p in range(count):
+        m, c, k = numbers[p, M], numbers[p, C], numbers[p, K]
+        x, v, s = z[2 * p], z[2 * p + 1], z[2 * count + more + p]
+        force = numbers[p, F]
+        if kinds[p, FREE] == 0:  # the velocity at which it is held; see `_arrays`
+            gained[p, 0], gained[p, 1] = s * force, force - v
+            gained_by[p, 0, 0], gained_by[p, 1, 4] = force, -1.0
+            continue
+        for i in range(more):
+            force = force + numbers[p, MEMORY + i] * z[2 * count + i]
+        _, xv, vx, _, less_x, less_v = by_start(m, c, k, s)
+        gained[p, 0], gained[p, 1] = less_x * x + xv * v, vx * x + less_v * v
+        gained_by[p, 0, 3], gained_by[p, 0, 4] = less_x, xv
+        gained_by[p, 1, 3], gained_by[p, 1, 4] = vx, less_v
+        push = force
+        if force != 0 or more > 0:
+            moved, moving = by_force(m, c, k, s)
+            gained[p, 0] += force * moved
+            gained[p, 1] += force * moving
+            gained_by[p, 0, 2], gained_by[p, 1, 2] = moved, moving
+        g = numbers[p, G]
+        if g != 0:
+            moved, moving, turned, turning = by_forcing(m, c, k, cell[1], theta[p], s)
+            gained[p, 0] += g * moved
+            gained[p, 1] += g * moving
+            gained_by[p, 0, 1], gained_by[p, 1, 1] = g * turned, g * turning
+            push = push + g * np.cos(theta[p + 1])
+        gained_by[p, 0, 0] = v + gained[p, 1]
+        push = push - c * (v + gained[p, 1]) - k * (x + gained[p, 0])
+        gained_by[p, 1, 0] = push / m
+    return gained, gained_by
+
+
+def residual(case: Any, z: Vector, R: Vector) -> None:
+    """Fill R with the left sides of the conditions."""
+    at = places(case)
+    gained, _ = ends(case, z, at)
+    joints(case, z, at, gained, gained, R, 0)
+
+
+def jacobian(case: Any, z: Vector, J: Matrix) -> None:
+    """Fill J with their derivatives."""
+    at = places(case)
+    _, gained_by = ends(case, z, at)
+    J[:, :] = 0.0
+    joint_rates(case, z, at, gained_by, gained_by, J, 0)
+
+
+def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
+    """Return these functions and Newton's method for them, plain or compiled."""
+    found = linking.made((ck, divided, responses, equations), {}, make)
+    own = found["residual"], found["jacobian"], make(linking.times_of, found)
+    return found | {"iterate": linking.newton_of(*own, make)}
+
+
+#: The functions, linked as plain Python or compiled; what compiled ones cost is kept.
+FAMILY = Family(linked, (ck, divided, responses, *linking.NEWTON), iterate_scene)
+
+
+@lru_cache(maxsize=256)
+def _arrays(cell: Cell) -> Arrays:
+    """Return the arrays of a cell; a held phase has its velocity in the place of the force."""
+    arrays = arrays_of(cell)
+    for p, phase in enumerate(cell.phases):
+        if phase.held:
+            arrays.numbers[p, F] = phase.speed
+    return arrays
+
+
 def exact_kernel(cell: Cell) -> Kernel:
     """Return the exact equations of a cell; the case of its functions is the cell."""
-    count = len(cell.phases)
+    count, account = len(cell.phases), FAMILY.account_of(__name__)
+    of = FAMILY.compiled(__name__) if pays(account, 1) else FAMILY.plain(__name__)
     return Kernel(
         method="exact",
         durations=count,
         forced=cell.forced,
         lowest=1,
         size=lambda order: 3 * count + len(cell.memory) + cell.forced,
-        residual=residual,
-        jacobian=jacobian,
+        residual=lambda own, z, R: of["residual"](_arrays(own), z, R),
+        jacobian=lambda own, z, J: of["jacobian"](_arrays(own), z, J),
         motion=motion,
         coefficients=lambda z: {"states": (z[: 2 * count], 0)},
-        iterate=linked(residual, jacobian, count, cell.forced),
+        iterate=lambda own, z, limit: of["iterate"](_arrays(own), z, limit),
+        account=None if account.is_compiled else account,
     )
 
 
@@ -48,91 +137,11 @@ def unknowns_of(motion: "Motion") -> Vector:
     return np.array([*states, *motion.memory_values, *motion.cell_durations, *turn])
 
 
-def _unpacked(cell: Cell, z: Vector) -> tuple[Cell, Matrix, Vector, Vector]:
-    """Return the cell with numbers for its memory, states, durations, angles of the forcing.
-
-    The angles are those where each phase begins.
-    """
-    count, more = len(cell.phases), len(cell.memory)
-    states = z[: 2 * count].reshape(count, 2)
-    memory, durations = z[2 * count : 2 * count + more], z[2 * count + more :][:count]
-    angle = z[-1] if cell.forced else 0.0
-    switches = np.concatenate([[0.0], np.cumsum(durations)[:-1]])
-    return cell.remembering(memory.tolist()), states, durations, angle + cell.omega * switches
-
-
-def residual(cell: Cell, z: Vector, R: Vector) -> None:
-    """Fill R with the left sides of the conditions."""
-    there, states, durations, angles = _unpacked(cell, z)
-    count = len(cell.phases)
-    for p, phase in enumerate(there.phases):
-        s, angle, after = durations[p], angles[p], (p + 1) % count
-        end = flow.end(phase, states[p], angle, cell.omega, s)
-        (x, v), (dx, dv) = end.state, end.change
-        sign = cell.sign if after == 0 else 1
-        R[2 * p] = states[after, 0] - sign * x
-        R[2 * p + 1] = states[after, 1] - sign * (phase.rho * v + phase.d)
-        ex, ev, ec, e0 = phase.event
-        # at the start of the phase, and its change: of a phase that begins at the event that
-        # ends it the first is 0, and what is left keeps its digits
-        at_start = ex * states[p, 0] + ev * states[p, 1] + ec * math.cos(angle) + e0
-        half = cell.omega * s / 2
-        turned = -2 * math.sin(angle + half) * math.sin(half)
-        R[2 * count + p] = at_start + (ex * dx + ev * dv + ec * turned)
-    for i, memory in enumerate(cell.memory):
-        vx, vv, vc, v0 = memory.value
-        x, v = states[memory.phase]
-        value = vx * x + vv * v + vc * math.cos(angles[memory.phase]) + v0
-        R[3 * count + i] = z[2 * count + i] - value
-    if cell.forced:
-        R[-1] = np.sum(durations) - cell.duration
-
-
-def jacobian(cell: Cell, z: Vector, J: Matrix) -> None:
-    """Fill J with their derivatives."""
-    there, states, durations, angles = _unpacked(cell, z)
-    count, omega = len(cell.phases), cell.omega
-    first = 2 * count + len(cell.memory)  # column of the first duration
-    J[:] = 0.0
-    for p, phase in enumerate(there.phases):
-        s, angle, after = durations[p], angles[p], (p + 1) % count
-        end = flow.end(phase, states[p], angle, omega, s)
-        sign = cell.sign if after == 0 else 1
-        rows = slice(2 * p, 2 * p + 2)
-        law = -sign * np.array([1.0, phase.rho])
-        J[rows, 2 * after : 2 * after + 2] += np.eye(2)
-        J[rows, rows] += law[:, None] * end.by_start
-        J[rows, first + p] += law * end.by_duration
-        ex, ev, ec, _ = phase.event
-        row, form = 2 * count + p, np.array([ex, ev])
-        sine = -ec * math.sin(angle + omega * s)
-        J[row, rows] += form @ end.by_start
-        J[row, first + p] += form @ end.by_duration + omega * sine
-        if cell.memory and not phase.held:
-            unit = flow.end(replace(phase, f=1.0, g=0.0), np.zeros(2), 0.0, omega, s).state
-            for i, factor in enumerate(cell.phases[p].memory):
-                J[rows, 2 * count + i] += law * unit * factor
-                J[row, 2 * count + i] += form @ unit * factor
-        for i, factor in enumerate(cell.phases[p].event[4:]):
-            J[row, 2 * count + i] += factor
-        if cell.forced:  # the angle moves with the phase of the forcing and earlier durations
-            for column, rate in ((-1, 1.0), *((first + q, omega) for q in range(p))):
-                J[rows, column] += rate * law * end.by_angle
-                J[row, column] += rate * (form @ end.by_angle + sine)
-    for i, memory in enumerate(cell.memory):
-        vx, vv, vc, _ = memory.value
-        p, row = memory.phase, 3 * count + i
-        J[row, 2 * count + i] += 1.0
-        J[row, 2 * p : 2 * p + 2] -= vx, vv
-        if cell.forced:
-            J[row, -1] += vc * math.sin(angles[p])
-            J[row, first : first + p] += omega * vc * math.sin(angles[p])
-    if cell.forced:
-        J[-1, first : first + count] = 1.0
-
-
 def motion(cell: Cell, z: Vector, p: int, u: Vector, derivative: int) -> Vector:
     """Return a derivative of the displacement on phase `p` at local times in [0, 1]."""
-    there, states, durations, angles = _unpacked(cell, z)
+    count, more = len(cell.phases), len(cell.memory)
+    durations = z[2 * count + more :][:count]
+    phase = cell.phases[p].remembering(z[2 * count : 2 * count + more].tolist())
+    angle = (float(z[-1]) if cell.forced else 0.0) + cell.omega * float(durations[:p].sum())
     t = durations[p] * np.asarray(u, dtype=float)
-    return flow.motion(there.phases[p], states[p], angles[p], cell.omega, t, derivative)
+    return flow.motion(phase, z[2 * p : 2 * p + 2], angle, cell.omega, t, derivative)

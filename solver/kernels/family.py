@@ -36,14 +36,15 @@ class Family:
 
     def account(self, method: str) -> Account:
         """Return what all kernels of the module of a method have cost in plain Python."""
-        return self._account(module_of(method).__name__)
+        return self.account_of(module_of(method).__name__)
 
     def functions(self, method: str, compile_it: bool) -> dict[str, Any]:
         """Return the functions of the module of a method, linked once for all scenes."""
         return (self.compiled if compile_it else self.plain)(module_of(method).__name__)
 
     @cache  # noqa: B019  (there are as many families as methods of linking)
-    def _account(self, name: str) -> Account:
+    def account_of(self, name: str) -> Account:
+        """Return what a module, by its name, has cost in plain Python."""
         return Account(
             self.entry.__code__.co_filename, f"{self.entry.__name__}_{self.fingerprint(name)}"
         )
@@ -61,7 +62,7 @@ class Family:
     @cache  # noqa: B019
     def compiled(self, name: str) -> dict[str, Any]:
         """Return them compiled by numba, cached where possible."""
-        self._account(name).is_compiled = True
+        self.account_of(name).is_compiled = True
         return self.link(sys.modules[name], compiling(self.fingerprint(name)))
 
 

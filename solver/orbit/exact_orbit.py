@@ -1,5 +1,6 @@
 """The exact motion of a case, made of the closed-form flow of its phases."""
 
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -99,5 +100,7 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     """Return where Newton's method leads from rough times: an orbit only if it says so."""
     kernel = exact_kernel(case.cell)
     times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
-    z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
-    return case.presented(ExactOrbit(case, newton(kernel.iterate, case.cell, z)))
+    with nullcontext() if kernel.account is None else kernel.account.spending():
+        z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
+        outcome = newton(kernel.iterate, case.cell, z)
+    return case.presented(ExactOrbit(case, outcome))

@@ -4,7 +4,6 @@ import numpy as np
 
 from ..exact import ExactOrbit
 from ..flow.exact_system import exact_kernel
-from ..scenes.cell import cell_of
 
 #: Relative change of a parameter: the error of the central difference is its square.
 STEP = 2.0**-17
@@ -34,7 +33,7 @@ def condition(orbit: ExactOrbit) -> float:
         for side in (1, -1):
             moved = (*numbers[:i], value * (1 + side * STEP), *numbers[i + 1 :])
             R = np.empty(len(z))
-            kernel.residual(cell_of(case.scene, moved, case.cycles), z, R)
+            kernel.residual(case.scene.cell(moved, case.cycles), z, R)
             ends.append(R)
         changes.append((ends[0] - ends[1]) / (2 * STEP))
     rows = np.abs(J).max(axis=1)

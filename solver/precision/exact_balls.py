@@ -28,8 +28,9 @@ def residual(cell: Cell, z: Sequence[Any], R: Any) -> None:
         flow = (_generator(phase, omega) * durations[p]).exp()
         end = [row[0] for row in (flow * arb_mat([[q] for q in state])).tolist()]
         sign = cell.sign if after == 0 else 1
-        R[2 * p] = z[2 * after] - sign * end[0]
-        R[2 * p + 1] = z[2 * after + 1] - sign * (arb(phase.rho) * end[1] + arb(phase.d))
+        R[2 * after] = z[2 * after] - sign * end[0]
+        speed = arb(phase.rho) * end[1] + arb(phase.d)
+        R[2 * after + 1] = z[2 * after + 1] - sign * speed
         R[2 * count + p] = _value(phase.event, end)
         angle = angle + omega * durations[p]
     if cell.forced:

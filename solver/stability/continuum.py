@@ -7,7 +7,8 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..flow.exact_system import exact_kernel, unknowns_of
-from ..scenes.cell import Cell, Form, Memory, Phase
+from ..scenes.cell import Cell
+from ..scenes.orders import Order, Step, in_cell
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
@@ -32,8 +33,6 @@ def is_one_of_a_continuum(motion: "Motion") -> bool:
         An orbit: exact, or near an exact one.
     """
     cell = whole_period(motion.case.cell)
-    if cell is None:
-        return False
     found = _nearest(cell, _unknowns(motion))
     if found is None:
         return False
@@ -45,37 +44,12 @@ def is_one_of_a_continuum(motion: "Motion") -> bool:
     return other is not None and bool(np.abs(other - found).max() > np.abs(away).max() / 2)
 
 
-def whole_period(cell: Cell) -> Cell | None:
-    """Return a cell of a whole period, the mirror image spelled out; None if it cannot be.
-
-    It cannot where a memory is set within the half period.
-    """
+def whole_period(cell: Cell) -> Cell:
+    """Return a cell of a whole period, the mirror image spelled out."""
     if cell.sign > 0:
         return cell
-    if any(memory.phase for memory in cell.memory):
-        return None
-    count, zeros = len(cell.phases), (0.0,) * len(cell.memory)
-
-    def first(phase: Phase) -> Phase:
-        memory = (*phase.memory, *zeros) if zeros else ()
-        return replace(phase, event=(*phase.event, *zeros), memory=memory)
-
-    def second(phase: Phase) -> Phase:
-        x, v, cos, constant, *factors = phase.event
-        event: Form = (-x, -v, -cos, constant, *zeros, *(-q for q in factors))
-        memory = (*zeros, *phase.memory) if zeros else ()
-        return replace(
-            phase, f=-phase.f, speed=-phase.speed, d=-phase.d, event=event, memory=memory
-        )
-
-    def later(memory: Memory) -> Memory:
-        return replace(
-            memory, phase=memory.phase + count, value=(*memory.value[:3], -memory.value[3])
-        )
-
-    phases = (*map(first, cell.phases), *map(second, cell.phases))
-    memory = (*cell.memory, *map(later, cell.memory))
-    return replace(cell, phases=phases, sign=1, guess=(), memory=memory)
+    steps = [Step(p, mirrored) for mirrored in (False, True) for p in range(len(cell.phases))]
+    return replace(in_cell(cell, Order(tuple(steps))), cycles=cell.cycles)
 
 
 def _unknowns(motion: "Motion") -> Vector:
@@ -86,8 +60,8 @@ def _unknowns(motion: "Motion") -> Vector:
     count, more = len(cell.phases), len(cell.memory)
     states, memory, times = np.split(z, [2 * count, 2 * count + more])
     durations, turn = times[:count], times[count:]
-    parts = (states, -states, memory, -memory, durations, durations, turn)
-    return np.concatenate(parts)
+    settings = np.column_stack([memory, -memory]).ravel()  # each memory twice in turn
+    return np.concatenate([states, -states, settings, durations, durations, turn])
 
 
 def _jacobian(cell: Cell, z: Vector) -> Matrix:

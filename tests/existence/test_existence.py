@@ -11,7 +11,7 @@ from made_scenes import made
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.existence.reasons import not_decided, shown_to_be_none, without_switches
-from nonsmooth.solver.flow.exact_system import residual
+from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.kernels import registry, start
 from nonsmooth.solver.no_orbit import NoOrbit
@@ -46,7 +46,7 @@ def test_the_solutions_in_closed_form_satisfy_the_exact_equations(scene, omega, 
     found = one_phase.solutions(case.cell).found
     for x, v, angle in found:
         z, R = np.array([x, v, case.cell.duration, angle]), np.empty(4)
-        residual(case.cell, z, R)
+        exact_kernel(case.cell).residual(case.cell, z, R)
         assert np.abs(R).max() < 1e-9 * (1 + abs(x) + abs(v))
     assert len(found) in (0, 2)
 

@@ -17,7 +17,7 @@ SINGULAR = {("clearance", "no damping", "ck-tau")}
 
 #: Where the one function of hb-c1 hardly differs from the harmonics, and rounding of its many
 #: sums comes to several times what the condition of its equations says of one rounding.
-DEPENDENT = {("alpha = 1e4", "hb-c1"), ("alpha = 1e6", "hb-c1")}
+DEPENDENT = {(f"alpha = 1e{n}", "hb-c1") for n in (2, 4, 6)}
 
 #: Where the search for the exact orbit takes seconds.
 COSTLY = {"a spring 1e6 times as stiff", "an element 1e3 times as stiff"}

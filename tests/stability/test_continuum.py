@@ -81,7 +81,7 @@ def test_the_whole_period_has_the_same_orbit(scene) -> None:
     states = [q for p in orbit.phases for q in (p.displacement, p.velocity)]
     units = orbit.case.units
     scaled = [q / units.of_motion(j % 2) for j, q in enumerate(states)]
-    memory = [*orbit.memory_values, *(-q for q in orbit.memory_values)]
+    memory = [sign * q for q in orbit.memory_values for sign in (1, -1)]
     z = np.array([*scaled, *memory, *(s / units.time for s in orbit.durations), orbit.angle])
     R = np.empty(len(z))
     exact_kernel(cell).residual(cell, z, R)

@@ -12,6 +12,7 @@ from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.stability import monodromy as module
@@ -107,7 +108,8 @@ def test_proved_multipliers(name) -> None:
 def test_the_closed_form_of_one_impact_a_period(omega, gap, restitution) -> None:
     case = IMPACT(damping=0, gap=gap, restitution=restitution, frequency=omega)
     try:
-        orbit = exact_orbit(case)
+        (declared,) = cases_in_order(case, "flight")
+        orbit = exact_orbit(declared)
     except NoOrbit:
         return
     T = 2 * math.pi / omega
@@ -224,6 +226,7 @@ def test_an_order_that_is_low_does_not_change_the_verdict() -> None:
 def test_where_no_exact_orbit_is_found_they_are_those_at_its_own_times() -> None:
     orbit = ns.solve(IMPACT(), "hb", 5)
     orbit.__dict__["_exact_solution"] = None
+    del orbit.__dict__["stability"]  # known since the orbit is
     assert orbit.multipliers.tolist() == stability(orbit).multipliers.tolist()
     assert orbit.multipliers != pytest.approx(ns.exact(IMPACT()).multipliers, rel=1e-3)
 

@@ -27,8 +27,8 @@ MUTANTS = (
     Mutant(
         "divided differences of near nodes without their odd terms",
         "solver/flow/divided.py",
-        "product * before - pairs * last",
-        "-pairs * last",
+        "product * before - pairs * last\n    return exp(mean * t) * total",
+        "-pairs * last\n    return exp(mean * t) * total",
         FLOW,
     ),
     Mutant(
@@ -39,10 +39,10 @@ MUTANTS = (
         (f"{DIGITS}::test_a_slip_that_ends_where_it_began_keeps_its_end",),
     ),
     Mutant(
-        "the exact event does not move with the memory",
+        "the exact end of a phase does not move with the memory",
         "solver/flow/exact_system.py",
-        "enumerate(cell.phases[p].event[4:])",
-        "enumerate(())",
+        "gained_by[p, 0, 2], gained_by[p, 1, 2] = moved, moving",
+        "gained_by[p, 0, 2], gained_by[p, 1, 2] = 0.0, 0.0",
         (f"{WRONG[0]}::test_the_jacobian_of_the_exact_equations_with_a_memory",),
     ),
     Mutant(

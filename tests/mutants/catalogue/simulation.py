@@ -61,8 +61,8 @@ MUTANTS = (
     Mutant(
         "the polynomial is raised by the bound in place of lowered",
         "solver/simulation/locate.py",
-        "powers[TERMS] = -bound(at, form, most) * scale",
-        "powers[TERMS] = bound(at, form, most) * scale",
+        "powers.append(-bound(at, form, most) * scale)",
+        "powers.append(bound(at, form, most) * scale)",
         LOCATE,
     ),
     Mutant(
@@ -75,10 +75,10 @@ MUTANTS = (
     Mutant(
         "the second half of an interval is looked at first",
         "solver/simulation/zeros.py",
-        "        waiting.append((right @ coefficients, start + half, half, depth + 1))\n"
-        "        waiting.append((left @ coefficients, start, half, depth + 1))\n",
-        "        waiting.append((left @ coefficients, start, half, depth + 1))\n"
-        "        waiting.append((right @ coefficients, start + half, half, depth + 1))\n",
+        "        waiting.append((right, start + half, half, depth + 1))\n"
+        "        waiting.append((left, start, half, depth + 1))\n",
+        "        waiting.append((left, start, half, depth + 1))\n"
+        "        waiting.append((right, start + half, half, depth + 1))\n",
         LOCATE,
     ),
     Mutant(
