@@ -45,7 +45,7 @@ def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
         m, c, k = numbers[p, M], numbers[p, C], numbers[p, K]
         x, v, s = z[2 * p], z[2 * p + 1], z[2 * count + more + p]
         force = numbers[p, F]
-        if kinds[p, FREE] == 0:  # the velocity at which it is held; see `_arrays`
+        if kinds[p, FREE] == 0:  # the velocity at which it is held; see `arrays`
             gained[p, 0], gained[p, 1] = s * force, force - v
             gained_by[p, 0, 0], gained_by[p, 1, 4] = force, -1.0
             continue
@@ -101,13 +101,13 @@ FAMILY = Family(linked, (ck, divided, responses, *linking.NEWTON), iterate_scene
 
 
 @lru_cache(maxsize=256)
-def _arrays(cell: Cell) -> Arrays:
+def arrays(cell: Cell) -> Arrays:
     """Return the arrays of a cell; a held phase has its velocity in the place of the force."""
-    arrays = arrays_of(cell)
+    found = arrays_of(cell)
     for p, phase in enumerate(cell.phases):
         if phase.held:
-            arrays.numbers[p, F] = phase.speed
-    return arrays
+            found.numbers[p, F] = phase.speed
+    return found
 
 
 def exact_kernel(cell: Cell) -> Kernel:
@@ -120,11 +120,11 @@ def exact_kernel(cell: Cell) -> Kernel:
         forced=cell.forced,
         lowest=1,
         size=lambda order: 3 * count + len(cell.memory) + cell.forced,
-        residual=lambda own, z, R: of["residual"](_arrays(own), z, R),
-        jacobian=lambda own, z, J: of["jacobian"](_arrays(own), z, J),
+        residual=lambda own, z, R: of["residual"](arrays(own), z, R),
+        jacobian=lambda own, z, J: of["jacobian"](arrays(own), z, J),
         motion=motion,
         coefficients=lambda z: {"states": (z[: 2 * count], 0)},
-        iterate=lambda own, z, limit: of["iterate"](_arrays(own), z, limit),
+        iterate=lambda own, z, limit: of["iterate"](arrays(own), z, limit),
         account=None if account.is_compiled else account,
     )
 

@@ -1,7 +1,7 @@
 """The equations of one cell, in dimensionless numbers: what every other module reads."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from operator import mul
 from typing import TYPE_CHECKING
@@ -69,16 +69,16 @@ class Phase:
             x, v, cos, constant, *factors = form
             return x, v, cos, constant + sum(map(mul, factors, values))
 
-        def all_of(demands: tuple[tuple[str, Form], ...]) -> tuple[tuple[str, Form], ...]:
-            return tuple((words, put(form)) for words, form in demands)
+        force = self.f + sum(map(mul, self.memory, values))
+        return replace(self.with_forms(put), f=force, memory=())
 
+    def with_forms(self, put: Callable[[Form], Form]) -> "Phase":
+        """Return the phase with another form in the place of each."""
         return replace(
             self,
-            f=self.f + sum(map(mul, self.memory, values)),
             event=put(self.event),
-            demands=all_of(self.demands),
-            switch_demands=all_of(self.switch_demands),
-            memory=(),
+            demands=tuple((words, put(form)) for words, form in self.demands),
+            switch_demands=tuple((words, put(form)) for words, form in self.switch_demands),
         )
 
 
@@ -159,16 +159,7 @@ class Cell:
         def put(form: Form) -> Form:
             return (*form[:4], *map(mul, form[4:], signs))
 
-        def all_of(demands: tuple[tuple[str, Form], ...]) -> tuple[tuple[str, Form], ...]:
-            return tuple((words, put(form)) for words, form in demands)
-
-        return replace(
-            phase,
-            event=put(phase.event),
-            demands=all_of(phase.demands),
-            switch_demands=all_of(phase.switch_demands),
-            memory=tuple(map(mul, phase.memory, signs)),
-        )
+        return replace(phase.with_forms(put), memory=tuple(map(mul, phase.memory, signs)))
 
     def place(self, p: int) -> float | None:
         """Return the displacement at which a phase is held; None where it is not at one alone.

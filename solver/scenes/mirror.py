@@ -12,15 +12,8 @@ ROUNDING = 1e-12
 
 def mirror(phase: Phase) -> Phase:
     """Return the mirror image of a phase: the motion ``-x`` half a period of the forcing on."""
-    return replace(
-        phase,
-        f=-phase.f,
-        speed=-phase.speed,
-        event=_mirrored(phase.event),
-        d=-phase.d,
-        demands=tuple((words, _mirrored(form)) for words, form in phase.demands),
-        switch_demands=tuple((words, _mirrored(form)) for words, form in phase.switch_demands),
-    )
+    there = phase.with_forms(_mirrored)
+    return replace(there, f=-phase.f, speed=-phase.speed, d=-phase.d)
 
 
 def _mirrored(form: Form) -> Form:

@@ -333,16 +333,7 @@ def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) 
     def form(row: Form) -> Form:
         return (*row[:4], *put(row[4:]))
 
-    def all_of(demands: tuple[tuple[str, Form], ...]) -> tuple[tuple[str, Form], ...]:
-        return tuple((words, form(row)) for words, row in demands)
-
-    return replace(
-        phase,
-        event=form(phase.event),
-        demands=all_of(phase.demands),
-        switch_demands=all_of(phase.switch_demands),
-        memory=put(phase.memory),
-    )
+    return replace(phase.with_forms(form), memory=put(phase.memory))
 
 
 def _numbered(names: Sequence[str]) -> list[str]:

@@ -9,7 +9,8 @@ from made_scenes import made
 from nonsmooth.solver import exact
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import Known
-from nonsmooth.solver.flow.exact_system import exact_kernel
+from nonsmooth.solver.flow import exact_system
+from nonsmooth.solver.flow.exact_system import FAMILY, arrays, exact_kernel
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 
@@ -192,6 +193,22 @@ def test_the_jacobian_against_differences(name) -> None:
         # differences of second order: their error is of step**2, and rounding over step
         difference = (values[0] - values[1]) / (2 * step)
         np.testing.assert_allclose(J[:, column], difference, atol=1e-8)
+
+
+def test_compiled_equations_are_the_same_but_for_rounding() -> None:
+    """The exponential of the compiler may round otherwise."""
+    compiled = FAMILY.compiled(exact_system.__name__)
+    for scene, durations, angle, *_ in MADE.values():
+        cell, count = scene().cell, len(durations)
+        times = [*durations, angle] if cell.forced else durations
+        z = np.concatenate([np.linspace(-1, 2, 2 * count), times])
+        found = []
+        for of in (FAMILY.plain(exact_system.__name__), compiled):
+            R, J = np.empty(len(z)), np.empty((len(z), len(z)))
+            of["residual"](arrays(cell), z, R)
+            of["jacobian"](arrays(cell), z, J)
+            found.append(np.column_stack([R, J]))
+        np.testing.assert_allclose(*found, rtol=1e-13, atol=1e-13)
 
 
 def test_no_orbit_is_said_with_the_reasons() -> None:

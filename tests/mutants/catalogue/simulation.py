@@ -40,8 +40,8 @@ MUTANTS = (
     Mutant(
         "the event of a mirrored phase is not mirrored",
         "solver/scenes/mirror.py",
-        "        event=_mirrored(phase.event),\n",
-        "        event=phase.event,\n",
+        "there = phase.with_forms(_mirrored)",
+        "there = replace(phase.with_forms(_mirrored), event=phase.event)",
         MOTION,
     ),
     Mutant(
