@@ -39,11 +39,10 @@ def expm1(z: complex) -> complex:
     """Return ``exp(z) - 1`` to its own digits, where the exponential does not overflow."""
     if not (z.real <= LARGEST and abs(z.imag) < math.inf):
         return exp(z)
-    less = math.expm1(z.real)
-    return complex(
-        less * math.cos(z.imag) - 2 * math.sin(z.imag / 2) ** 2,
-        (less + 1) * math.sin(z.imag),
-    )
+    half = max(z.real, -LARGEST) / 2
+    less = 2 * math.exp(half) * math.sinh(half)  # numba rounds `math.expm1` otherwise
+    sine = math.sin(z.imag / 2)
+    return complex(less * math.cos(z.imag) - 2 * sine * sine, (less + 1) * math.sin(z.imag))
 
 
 def of_two(a: complex, b: complex, t: float) -> complex:

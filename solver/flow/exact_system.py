@@ -10,6 +10,7 @@ compiled by numba once that pays, for all scenes.
 """
 
 from functools import lru_cache
+from math import cos
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,15 +43,16 @@ def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
     theta = angles(case, z, at)
     gained, gained_by = np.zeros((count, 2)), np.zeros((count, 2, 5))
     for p in range(count):
-        m, c, k = numbers[p, M], numbers[p, C], numbers[p, K]
-        x, v, s = z[2 * p], z[2 * p + 1], z[2 * count + more + p]
-        force = numbers[p, F]
+        # as Python's floats: NumPy's are slow, and round complex quotients otherwise
+        m, c, k = float(numbers[p, M]), float(numbers[p, C]), float(numbers[p, K])
+        x, v, s = float(z[2 * p]), float(z[2 * p + 1]), float(z[2 * count + more + p])
+        force = float(numbers[p, F])
         if kinds[p, FREE] == 0:  # the velocity at which it is held; see `arrays`
             gained[p, 0], gained[p, 1] = s * force, force - v
             gained_by[p, 0, 0], gained_by[p, 1, 4] = force, -1.0
             continue
         for i in range(more):
-            force = force + numbers[p, MEMORY + i] * z[2 * count + i]
+            force = force + float(numbers[p, MEMORY + i] * z[2 * count + i])
         _, xv, vx, _, less_x, less_v = by_start(m, c, k, s)
         gained[p, 0], gained[p, 1] = less_x * x + xv * v, vx * x + less_v * v
         gained_by[p, 0, 3], gained_by[p, 0, 4] = less_x, xv
@@ -61,13 +63,15 @@ def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
             gained[p, 0] += force * moved
             gained[p, 1] += force * moving
             gained_by[p, 0, 2], gained_by[p, 1, 2] = moved, moving
-        g = numbers[p, G]
+        g = float(numbers[p, G])
         if g != 0:
-            moved, moving, turned, turning = by_forcing(m, c, k, cell[1], theta[p], s)
+            moved, moving, turned, turning = by_forcing(
+                m, c, k, float(cell[1]), float(theta[p]), s
+            )
             gained[p, 0] += g * moved
             gained[p, 1] += g * moving
             gained_by[p, 0, 1], gained_by[p, 1, 1] = g * turned, g * turning
-            push = push + g * np.cos(theta[p + 1])
+            push = push + g * cos(theta[p + 1])
         gained_by[p, 0, 0] = v + gained[p, 1]
         push = push - c * (v + gained[p, 1]) - k * (x + gained[p, 0])
         gained_by[p, 1, 0] = push / m

@@ -94,7 +94,7 @@ def compiled(family, path: Path):
     module = imported(path)
     sys.modules[module.__name__] = module
     family.__class__.compiled.cache_clear()
-    family.__class__._account.cache_clear()
+    family.__class__.account_of.cache_clear()
     return family.compiled(module.__name__)
 
 
