@@ -71,12 +71,10 @@ def solutions(cell: Cell) -> Solutions:
 def _rows(cell: Cell) -> tuple[Matrix, Vector]:
     """Return A and b of the conditions: two of continuity, and the event."""
     (phase,), s, omega = cell.phases, cell.duration, cell.omega
-    free, driven = replace(phase, f=0.0, g=0.0), replace(phase, f=0.0)
-    nothing = np.zeros(2)
-    by_start = flow.end(free, nothing, 0.0, omega, s).by_start
-    by_cos, by_sin = (flow.end(driven, nothing, a, omega, s).state for a in (0.0, math.pi / 2))
-    constant = flow.end(replace(phase, g=0.0), nothing, 0.0, omega, s).state
-    ends = np.column_stack([by_start, by_cos, by_sin])
+    driven = replace(phase, f=0.0)
+    by_cos, by_sin = (flow.state_at(driven, 0.0, 0.0, a, omega, s) for a in (0.0, math.pi / 2))
+    constant = np.array(flow.state_at(replace(phase, g=0.0), 0.0, 0.0, 0.0, omega, s))
+    ends = np.column_stack([flow.by_start(phase, s), by_cos, by_sin])
     law = cell.sign * np.array([[1.0], [phase.rho]])
     ex, ev, ec, e0 = phase.event
     start = np.hstack([np.eye(2), np.zeros((2, 2))])

@@ -53,28 +53,26 @@ def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
             continue
         for i in range(more):
             force = force + float(numbers[p, MEMORY + i] * z[2 * count + i])
-        _, xv, vx, _, less_x, less_v = by_start(m, c, k, s)
-        gained[p, 0], gained[p, 1] = less_x * x + xv * v, vx * x + less_v * v
-        gained_by[p, 0, 3], gained_by[p, 0, 4] = less_x, xv
-        gained_by[p, 1, 3], gained_by[p, 1, 4] = vx, less_v
-        push = force
+        xx, xv, vx, vv, less_x, less_v = by_start(m, c, k, s)
+        push, forced_x, forced_v = force, 0.0, 0.0
         if force != 0 or more > 0:
             moved, moving = by_force(m, c, k, s)
-            gained[p, 0] += force * moved
-            gained[p, 1] += force * moving
+            forced_x, forced_v = force * moved, force * moving
             gained_by[p, 0, 2], gained_by[p, 1, 2] = moved, moving
         g = float(numbers[p, G])
         if g != 0:
-            moved, moving, turned, turning = by_forcing(
-                m, c, k, float(cell[1]), float(theta[p]), s
-            )
-            gained[p, 0] += g * moved
-            gained[p, 1] += g * moving
+            omega, angle = float(cell[1]), float(theta[p])
+            moved, moving, turned, turning = by_forcing(m, c, k, omega, angle, s)
+            forced_x, forced_v = forced_x + g * moved, forced_v + g * moving
             gained_by[p, 0, 1], gained_by[p, 1, 1] = g * turned, g * turning
             push = push + g * cos(theta[p + 1])
-        gained_by[p, 0, 0] = v + gained[p, 1]
-        push = push - c * (v + gained[p, 1]) - k * (x + gained[p, 0])
-        gained_by[p, 1, 0] = push / m
+        gained[p, 0] = less_x * x + xv * v + forced_x
+        gained[p, 1] = vx * x + less_v * v + forced_v
+        gained_by[p, 0, 3], gained_by[p, 0, 4] = less_x, xv
+        gained_by[p, 1, 3], gained_by[p, 1, 4] = vx, less_v
+        # the state itself, with its own digits where little is left of the start
+        x, v = xx * x + xv * v + forced_x, vx * x + vv * v + forced_v
+        gained_by[p, 0, 0], gained_by[p, 1, 0] = v, (push - c * v - k * x) / m
     return gained, gained_by
 
 

@@ -1,8 +1,6 @@
 """Closed-form motion of one linear phase from a given state, exact to rounding."""
 
 import cmath
-import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,29 +8,6 @@ from ..arrays import Matrix, Vector
 from ..scenes.cell import Phase
 from . import responses
 from .divided import of_three_at, of_two_at
-
-
-@dataclass(frozen=True)
-class End:
-    """The state in which a phase ends, and its derivatives.
-
-    Parameters
-    ----------
-    state : ndarray, shape (2,)
-        Displacement and velocity.
-    change : ndarray, shape (2,)
-        Their differences from the start, to their own digits: a phase may end where it began.
-    by_duration, by_angle : ndarray, shape (2,)
-        Derivatives by the duration, and by the angle of the forcing where the phase starts.
-    by_start : ndarray, shape (2, 2)
-        Derivatives by the displacement and velocity in which it starts.
-    """
-
-    state: Vector
-    change: Vector
-    by_duration: Vector
-    by_angle: Vector
-    by_start: Matrix
 
 
 def roots(phase: Phase) -> tuple[complex, complex]:
@@ -68,22 +43,11 @@ def motion(
     return np.asarray((x, v, x)[derivative]).reshape(t.shape)
 
 
-def end(phase: Phase, start: Vector, angle: float, omega: float, duration: float) -> End:
-    """Return the state in which a phase ends, with all its derivatives; see `motion`."""
-    x, v = map(float, start)
+def by_start(phase: Phase, s: float) -> Matrix:
+    """Return the derivatives of the state a time after the start by that at the start."""
     if phase.held:
-        state = np.array([x + phase.speed * duration, phase.speed])
-        first = np.array([[1.0, 0.0], [0.0, 0.0]])
-        change = np.array([phase.speed * duration, 0.0])
-        return End(state, change, np.array([phase.speed, 0.0]), np.zeros(2), first)
-    xx, xv, vx, vv, less_x, less_v = responses.by_start(phase.m, phase.c, phase.k, duration)
-    forced, by_angle = _forced(phase, angle, omega, duration)
-    state = np.array([xx * x + xv * v + forced[0], vx * x + vv * v + forced[1]])
-    change = np.array([less_x * x + xv * v + forced[0], vx * x + less_v * v + forced[1]])
-    cosine = math.cos(omega * duration + angle)
-    force = phase.f + phase.g * cosine - phase.c * state[1] - phase.k * state[0]
-    by_duration = np.array([state[1], force / phase.m])
-    return End(state, change, by_duration, np.array(by_angle), np.array([[xx, xv], [vx, vv]]))
+        return np.array([[1.0, 0.0], [0.0, 0.0]])
+    return np.reshape(responses.by_start(phase.m, phase.c, phase.k, s)[:4], (2, 2))
 
 
 def state_at(
@@ -92,24 +56,16 @@ def state_at(
     """Return displacement and velocity a time after a phase starts with them; see `motion`."""
     if phase.held:
         return x + phase.speed * t, phase.speed
-    xx, xv, vx, vv, *_ = responses.by_start(phase.m, phase.c, phase.k, t)
-    (moved, moving), _ = _forced(phase, angle, omega, t)
-    return xx * x + xv * v + moved, vx * x + vv * v + moving
-
-
-def _forced(
-    phase: Phase, angle: float, omega: float, t: float
-) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return displacement and velocity by the forces alone, and their changes by the angle."""
-    equation, x, v, by_angle = (phase.m, phase.c, phase.k), 0.0, 0.0, (0.0, 0.0)
+    equation = phase.m, phase.c, phase.k
+    xx, xv, vx, vv, *_ = responses.by_start(*equation, t)
+    found = xx * x + xv * v, vx * x + vv * v
     if phase.f:
         moved, moving = responses.by_force(*equation, t)
-        x, v = phase.f * moved, phase.f * moving
+        found = found[0] + phase.f * moved, found[1] + phase.f * moving
     if phase.g:
-        moved, moving, *turned = responses.by_forcing(*equation, omega, angle, t)
-        x, v = x + phase.g * moved, v + phase.g * moving
-        by_angle = phase.g * turned[0], phase.g * turned[1]
-    return (x, v), by_angle
+        moved, moving, *_ = responses.by_forcing(*equation, omega, angle, t)
+        found = found[0] + phase.g * moved, found[1] + phase.g * moving
+    return found
 
 
 def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:
@@ -121,7 +77,7 @@ def _states(
 ) -> tuple[Vector, Vector]:
     """Return displacement and velocity at times after the start of a free phase.
 
-    As `end`; of a force that is zero the response is not looked for.
+    As `state_at`; of a force that is zero the response is not looked for.
     """
     small, large = roots(phase)
     impulse = of_two_at(small, large, t)

@@ -14,8 +14,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-import numpy as np
-
 from ..flow import flow
 from ..kernels.start import RoughTimes
 from ..scenes.case import Case
@@ -194,8 +192,7 @@ def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
     last = motion.segments[-1]
-    begun = np.array([last.x, last.v])
-    x, v = map(float, flow.end(last.phase, begun, last.angle, cell.omega, last.s).state)
+    x, v = flow.state_at(last.phase, last.x, last.v, last.angle, cell.omega, last.s)
     if lasts(last.phase, x, v, cell.omega, last.angle + cell.omega * last.s):
         return Settled(None, "a simulation comes to a motion without switches")
     repeated = _repeated(cell, motion.segments)

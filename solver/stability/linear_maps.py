@@ -105,11 +105,11 @@ def transition(phase: Phase, s: float, factors: tuple[float, ...] = ()) -> Matri
     """
     count = 2 + len(factors)
     found = np.eye(count)
-    found[:2, :2] = flow.end(phase, np.zeros(2), 0.0, 0.0, s).by_start
+    found[:2, :2] = flow.by_start(phase, s)
     for i, factor in enumerate(factors):
         if not phase.held:
             pushed = replace(phase, f=factor, g=0.0)
-            found[:2, 2 + i] = flow.end(pushed, np.zeros(2), 0.0, 0.0, s).state
+            found[:2, 2 + i] = flow.state_at(pushed, 0.0, 0.0, 0.0, 0.0, s)
     return found
 
 

@@ -144,7 +144,8 @@ def _check_rates(
     phase: Phase, start: Vector, s: float, along: Matrix, across: Matrix, switch: Switch
 ) -> None:
     """Check that phase and switch map the rate of the motion to that behind them: M F = F."""
-    reached = flow.end(phase, start, 0.0, 0.0, s).state
+    x, v = map(float, start)
+    reached = np.array(flow.state_at(phase, x, v, 0.0, 0.0, s))
     constant = np.zeros(len(along) - 2)
     first, last = (np.append(rates(phase, q, 1.0), constant) for q in (start, reached))
     pairs = (

@@ -12,7 +12,6 @@ from made_scenes import made
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.existence.reasons import shown_to_be_none
-from nonsmooth.solver.flow import flow
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes.classes import classes
@@ -142,12 +141,3 @@ def test_a_second_touch_of_the_stop_is_seen_at_once():
     finding = shown_to_be_none(at(touch * (1 - 1e-6)))
     assert any("not true that the mass stays before the stop" in q for q in finding.tried)
     assert len(one_phase.solutions(at(touch * (1 - 1e-6)).cell).found) == 2
-
-
-def test_the_change_over_a_phase_is_that_of_its_state():
-    """Of a phase with damping, constant force and forcing, over short and long times."""
-    phase = registry.load("elastic-plastic")().cell.remembering([0.3]).phases[0]
-    for s in (1e-7, 0.3, 7.0):
-        start = np.array([0.4, -0.7])
-        end = flow.end(phase, start, 0.6, 1.0, s)
-        np.testing.assert_allclose(end.change, end.state - start, rtol=0, atol=1e-14)
