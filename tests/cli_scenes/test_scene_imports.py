@@ -59,7 +59,9 @@ def test_the_package_and_scenes_by_name_import_nothing_heavy(python) -> None:
     assert python(f"{code}print([m for m in {HEAVY!r} if m in sys.modules])") == "[]\n"
 
 
-def test_one_solve_imports_neither_sympy_nor_numba(python) -> None:
+def test_one_solve_imports_neither_sympy_nor_numba(python, tmp_path, monkeypatch) -> None:
+    """Of each scene, where nothing is compiled: else a process loads that after a while."""
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     code = "import sys, nonsmooth as ns\nfor name in ns.scenes(): ns.solve(ns.scene(name)())\n"
     code += f"print([m for m in {HEAVY!r} if m in sys.modules])"
     assert python(code) == "['numpy']\n"
