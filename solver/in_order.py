@@ -82,7 +82,10 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
     """
     base = case.of_fullest()
     listed = known(base).listed
-    declared = {(each.half_period, each.phases) for each in case.scene.whole.each_motion}
+    declared = {
+        ",".join([*each.phases, MIRRORED] if each.half_period else each.phases)
+        for each in case.scene.whole.each_motion
+    }
     seen: set[Order] = set()
     for settled in from_several_states(base, FEW if listed else PHASES):
         other = settled.other
@@ -90,7 +93,7 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
             continue
         seen.add(other.order)
         scene = in_order(base.scene, other.order)
-        if (scene.half_period, scene.phases) not in declared:
+        if scene.motion not in declared:
             yield Case(scene, case.values, case.cycles), other.times
 
 

@@ -109,8 +109,10 @@ def solve_case(
         if other is None:
             raise
         return other
-    unstable = case.scene.motion is None and is_stable(found) is False
-    return (settled() if unstable else None) or found
+    if case.scene.motion is None and is_stable(found) is False:
+        with suppress(NoOrbit):  # the method may not have the stable one
+            return settled() or found
+    return found
 
 
 def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = None) -> Case:

@@ -8,6 +8,7 @@ import pytest
 from made_scenes import made
 
 import nonsmooth as ns
+from nonsmooth.solver import solve as solving
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.kernels import registry
@@ -87,6 +88,16 @@ def test_two_impacts_that_differ() -> None:
     assert orbit.case.scene.motion == "flight,flight"
     assert orbit.stable
     assert not solve_case(BOUNCES.with_cycles(1)).stable
+
+
+def test_an_orbit_that_is_not_stable_stays_where_a_method_lacks_the_stable_one(
+    monkeypatch,
+) -> None:
+    other = exact_orbit(BOUNCES)
+    monkeypatch.setattr(solving, "settled_orbit", lambda case: other)
+    single = BOUNCES.with_cycles(1)
+    assert solve_case(single, "hb", 10).case == single
+    assert solve_case(single, "ck-tau", 10).case == other.case
 
 
 @pytest.mark.parametrize("method", ["ck", "hb-ck"])
