@@ -9,6 +9,9 @@ from ..scenes.cell import Phase
 from . import responses
 from .divided import of_three_at, of_two_at
 
+#: Displacement and velocity at one time; see `motion`.
+state_at = responses.state_at
+
 
 def roots(phase: Phase) -> tuple[complex, complex]:
     """Return the roots of ``m r**2 + c r + k = 0``, the one of smaller modulus first."""
@@ -48,24 +51,6 @@ def by_start(phase: Phase, s: float) -> Matrix:
     if phase.held:
         return np.array([[1.0, 0.0], [0.0, 0.0]])
     return np.reshape(responses.by_start(phase.m, phase.c, phase.k, s)[:4], (2, 2))
-
-
-def state_at(
-    phase: Phase, x: float, v: float, angle: float, omega: float, t: float
-) -> tuple[float, float]:
-    """Return displacement and velocity a time after a phase starts with them; see `motion`."""
-    if phase.held:
-        return x + phase.speed * t, phase.speed
-    equation = phase.m, phase.c, phase.k
-    xx, xv, vx, vv, *_ = responses.by_start(*equation, t)
-    found = xx * x + xv * v, vx * x + vv * v
-    if phase.f:
-        moved, moving = responses.by_force(*equation, t)
-        found = found[0] + phase.f * moved, found[1] + phase.f * moving
-    if phase.g:
-        moved, moving, *_ = responses.by_forcing(*equation, omega, angle, t)
-        found = found[0] + phase.g * moved, found[1] + phase.g * moving
-    return found
 
 
 def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:

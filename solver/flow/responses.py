@@ -1,9 +1,10 @@
 """What a linear phase makes of its start and of its forces in a time, in plain numbers.
 
-As Python, and compiled by numba with the exact equations.
+As Python, and compiled by numba with the exact equations and with simulations.
 """
 
 from math import copysign, cos, sin, sqrt
+from typing import Any
 
 from .divided import exp, expm1, of_three, of_two
 
@@ -61,3 +62,21 @@ def by_forcing(
     moved = turn * wave
     moving = turn * (complex(0.0, omega) * wave + of_two(small, large, s))
     return moved.real, moving.real, -moved.imag, -moving.imag
+
+
+def state_at(
+    phase: Any, x: float, v: float, angle: float, omega: float, s: float
+) -> tuple[float, float]:
+    """Return displacement and velocity a time `s` after a phase starts with them."""
+    if phase.held:
+        return x + phase.speed * s, phase.speed
+    m, c, k = phase.m, phase.c, phase.k
+    xx, xv, vx, vv, _, _ = by_start(m, c, k, s)
+    there, rate = xx * x + xv * v, vx * x + vv * v
+    if phase.f != 0:
+        moved, moving = by_force(m, c, k, s)
+        there, rate = there + phase.f * moved, rate + phase.f * moving
+    if phase.g != 0:
+        moved, moving, _, _ = by_forcing(m, c, k, omega, angle, s)
+        there, rate = there + phase.g * moved, rate + phase.g * moving
+    return there, rate

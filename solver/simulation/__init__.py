@@ -1,6 +1,5 @@
 """Motion from a given state: the exact flow of each phase, from event to event.
 
-`bounds` has Taylor coefficients of an event's form and a bound for what they leave out, `zeros`
-the first zero that a polynomial can have, `locate` the first event of a phase, `machine` which
-phase follows, `simulate` the motion, and `settle` the periodic motion that it comes to.
+`steps` follows it from phase to phase over arrays, `walk` makes a list of these, `simulate` is
+the motion of a case, and `settle` finds the periodic motion that it comes to.
 """

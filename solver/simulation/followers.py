@@ -8,8 +8,9 @@ from ..arrays import Matrix, Vector
 from ..scenes.cell import Form
 from ..scenes.classes import generator
 from ..scenes.orders import OrderedScene, Step, pairs
-from .machine import Machine, State
+from .machine import Machine
 from .nodes import Node
+from .steps.state import State
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
@@ -107,10 +108,7 @@ def not_followed(orbit: "Motion") -> tuple[str, ...]:
         x, v = (float(orbit.part(p, np.ones(1), j)[0]) for j in (0, 1))
         angle = orbit.angle + machine.cell.omega * float(total[p])
         memory = scene.remembered(orbit.memory_values, p)
-        before = node.begun(State(x, v, angle, memory=memory))
-        form = node.at(before).event
-        state = machine.crossed(node, node.event, form, before)
-        after = machine.next(node, node.event, before, state)
+        after = machine.after(one, State(x, v, angle, memory=memory))
         if after is None or _numbers(after) != _numbers(expected):
             name = "no phase" if after is None else _name(after)
             found.append(f"where {_name(node)} ends, {name} follows, not {_name(expected)}")

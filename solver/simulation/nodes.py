@@ -6,15 +6,11 @@ vanishes.  Which forms vanish on the same one is decided once, from their factor
 surfaces, no number of a state tells them apart.
 """
 
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
 
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
 from ..scenes.orders import Step
-
-if TYPE_CHECKING:
-    from .machine import State
 
 
 @dataclass(frozen=True)
@@ -41,18 +37,16 @@ class Node:
     event: int
     demands: tuple[int, ...]
 
-    def at(self, state: "State") -> Phase:
-        """Return the phase with numbers for what the motion remembers."""
-        return self.phase.remembering(state.memory)
-
-    def begun(self, state: "State") -> "State":
-        """Return a state with the velocity at which the phase is held, if it is."""
-        return replace(state, v=self.phase.speed) if self.phase.held else state
-
     @property
     def step(self) -> Step:
         """What an order of phases calls it."""
         return Step(self.index, self.mirrored)
+
+    @property
+    def equation(self) -> tuple[object, ...]:
+        """What its equation of motion is made of."""
+        q = self.phase
+        return q.m, q.c, q.k, q.f, q.g, q.held, q.memory
 
     @property
     def jumps(self) -> bool:

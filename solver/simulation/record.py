@@ -17,7 +17,7 @@ from ..presentation.table import Table, Tabular
 from ..scenes.case import Case
 from ..scenes.cell import Phase
 from ..scenes.orders import Step
-from .bounds import window
+from .steps.bounds import window
 
 #: Of the document's keys and their meaning.
 SCHEMA = 2

@@ -20,9 +20,11 @@ from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.orders import Order, OrderedScene, Step, half_if_mirrored
 from .lasting import lasts
-from .machine import Machine, State
+from .machine import Machine
 from .record import Segment, Simulation
-from .simulate import Place, at_rest, cycle, effort, walk
+from .simulate import at_rest, cycle
+from .steps.state import State
+from .walk import Place, effort, walk
 
 #: Cycles that are simulated at first, and by which factor more each time that was too short;
 #: and how many a settled motion may take to repeat.

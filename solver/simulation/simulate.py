@@ -2,22 +2,14 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
-
-import numpy as np
 
 from ..scenes.case import Case
-from ..scenes.cell import Cell, Form, Phase
-from ..scenes.orders import Step
+from ..scenes.cell import Cell
 from ..scenes.parameter_error import is_number
-from .bounds import local, window
-from .chatter import accumulates, end_of, time_left
-from .clock import Clock
-from .locate import Reached, first_event
-from .machine import Machine, State
-from .nodes import Node
-from .record import Segment, Simulation
+from .machine import Machine
+from .record import Simulation
+from .steps.state import State
+from .walk import follow
 
 #: Cycles that are simulated where neither cycles nor a time is given.
 CYCLES = 20
@@ -25,11 +17,8 @@ CYCLES = 20
 #: How far from a limit a mass that is pressed against it is put, in units of length.
 ASIDE = 0.1
 
-#: Most phases, and most cycles, of one motion.
-MOST_PHASES = MOST_CYCLES = 100_000
-
-#: Windows of a search for events that take about as long as what else a phase takes.
-STRETCH = 10
+#: Most cycles of one motion.
+MOST_CYCLES = 100_000
 
 
 def simulate(
@@ -101,143 +90,6 @@ def simulate(
             f"{case.scene.name} takes; {machine.unmet(start)}"
         )
     return follow(case, machine, start, duration)
-
-
-@dataclass(frozen=True)
-class Place:
-    """Where a phase of a motion begins: the phase, the state, and when, without units."""
-
-    node: Node
-    state: State
-    clock: Clock
-
-    @classmethod
-    def first(cls, machine: Machine, state: State) -> "Place":
-        """Return where the motion from a state begins that a phase takes."""
-        node = machine.first(state)
-        assert node is not None
-        return cls(node, state, Clock.of(state.angle, machine.cell.omega))
-
-
-def follow(case: Case, machine: Machine, start: State, duration: float) -> Simulation:
-    """Return the motion of a case from a state that a phase takes, all without units."""
-    segments, _, ended = walk(case, machine, Place.first(machine, start), duration)
-    return Simulation(case, tuple(segments), ended)
-
-
-def effort(phase: Phase, omega: float, s: float) -> float:
-    """Return what it takes to follow a phase for a time: 1, and more for a long one."""
-    return 1 + s / (STRETCH * window(phase, omega))
-
-
-def walk(
-    case: Case, machine: Machine, place: Place, until: float, most: float = math.inf
-) -> tuple[list[Segment], Place, str]:
-    """Return the phases of a motion from the beginning of one on, the last one cut off.
-
-    Parameters
-    ----------
-    case : Case
-    machine : Machine
-        Of its cell.
-    place : Place
-        Where to begin.
-    until : float
-        The time at which it ends, without units.
-    most : float
-        The `effort` after which it ends earlier.
-
-    Returns
-    -------
-    segments : list of Segment
-    place : Place
-        Where the last of them begins, to go on from.
-    ended : str
-        Why the motion ends before, where it does.
-    """
-    omega, whole = case.cell.omega, Fraction(until)
-    node, state, clock = place.node, place.state, place.clock
-    segments: list[Segment] = []
-    while True:
-        state = node.begun(state)
-        place, phase = Place(node, state, clock), node.at(state)
-        end, on = _end(
-            machine, node, state, min(float(whole - clock.t), _reach(phase, omega, most))
-        )
-        ending = None if on is None else machine.ending(node, on[0])
-        step = None if ending is None else ending.step
-        segments.append(_segment(node, state, clock, end.s, step))
-        most -= effort(phase, omega, end.s)
-        if on is None or most < 1:
-            return segments, place, end.ended
-        clock = clock.later(end.s)
-        before = State(end.x, end.v, clock.angle, memory=state.memory)
-        surface, state = on[0], machine.crossed(node, *on, before)
-        after = machine.next(node, surface, before, state)
-        if after is None:
-            when = f"at t = {float(clock.t) * case.units.time:.6g} s"
-            words = (
-                f"no phase of the scene takes the state {when}, where {node.phase.name} ends; "
-                f"{machine.unmet(state)}"
-            )
-            return segments, place, words
-        left = _time_left(machine, node, surface, after, state)
-        still = replace(state, v=0.0, angle=clock.later(left).angle)
-        rest = machine.rest(node, surface, still) if left else None
-        if rest is not None:  # its last flight stands for all that are left
-            left = min(left, float(whole - clock.t))
-            segments.append(_segment(after, state, clock, left))
-            clock, after, state = clock.later(left), rest, still
-        elif accumulates(segments) and (left or not machine.has_rest(surface)):
-            return segments, place, f"chatter: {_chatter(case, segments)}"
-        if len(segments) >= MOST_PHASES:
-            words = f"{MOST_PHASES} phases are the most that one motion may have"
-            return segments, place, words
-        node, state = after, machine.entered(after, state)
-
-
-def _reach(phase: Phase, omega: float, most: float) -> float:
-    """Return for how long a phase is followed by an effort."""
-    return max(most - 1, 0.0) * STRETCH * window(phase, omega) if most < math.inf else most
-
-
-def _end(
-    machine: Machine, node: Node, state: State, most: float
-) -> tuple[Reached, tuple[int, Form] | None]:
-    """Return where a phase ends, and the surface and the form that end it."""
-    watched = machine.watched(node, state)
-    end = first_event(
-        node.at(state), np.array([state.x, state.v]), machine.cell.omega, state.angle,
-        [form for _, form in watched], most,
-        [i for i, (surface, _) in enumerate(watched) if surface == state.surface],
-        state.placed,
-    )  # fmt: skip
-    return end, None if end.form is None else watched[end.form]
-
-
-def _segment(
-    node: Node, state: State, clock: Clock, s: float, step: Step | None = None
-) -> Segment:
-    place = (node.index, node.mirrored, clock.t, state.angle)
-    return Segment(node.at(state), *place, state.x, state.v, s, step)
-
-
-def _time_left(machine: Machine, node: Node, surface: int, after: Node, state: State) -> float:
-    """Return how long jumps go on behind that which ends a phase; 0 if not known."""
-    phase, (rho, d) = after.at(state), machine.law(node, surface)
-    if phase.held or d:
-        return 0.0
-    at = local(phase, state.x, state.v, machine.cell.omega, state.angle, state.placed)
-    return time_left(at, rho)
-
-
-def _chatter(case: Case, segments: list[Segment]) -> str:
-    """Return in words where the switches accumulate."""
-    when = f"t = {end_of(segments) * case.units.time:.9g} s"
-    return (
-        f"{segments[-1].phase.name} ends ever sooner, the switches accumulate at {when}, "
-        "and the scene does not say what follows"
-    )
 
 
 def at_rest(machine: Machine, angle: float) -> State | None:

@@ -8,10 +8,12 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
-from nonsmooth.solver.simulation.machine import Machine, State
+from nonsmooth.solver.simulation.machine import Machine
 from nonsmooth.solver.simulation.record import Simulation
 from nonsmooth.solver.simulation.settle import settled
-from nonsmooth.solver.simulation.simulate import Place, cycle, follow, walk
+from nonsmooth.solver.simulation.simulate import cycle
+from nonsmooth.solver.simulation.steps.state import State
+from nonsmooth.solver.simulation.walk import Place, follow, walk
 
 #: Oscillators in every run, and in a block of the long one; blocks of that.
 FEW, MANY, BLOCKS = 16, 100, 20

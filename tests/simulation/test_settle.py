@@ -16,9 +16,11 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts
-from nonsmooth.solver.simulation.machine import Machine, State
+from nonsmooth.solver.simulation.machine import Machine
 from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settled
-from nonsmooth.solver.simulation.simulate import at_rest, cycle, follow
+from nonsmooth.solver.simulation.simulate import at_rest, cycle
+from nonsmooth.solver.simulation.steps.state import State
+from nonsmooth.solver.simulation.walk import follow
 from nonsmooth.solver.solve import solve_case
 
 

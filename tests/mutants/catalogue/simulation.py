@@ -6,22 +6,40 @@ LOCATE = ("tests/simulation/test_locate.py",)
 CHATTER = ("tests/simulation/test_chatter.py",)
 SURFACES = ("tests/simulation/test_integrated.py::test_two_surfaces_are_two_however_near",)
 MOTION = ("tests/simulation/test_simulate.py",)
+RUN = (
+    "tests/simulation/test_run.py::test_the_states_at_whole_turns_are_those_of_the_simulation",
+)
 SETTLE = "tests/simulation/test_settle.py"
+CLOCK = ("tests/simulation/test_run.py::test_the_clock_loses_no_digit_behind_many_phases",)
 
 MUTANTS = (
     Mutant(
         "times are sums in float64",
-        "solver/simulation/clock.py",
-        "t=self.t + Fraction(s))",
-        "t=Fraction(float(self.t) + s))",
+        "solver/simulation/walk.py",
+        "t = place.t + Fraction(s)",
+        "t = Fraction(float(place.t) + s)",
         MOTION,
     ),
     Mutant(
         "the angle of the forcing is not reduced by whole turns",
-        "solver/simulation/clock.py",
-        "return float((self.first + self.omega * self.t) % TURN)",
-        "return float(self.first + self.omega * self.t)",
-        MOTION,
+        "solver/simulation/steps/clock.py",
+        "    _, high, _ = whole_turns(high, low + clock.low)\n    return high",
+        "    return high + (low + clock.low)",
+        CLOCK,
+    ),
+    Mutant(
+        "what is rounded of the angle of the forcing is lost",
+        "solver/simulation/steps/clock.py",
+        "whole_turns(high, more + (clock.low + error))",
+        "whole_turns(high, 0.0)",
+        CLOCK + MOTION,
+    ),
+    Mutant(
+        "a state at a whole turn is that in which its phase begins",
+        "solver/simulation/steps/run.py",
+        "state.angle, rules.omega, t)",
+        "state.angle, rules.omega, 0.0)",
+        RUN,
     ),
     Mutant(
         "two surfaces near each other are taken for one",
@@ -32,9 +50,9 @@ MUTANTS = (
     ),
     Mutant(
         "a switch that its event forbids is taken",
-        "solver/simulation/machine.py",
-        "                if q is not refused\n                and (q is declared",
-        "                if (q is declared",
+        "solver/simulation/steps/switches.py",
+        "if q == refused or (q != declared and sets(rules, q)):",
+        "if q != declared and sets(rules, q):",
         (f"{SETTLE}::test_a_switch_that_its_event_forbids_is_not_taken",),
     ),
     Mutant(
@@ -46,46 +64,49 @@ MUTANTS = (
     ),
     Mutant(
         "the jumps that are left take the time of a mass that gains by them",
-        "solver/simulation/chatter.py",
+        "solver/simulation/steps/chatter.py",
         "left = -2 * v / (a * (1 + rho))",
         "left = -2 * v / (a * (1 - rho))",
         CHATTER,
     ),
     Mutant(
         "short phases are chatter whether they get shorter or not",
-        "solver/simulation/chatter.py",
+        "solver/simulation/steps/chatter.py",
         "return second <= 0.999 * first",
         "return True",
         CHATTER,
     ),
     Mutant(
         "the polynomial is raised by the bound in place of lowered",
-        "solver/simulation/locate.py",
-        "powers.append(-bound(at, form, most) * scale)",
-        "powers.append(bound(at, form, most) * scale)",
+        "solver/simulation/steps/locate.py",
+        "-rest * (s4 * s / 5 * s / 6)",
+        "rest * (s4 * s / 5 * s / 6)",
         LOCATE,
     ),
     Mutant(
         "negative damping is not bounded",
-        "solver/simulation/bounds.py",
-        "growth = (-damping + math.hypot(damping, (kappa - stiffness) / math.sqrt(kappa))) / 2",
+        "solver/simulation/steps/bounds.py",
+        "growth = (-damping + length(damping, (kappa - stiffness) / root)) / 2",
         "growth = 0.0",
         LOCATE,
     ),
     Mutant(
         "the second half of an interval is looked at first",
-        "solver/simulation/zeros.py",
-        "        waiting.append((right, start + half, half, depth + 1))\n"
-        "        waiting.append((left, start, half, depth + 1))\n",
-        "        waiting.append((left, start, half, depth + 1))\n"
-        "        waiting.append((right, start + half, half, depth + 1))\n",
+        "solver/simulation/steps/zeros.py",
+        "            row, right = halves(row)\n"
+        "            width = width / 2\n"
+        "            waiting.append((right, start + width, width))\n",
+        "            left, row = halves(row)\n"
+        "            width = width / 2\n"
+        "            waiting.append((left, start, width))\n"
+        "            start = start + width\n",
         LOCATE,
     ),
     Mutant(
         "the velocity does not jump",
-        "solver/simulation/machine.py",
-        "v=rho * v + d, surface=known",
-        "v=v + d, surface=known",
+        "solver/simulation/steps/switches.py",
+        "State(x, rho * v + d, end.angle",
+        "State(x, v + d, end.angle",
         MOTION,
     ),
     Mutant(

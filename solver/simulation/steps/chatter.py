@@ -9,7 +9,6 @@ the change of the force does not count.
 from collections.abc import Sequence
 
 from .bounds import Local
-from .record import Segment
 
 #: Phases in a row, each shorter than this without units, that may be chatter.
 CHATTER, SHORT = 12, 1e-6
@@ -28,24 +27,38 @@ def time_left(at: Local, rho: float) -> float:
     rho : float
         Velocity behind a jump over the velocity before.
     """
-    _, v, a, jerk, *_ = at.derivatives
+    v, a, jerk = at.derivatives[1], at.derivatives[2], at.derivatives[3]
     if not (-1 < rho <= 0 and v * a < 0):
         return 0.0
     left = -2 * v / (a * (1 + rho))
     return left if left * left * max(1.0, abs(jerk / a)) <= LEFT else 0.0
 
 
-def accumulates(segments: Sequence[Segment]) -> bool:
+def put_last(last: list[float], s: float) -> None:
+    """Put the duration of a phase behind those of the last phases, and forget the first."""
+    for i in range(CHATTER - 1):
+        last[i] = last[i + 1]
+    last[CHATTER - 1] = s
+
+
+def accumulates(last: Sequence[float]) -> bool:
     """Whether the last phases are short, and their second half is shorter than the first."""
-    last = [q.s for q in segments[-CHATTER:]]
-    if len(last) < CHATTER or max(last) >= SHORT:
-        return False
-    first, second = sum(last[: CHATTER // 2]), sum(last[CHATTER // 2 :])
+    first, second, half = 0.0, 0.0, CHATTER // 2
+    for i in range(half):
+        if last[i] >= SHORT or last[half + i] >= SHORT:
+            return False
+        first, second = first + last[i], second + last[half + i]
     return second <= 0.999 * first
 
 
-def end_of(segments: Sequence[Segment]) -> float:
-    """Return when the switches accumulate, as a geometric series, without units."""
-    before, last = segments[-2].s, segments[-1].s
-    t = float(segments[-1].t) + last
+def end_of(t: float, before: float, last: float) -> float:
+    """Return when the switches accumulate, as a geometric series, without units.
+
+    Parameters
+    ----------
+    t : float
+        When the last phase ends.
+    before, last : float
+        Durations of the last two.
+    """
     return t + last * last / (before - last) if 0 < last < before else t

@@ -1,0 +1,118 @@
+"""The angle of the forcing behind any number of phases, to its own rounding.
+
+A sum of durations in float64 drifts: each is rounded to the digits of the whole.  Here the
+angle through which the forcing has turned is an unevaluated sum of two numbers, less whole
+turns, of which there are three parts.  Products and sums of two numbers are exact (Dekker,
+Knuth); what is rounded is the lower number alone.  A phase through an angle a leaves an error
+of some ``2**-104 a``, and so does what is left out of a whole turn: 1e-27 behind a hundred
+thousand turns.  So an angle is the number of float64 that is nearest to the exact one, unless
+that is so near to the middle between two.
+"""
+
+from math import atan2, cos, floor, frexp, ldexp, sin
+from typing import NamedTuple
+
+#: A whole turn in rad, as a sum.
+TURN = (6.283185307179586, 2.4492935982947064e-16, -5.989539619436679e-33)
+
+#: What splits a number into two of half its digits.
+SPLIT = 2.0**27 + 1
+
+#: Turns of one phase beyond which the angle has no digits.
+MOST_TURNS = 1e15
+
+
+class Clock(NamedTuple):
+    """An instant of a motion.
+
+    Parameters
+    ----------
+    first : float
+        The angle of the forcing at the start.
+    omega : float
+        By which it turns in a unit of time; where nothing forces, 0.
+    turns : int
+        Whole turns since the start; where nothing forces, of an angle of one in a unit of time.
+    high, low : float
+        The rest of that angle, as a sum.
+
+    Examples
+    --------
+    >>> clock = at_start(0.5, 1.0)
+    >>> for _ in range(70):
+    ...     clock = later(clock, 0.1)
+    >>> clock.turns, angle_of(clock)
+    (1, 1.216814692820414)
+    """
+
+    first: float
+    omega: float
+    turns: int
+    high: float
+    low: float
+
+
+def at_start(angle: float, omega: float) -> Clock:
+    """Return the start, where the forcing has an angle."""
+    if abs(angle) > TURN[0]:
+        angle = atan2(sin(angle), cos(angle))
+    return Clock(angle, omega, 0, 0.0, 0.0)
+
+
+def later(clock: Clock, s: float) -> Clock:
+    """Return a later instant."""
+    mantissa, power = frexp(clock.omega if clock.omega > 0 else 1.0)  # no product overflows
+    turned, error = product(mantissa, ldexp(s, power))
+    high, more = total(clock.high, turned)
+    turns, high, low = whole_turns(high, more + (clock.low + error))
+    return Clock(clock.first, clock.omega, clock.turns + turns, high, low)
+
+
+def angle_of(clock: Clock) -> float:
+    """Return the angle of the forcing, from 0 to 2 pi."""
+    if not clock.omega > 0:
+        return clock.first
+    high, low = total(clock.first, clock.high)
+    _, high, _ = whole_turns(high, low + clock.low)
+    return high
+
+
+def time_to(clock: Clock, turns: int) -> float:
+    """Return the time until a number of whole turns since the start."""
+    high, low = less(-clock.high, -clock.low, clock.turns - turns)
+    return max(high + low, 0.0) / (clock.omega if clock.omega > 0 else 1.0)
+
+
+def whole_turns(high: float, low: float) -> tuple[int, float, float]:
+    """Return the whole turns of an angle, and what is left of it."""
+    turns = floor(min(high / TURN[0], MOST_TURNS))
+    high, low = less(high, low, turns)
+    if high < 0:  # it was rounded up to a whole turn
+        turns -= 1
+        high, low = less(high, low, -1)
+    return turns, high, low
+
+
+def less(high: float, low: float, turns: int) -> tuple[float, float]:
+    """Return an angle less whole turns, the nearest number of float64 and what is left."""
+    for part in TURN:
+        turned, error = product(float(turns), part)
+        high, more = total(high, -turned)
+        low += more - error
+    return total(high, low)
+
+
+def total(a: float, b: float) -> tuple[float, float]:
+    """Return the sum of two numbers, and its rounding error."""
+    found = a + b
+    of_b = found - a
+    return found, (a - (found - of_b)) + (b - of_b)
+
+
+def product(a: float, b: float) -> tuple[float, float]:
+    """Return the product of two numbers, and its rounding error."""
+    found = a * b
+    x, y = SPLIT * a, SPLIT * b
+    high, other = x - (x - a), y - (y - b)
+    low, rest = a - high, b - other
+    return found, ((high * other - found) + high * rest + low * other) + low * rest

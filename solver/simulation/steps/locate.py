@@ -1,0 +1,191 @@
+"""The first event of a phase, which no step can pass over.
+
+From a state, a form is at least its Taylor polynomial less the bound for the rest: it has no
+zero before that lower bound has one.  So far a step goes; the motion there is that of the exact
+flow from the start of the phase, not of the polynomial.  Near an event these steps converge as
+fast as Newton's do.  A form that falls below zero by no more than its rounding only touches it,
+which is not an event.  A form that is zero at the start of a phase, as that of the event which
+began it, is divided by time as often as it vanishes there.
+"""
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import NamedTuple
+
+from ...flow.responses import state_at
+from ...scenes.cell import Form
+from .bounds import TERMS, Equation, Local, bound, local, taylor, window
+from .zeros import NARROW, Polynomial, first_zero
+
+#: What rounding makes of 1.
+EPS = 2.0**-52
+
+#: What of a derivative may be rounding, as a part of the size of its terms.
+NOISE = 64 * EPS
+
+#: A time, without units, in which nothing happens.
+SHORTEST = 1e-280
+
+#: Steps of one phase before a search is given up; some ten are usual for a period.
+MOST_STEPS = 100_000
+
+#: How a phase ended: by an event, or it was followed to the end of its time, or no farther
+#: than float64 or the steps of a search go.
+EVENT, CUT, BEYOND, LOST = range(4)
+
+
+class Reached(NamedTuple):
+    """Where a phase ends.
+
+    Parameters
+    ----------
+    s : float
+        How long it lasted.
+    x, v : float
+        The state there, before the switch.
+    how : int
+        `EVENT`, `CUT`, `BEYOND`, or `LOST`.
+    form : int
+        Which of the forms vanishes, if one does.
+    """
+
+    s: float
+    x: float
+    v: float
+    how: int
+    form: int
+
+
+def sign_after(at: Local, form: Form, zero: bool) -> int:
+    """Return the sign of a form just after a state: of its first derivative but zeros.
+
+    Parameters
+    ----------
+    at : Local
+    form : Form
+    zero : bool
+        Whether the form itself is known to be zero there, whatever rounding makes of it.
+    """
+    values, sizes = taylor(at, form)
+    leading = _leading(values, sizes, zero)
+    if leading == TERMS:
+        return 0
+    return 1 if values[leading] > 0 or (leading == 1 and _touch(values, sizes) > 0) else -1
+
+
+def _touch(values: tuple[float, ...], sizes: tuple[float, ...]) -> float:
+    """Return a time after which a form that is zero, and falls, has risen again.
+
+    It is 0 where the form falls below zero by more than its rounding: elsewhere it only
+    touches zero, and nobody can tell whether it passes.
+    """
+    slope, curvature, third = values[1], values[2], values[3]
+    if not slope < 0 < curvature:
+        return 0.0
+    risen = -4 * slope / curvature
+    touches = -slope * risen / 8 <= NOISE * sizes[0] and abs(third) * risen <= curvature
+    return risen if touches else 0.0
+
+
+def _leading(values: tuple[float, ...], sizes: tuple[float, ...], zero: bool) -> int:
+    """Return the order of the first derivative that is not zero; `TERMS` if there is none."""
+    for j in range(1 if zero else 0, TERMS):
+        if abs(values[j]) > NOISE * sizes[j]:
+            return j
+    return TERMS
+
+
+def first_event(
+    phase: Equation, x: float, v: float, angle: float, placed: bool,
+    forms: Sequence[Form], zeros: Sequence[bool], most: float,
+) -> Reached:  # fmt: skip
+    """Return where the first of some forms vanishes.
+
+    Parameters
+    ----------
+    phase : Equation
+        Which motion is followed.
+    x, v, angle : float
+        Displacement, velocity, and the angle of the forcing at its start.
+    placed : bool
+        Whether the displacement at the start is exact to its own rounding.
+    forms : sequence of Form
+        Each not negative just after the start.
+    zeros : sequence of bool
+        Which of the forms are known to be zero at the start.
+    most : float
+        Time after which the search ends.
+    """
+    s, at_x, at_v, omega = 0.0, x, v, phase.omega
+    widest, largest = window(phase, omega), _largest(forms)
+    for _ in range(MOST_STEPS):
+        at = local(phase, at_x, at_v, angle + omega * s, placed and s == 0)
+        if not isfinite(largest * sum(at.sizes)):
+            return Reached(s, at_x, at_v, BEYOND, 0)
+        step, nearest = min(widest, most - s), -1
+        for index in range(len(forms)):
+            safe = _safe(at, forms[index], step, zeros[index] and s == 0)
+            if safe < step:
+                step, nearest = safe, index
+        found = nearest >= 0 and step <= 4 * EPS * s
+        if found:
+            end = s + _last_correction(at, forms[nearest], s)
+        else:
+            end = most if nearest < 0 and s + step >= most else s + step
+        there, rate = state_at(phase, x, v, angle, omega, end)
+        if not (isfinite(there) and isfinite(rate)):
+            return Reached(s, at_x, at_v, BEYOND, 0)
+        s, at_x, at_v = end, there, rate
+        if found or s == most:
+            return Reached(s, at_x, at_v, EVENT if found else CUT, nearest)
+    return Reached(s, at_x, at_v, LOST, 0)
+
+
+def _largest(forms: Sequence[Form]) -> float:
+    """Return the largest factor of some forms; 1 at least."""
+    found = 1.0
+    for form in forms:
+        for i in range(4):
+            found = max(found, abs(form[i]))
+    return found
+
+
+def _last_correction(at: Local, form: Form, s: float) -> float:
+    """Return Newton's last step to a zero that is within rounding, of either sign."""
+    values, _ = taylor(at, form)
+    step = -values[0] / values[1] if values[1] != 0 else 0.0
+    return step if abs(step) <= 1e-9 * s else 0.0
+
+
+def _safe(at: Local, form: Form, most: float, zero: bool) -> float:
+    """Return a time before which a form has no zero; `most` if that is longer."""
+    values, sizes = taylor(at, form)
+    leading = _leading(values, sizes, zero)
+    if leading == TERMS:  # the form is zero all along
+        return most
+    if values[leading] < 0 and most >= SHORTEST:
+        return min(most, _touch(values, sizes)) if leading == 1 else 0.0
+    while most >= SHORTEST:
+        powers = _from_below(values, bound(at, form, most), most)
+        for _ in range(leading):
+            _, b, c, d, e, f, g = powers
+            powers = (b, c, d, e, f, g, 0.0)
+        falls, size = 0.0, powers[0]
+        for power in powers[1:]:
+            falls -= 0.0 if power >= 0 else power
+            size += abs(power)
+        if powers[0] > falls:
+            return most
+        found = first_zero(powers) if isfinite(size) else 0.0
+        if found > 0:
+            return min(found, 1.0) * most
+        most *= NARROW  # an interval of the size of what is left
+    return most
+
+
+def _from_below(values: tuple[float, ...], rest: float, s: float) -> Polynomial:
+    """Return a polynomial on [0, 1] that a form is not below within a time `s`."""
+    a, b, c, d, e, f = values
+    s2 = s * s / 2
+    s3, s4 = s2 * s / 3, s2 * s / 3 * s / 4
+    return a, b * s, c * s2, d * s3, e * s4, f * (s4 * s / 5), -rest * (s4 * s / 5 * s / 6)

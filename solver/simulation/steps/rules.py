@@ -1,0 +1,94 @@
+"""The phases that a motion can be in as arrays, and which may follow which: once for a cell."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from ...arrays import Matrix
+from ...scenes.arrays import Integers, arrays_of
+from ...scenes.cell import Cell, Form
+from ..nodes import Node
+from .column import NONE
+
+
+class Rules(NamedTuple):
+    """The phases of a cell as a motion can be in them, and the surfaces that end them.
+
+    Parameters
+    ----------
+    omega : float
+        Of the forcing.
+    numbers : ndarray, shape (P, 8 + M)
+        Of each phase: equation, speed, law, and factors of the memory in its force.
+    kinds : ndarray of int, shape (P, 8)
+        Of each phase: whether it is held; whether its event is none of its demands; behind the
+        jump of which it is a rest at a place; its place in the cell; -1 if it is mirrored.
+        Then in `forms` the row of its event, before its demands; the first row of what it
+        demands at its switch; and the one behind them.
+    forms : ndarray, shape (F, 4 + M)
+    surfaces : ndarray of int, shape (F,)
+        On which each vanishes.
+    endings : ndarray of int, shape (P, S)
+        The phase of the same equation whose event is a surface, for each phase and surface.
+    turns : ndarray of int, shape (P + 1, P)
+        In which turn phases are tried where one is declared, or at last none: constraints hold
+        while they can.
+    setting, memory : ndarray, shape (M,), (M, 4)
+        As in `Arrays`.
+    """
+
+    omega: float
+    numbers: Matrix
+    kinds: Integers
+    forms: Matrix
+    surfaces: Integers
+    endings: Integers
+    turns: Integers
+    setting: Integers
+    memory: Matrix
+
+
+def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
+    """Return the rules of a cell, whose phases are nodes."""
+    phases, more = range(len(nodes)), len(cell.memory)
+    numbers, kinds = [], []
+    forms: list[Form] = []
+    surfaces: list[int] = []
+    for p, node in enumerate(nodes):
+        phase, before, row = node.phase, nodes[p - 1], len(forms)
+        forms += [phase.event, *(form for _, form in phase.demands)]
+        surfaces += [node.event, *node.demands]
+        at_switch = len(forms)
+        forms += [form for _, form in phase.switch_demands]
+        surfaces += [NONE] * len(phase.switch_demands)
+        own = phase.m, phase.c, phase.k, phase.f, phase.g, phase.speed, phase.rho, phase.d
+        numbers.append([*own, *(phase.memory or [0.0] * more)])
+        wall = (p - 1) % len(nodes) if phase.held and before.jumps else NONE
+        place = wall, node.index, -1 if node.mirrored else 1
+        rows = row, at_switch, len(forms)
+        kinds.append([phase.held, node.event not in node.demands, *place, *rows])
+    first = [p for p in phases if nodes[p].phase.held and nodes[p].phase.demands]
+    arrays = arrays_of(cell)
+    return Rules(
+        cell.omega,
+        np.array(numbers, dtype=float),
+        np.array(kinds, dtype=np.int64),
+        np.array([[*form, *[0.0] * more][: 4 + more] for form in forms], dtype=float),
+        np.array(surfaces, dtype=np.int64),
+        np.array([[_ending(nodes, p, q) for q in range(max(surfaces) + 1)] for p in phases]),
+        np.array([_turn(first, [p, *phases]) for p in phases] + [_turn(first, phases)]),
+        arrays.setting,
+        arrays.memory,
+    )
+
+
+def _ending(nodes: Sequence[Node], p: int, surface: int) -> int:
+    """Return the phase of the same equation whose event is a surface; `NONE` without one."""
+    turn = (q for q in (p, *range(len(nodes))) if nodes[q].event == surface)
+    return next((q for q in turn if nodes[q].equation == nodes[p].equation), NONE)
+
+
+def _turn(first: Sequence[int], then: Sequence[int]) -> list[int]:
+    """Return phases in turn, some before the others."""
+    return list(dict.fromkeys([q for q in then if q in first] + list(then)))

@@ -1,0 +1,92 @@
+"""A motion at whole turns of the forcing, without a list of its phases: for many starts.
+
+Functions over `Rules` and states: plain Python, or compiled by numba.
+"""
+
+from math import inf
+
+import numpy as np
+
+from ...arrays import Matrix
+from ...flow.responses import state_at
+from ...scenes.arrays import Integers
+from .chatter import CHATTER, accumulates, put_last
+from .clock import Clock, at_start, later, time_to
+from .column import NONE
+from .locate import CUT, EVENT
+from .rules import Rules
+from .state import State, begun, equation_of
+from .step import CHATTERS, MANY, REFUSED, step
+from .switches import first_phase, has_rest
+
+#: Most phases of one motion.
+MOST_PHASES = 100_000
+
+
+def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]:
+    """Return a motion at each whole turn of the forcing, as `cycle` counts them.
+
+    Parameters
+    ----------
+    rules : Rules
+    state : State
+        Where it begins.
+    cycles : int
+        How many turns it is followed.
+
+    Returns
+    -------
+    states : ndarray, shape (turns, 2 + M)
+        Displacement, velocity and memory at the start and behind each turn that was reached;
+        at a switch, those behind it.
+    phases : ndarray of int, shape (turns,)
+        The phase that it is in.
+    how : int
+        Why it ended: `CUT` if it was followed for so many cycles.
+    """
+    states = np.zeros((cycles + 1, 2 + len(rules.setting)))
+    phases, count, last = np.zeros(cycles + 1, dtype=np.int64), 0, [inf] * CHATTER
+    p, clock = first_phase(rules, state), at_start(state.angle, rules.omega)
+    if p == NONE:
+        return states[:0], phases[:0], REFUSED
+    state = begun(rules, p, state)
+    for _ in range(MOST_PHASES):
+        passed = step(rules, p, state, clock, time_to(clock, cycles))
+        s, how = passed.s, passed.how
+        until = inf if how == CUT else s
+        count = strobe(rules, p, state, clock, until, states, phases, count)
+        put_last(last, s)
+        if how != EVENT:
+            return states[:count], phases[:count], how
+        if passed.away != NONE:
+            p, state, clock, left = passed.away, passed.behind, later(clock, s), passed.left
+            count = strobe(rules, p, state, clock, left, states, phases, count)
+            put_last(last, left)
+        elif accumulates(last) and (passed.left > 0 or not has_rest(rules, passed.surface)):
+            return states[:count], phases[:count], CHATTERS
+        p, state, clock = passed.phase, passed.state, passed.clock
+    return states[:count], phases[:count], MANY
+
+
+def strobe(
+    rules: Rules, p: int, state: State, clock: Clock, s: float,
+    states: Matrix, phases: Integers, count: int,
+) -> int:  # fmt: skip
+    """Fill in the states at the whole turns within a phase that lasts a time.
+
+    Returns
+    -------
+    int
+        How many are filled in then, where `count` were before.
+    """
+    phase = equation_of(rules, p, state.memory)
+    while count < len(states):
+        t = time_to(clock, count)
+        if not t < s:
+            break
+        x, v = state_at(phase, state.x, state.v, state.angle, rules.omega, t)
+        states[count, 0], states[count, 1], phases[count] = x, v, p
+        for i in range(len(state.memory)):
+            states[count, 2 + i] = state.memory[i]
+        count += 1
+    return count

@@ -1,0 +1,112 @@
+"""A motion at whole turns of the forcing: as simulated, and the same bits if compiled."""
+
+import math
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+from test_chatter import resting
+
+import nonsmooth as ns
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.simulation.machine import FAMILY, Machine
+from nonsmooth.solver.simulation.simulate import at_rest, cycle
+from nonsmooth.solver.simulation.steps import run
+from nonsmooth.solver.simulation.steps.clock import angle_of, at_start, later, time_to
+from nonsmooth.solver.simulation.steps.locate import CUT, EVENT
+from nonsmooth.solver.simulation.steps.state import State
+from nonsmooth.solver.simulation.steps.step import CHATTERS, REFUSED
+from nonsmooth.solver.simulation.walk import Place, follow, strobed, with_array
+
+#: Scenes, and one whose impacts accumulate before it rests.
+SCENES = (*registry.names(), "impacts and a rest")
+
+
+def drawn(name, count):
+    """Return the machine of a scene, and random states that a phase of it takes."""
+    case = registry.load(name)().of_fullest() if name in registry.names() else resting(0.5)
+    machine, random = Machine.of(case.cell), np.random.default_rng(1)
+    found, turn = [at_rest(machine, 0.0)], float(case.cell.forced)
+    while len(found) < count:
+        state = State(*random.normal(0, 1, 2).tolist(), turn * float(random.uniform(0, 6)))
+        found.append(machine.remembered(state))
+        if machine.first(found[-1]) is None:
+            found.pop()
+    return case, machine, found
+
+
+def bits(passed):
+    """Return all that a step returns, bit by bit."""
+    flat = [value.tobytes() if isinstance(value, np.ndarray) else value for value in passed]
+    return [bits(value) if isinstance(value, tuple) else value for value in flat]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_plain_and_compiled_motions_have_the_same_bits(name) -> None:
+    _, machine, states = drawn(name, 6)
+    forms = FAMILY.plain(run.__name__), FAMILY.compiled(run.__name__)
+    for start in states:
+        place = Place.first(machine, start)
+        p, state, clock = place.phase, place.state, place.clock
+        for _ in range(40):
+            one, other = (of["step"](machine.rules, p, state, clock, 9.0) for of in forms)
+            assert bits(one) == bits(other)
+            if one.how != EVENT:
+                break
+            p, state, clock = one.phase, one.state, one.clock
+        one, other = (of["run"](machine.rules, with_array(start), 3) for of in forms)
+        assert bits(one) == bits(other)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_states_at_whole_turns_are_those_of_the_simulation(name) -> None:
+    case, machine, states = drawn(name, 3)
+    period, units = cycle(machine.cell), case.units
+    for start in states:
+        found, phases, how = strobed(machine, start, 12)
+        motion = follow(case, machine, start, 12 * period)
+        assert (how == CUT) == (motion.ended == "")
+        assert len(found) == len(phases) == 13 if how == CUT else len(found) < 13
+        times = np.minimum(np.arange(len(found)) * period * units.time, motion.time)
+        expected = motion.displacement(times) / units.length, motion.velocity(times)
+        np.testing.assert_allclose(found[:, 0], expected[0], rtol=0, atol=1e-10)
+        np.testing.assert_allclose(
+            found[:, 1] * units.of_motion(1), expected[1], rtol=0, atol=1e-10
+        )
+        for time, p, state in zip(times / units.time, phases, found, strict=True):
+            inside = [q for q in motion.segments if q.t <= Fraction(time) + Fraction(1, 10**9)]
+            last = inside[-1]
+            assert machine.nodes[p].step == (last.index, last.mirrored)
+            remembering = machine.nodes[p].phase.remembering(state[2:].tolist())
+            assert remembering.f == pytest.approx(last.phase.f, rel=1e-10)
+
+
+def test_it_says_why_it_ends() -> None:
+    case = registry.load("impact")(restitution=0.3, frequency=0.3, damping=0.3)
+    machine = Machine.of(case.cell)
+    states, _, how = strobed(machine, State(0.0, 0.0, 0.0), 10)
+    assert how == CHATTERS
+    assert len(states) == 1 + math.floor(ns.simulate(case, (0, 0), 10).time * 0.3 / 2 / math.pi)
+    inside = State(99.0, 0.0, 0.0)  # of the stop
+    assert [len(part) for part in strobed(machine, inside, 10)[:2]] == [0, 0]
+    assert strobed(machine, inside, 10)[2] == REFUSED
+
+
+@pytest.mark.parametrize("omega", [1.3, 1e-3, 1e200, 3e-200])
+def test_the_clock_loses_no_digit_behind_many_phases(omega) -> None:
+    random = np.random.default_rng(3)
+    clock, t = at_start(-2.3, omega), Fraction(0)
+    for s in (random.exponential(1, 3000) * 10 ** random.uniform(-8, 2, 3000) / omega).tolist():
+        clock, t = later(clock, s), t + Fraction(s)
+        assert 0 <= angle_of(clock) <= 2 * math.pi
+    with mpmath.workdps(60):
+        turned = Fraction(omega) * t
+        exact = mpmath.mpf(turned.numerator) / turned.denominator
+        here = clock.turns * 2 * mpmath.pi + mpmath.mpf(clock.high) + mpmath.mpf(clock.low)
+        assert abs(here - exact) < 1e-27
+        assert angle_of(clock) == float((exact - mpmath.mpf(2.3)) % (2 * mpmath.pi))
+        ahead = 2 * mpmath.pi * (clock.turns + 7) - exact
+        assert time_to(clock, clock.turns + 7) == pytest.approx(float(ahead) / omega, rel=1e-15)
+    assert time_to(clock, clock.turns) == 0.0  # that is past
+    assert angle_of(later(at_start(0.4, 0.0), 3.0)) == 0.4  # where nothing forces
