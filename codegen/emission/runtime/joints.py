@@ -53,6 +53,33 @@ def angles(case, z, at):
     return found
 
 
+def event(case, z, at, gained, theta, p):
+    """Return the form of the event that ends a phase where it begins, and what it gains.
+
+    Of a phase that begins at the event that ends it the first is 0, and what is left keeps its
+    digits.
+    """
+    kinds, numbers, setting, _, cell = case[:5]
+    count, more = len(kinds), len(setting)
+    q = p + 1 if p + 1 < count else 0
+    sign = cell[0] if q == 0 else 1.0
+    value, change = numbers[p, E_0], 0.0
+    for order in range(2):
+        state = kinds[p, OF_X + order]
+        there = sign * z[at[q] + order] if state == AFTER else z[at[p] + order]
+        value = value + numbers[p, E_X + order] * there
+        if state == AT_END:
+            change = change + numbers[p, E_X + order] * gained[p, order]
+    for i in range(more):
+        value = value + numbers[p, MEMORY + more + i] * z[at[count] + i]
+    if cell[2] != 0:
+        half = cell[1] * z[at[count] + more + p] / 2
+        turned = -2 * sin(theta[p] + half) * sin(half)
+        value = value + numbers[p, E_COS] * cos(theta[p])
+        change = change + numbers[p, E_COS] * turned
+    return value, change
+
+
 def joints(case, z, at, gained, begins, R, row):
     """Fill R from a row on with the left sides of the conditions that join the phases."""
     kinds, numbers, setting, memory, cell = case[:5]
@@ -71,24 +98,7 @@ def joints(case, z, at, gained, begins, R, row):
             R[row] = begins[q, order] - sign * gained[p, order]
             row += 1
     for p in range(count):
-        q = p + 1 if p + 1 < count else 0
-        sign = cell[0] if q == 0 else 1.0
-        # where the phase begins, and what is gained: of one that begins at the event that ends
-        # it the first is 0, and what is left keeps its digits
-        value, change = numbers[p, E_0], 0.0
-        for order in range(2):
-            state = kinds[p, OF_X + order]
-            there = sign * z[at[q] + order] if state == AFTER else z[at[p] + order]
-            value = value + numbers[p, E_X + order] * there
-            if state == AT_END:
-                change = change + numbers[p, E_X + order] * gained[p, order]
-        for i in range(more):
-            value = value + numbers[p, MEMORY + more + i] * z[at_w + i]
-        if forced:
-            half = cell[1] * z[at_w + more + p] / 2
-            turned = -2 * sin(theta[p] + half) * sin(half)
-            value = value + numbers[p, E_COS] * cos(theta[p])
-            change = change + numbers[p, E_COS] * turned
+        value, change = event(case, z, at, gained, theta, p)
         R[row] = value + change
         row += 1
     for i in range(more):
@@ -126,6 +136,31 @@ def add_angle(J, row, factor, omega, at_s, count):
         J[row, at_s + q] += omega * factor
 
 
+def add_event(case, J, row, at, gained_by, theta, p, begun, gained):
+    """Add the derivatives of what `event` returns, each times a factor, to a row of J."""
+    kinds, numbers, setting, _, cell = case[:5]
+    count, more = len(kinds), len(setting)
+    at_w = at[count]
+    q = p + 1 if p + 1 < count else 0
+    sign = cell[0] if q == 0 else 1.0
+    for order in range(2):
+        state, weight = kinds[p, OF_X + order], numbers[p, E_X + order]
+        if state == AFTER:
+            J[row, at[q] + order] += begun * sign * weight
+        else:
+            J[row, at[p] + order] += begun * weight
+        if state == AT_END and weight != 0:
+            add_joint(case, J, row, gained * weight, gained_by[p, order], at, p)
+    for i in range(more):
+        J[row, at_w + i] += begun * numbers[p, MEMORY + more + i]
+    if cell[2] != 0:
+        weight = numbers[p, E_COS]
+        before, behind = weight * sin(theta[p]), weight * sin(theta[p + 1])
+        if begun != gained:
+            add_angle(J, row, (gained - begun) * before, cell[1], at_w + more, p)
+        add_angle(J, row, -gained * behind, cell[1], at_w + more, p + 1)
+
+
 def joint_rates(case, z, at, gained_by, begins_by, J, row):
     """Add the derivatives of `joints` to J from a row on, where it is zero."""
     kinds, numbers, setting, memory, cell = case[:5]
@@ -146,22 +181,7 @@ def joint_rates(case, z, at, gained_by, begins_by, J, row):
             add_joint(case, J, row, -sign, gained_by[p, order], at, p)
             row += 1
     for p in range(count):
-        q = p + 1 if p + 1 < count else 0
-        sign = cell[0] if q == 0 else 1.0
-        for order in range(2):
-            state, weight = kinds[p, OF_X + order], numbers[p, E_X + order]
-            if state == AFTER:
-                J[row, at[q] + order] += sign * weight
-            else:
-                J[row, at[p] + order] += weight
-            if state == AT_END and weight != 0:
-                add_joint(case, J, row, weight, gained_by[p, order], at, p)
-        for i in range(more):
-            J[row, at_w + i] += numbers[p, MEMORY + more + i]
-        if forced:
-            add_angle(
-                J, row, -numbers[p, E_COS] * sin(theta[p + 1]), cell[1], at_w + more, p + 1
-            )
+        add_event(case, J, row, at, gained_by, theta, p, 1.0, 1.0)
         row += 1
     for i in range(more):
         p = setting[i]
