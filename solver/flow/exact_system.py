@@ -38,7 +38,7 @@ def places(case: Any) -> Any:
 
 def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
     """Return what each phase gains, and its derivatives, for `joints`."""
-    kinds, numbers, setting, _, cell = case
+    kinds, numbers, setting, _, cell = case[:5]
     count, more = len(kinds), len(setting)
     theta = angles(case, z, at)
     gained, gained_by = np.zeros((count, 2)), np.zeros((count, 2, 5))
@@ -74,6 +74,19 @@ def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
         x, v = xx * x + xv * v + forced_x, vx * x + vv * v + forced_v
         gained_by[p, 0, 0], gained_by[p, 1, 0] = v, (push - c * v - k * x) / m
     return gained, gained_by
+
+
+def phase_numbers(case: Any, z: Vector, p: int) -> Vector:
+    """Return m, c, k, the constant force and g of a phase; of a held one m alone is not 0."""
+    kinds, numbers, setting = case[0], case[1], case[2]
+    found = np.zeros(5)
+    found[0] = numbers[p, M]
+    if kinds[p, FREE] != 0:
+        found[1], found[2], found[4] = numbers[p, C], numbers[p, K], numbers[p, G]
+        found[3] = numbers[p, F]
+        for i in range(len(setting)):
+            found[3] += numbers[p, MEMORY + i] * z[2 * len(kinds) + i]
+    return found
 
 
 def residual(case: Any, z: Vector, R: Vector) -> None:

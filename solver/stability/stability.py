@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..arrays import Vector
+from ..scenes.cell import Cell
 from .monodromy import Monodromy, monodromy
 
 if TYPE_CHECKING:
@@ -61,8 +62,11 @@ def stability(motion: "Motion") -> Stability:
     NoMultipliersError
         If there are none, or a check of the computation failed; with the reason in words.
     """
-    cell = motion.case.cell
-    found = monodromy(motion)
+    return of_monodromy(motion.case.cell, monodromy(motion))
+
+
+def of_monodromy(cell: Cell, found: Monodromy) -> Stability:
+    """Return the multipliers of an orbit by the monodromy of its cell."""
     values, errors = _eigenvalues(found)
     if cell.cells == 2:  # the second half is the mirror image of the first
         values, errors = values**2, 2 * np.abs(values) * errors + errors**2

@@ -180,16 +180,16 @@ MUTANTS = (
     ),
     Mutant(
         "the saltation of an impact with the other sign",
-        "solver/stability/linear_maps.py",
-        "np.asarray(self.rates_after - self.law @ self.rates_before - self.turning)",
-        "np.asarray(self.rates_after + self.law @ self.rates_before - self.turning)",
+        "solver/stability/cell_map.py",
+        "jump += behind - np.dot(across, before)",
+        "jump += behind + np.dot(across, before)",
         MULTIPLIERS,
     ),
     Mutant(
         "the mirror image is forgotten at the end of the cell",
-        "solver/stability/monodromy.py",
-        "sign = cell.sign if after == 0 else 1",
-        "sign = 1",
+        "solver/stability/cell_map.py",
+        "sign, turned = cell[0] if q == 0 else 1.0, ",
+        "sign, turned = 1.0, ",
         MULTIPLIERS,
     ),
     Mutant(
