@@ -1,27 +1,33 @@
-"""Orbits of a case along one of its parameters: each found from the one before it.
+"""Orbits of a case at values of a parameter: those of its branches there.
 
-The times of an orbit start the search at the next value.  Where that leads to no orbit, the
-search is the one of `solve_case`, and the row says that the orbit was not followed.
+From the orbit that is found at the first value its branch is followed through all of them.
+Where that has none, another is looked for, as `solve_case` does, and the row says that it was
+not followed.
 """
 
-from collections.abc import Callable, Iterable
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
 
+from .branch.branch import Both, go, index_of, orbits_at, start_of
+from .branch.piece import NoStepError
 from .kernels import registry
 from .no_orbit import NoOrbit
-from .orbit.attempt import attempt
+from .orbit.exact_orbit import ExactOrbit
 from .results.family import Family, FamilyInterrupted, FamilyRow
 from .results.orbit import Orbit
 from .scenes.case import Case
 from .scenes.methods import FIRST
-from .scenes.parameter_error import ParameterError
-from .solve import check_order, number_of_functions, solve_case
+from .solve import check_order, number_of_functions, orbit_beside, solve_case
+from .stability.monodromy import NoMultipliersError
 
 #: Order at which the times of a smooth motion in each phase are at rounding.
 ORDER = 20
 
 #: Most values: more than a terminal or a file of rows is for.
 MOST_VALUES = 100_000
+
+#: Most of the range of the parameter in a step.
+PART = 0.25
 
 
 def family_case(
@@ -42,11 +48,17 @@ def family_case(
     parameter : str
         One of the scene.
     values : iterable of float
-        In SI units, in the order in which the orbit is to be followed.
+        In SI units, in the order of the rows.
     method, order, functions : str, int, int
         See `solve_case`.
     progress : callable
         Called with each row when it is done.
+
+    Returns
+    -------
+    Family
+        A row for each orbit that is found at each value: several where a branch turns back
+        between, one without an orbit where none is found.
 
     Raises
     ------
@@ -67,66 +79,94 @@ def family_case(
     ['ok', 'ok']
     """
     scene = case.scene
-    cases = [_with_value(case, parameter, value) for value in values]
+    index_of(case, parameter)
+    cases = [case.with_value(parameter, value) for value in values]
     if not 1 <= len(cases) <= MOST_VALUES:
         raise ValueError(f"values: got {len(cases)}, expected 1 to {MOST_VALUES}")
     name = registry.generic_method(scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions
     number = check_order(registry.kernel(scene.each_motion[0], name, count), order)
-    rows: list[FamilyRow] = []
-    orbit: Orbit | None = None
+    found = _Rows(parameter, name, number, count, tuple(cases))
     try:
-        for each in cases:
-            orbit, row = _next(each, name, number, count, orbit, each.values[parameter])
-            rows.append(row)
+        for row in found.each():
             progress(row)
     except KeyboardInterrupt:
-        if not rows:
+        if not found.done:
             raise
-        done = Family(cases[0], parameter, name, number, count, tuple(rows))
-        raise FamilyInterrupted(done) from None
-    return Family(cases[0], parameter, name, number, count, tuple(rows))
+        raise FamilyInterrupted(found.family) from None
+    return found.family
 
 
-def _with_value(case: Case, parameter: str, value: object) -> Case:
-    names = [q.name for q in case.scene.parameters]
-    if parameter not in names:
-        expected = f"one of {', '.join(names)}"
-        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
-    return case.with_value(parameter, value)
+@dataclass
+class _Rows:
+    """The rows of a family as they are found."""
+
+    parameter: str
+    method: str
+    order: int
+    functions: int | None
+    cases: tuple[Case, ...]
+    done: list[FamilyRow] = field(default_factory=list)
+    branches: list[Both] = field(default_factory=list)
+
+    @property
+    def family(self) -> Family:
+        """What has been found."""
+        how = self.parameter, self.method, self.order, self.functions
+        return Family(self.cases[0], *how, tuple(self.done))
+
+    def each(self) -> Iterator[FamilyRow]:
+        """Yield the rows, value by value."""
+        for case in self.cases:
+            value = case.values[self.parameter]
+            rows: list[FamilyRow] = []
+            for exact in (q for branch in self.branches for q in orbits_at(branch, value)):
+                orbit = orbit_beside(exact, self.method, self.order, self.functions)
+                if orbit is not None and not any(_same(orbit, row) for row in rows):
+                    rows.append(_row(orbit, value, followed=True))
+            for row in rows or [self._anew(case, value)]:
+                self.done.append(row)
+                yield row
+
+    def _anew(self, case: Case, value: float) -> FamilyRow:
+        """Return the row of an orbit that is not on a branch, and follow the branch from it."""
+        try:
+            orbit = solve_case(case, self.method, self.order, self.functions)
+        except NoOrbit as finding:
+            nothing = (None, None, None, None, None)
+            how = finding.iterations, False, str(finding)
+            return FamilyRow(value, finding.status, *nothing, *how)
+        if orbit.exact is not None:
+            self._follow(orbit.exact)
+        return _row(orbit, value, followed=False)
+
+    def _follow(self, exact: ExactOrbit) -> None:
+        """Follow the branch from an orbit through all values."""
+        values = [each.values[self.parameter] for each in self.cases]
+        bounds = min(values), max(values)
+        if bounds[0] == bounds[1]:
+            return
+        found = Both(index_of(exact.case, self.parameter))
+        try:
+            start = start_of(exact, found.index, bounds)
+        except NoStepError:
+            return
+        self.branches.append(found)
+        go(found, start, PART)
 
 
-def _next(
-    case: Case, method: str, order: int, functions: int | None, before: Orbit | None,
-    value: float,
-) -> tuple[Orbit | None, FamilyRow]:  # fmt: skip
-    """Return the orbit of a case, from the one before if that can be, and its row."""
-    spent = 0
-    if before is not None:
-        own = before.case.scene
-        here = case if own == case.scene else Case(own, case.values, case.cycles)
-        kernel = registry.quicker_kernel(here.scene, method, functions, order)
-        times = kernel.times(before.unknowns).copy()
-        durations = slice(0, len(here.cell.phases))
-        times[durations] *= before.case.units.time / case.units.time
-        found = attempt(kernel, here, order, times, functions)
-        if found.converged and found.admissible:
-            orbit = Orbit.of(found)
-            return orbit, _row(orbit, value, followed=True)
-        spent = found.iterations
-    try:
-        orbit = solve_case(case, method, order, functions)
-    except NoOrbit as finding:
-        nothing = (None, None, None, None, None)
-        iterations = finding.iterations + spent
-        row = FamilyRow(value, finding.status, *nothing, iterations, False, str(finding))
-        return None, row
-    orbit = replace(orbit, iterations=orbit.iterations + spent)
-    return orbit, _row(orbit, value, followed=False)
+def _same(orbit: Orbit, row: FamilyRow) -> bool:
+    """Whether an orbit is that of a row, to rounding."""
+    return row.durations == orbit.durations and row.forcing_phase == orbit.forcing_phase
 
 
 def _row(orbit: Orbit, value: float, *, followed: bool) -> FamilyRow:
+    try:
+        multipliers, stable = tuple(map(complex, orbit.multipliers)), orbit.stable
+    except NoMultipliersError:
+        multipliers, stable = None, None
     return FamilyRow(
         value, "ok", orbit.period, orbit.forcing_phase, orbit.durations, orbit.extremes,
         orbit.estimate, orbit.iterations, followed, motion=orbit.case.scene.motion,
+        multipliers=multipliers, stable=stable,
     )  # fmt: skip

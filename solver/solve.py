@@ -115,6 +115,13 @@ def solve_case(
     return found
 
 
+def orbit_beside(
+    exact: ExactOrbit, method: str, order: int, functions: int | None = None
+) -> Orbit | None:
+    """Return the orbit of a method next to an exact one, if it has one; see `solve_case`."""
+    return _Search(exact.case, method, order, functions).from_exact(exact)
+
+
 def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = None) -> Case:
     """Return the case of an order of phases of which an orbit is found; else of any.
 

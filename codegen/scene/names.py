@@ -10,9 +10,9 @@ from .error import SceneError
 TAKEN = frozenset(
     (
         *("all", "budget", "case", "cycles", "digits", "figure", "format", "forcing_phase"),
-        *("fragment", "functions", "help", "json", "log", "method", "methods", "motion"),
-        *("order", "orders", "output", "phases", "quick", "state", "time", "tol", "vary"),
-        *("verbose", "version"),
+        *("fragment", "from_orbit", "functions", "help", "json", "log", "method", "methods"),
+        *("motion", "order", "orders", "output", "phases", "quick", "state", "time", "tol"),
+        *("vary", "verbose", "version"),
     )
 )
 
@@ -20,7 +20,7 @@ TAKEN = frozenset(
 COMMANDS = frozenset(
     (
         *("digits", "equations", "generate", "modes", "report", "roots", "scenes", "simulate"),
-        *("solve", "stability", "sweep", "tradeoff"),
+        *("branch", "solve", "stability", "sweep", "tradeoff"),
     )
 )
 

@@ -102,5 +102,12 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
     with nullcontext() if kernel.account is None else kernel.account.spending():
         z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
+    return of_unknowns(case, z)
+
+
+def of_unknowns(case: Case, z: Vector) -> ExactOrbit:
+    """Return where Newton's method leads from unknowns of the exact equations."""
+    kernel = exact_kernel(case.cell)
+    with nullcontext() if kernel.account is None else kernel.account.spending():
         outcome = newton(kernel.iterate, case.cell, z)
     return case.presented(ExactOrbit(case, outcome))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from typing import Any, overload
+from typing import Any, ClassVar, overload
 
 import numpy as np
 
@@ -41,6 +41,10 @@ class FamilyRow:
         Why there is no orbit; empty if there is one.
     motion : str or None
         Which of the scene's motions it is; None without an orbit, or where there is only one.
+    multipliers : tuple of complex or None
+        Of a whole period, the largest first; None where there are none.
+    stable : bool or None
+        Whether perturbations die out; None where that is not known.
     """
 
     value: float
@@ -54,12 +58,24 @@ class FamilyRow:
     followed: bool
     message: str = ""
     motion: str | None = None
+    multipliers: tuple[complex, ...] | None = None
+    stable: bool | None = None
+
+    @property
+    def largest_multiplier(self) -> float | None:
+        """The largest modulus of a multiplier."""
+        return (
+            None if self.multipliers is None else max(map(abs, self.multipliers), default=0.0)
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """Return the row as JSON has it."""
         estimate = without_errors() if self.estimate is None else asdict(self.estimate)
         ends = self.extremes or dict.fromkeys(("displacement", "velocity"))
-        return asdict(self) | {"estimate": estimate, "extremes": ends}
+        found = asdict(self) | {"estimate": estimate, "extremes": ends}
+        if self.multipliers is not None:
+            found["multipliers"] = [{"re": q.real, "im": q.imag} for q in self.multipliers]
+        return found
 
 
 #: Numbers of which each row has one, or none.
@@ -96,6 +112,9 @@ class Family(OfRows):
     order: int
     functions: int | None
     rows: tuple[FamilyRow, ...]
+
+    #: Whether the rows lie on one branch, in turn.
+    in_turn: ClassVar[bool] = False
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -176,7 +195,9 @@ class Family(OfRows):
 
     def table(self) -> Table:
         """Return the rows; the value has the name of the parameter."""
-        columns = flat([row.as_dict() for row in self.rows])
+        rows = [row.as_dict() | {"multipliers": row.largest_multiplier} for row in self.rows]
+        columns = flat(rows)
+        columns["largest_multiplier"] = columns.pop("multipliers")
         columns = {self.parameter: columns.pop("value")} | columns
         units = UNITS | {q.name: q.unit for q in self.case.scene.parameters if q.unit}
         units |= {name: "s" for name in columns if name.startswith("duration_")}

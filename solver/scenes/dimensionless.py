@@ -1,6 +1,7 @@
 """Units in which the parameters of a case are numbers of moderate size."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -27,6 +28,10 @@ class Units:
     def of_motion(self, derivative: int) -> float:
         """Return the unit of a derivative of the displacement by time."""
         return product_of_powers(self.length, (self.time, -derivative))
+
+    def of_parameter(self, powers: "Powers") -> float:
+        """Return the unit of a parameter with such powers of mass, length and time."""
+        return _in_units(1.0, tuple(-p for p in powers), (self.mass, self.length, self.time))
 
 
 #: Powers of mass, length and time in a parameter's unit.
@@ -73,7 +78,7 @@ def _powers_of_four(powers: tuple[Powers, ...], values: tuple[float, ...]) -> Po
     return mass, length, time
 
 
-def _in_units(value: float, powers: Powers, units: Powers) -> float:
+def _in_units(value: float, powers: Sequence[float], units: Powers) -> float:
     """Return a value divided by the powers of mass, length and time in its unit."""
     whole = [math.floor(power) for power in powers]
     factors = [(unit, -power) for unit, power in zip(units, whole, strict=True)]

@@ -25,13 +25,14 @@ if TYPE_CHECKING:
     from .files.api import load, save
     from .files.file_errors import FileError, FileWarning
     from .kim_perkins import StickSlip
-    from .oscillators import exact, family, simulate, solve, sweep
+    from .oscillators import branch, branches, exact, family, simulate, solve, sweep
     from .plots.plot import plot
     from .scene import find as scene
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
     from .solver.exact import ExactOrbit
     from .solver.no_orbit import NoOrbit
+    from .solver.results.branch import Branch
     from .solver.results.family import Family
     from .solver.results.orbit import Orbit
     from .solver.results.sweep import Sweep
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
 #: Where each public name lives.  Nothing is imported before it is asked for: SymPy takes a
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
+    "Branch": ("solver.results.branch", "Branch"),
     "Case": ("solver.scenes.case", "Case"),
     "ExactOrbit": ("solver.exact", "ExactOrbit"),
     "FileError": ("files.file_errors", "FileError"),
@@ -69,6 +71,8 @@ _HOMES = {
     "TooSlow": ("solver.trade.choice", "TooSlow"),
     "UnknownScene": ("solver.scenes.loaded", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
+    "branch": ("oscillators", "branch"),
+    "branches": ("oscillators", "branches"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
     "family": ("oscillators", "family"),
@@ -84,6 +88,7 @@ _HOMES = {
 }
 
 __all__ = [
+    "Branch",
     "Case",
     "ExactOrbit",
     "Family",
@@ -105,6 +110,8 @@ __all__ = [
     "UnknownScene",
     "UnknownStructure",
     "__version__",
+    "branch",
+    "branches",
     "equations",
     "exact",
     "family",

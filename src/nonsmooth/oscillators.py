@@ -1,4 +1,4 @@
-"""`solve`, `sweep`, `family`, `exact` and `simulate`: what users ask of an oscillator."""
+"""`solve`, `sweep`, `branch`, `family`, `exact`, `simulate`: what users ask for."""
 
 from collections.abc import Callable, Iterable, Sequence
 from numbers import Integral
@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .solver.exact import exact_orbit
+from .solver.along import branch_case, every_branch
+from .solver.exact import ExactOrbit, exact_orbit
 from .solver.family import family_case
 from .solver.scenes.case import Case
 from .solver.scenes.methods import FIRST
+from .solver.scenes.parameter_error import is_number
 from .solver.simulation.simulate import simulate as simulated
 from .solver.solve import solve_case, with_order
 from .solver.sweep import sweep_case
@@ -19,7 +21,7 @@ from .solver.trade.tolerance import choose_order
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from .solver.exact import ExactOrbit
+    from .solver.results.branch import Branch
     from .solver.results.family import Family
     from .solver.results.orbit import Orbit
     from .solver.results.sweep import Sweep
@@ -239,6 +241,95 @@ def family(
     }
     more: Any = {"functions": _whole(functions), "progress": progress}
     return family_case(case, parameter, numbers, **given, **more)
+
+
+def branch(
+    case: Case,
+    parameter: str,
+    first: float,
+    last: float,
+    *,
+    start: "Orbit | ExactOrbit | None" = None,
+    progress: Callable[[float], None] = lambda value: None,
+) -> "Branch":
+    """Return the orbit of an oscillator followed along a parameter, stable or not.
+
+    The orbits are exact.  The branch goes round folds, and on with another order of phases
+    where one begins or ends; what happens on it is located to rounding and named.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.  The branch is that of its orbit, if its value of the parameter is in
+        the range; else of one that is found at an end of the range or in the middle.
+    parameter : str
+        Its name.
+    first, last : float
+        The range of the parameter, in SI units.
+    start : Orbit or ExactOrbit, optional
+        An orbit on the branch, of any parameters.
+    progress : callable, optional
+        Called with the parameter of each orbit when it is found.
+
+    Raises
+    ------
+    TypeError
+        If `case` is none.
+    ValueError
+        If the parameter is none, an end of the range makes no oscillator (`ParameterError`),
+        or the range is empty or does not hold `start`.
+    NoOrbit
+        If there is no orbit to start from.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> spring = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.0)
+    >>> response = ns.branch(spring, "frequency", 0.8, 1.3)
+    >>> [f"{event.kind} {event.parameter:.9f}" for event in response.events]
+    ['grazing 0.843867938', 'fold 1.234899060', 'fold 1.130048750', 'grazing 1.130436598']
+    >>> [row.stable for row in response if 1.14 < row.value < 1.23].count(False) > 0
+    True
+    """
+    _check(case)
+    near = start if isinstance(start, ExactOrbit) else getattr(start, "exact", None)
+    if near is None and start is not None:
+        raise ValueError(f"start: got {start!r:.80}, expected an orbit near an exact one")
+    own = case if near is None else near.case
+    return branch_case(own, parameter, *_range(first, last), near, progress)
+
+
+def branches(
+    case: Case,
+    parameter: str,
+    first: float,
+    last: float,
+    progress: Callable[[float], None] = lambda value: None,
+) -> "list[Branch]":
+    """Return the branches of all orbits that are found at a few values of a parameter.
+
+    Orbits that coexist, and islands that no branch from elsewhere reaches.
+
+    Parameters
+    ----------
+    case, parameter, first, last, progress
+        See `branch`.
+
+    Raises
+    ------
+    TypeError, ValueError, NoOrbit
+        See `branch`.
+    """
+    _check(case)
+    return every_branch(case, parameter, *_range(first, last), progress)
+
+
+def _range(first: object, last: object) -> tuple[float, float]:
+    """Return the ends of a range, checked to be numbers."""
+    for value in (first, last):
+        if not is_number(value):
+            raise ValueError(f"range: got {value!r:.80}, expected a finite number")
+    return float(first), float(last)  # type: ignore[arg-type]
 
 
 def exact(case: Case) -> "ExactOrbit":

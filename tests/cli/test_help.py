@@ -10,8 +10,8 @@ import pytest
 from nonsmooth.cli import cli
 
 COMMANDS = (
-    "scenes", "generate", "equations", "solve", "sweep", "simulate", "roots", "digits",
-    "tradeoff", "report", "modes",
+    "scenes", "generate", "equations", "solve", "sweep", "branch", "simulate", "roots",
+    "digits", "tradeoff", "report", "modes",
 )  # fmt: skip
 
 

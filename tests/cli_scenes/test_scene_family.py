@@ -55,35 +55,33 @@ def test_where_there_is_none_the_row_says_why(along) -> None:
     assert last.as_dict()["estimate"] == {"period": None, "times": None, "discontinuous": None}
 
 
-def test_an_orbit_that_is_lost_is_searched_anew(monkeypatch) -> None:
-    monkeypatch.setattr(families, "attempt", lambda *found: families.solve_case(*found[1:2]))
-
-    class Refused:
-        converged = admissible = False
-        iterations = 5
-
-    monkeypatch.setattr(families, "attempt", lambda *found: Refused)
+def test_an_orbit_that_no_branch_has_is_searched_anew(monkeypatch) -> None:
+    monkeypatch.setattr(families, "orbits_at", lambda branch, value: iter(()))
     found = ns.family(IMPACT(), "gap", [0.1, 0.11], order=ORDER)
     assert [row.followed for row in found.rows] == [False, False]
     alone = ns.solve(IMPACT(gap=0.11), order=ORDER)
-    assert found.rows[1].iterations == alone.iterations + 5
+    assert found.rows[1].iterations == alone.iterations
     assert found.rows[1].period == alone.period
 
 
-def test_durations_are_followed_in_their_units(monkeypatch) -> None:
+def test_a_branch_is_followed_in_units_that_fit(along) -> None:
     case = ns.scene("stick-slip-damped")
-    starts: list[np.ndarray] = []
+    forces = [400.0, 480.0, 4e7]  # the unit of length is another at each
+    found = ns.family(case(), "normal_force", forces, order=12)
+    assert [row.followed for row in found.rows] == [False, True, True]
+    alone = ns.exact(case(normal_force=forces[-1]))
+    assert found.rows[-1].durations == pytest.approx(alone.durations, rel=1e-6)
 
-    def noted(kernel, found, order, times, functions):
-        starts.append(times * found.units.time)
-        return attempt(kernel, found, order, times, functions)
 
-    attempt = families.attempt
-    monkeypatch.setattr(families, "attempt", noted)
-    found = ns.family(case(), "mass", [10.0, 12.0], order=ORDER)  # the unit of time is another
-    assert case(mass=10.0).units.time != case(mass=12.0).units.time
-    assert found.rows[1].followed
-    assert starts[0] == pytest.approx(found.rows[0].durations, rel=1e-14)
+def test_where_a_branch_turns_back_a_value_has_several_rows() -> None:
+    case = ns.scene("backlash")(force=0.3, damping=0.1)
+    found = ns.family(case, "frequency", [0.5, 0.7, 0.85], order=12)
+    assert [row.value for row in found] == [0.5, 0.7, 0.7, 0.85]
+    assert [row.stable for row in found] == [True, True, False, None]
+    both = sorted(row.extremes["displacement"][1] for row in found[1:3])
+    assert both[0] < 2 < both[1]
+    for row in found[1:3]:
+        assert row.stable == (abs(row.multipliers[0]) < 1)
 
 
 @pytest.mark.parametrize(
@@ -150,10 +148,10 @@ def test_a_value_without_an_orbit_ends_with_status_1(run, tmp_path: Path) -> Non
 
 def test_the_picture_has_the_ends_and_the_times(along) -> None:
     panels = family_figure(along).axes
-    low, high = panels[0].lines
-    assert list(low.get_ydata()[:3]) == [r.extremes["displacement"][0] for r in along.rows[:3]]
-    assert list(high.get_ydata()[:3]) == [r.extremes["displacement"][1] for r in along.rows[:3]]
-    assert np.isnan(low.get_ydata()[3])
+    low, high, missing = panels[0].lines
+    assert list(low.get_ydata()) == [r.extremes["displacement"][0] for r in along.rows[:3]]
+    assert list(high.get_ydata()) == [r.extremes["displacement"][1] for r in along.rows[:3]]
+    assert (missing.get_label(), list(missing.get_xdata())) == ("no orbit", [50.0])
     assert list(panels[2].lines[0].get_ydata()[:3]) == list(along["forcing_phase"][:3])
     assert list(panels[3].lines[0].get_ydata()[:3]) == [
         row.estimate.times for row in along.rows[:3]
@@ -178,7 +176,7 @@ def between():
 
 def test_a_family_goes_over_from_one_motion_to_another(between) -> None:
     assert [row.motion for row in between] == ["two-stops", "two-stops", "sliding", "sliding"]
-    assert [row.followed for row in between] == [False, True, False, True]
+    assert [row.followed for row in between] == [False, True, True, True]
     for row in between:
         orbit = ns.solve(ns.scene("dry-friction")(force=row.value), order=12)
         assert orbit.case.scene.motion == row.motion
@@ -210,21 +208,21 @@ def test_the_cycles_of_a_case_are_those_of_its_family(tmp_path: Path) -> None:
     assert ns.load(tmp_path / "twice.json") == found
 
 
-#: What computes a row; values, and the command that computes one for each.
-NEXT, VALUES = families._next, 5
+#: What makes a row; values, and the command that makes one for each.
+ROW, VALUES = families._row, 5
 ALONG = ("sweep", "impact", "--vary", "gap=0.1:0.3:5", "--orders", ORDER)
 
 
 def after(count: int):
-    """Return what computes a row, until Ctrl-C comes where `count` of them are done."""
+    """Return what makes a row, until Ctrl-C comes where `count` of them are done."""
     rows = iter(range(count))
 
-    def next_row(*arguments):
+    def row(*arguments, **how):
         if next(rows, None) is None:
             signal.raise_signal(signal.SIGINT)
-        return NEXT(*arguments)
+        return ROW(*arguments, **how)
 
-    return next_row
+    return row
 
 
 @pytest.mark.parametrize("count", range(1, VALUES))
@@ -233,26 +231,26 @@ def test_what_was_done_before_an_interrupt_is_kept(
 ) -> None:
     whole = ns.family(IMPACT(), "gap", np.linspace(0.1, 0.3, VALUES), order=ORDER)
     path = tmp_path / "family.json"
-    monkeypatch.setattr(families, "_next", after(count))
+    monkeypatch.setattr(families, "_row", after(count))
     status, out, err = run(*ALONG, "-o", path)
     assert status == 130
     assert err.endswith(f"nonsmooth: interrupted: {count} of 5 values are done\n")
     assert f"g = 0.1 to {whole.rows[count - 1].value:g} m" in out
     assert ns.load(path).rows == whole.rows[:count]
-    monkeypatch.setattr(families, "_next", after(count))
+    monkeypatch.setattr(families, "_row", after(count))
     status, out, _ = run(*ALONG, "--json")
     assert (status, out) == (130, path.read_text())
 
 
 def test_an_interrupt_before_the_first_leaves_nothing(run, tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setattr(families, "_next", after(0))
+    monkeypatch.setattr(families, "_row", after(0))
     status, out, err = run(*ALONG, "-o", tmp_path / "family.json")
     assert (status, out, err.strip()) == (130, "", "nonsmooth: interrupted")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_from_python_an_interrupt_has_what_was_done(monkeypatch) -> None:
-    monkeypatch.setattr(families, "_next", after(2))
+    monkeypatch.setattr(families, "_row", after(2))
     with pytest.raises(KeyboardInterrupt) as caught:
         ns.family(IMPACT(), "gap", [0.1, 0.2, 0.3], order=ORDER)
     assert caught.value.done["value"].tolist() == [0.1, 0.2]
@@ -264,12 +262,12 @@ def test_the_program_ends_with_130_once_it_has_written(tmp_path: Path) -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
         from nonsmooth.__main__ import main
         from nonsmooth.solver import family
-        original, rows = family._next, iter("123")
-        def next_row(*arguments):
+        original, rows = family._row, iter("123")
+        def row(*arguments, **how):
             if next(rows, None) is None:
                 signal.raise_signal(signal.SIGINT)
-            return original(*arguments)
-        family._next = next_row
+            return original(*arguments, **how)
+        family._row = row
         main()
     """
     command = [sys.executable, "-c", code, *map(str, ALONG), "-o", "family.csv"]

@@ -35,7 +35,7 @@ ANYWAY = {"seconds", "sha256"}
 WITHOUT = {"errors", "estimate", "outcome", "rates", "trials", "transition_mismatch", "units"}
 
 #: Columns of CSV that are not numbers, and those that are the ends of a motion.
-TEXTS = {"method", "status", "message", "scene", "motion", "followed"}
+TEXTS = {"method", "status", "message", "scene", "motion", "followed", "stable"}
 ENDS = {
     f"{end}_{x}": SCALARS[x]
     for end in ("least", "largest")
@@ -164,7 +164,7 @@ def test_the_columns_of_a_csv(other: Units, kind: str, tmp_path: Path) -> None:
             assert there == here, column
             continue
         numbers = [
-            np.array([float(q) for text in texts for q in text.split()])
+            np.array([complex(q) for text in texts for q in text.split()])
             for texts in (here, there)
         ]
         factor = other.of((SCALARS | ENDS).get(column, "1"))

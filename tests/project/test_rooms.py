@@ -35,7 +35,7 @@ OWN = re.compile(
 
 #: Generic places whose text has such a name, and why.
 MAY_SAY = {
-    "src/nonsmooth/cli/scenes/default.py": {SCENE, "impact"},  # the default, and the example
+    "src/nonsmooth/cli/scenes/named.py": {SCENE, "impact"},  # the default, and the example
     "codegen/__init__.py": {SCENE},  # the equations that are meant where no scene is named
 }
 

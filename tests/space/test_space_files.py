@@ -66,7 +66,7 @@ def test_several_of_one_structure(suffix: str, tmp_path: Path) -> None:
 
 
 def test_modes_of_several_structures_are_not_one_file(made, tmp_path: Path) -> None:
-    with pytest.raises(TypeError, match="expected an orbit, a family, modes, a sequence"):
+    with pytest.raises(TypeError, match="expected an orbit, a branch, a family, modes, a seq"):
         ns.save([made["default"], made["sound"]], tmp_path / "modes.json")
     assert list(tmp_path.iterdir()) == []
 

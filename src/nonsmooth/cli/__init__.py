@@ -22,7 +22,7 @@ from .problems import Problem, print_warnings, say
 from .scenes import generate
 from .scenes import simulate as simulation
 from .scenes.command import SceneCommand
-from .scenes.default import EXAMPLE
+from .scenes.named import EXAMPLE
 from .scenes.shown import listing
 from .space import modes
 from .suggest import no_such_option
@@ -102,6 +102,7 @@ def _verbs() -> Iterable[click.Command]:
     summaries = {
         "solve": "Compute periodic orbits.",
         "sweep": "Compute them for many orders, or along a parameter.",
+        "branch": "Follow an orbit along a parameter, through folds and flips.",
         "digits": "Measure the digits of float64 at the extremes.",
         "tradeoff": "Measure time against error.",
     }

@@ -13,7 +13,7 @@ from . import tex
 from .output import check_target, write_text, write_whole
 from .problems import Problem
 from .progress import busy
-from .scenes.default import DEFAULT
+from .scenes.named import DEFAULT
 from .space.named import is_structure
 
 if TYPE_CHECKING:

@@ -15,8 +15,7 @@ from .output import PICTURES, check_target, need, write_whole
 from .problems import Problem
 from .progress import busy, progress
 from .scenes.command import SceneCommand
-from .scenes.default import DEFAULT
-from .scenes.named import scene_named
+from .scenes.named import DEFAULT, scene_named
 from .scenes.options import case_from
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import platform
 import click
 from click.core import Context, Parameter
 
-from .scenes.default import DEFAULT
+from .scenes.named import DEFAULT
 
 
 def show_version(context: Context, _: Parameter, wanted: bool) -> None:

@@ -101,6 +101,7 @@ ROWS: Mapping[str, Callable[[Sequence[Any]], list[dict[str, Any]]]] = {
     "orbits": of_orbits,
     "sweep": lambda several: of_sweep(several[0]),
     "family": lambda several: of_family(several[0]),
+    "branch": lambda several: of_family(several[0]),
     "modes": of_modes,
 }
 
@@ -109,6 +110,9 @@ def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
     """Return a row with durations in one cell, and numbers that have names behind the rest."""
     found = {name: value for name, value in row.items() if not isinstance(value, Mapping)}
     found["durations"] = " ".join(map(repr, row["durations"] or ()))
+    if "multipliers" in row:
+        parts = (complex(each["re"], each["im"]) for each in row["multipliers"] or ())
+        found["multipliers"] = " ".join(f"{q.real!r}{q.imag:+}j" for q in parts)
     for key, ends in row.get("extremes", {}).items():
         found[f"least_{key}"], found[f"largest_{key}"] = ends or (None, None)
     for name in ("errors", "estimate"):

@@ -12,6 +12,7 @@ from nonsmooth.scene import find
 from nonsmooth.solver.iteration.newton import Outcome
 from nonsmooth.solver.kernels.registry import generic_method, kernel, mathematics
 from nonsmooth.solver.orbit.errors import Errors
+from nonsmooth.solver.results.branch import Branch, BranchEvent
 from nonsmooth.solver.results.family import Family, FamilyRow
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.sweep import Sweep, SweepRow
@@ -48,6 +49,8 @@ def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> 
     NotRightError
         A `ValueError`: if a number in it cannot be right.
     """
+    if "why_it_ended" in document:
+        return _branch(document, _case(path, document, scene))
     if "vary" in document:
         return _family(path, document, _case(path, document, scene))
     if "rows" in document:
@@ -151,12 +154,37 @@ def _family(path: Path, document: Mapping[str, Any], case: Case) -> Family:
         values = dict(row) | {"estimate": _errors(row, row["estimate"])} | _checked(row)
         known = row["extremes"] if row["status"] == "ok" else None
         values["extremes"] = known and {name: tuple(pair) for name, pair in known.items()}
-        rows.append(FamilyRow(**values))
+        rows.append(FamilyRow(**values | _multipliers(row)))
     count = document["vary"]["count"]
     checks.check(len(rows) == count > 0, f"{len(rows)} rows of {count}")
     method = generic_method(case.scene, document["method"])
     how = (parameter, method, document["order"], document["functions"])
     return Family(case, *how, tuple(rows))
+
+
+def _branch(document: Mapping[str, Any], case: Case) -> Branch:
+    """Return a branch from its document."""
+    parameter, rows = document["vary"], []
+    checks.check(parameter in case.values, f"{parameter!r} varies, which is not a parameter")
+    for point in document["points"]:
+        case.with_value(parameter, point["parameter"])
+        for duration in point["durations"]:
+            checks.not_negative("duration", duration)
+        ends = {name: tuple(pair) for name, pair in point["extremes"].items()}
+        times = point["period"], point["forcing_phase"], tuple(point["durations"])
+        how = {"motion": point["motion"], "stable": point["stable"]} | _multipliers(point)
+        rows.append(FamilyRow(point["parameter"], "ok", *times, ends, None, 0, True, **how))
+    events = tuple(BranchEvent(**event) for event in document["events"])
+    why = document["why_it_ended"]
+    found = tuple(rows), events, (why["start"], why["end"])
+    return Branch(case, parameter, "exact", 0, None, *found)
+
+
+def _multipliers(row: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the multipliers of a row; files from before these have none."""
+    found = row.get("multipliers")
+    values = found and tuple(complex(each["re"], each["im"]) for each in found)
+    return {"multipliers": values}
 
 
 def _checked(row: Mapping[str, Any]) -> dict[str, Any]:

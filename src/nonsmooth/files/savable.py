@@ -4,6 +4,7 @@ import reprlib
 from collections.abc import Sequence
 from typing import Any
 
+from nonsmooth.solver.results.branch import Branch
 from nonsmooth.solver.results.family import Family
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.sweep import Sweep
@@ -14,7 +15,7 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
 
     Returns
     -------
-    {"orbits", "sweep", "family", "modes"}, sequence
+    {"orbits", "sweep", "family", "branch", "modes"}, sequence
 
     Raises
     ------
@@ -25,6 +26,8 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
 
     if isinstance(thing, Sweep):
         return "sweep", [thing]
+    if isinstance(thing, Branch):
+        return "branch", [thing]
     if isinstance(thing, Family):
         return "family", [thing]
     several: Any = [thing] if isinstance(thing, Orbit | Modes) else thing
@@ -32,7 +35,7 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
         return "orbits", several
     if _all_are(several, Modes) and len({found.structure for found in several}) == 1:
         return "modes", several
-    kinds = "an orbit, a family, modes, a sequence of orbits or of modes, or a sweep"
+    kinds = "an orbit, a branch, a family, modes, a sequence of orbits or of modes, or a sweep"
     raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
 
 

@@ -1,6 +1,7 @@
-"""An orbit along a parameter: its ends, its times, and what is not sure of it."""
+"""Orbits along a parameter: stable or not, where something happens, where there are none."""
 
-from itertools import cycle
+from collections.abc import Iterator, Sequence
+from itertools import cycle, groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from .axes import axes_or_new, check_quantity
 
 if TYPE_CHECKING:
     from nonsmooth.solver.arrays import Vector
+    from nonsmooth.solver.results.branch import Branch
     from nonsmooth.solver.results.family import Family, FamilyRow
 
 #: What can be drawn, and what the axis says; of the third, where there are several phases.
@@ -22,21 +24,35 @@ QUANTITIES = {
     "times": "durations, as parts of the period",
     "estimate": "estimated error of the times",
     "period": "period [s]",
+    "amplitude": "amplitude of the displacement [m]",
+    "multiplier": "largest modulus of a multiplier",
 }
+
+#: The line of orbits that are stable, unstable, and neither.
+LINES = {True: "-", False: "--", None: ":"}
+
+#: The mark of each event.
+MARKS = {
+    "fold": "o", "flip": "s", "torus": "D", "branch-point": "^",
+    "grazing": "x", "sticking": "+", "vanishing": "v",
+}  # fmt: skip
 
 
 def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
-    """Draw one quantity of a family along its parameter and return the axes.
+    """Draw one quantity of orbits along a parameter and return the axes.
+
+    Stable orbits are drawn solid, unstable ones dashed, and what happens is marked.  Values at
+    which no orbit was found are marked on the axis.
 
     Parameters
     ----------
-    result : Family
+    result : Family or Branch
         What is drawn.
     ax : matplotlib Axes, optional
         Where; new ones without it.
-    quantity : {"displacement", "velocity", "times", "estimate", "period"}
-        Of the first two both ends; the durations of the phases, or of a single one the phase
-        of the forcing; the estimated error of the times; the period.
+    quantity : str
+        One of `QUANTITIES`: of displacement and velocity both ends; the durations of the
+        phases, or of a single one the phase of the forcing.
     **style
         Of the lines, as `matplotlib.axes.Axes.plot` takes it.
 
@@ -46,22 +62,98 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
         If `quantity` is none of these.
     """
     check_quantity(quantity, QUANTITIES)
-    axes, along = axes_or_new(ax), result["value"]
-    look = {"color": about(result.method).look["color"], "linewidth": 1.2} | style
+    axes = axes_or_new(ax)
+    look = {"linewidth": 1.2, "color": _color(result)} | style
     if quantity == "times":
-        _draw_times(axes, result, along, {"linewidth": 1.2, "color": "0.2"} | style)
-    elif quantity == "estimate":
-        errors = [row.estimate.times if row.estimate else np.nan for row in result.rows]
-        axes.semilogy(along, errors, **look)
-    elif quantity == "period":
-        axes.plot(along, result["period"], **look)
+        _draw_times(axes, result, {"linewidth": 1.2, "color": "0.2"} | style)
     else:
-        for end in (0, 1):
-            axes.plot(along, _ends(result, quantity, end), **look)
-    if quantity != "times":
+        for one in _columns(result.rows, quantity):
+            _lines(axes, result, one, look)
+            _marks(axes, result, one)
+        if quantity == "estimate":
+            axes.set_yscale("log")
         axes.set_ylabel(QUANTITIES[quantity])
+    missing = [row.value for row in result.rows if row.status != "ok"]
+    if missing:
+        axes.plot(
+            missing, np.zeros(len(missing)), "|", color="0.4", clip_on=False,
+            transform=axes.get_xaxis_transform(), label="no orbit",
+        )  # fmt: skip
     axes.set_xlabel(name_of(result))
     return axes
+
+
+def _color(result: "Family") -> Any:
+    return "0.1" if result.in_turn else about(result.method).look["color"]
+
+
+def _columns(rows: "Sequence[FamilyRow]", quantity: str) -> "Iterator[Vector]":
+    """Yield what is drawn of each row, a column each."""
+    ends = {"displacement": 2, "velocity": 2}.get(quantity, 1)
+    for end in range(ends):
+        yield np.array([_value(row, quantity, end) for row in rows], dtype=float)
+
+
+def _value(row: "FamilyRow", quantity: str, end: int) -> float | None:
+    if quantity == "multiplier":
+        return row.largest_multiplier
+    if quantity == "estimate":
+        return None if row.estimate is None else row.estimate.times
+    if quantity == "period":
+        return row.period
+    if row.extremes is None:
+        return None
+    if quantity == "amplitude":
+        low, high = row.extremes["displacement"]
+        return (high - low) / 2
+    return row.extremes[quantity][end]
+
+
+def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) -> None:
+    """Draw a column as lines, as far as the orbits follow from each other and are alike."""
+    along = result["value"]
+    for stable, run in _runs(result):
+        kind = {"linestyle": LINES[stable]}
+        if len(set(along[run])) < len(run) and not result.in_turn:
+            kind = {"linestyle": "", "marker": "." if stable else "1"}
+        name = {True: "stable", False: "unstable", None: "neither, to rounding"}[stable]
+        axes.plot(along[run], values[run], **look | kind | _label(axes, name))
+
+
+def _runs(result: "Family") -> "Iterator[tuple[bool | None, list[int]]]":
+    """Yield rows in a row that are alike, with the one where the next begins."""
+    rows = result.rows
+    found = [i for i, row in enumerate(rows) if row.status == "ok"]
+    if not result.in_turn:
+        for stable in LINES:
+            run = [i for i in found if rows[i].stable is stable]
+            if run:
+                yield stable, run
+        return
+    told = [rows[i].stable for i in found]
+    known = {rows[i].motion for i in found if rows[i].stable is not None}
+    for i in range(1, len(told)):  # at an event it is not known: drawn with those before
+        if told[i] is None and rows[found[i]].motion in known:
+            told[i] = told[i - 1]
+    for stable, same in groupby(range(len(found)), key=lambda i: told[i]):
+        run = list(same)
+        yield stable, found[max(run[0] - 1, 0) : run[-1] + 1]
+
+
+def _marks(axes: Any, result: "Family", values: "Vector") -> None:
+    """Mark what happens on a branch."""
+    along = result["value"]
+    for event in getattr(result, "events", ()):
+        here = along == event.parameter  # the orbits there, at two ends of orders of phases
+        axes.plot(
+            along[here][:1], values[here][:1], MARKS[event.kind], color="0.1", markersize=6,
+            markerfacecolor="none", **_label(axes, event.kind),
+        )  # fmt: skip
+
+
+def _label(axes: Any, name: str) -> dict[str, str]:
+    """Return the label of a line, if no other line has it yet."""
+    return {} if name in {line.get_label() for line in axes.lines} else {"label": name}
 
 
 def name_of(result: "Family") -> str:
@@ -71,16 +163,9 @@ def name_of(result: "Family") -> str:
     return f"{parameter.name.replace('_', ' ')} {parameter.symbol}{unit}"
 
 
-def _ends(result: "Family", name: str, end: int) -> "Vector":
-    def value(row: "FamilyRow") -> float:
-        return np.nan if row.extremes is None else row.extremes[name][end]
-
-    return np.array([value(row) for row in result.rows])
-
-
-def _draw_times(axes: Any, result: "Family", along: "Vector", style: dict[str, Any]) -> None:
+def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:
     """Draw the phase of the forcing, or the durations of the phases as parts of the period."""
-    names = result.case.scene.phases
+    names, along = result.case.scene.phases, result["value"]
     if len(names) == 1:
         axes.plot(along, result["forcing_phase"], **style)
         axes.set_ylabel("phase of the forcing [rad]")
@@ -108,5 +193,21 @@ def family_figure(result: "Family", log: bool = False) -> Figure:
         panels[0].set_xscale("log")
     method = f"{shown(scene, result.method)}, N = {result.order}"
     words = f"{scene.name}: {result.other_parameters}; {method}"
+    figure.supxlabel(words, fontsize=7, wrap=True)
+    return figure
+
+
+def branch_figure(results: "Sequence[Branch]") -> Figure:
+    """Draw the amplitude and the largest multiplier of branches along a parameter."""
+    figure = Figure(figsize=(6, 6), layout="constrained")
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
+    for result in results:
+        draw(result, upper, "amplitude")
+        draw(result, lower, "multiplier")
+    lower.axhline(1.0, color="0.7", linewidth=0.8, zorder=0)
+    lower.set_ylim(0.0, 2.0)
+    upper.set_xlabel("")
+    upper.legend(frameon=False, fontsize=8)
+    words = f"{results[0].case.scene.name}: {results[0].other_parameters}"
     figure.supxlabel(words, fontsize=7, wrap=True)
     return figure

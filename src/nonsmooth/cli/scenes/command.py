@@ -9,8 +9,7 @@ from ..about import CommandOfAny
 from ..case_files import said_first
 from ..space.named import is_structure, structure_named
 from ..space.named import known as known_structures
-from .default import DEFAULT
-from .named import known, scene_named
+from .named import DEFAULT, known, scene_named
 
 
 class SceneCommand(CommandOfAny):

@@ -87,11 +87,11 @@ def run(
     interrupted = False
     with as_problems(PLURAL), progress(vary.count, "sweep") as advance:
 
-        def done(row: "FamilyRow") -> None:
+        def told(row: "FamilyRow") -> None:
             advance(f"{vary.flag} = {row.value:g}")
 
         try:
-            result = family_case(case, vary.parameter, values, name, order, functions, done)
+            result = family_case(case, vary.parameter, values, name, order, functions, told)
         except ParameterError as error:
             raise Problem(f"--vary: {error}") from error
         except FamilyInterrupted as interrupt:
@@ -106,5 +106,6 @@ def run(
         tables.family(result)
     write_result(output, text, drawn_by("families.family_figure", result, vary.log), result)
     if interrupted:
-        raise Problem(f"interrupted: {len(result)} of {vary.count} values are done", 130)
+        done = len(set(result["value"]))
+        raise Problem(f"interrupted: {done} of {vary.count} values are done", 130)
     return 0 if all(row.status == "ok" for row in result.rows) else 1

@@ -1,4 +1,4 @@
-"""The scene that a text on the command line names."""
+"""The scene that a text on the command line names, and that of a command without one."""
 
 from typing import TYPE_CHECKING
 
@@ -8,6 +8,13 @@ from ..problems import Problem
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
+
+
+#: The scene of a command without one.
+DEFAULT = "stick-slip"
+
+#: A scene, a parameter of it and a value, for the help of a command that takes any.
+EXAMPLE = {"scene": "impact", "flag": "--gap", "value": 0.2}
 
 
 def scene_named(text: str) -> "LoadedScene":

@@ -29,7 +29,7 @@ class Vary(Generic[Number]):
 
 
 def parse_vary(
-    text: str, log: bool, names: Collection[str], most: int, example: str,
+    text: str, log: bool, names: Collection[str], most: int | None, example: str,
     number: Callable[[str], Number],
 ) -> Vary[Number]:  # fmt: skip
     """Return what ``--vary`` asks for.
@@ -42,8 +42,8 @@ def parse_vary(
         Whether the values are spaced by a constant factor.
     names : collection of str
         The parameters that there are.
-    most : int
-        Most points.
+    most : int or None
+        Most points; without it none are given, and `Vary.count` is 0.
     example : str
         One that is right, for the message.
     number : callable
@@ -59,10 +59,11 @@ def parse_vary(
     Problem
         If `text` is not of this form, or its numbers make no range.
     """
-    expected = f"expected NAME=FROM:TO:POINTS, such as {example}"
+    form = "NAME=FROM:TO" if most is None else "NAME=FROM:TO:POINTS"
+    expected = f"expected {form}, such as {example}"
     name, _, rest = text.partition("=")
     parts = [part.strip() for part in rest.split(":")]
-    if len(parts) != 3:
+    if len(parts) != (2 if most is None else 3):
         raise Problem(f"--vary: got {text!r}, {expected}")
     parameter = name.strip().replace("-", "_")
     if parameter not in names:
@@ -75,6 +76,8 @@ def parse_vary(
         raise Problem(f"--vary: got {text!r}, {expected}") from error
     if not (math.isfinite(low) and math.isfinite(high) and first != last):
         raise Problem(f"--vary: got {text!r}, expected two different numbers as the ends")
+    if most is None:
+        return Vary(parameter, first, last, 0, log)
     if not is_whole(parts[2]) or not 2 <= int(parts[2]) <= most:
         raise Problem(
             f"--vary: got {parts[2]!r} points, expected a whole number from 2 to {most}"

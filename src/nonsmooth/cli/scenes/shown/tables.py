@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.orbit.errors import Errors
     from nonsmooth.solver.orbit.motion import Motion
+    from nonsmooth.solver.results.branch import Branch
     from nonsmooth.solver.results.family import Family
     from nonsmooth.solver.results.sweep import Sweep
     from nonsmooth.solver.scenes.case import Case
@@ -182,6 +183,25 @@ def family(result: "Family") -> None:
     if anew:
         parts.append(f"{anew} searched anew, not followed from the value before")
     click.echo("; ".join(parts))
+
+
+def branch(result: "Branch") -> None:
+    """Print the events of a branch, its pieces between them, and how it ends."""
+    parameter = next(q for q in result.case.scene.parameters if q.name == result.parameter)
+    heading = parameter.symbol + (f" [{parameter.unit}]" if parameter.unit else "")
+    table = table_of("event", heading, "error", "motion", "phase")
+    for event in result.events:
+        table.add_row(
+            event.kind,
+            f"{event.parameter:.15g}",
+            f"{event.estimate:.0e}",
+            event.motion or "",
+            event.phase or "",
+        )
+    print_table(table)
+    values, why = result["value"], result.why_it_ended
+    first, last = (f"{values[i]:.9g} ({why[i]})" for i in (0, -1))
+    click.echo(f"{parameter.symbol} from {first} to {last}")
 
 
 def trade(result: "Trade") -> None:

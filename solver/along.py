@@ -1,0 +1,173 @@
+"""Branches of a case along a parameter: that of one orbit, or all that are found."""
+
+from collections.abc import Callable
+from contextlib import suppress
+
+import numpy as np
+
+from .branch.branch import Both, Bounds, go, index_of, orbits_at, start_of
+from .branch.follow import RANGE
+from .branch.piece import NoStepError
+from .branch.rows import event_of, row_of
+from .exact import exact_orbit
+from .existence.known import known_orbits
+from .no_orbit import NoOrbit
+from .orbit.exact_orbit import ExactOrbit
+from .results.branch import Branch, BranchInterrupted
+from .scenes.case import Case
+
+#: Values at which orbits are looked for where all branches are wanted.
+VALUES = 7
+
+#: Differences of the forcing phase and of durations, as parts of them, of the same orbit.
+SAME = 1e-7
+
+Seen = Callable[[float], None]
+
+
+def branch_case(
+    case: Case, parameter: str, first: float, last: float, start: ExactOrbit | None = None,
+    seen: Seen = lambda value: None,
+) -> Branch:  # fmt: skip
+    """Return the branch of an orbit along a parameter.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator; where `start` is not given, the branch is followed from the orbit at
+        its own value of the parameter, if that is in the range; else from one at the ends of
+        the range, or in the middle.
+    parameter : str
+        One of the scene.
+    first, last : float
+        The range of the parameter, in SI units.
+    start : ExactOrbit, optional
+        An orbit on the branch.
+    seen : callable
+        Called with the parameter of each orbit as it is found.
+
+    Raises
+    ------
+    ParameterError
+        If the scene has no such parameter, or an end of the range cannot be one.
+    ValueError
+        If the range is empty, or `start` is not in it.
+    NoOrbit
+        If there is no orbit to start from; with what was tried.
+    BranchInterrupted
+        A `KeyboardInterrupt`: with what was found before.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> case = registry.load("impact")(gap=0.5, damping=0, restitution=0.8)
+    >>> found = branch_case(case, "frequency", 1.7, 2.0)
+    >>> [f"{event.kind} {event.parameter:.10f}" for event in found.events]
+    ['fold 1.9338387822', 'grazing 1.7320508076']
+    """
+    bounds = _bounds(case, parameter, first, last)
+    orbit = _start(case, parameter, bounds) if start is None else start
+    value = orbit.case.values[parameter]
+    if not bounds[0] <= value <= bounds[1]:
+        expected = f"an orbit between {first:g} and {last:g}"
+        raise ValueError(f"start: got one at {parameter} = {value:g}, expected {expected}")
+    found = Both(index_of(case, parameter))
+    try:
+        place = start_of(orbit, found.index, bounds)
+    except NoStepError:
+        words = (
+            f"{orbit.case.scene.label}: the orbit at {parameter} = {value:g} is not isolated"
+        )
+        raise NoOrbit(f"{words}: no branch can be followed from it", False, ()) from None
+    try:
+        go(found, place, seen=seen)
+    except KeyboardInterrupt:
+        raise BranchInterrupted(_result(case, parameter, found)) from None
+    return _result(case, parameter, found)
+
+
+def every_branch(
+    case: Case, parameter: str, first: float, last: float, seen: Seen = lambda value: None
+) -> list[Branch]:
+    """Return the branches of all orbits that are found at a few values of a parameter.
+
+    Parameters
+    ----------
+    case, parameter, first, last, seen
+        See `branch_case`.
+
+    Raises
+    ------
+    NoOrbit
+        If no orbit is found at any value.
+    """
+    bounds = _bounds(case, parameter, first, last)
+    found: list[tuple[Both, Branch]] = []
+    for value in np.linspace(*bounds, VALUES):
+        for orbit in _orbits(case.with_value(parameter, float(value))):
+            there = (q for both, _ in found for q in orbits_at(both, float(value)))
+            if any(_are_one(orbit, other) for other in there):
+                continue
+            both = Both(index_of(case, parameter))
+            with suppress(NoStepError):
+                go(both, start_of(orbit, both.index, bounds), seen=seen)
+                found.append((both, _result(case, parameter, both)))
+    if not found:
+        _start(case, parameter, bounds)
+    return [branch for _, branch in found]
+
+
+def _orbits(case: Case) -> list[ExactOrbit]:
+    """Return the orbits of a case that are known, or one that is found."""
+    found = known_orbits(case)
+    with suppress(NoOrbit):
+        found = found or [exact_orbit(case)]
+    return found
+
+
+def _are_one(one: ExactOrbit, other: ExactOrbit) -> bool:
+    """Whether two orbits are the same, to what Newton's method leaves."""
+    if one.case.scene.motion != other.case.scene.motion:
+        return False
+    times, others = np.array(one.durations), np.array(other.durations)
+    turned = (one.angle - other.angle) / (2 * np.pi)
+    same = np.abs(times - others).max() <= SAME * times.sum()
+    return bool(same and abs(turned - round(turned)) <= SAME)
+
+
+def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
+    index_of(case, parameter)
+    ends = sorted(case.with_value(parameter, q).values[parameter] for q in (first, last))
+    if ends[0] == ends[1]:
+        raise ValueError(f"range: got {first!r} to {last!r}, expected two different values")
+    return ends[0], ends[1]
+
+
+def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
+    """Return an orbit from which a branch can be followed.
+
+    Raises
+    ------
+    NoOrbit
+        If none is found; with what was tried.
+    """
+    own, (low, high) = case.values[parameter], bounds
+    values = [own] if low <= own <= high else []
+    tried: list[str] = []
+    for value in dict.fromkeys([*values, low, high, (low + high) / 2]):
+        try:
+            return exact_orbit(case.with_value(parameter, value))
+        except NoOrbit as finding:
+            tried.append(f"at {parameter} = {value:g}: {finding}")
+    words = f"{case.scene.label}: no orbit was found from which a branch could be followed"
+    raise NoOrbit(words, False, tuple(tried))
+
+
+def _result(case: Case, parameter: str, found: Both) -> Branch:
+    """Return what is found of a branch as users hold it."""
+    happened = found.events()
+    events = tuple(map(event_of, happened))
+    ends = {id(event.place) for event in happened if event.changes}  # of an order of phases
+    rows = tuple(row_of(piece, place, id(place) not in ends) for piece, place in found.points())
+    why = found.back.why or RANGE, found.forth.why or RANGE
+    return Branch(case, parameter, "exact", 0, None, rows, events, why)

@@ -1,0 +1,1 @@
+"""Branches: how an orbit changes along a parameter, and where it ends."""

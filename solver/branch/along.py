@@ -1,0 +1,148 @@
+"""The equations of a cell along one of its parameters: arrays whose entries are series."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..flow.exact_system import arrays
+from ..scenes.arrays import Integers
+from ..scenes.cell import Cell, Form
+from ..scenes.mirror import mirror, same
+
+#: Terms of a series; those that are rounding, as a part of the largest.
+TERMS, ROUNDING = 24, 1e-15
+
+#: Least size of a state or a memory, as a part of the largest of them.
+SMALL = 0.01
+
+#: Halvings of an interval on which series are not resolved.
+HALVINGS = 40
+
+
+#: What gives the cell at a value of the parameter, and the forms that are watched there.
+Content = Callable[[float], tuple[Cell, list[Form]]]
+
+
+class Along(NamedTuple):
+    """The arrays of a cell as series, as `extended` takes them.
+
+    Parameters
+    ----------
+    kinds, setting : ndarray
+        See `scenes.arrays.Arrays`.
+    series : ndarray, shape (entries, TERMS)
+        Chebyshev coefficients of its other entries, and of the forms of a table.
+    divided : ndarray of int, shape (P,)
+        Whether the row of the event of each phase is divided by its duration.
+    weights : ndarray, shape (unknowns + 1,)
+        1 over the size of each unknown, the parameter the last.
+    """
+
+    kinds: Integers
+    setting: Integers
+    series: Matrix
+    divided: Integers
+    weights: Vector
+
+
+@dataclass(frozen=True)
+class Interval:
+    """Values of a parameter, without units, of which ``q`` from -1 to 1 is the coordinate."""
+
+    low: float
+    high: float
+
+    def q(self, value: float) -> float:
+        """Return the coordinate of a value."""
+        return (2 * value - self.low - self.high) / (self.high - self.low)
+
+    def value(self, q: float) -> float:
+        """Return the value of a coordinate; the ends are exact."""
+        return ((1 - q) * self.low + (1 + q) * self.high) / 2
+
+
+def along(
+    content: Content, value: float, interval: Interval, z: Vector
+) -> tuple[Along, Interval]:
+    """Return a cell on an interval of a parameter, or on the part of it that can be resolved.
+
+    Parameters
+    ----------
+    content : callable
+        The cell at a value, and the forms that are watched there.
+    value : float
+        About which the interval is cut where its series do not converge.
+    z : ndarray
+        The unknowns there: their sizes.
+    """
+    for _ in range(HALVINGS):
+        series = _series(content, interval)
+        if series is not None:
+            cell, _ = content(value)
+            found = arrays(cell)
+            divided = divided_phases(cell, z)
+            return Along(
+                found.kinds, found.setting, series, divided, weights(cell, z)
+            ), interval
+        interval = Interval((interval.low + value) / 2, (interval.high + value) / 2)
+    raise ArithmeticError("the equations are not smooth along the parameter")
+
+
+def _series(content: Content, interval: Interval) -> Matrix | None:
+    """Return the Chebyshev coefficients of all entries; None where they are not resolved."""
+    k = 2 * np.arange(TERMS) + 1  # in whole numbers: the waves keep their digits
+    table = np.cos(np.pi / (2 * TERMS) * (np.outer(np.arange(TERMS), k) % (4 * TERMS)))
+    table[0] /= 2
+    nodes = map(interval.value, np.cos(np.pi / (2 * TERMS) * k))
+    values = np.array([_entries(*content(value)) for value in nodes])
+    found = (2 / TERMS * table @ values).T
+    constant = (values == values[0]).all(axis=0)
+    found[constant] = 0.0
+    found[constant, 0] = values[0, constant]
+    found[np.abs(found) <= ROUNDING * np.abs(found).max(axis=1, keepdims=True)] = 0.0
+    return None if found[:, -2:].any() else found
+
+
+def _entries(cell: Cell, forms: list[Form]) -> Vector:
+    found, rows = arrays(cell), np.array(forms, dtype=float)
+    parts = (found.numbers, found.memory, found.cell, rows)
+    return np.concatenate([part.ravel() for part in parts])
+
+
+def weights(cell: Cell, z: Vector) -> Vector:
+    """Return 1 over the size of each unknown of a cell, and 1 for the coordinate ``q``."""
+    count, more = len(cell.phases), len(cell.memory)
+    states, memory = z[: 2 * count], z[2 * count : 2 * count + more]
+    total = float(z[2 * count + more :][:count].sum())
+    least = SMALL * float(np.abs(z[: 2 * count + more]).max()) or 1.0
+    sizes = np.ones(len(z) + 1)
+    for j in range(2):
+        sizes[j : 2 * count : 2] = max(float(np.abs(states[j::2]).max()), least)
+    sizes[2 * count : 2 * count + more] = np.maximum(np.abs(memory), least)
+    sizes[2 * count + more :][:count] = total
+    return 1 / sizes
+
+
+def divided_phases(cell: Cell, z: Vector) -> Integers:
+    """Return of which phases the row of the event is divided by the duration: 1, else 0.
+
+    Those that begin on the surface where they end; but of a cell of such phases alone the
+    longest keeps its row, or nothing says that it ends on the surface.
+    """
+    count, more = len(cell.phases), len(cell.memory)
+    found = np.array([returns(cell, p) for p in range(count)], dtype=np.int64)
+    if found.all():
+        found[int(np.argmax(z[2 * count + more :][:count]))] = 0
+    return found
+
+
+def returns(cell: Cell, p: int) -> bool:
+    """Whether a phase begins on the surface where it ends, the form as it was at the switch."""
+    before, phase = cell.phases[p - 1], cell.phases[p]
+    before = mirror(before) if p == 0 and cell.sign < 0 else before
+    jumps = (before.rho, before.d) != (1.0, 0.0) and phase.event[1] != 0
+    remembers = any(phase.event[4:]) or any(before.event[4:])
+    return same(before.event[:4], phase.event[:4]) and not (jumps or remembers)

@@ -1,0 +1,144 @@
+"""A branch of orbits along a parameter, through all orders of phases, both ways."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+
+from ..arrays import Vector
+from ..orbit.exact_orbit import ExactOrbit, of_unknowns
+from ..scenes.case import Case
+from ..scenes.orders import Order, OrderedScene, Step
+from ..scenes.parameter_error import ParameterError
+from .change import beyond
+from .course import Course
+from .follow import CLOSED, PART, Found, Segment, follow, in_units
+from .piece import Piece, Place
+
+#: Most orders of phases of a branch, each way.
+MOST_SEGMENTS = 60
+
+Bounds = tuple[float, float]
+
+
+@dataclass(eq=False)
+class Way:
+    """A branch from one orbit on, one way: its segments in turn, and why it ends."""
+
+    segments: list[Segment] = field(default_factory=list)
+    why: str = ""
+
+
+@dataclass(eq=False)
+class Both:
+    """A branch from one orbit on, both ways: backward and forward."""
+
+    index: int
+    back: Way = field(default_factory=Way)
+    forth: Way = field(default_factory=Way)
+
+    def points(self) -> list[tuple[Piece, Place]]:
+        """Return its orbits, from the one end to the other."""
+        back = [point for segment in self.back.segments for point in segment.points]
+        forth = [point for segment in self.forth.segments for point in segment.points]
+        return [*reversed(back[1:]), *forth] if forth else [*reversed(back)]
+
+    def events(self) -> list[Found]:
+        """Return what happens on it, in the same turn."""
+        back = [event for segment in self.back.segments for event in segment.events]
+        forth = [event for segment in self.forth.segments for event in segment.events]
+        return [*reversed(back), *forth]
+
+
+def index_of(case: Case, parameter: str) -> int:
+    """Return which parameter of a case has a name.
+
+    Raises
+    ------
+    ParameterError
+        If none has.
+    """
+    names = [q.name for q in case.scene.parameters]
+    if parameter not in names:
+        expected = f"one of {', '.join(names)}"
+        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
+    return names.index(parameter)
+
+
+def course_of(case: Case) -> Course:
+    """Return the order of phases of a case of one motion."""
+    scene = case.scene
+    if isinstance(scene, OrderedScene):
+        return Course(scene.base, scene.order, case.cycles)
+    base = scene.whole.fullest
+    steps = tuple(Step(base.phases.index(name)) for name in scene.phases)
+    return Course(base, Order(steps, scene.half_period), case.cycles)
+
+
+def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Place]:
+    """Return an exact orbit as a place on a branch, the parameter growing.
+
+    Raises
+    ------
+    NoStepError
+        If it is not on one: its equations are singular.
+    """
+    case, z = orbit.case, orbit.outcome.unknowns
+    own = np.append(z, case.numbers[index])
+    piece = Piece.at(course_of(case), case, index, bounds, own)
+    border = np.append(np.zeros(len(z)), 1.0)
+    return piece, piece.place(piece.led(piece.of_number(own), border), border)
+
+
+def go(
+    found: Both, start: tuple[Piece, Place], part: float = PART,
+    seen: Callable[[float], None] = lambda value: None,
+) -> None:  # fmt: skip
+    """Follow a branch from an orbit, backward and then forward, and add to what is found."""
+    piece, place = start
+    back = piece.place(place.y, -place.direction)
+    for way, first in ((found.back, back), (found.forth, place)):
+        there: tuple[Piece, Place] | None = (piece, first)
+        while there is not None and len(way.segments) < MOST_SEGMENTS:
+            segment = Segment(there[0].course, [there])
+            way.segments.append(segment)
+            follow(segment, (piece, first), part, seen)
+            way.why = segment.why
+            there = None if segment.end is None else beyond(segment.end)
+        if way.why == CLOSED:
+            found.forth.why = way.why
+            return
+
+
+def orbits_at(found: Both, value: float) -> Iterator[ExactOrbit]:
+    """Yield the orbits of a branch at a value of its parameter, in turn.
+
+    Motions that nothing ends are left out.
+    """
+    points = found.points()
+    ends = [piece.value(place.y) for piece, place in points]
+    for i, (one, other) in enumerate(pairwise(points)):
+        low, high = sorted(ends[i : i + 2])
+        if not low <= value <= high or (ends[i] == value and i > 0):
+            continue
+        (before, at), (piece, place) = one, other
+        y = place.y.copy()
+        if before.course == piece.course and low < high:
+            from_there = in_units(before, piece, at.y)
+            y += (value - ends[i + 1]) / (ends[i] - ends[i + 1]) * (from_there - y)
+        orbit = _exactly(piece, y, value)
+        if orbit is not None:
+            yield orbit
+    if len(points) == 1 and ends[0] == value:
+        orbit = _exactly(*points[0][:1], points[0][1].y, value)
+        yield from () if orbit is None else (orbit,)
+
+
+def _exactly(piece: Piece, y: Vector, value: float) -> ExactOrbit | None:
+    """Return the orbit at a value of the parameter from one close by, if it is one."""
+    if piece.course.endless:
+        return None
+    case = piece.course.case(piece.case.with_value(piece.name, value))
+    orbit = of_unknowns(case, piece.in_units_of(case, y))
+    return orbit if orbit.outcome.converged and orbit.admissible else None

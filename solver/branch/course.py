@@ -1,0 +1,200 @@
+"""The order of phases that a part of a branch has, and what is watched along it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from ...generated.ck import angles
+from ..arrays import Vector
+from ..flow.exact_system import arrays, phase_numbers, places
+from ..scenes.arrays import Integers
+from ..scenes.case import Case
+from ..scenes.cell import Cell, Form
+from ..scenes.loaded import LoadedScene
+from ..scenes.mirror import same
+from ..scenes.orders import Order, OrderedScene, Step, in_cell, in_order
+from ..simulation.machine import Machine
+from ..simulation.nodes import Node
+from ..simulation.steps.column import NONE, WALL
+from . import watch
+from .watch import AT_SWITCH, BEHIND, WITHIN
+
+#: What is rounding of a derivative where a phase begins, as a part of the largest.
+ROUNDING = 1e-8
+
+#: Derivatives of a form that are looked at where a phase begins.
+HIGHEST = 4
+
+
+class Row(NamedTuple):
+    """One form that is watched: where, which of how many, and what it belongs to.
+
+    Parameters
+    ----------
+    phase, kind : int
+        As in a table of `watch`.
+    number : int
+        Of the demand of the phase, or of that of the node.
+    node : int
+        The phase that could hold the motion behind a switch; -1 where it is no such form.
+    """
+
+    phase: int
+    kind: int
+    number: int
+    node: int = -1
+
+
+@dataclass(frozen=True)
+class Course:
+    """An order of phases of a scene; or the motion of one phase that nothing ends.
+
+    Parameters
+    ----------
+    base : LoadedScene
+        Of one motion, of which the phases are.
+    order : Order
+    cycles : int
+        Periods of the forcing in a period.
+    endless : bool
+        Whether its one phase never ends: its cell is cut where the velocity is zero.
+    """
+
+    base: LoadedScene
+    order: Order
+    cycles: int = 1
+    endless: bool = False
+
+    @cached_property
+    def _scene(self) -> OrderedScene:
+        return in_order(self.base, self.order)
+
+    @cached_property
+    def declared(self) -> LoadedScene | None:
+        """The scene of one motion that declares this order, if one does."""
+        own, half = [self.name(step) for step in self.order.steps], self.order.half_period
+        every = () if self.endless else self.base.whole.each_motion
+        same = (q for q in every if [*q.phases] == own and q.half_period == half)
+        return next(same, None)
+
+    @property
+    def motion(self) -> str | None:
+        """What users call it: as the scene does, or its phases in order; see `orders`."""
+        if self.endless:
+            return self.name(self.order.steps[0])
+        if self.declared is not None:
+            return self.declared.motion
+        return self._scene.motion
+
+    def name(self, step: Step) -> str:
+        """Return the name of a phase, with a minus if it is mirrored."""
+        return f"{'-' * step.mirrored}{self.base.phases[step.phase]}"
+
+    def case(self, case: Case) -> Case:
+        """Return a case of the same parameters whose motion has this order."""
+        scene = self.declared or self._scene
+        return case if scene == case.scene else Case(scene, case.values, self.cycles)
+
+    def cell(self, numbers: tuple[float, ...]) -> Cell:
+        """Return its cell for parameters without units."""
+        if not self.endless:
+            return self._scene.cell(numbers, self.cycles)
+        found = in_cell(self.base.cell(numbers), self.order)
+        phase = replace(
+            found.phases[0], event=(0.0, 1.0, 0.0, 0.0), rho=1.0, d=0.0, switch_demands=()
+        )
+        return replace(found, phases=(phase,), cycles=self.cycles)
+
+    def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
+        """Return what is watched, as it is at an orbit of which nothing is special."""
+        cell, found = self.cell(numbers), []
+        machine = Machine.of(self.base.cell(numbers))
+        for p, phase in enumerate(cell.phases):
+            found += [Row(p, WITHIN, i) for i in range(len(phase.demands))]
+            found += [Row(p, AT_SWITCH, i) for i in range(len(phase.switch_demands))]
+            if self.endless:
+                continue
+            q = (p + 1) % len(cell.phases)
+            sign = cell.sign if q == 0 else 1
+            v, own = sign * float(z[2 * q + 1]), machine.node(self.order.steps[p])
+            for h, node in enumerate(machine.nodes):
+                if not cell.phases[q].held and _may_hold(machine, own, h, v):
+                    demands = range(len(node.phase.demands))
+                    found += [Row(p, BEHIND, i, h) for i in demands]
+        return found
+
+    def word(self, row: Row, column: int) -> str:
+        """Return what it is called where a form that is watched vanishes.
+
+        A rest begins or ends: sticking.  Else a surface is touched: grazing.
+        """
+        step = self.order.steps[row.phase]
+        held = self.base.kinds[step.phase][1]
+        some = any(each for _, each in self.base.kinds)
+        still = held or row.kind != WITHIN or self._is_of_velocity(row)
+        return "sticking" if some and still else "grazing"
+
+    def _is_of_velocity(self, row: Row) -> bool:
+        """Whether a form is of the velocity, and not of the displacement."""
+        form = self._generic.phases[row.phase].demands[row.number][1]
+        return form[0] == 0 != form[1]
+
+    @cached_property
+    def _generic(self) -> Cell:
+        return self.cell(tuple(0.4 + 0.3 * j / 7 for j in range(len(self.base.parameters))))
+
+    def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
+        """Return the forms of rows, for parameters without units and their cell."""
+        nodes: tuple[Node, ...] = ()
+        if any(row.kind == BEHIND for row in rows):
+            nodes = Machine.of(self.base.cell(numbers)).nodes
+        found: list[Form] = []
+        for row in rows:
+            phase = cell.phases[row.phase]
+            if row.kind == BEHIND:
+                _, form = nodes[row.node].phase.demands[row.number]
+                form = (*form[:4], *[0.0] * len(cell.memory))
+            else:
+                demands = phase.demands if row.kind == WITHIN else phase.switch_demands
+                _, form = demands[row.number]
+            found.append(form)
+        return found
+
+    def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
+        """Return the table of rows that `watch` takes; `z` is an orbit that is not special."""
+        cell = self.cell(numbers)
+        forms = self.forms(numbers, rows, cell)
+        case = (*arrays(cell), np.array(forms, dtype=float))
+        theta: Vector = angles(case, z, places(case))
+        found = np.zeros((len(rows), 5), dtype=np.int64)
+        for i, row in enumerate(rows):
+            p = row.phase
+            found[i] = p, row.kind, 0, 0, i
+            if row.kind == WITHIN:
+                form = watch.form_of(case, z, i)
+                equation = phase_numbers(case, z, p)
+                state = z[2 * p], z[2 * p + 1]
+                terms = watch.taylor(equation, case[4][1], theta[p], *state, form)
+                sizes = np.abs(terms[:HIGHEST])
+                found[i, watch.BEGINS] = int(np.argmax(sizes > ROUNDING * sizes.max()))
+                found[i, watch.IS_END] = same(forms[i], cell.phases[p].event)
+            elif row.kind == BEHIND:
+                same_node = (
+                    j for j, q in enumerate(rows) if (q.phase, q.node) == (p, row.node)
+                )
+                found[i, watch.INTO] = next(same_node)
+        return found
+
+
+def _may_hold(machine: Machine, ended: Node, h: int, v: float) -> bool:
+    """Whether a phase that holds the velocity could take every state behind an event."""
+    node, wall = machine.nodes[h], int(machine.rules.kinds[h, WALL])
+    speed = node.phase.speed
+    if not node.phase.held or abs(v - speed) > ROUNDING * max(1.0, abs(speed)):
+        return False
+    if ended.event in node.demands:  # it has just ended so
+        return False
+    return wall == NONE or machine.nodes[wall].event == ended.event

@@ -1,0 +1,160 @@
+"""The exact equations of a cell with a parameter as one more unknown, and a step along them.
+
+The unknowns are those of `flow.exact_system`, and ``q``: the parameter on an interval, from -1
+to 1.  What the equations are made of is a series in ``q`` (see `along`).  Newton's method on
+them and the arclength, and the tangent, are in coordinates of size 1: each unknown times its
+weight.
+
+Of a phase that begins on the surface where it ends, the row of the event vanishes with the
+duration: what the event's form gains is divided by it (see `along.divided_phases`).
+
+Plain Python, or compiled by numba with the exact equations.
+"""
+
+from math import isfinite, sqrt
+from typing import Any
+
+import numpy as np
+
+from ...generated.ck import MEMORY, add_event, angles, event, joint_rates, joints
+from ..arrays import Matrix, Vector
+from ..flow.exact_system import ends, places
+from ..iteration.iteration import ROUNDOFF, scale_rows
+from ..iteration.linear import factorise, solve_factorised
+
+#: Step of the central difference by the parameter: its error is the square.
+DIFFERENCE = 2.0**-17
+
+#: Most corrections of a step, the last one that is small, and how fast they must fall.
+CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
+
+
+def series_at(series: Matrix, q: float) -> Vector:
+    """Return the sums of Chebyshev series, a row each."""
+    waves = np.ones(series.shape[1])
+    waves[1] = q
+    for j in range(2, len(waves)):
+        waves[j] = 2 * q * waves[j - 1] - waves[j - 2]
+    found: Vector = np.dot(series, waves)
+    return found
+
+
+def case_at(along: Any, q: float) -> Any:
+    """Return the arrays of the cell at a value of the parameter, and its forms behind them."""
+    kinds, setting = along[0], along[1]
+    values = series_at(along[2], q)
+    count, more = len(kinds), len(setting)
+    first = count * (MEMORY + 2 * more)
+    second = first + 4 * more
+    numbers = values[:first].reshape(count, MEMORY + 2 * more)
+    memory = values[first:second].reshape(more, 4)
+    forms = values[second + 3 :].reshape(-1, 4 + more)
+    return kinds, numbers, setting, memory, values[second : second + 3], forms
+
+
+def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
+    """Fill R with the left sides of the equations at a value of the parameter."""
+    case = case_at(along, q)
+    at, count = places(case), len(case[0])
+    gained, _ = ends(case, z, at)
+    joints(case, z, at, gained, gained, R, 0)
+    theta = angles(case, z, at)
+    for p in range(count):
+        if along[3][p] != 0:
+            _, change = event(case, z, at, gained, theta, p)
+            R[2 * count + p] = change / z[2 * count + len(case[2]) + p]
+
+
+def rates(along: Any, z: Vector, q: float, J: Matrix) -> None:
+    """Fill J with their derivatives, that by the parameter in the last column."""
+    case = case_at(along, q)
+    at, count, n = places(case), len(case[0]), len(z)
+    gained, gained_by = ends(case, z, at)
+    J[:, :] = 0.0
+    square = J[:n, :n]
+    joint_rates(case, z, at, gained_by, gained_by, square, 0)
+    theta = angles(case, z, at)
+    for p in range(count):
+        if along[3][p] != 0:
+            row, at_s = 2 * count + p, 2 * count + len(case[2]) + p
+            _, change = event(case, z, at, gained, theta, p)
+            s = z[at_s]
+            square[row, :] = 0.0
+            add_event(case, square, row, at, gained_by, theta, p, 0.0, 1 / s)
+            square[row, at_s] -= change / (s * s)
+    above, below = np.empty(n), np.empty(n)
+    left_sides(along, z, q + DIFFERENCE, above)
+    left_sides(along, z, q - DIFFERENCE, below)
+    for i in range(n):
+        J[i, n] = (above[i] - below[i]) / (2 * DIFFERENCE)
+
+
+def bordered(along: Any, y: Vector, border: Vector, J: Matrix, scales: Vector) -> None:
+    """Fill J with the derivatives in coordinates of size 1, over a row; its rows scaled."""
+    n = len(y) - 1
+    rates(along, y[:n], y[n], J)
+    for j in range(n + 1):
+        for i in range(n):
+            J[i, j] /= along[4][j]
+        J[n, j] = border[j]
+    scale_rows(J, scales)
+
+
+def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
+    """Lead `y` to the branch, across `border`; whether it gets there, and how fast at first.
+
+    Returns
+    -------
+    converged : bool
+    fall : float
+        The second correction as a part of the first; 0 where there is none.
+    """
+    n = len(y) - 1
+    J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
+    step, before, fall = np.zeros(n + 1), np.inf, 0.0
+    for turn in range(CORRECTIONS):
+        left_sides(along, y[:n], y[n], step)
+        step[n] = 0.0
+        bordered(along, y, border, J, scales)
+        for i in range(n + 1):
+            step[i] /= scales[i]
+        if not factorise(J, rows):
+            return False, fall
+        solve_factorised(J, rows, step)
+        size = 0.0
+        for j in range(n + 1):
+            size += step[j] * step[j]
+            y[j] -= step[j] / along[4][j]
+        size = sqrt(size)
+        if not isfinite(size):
+            return False, fall
+        if turn == 1:
+            fall = size / before
+        if size <= ROUNDOFF or (size <= SMALL and size > FALL * before):
+            return True, fall
+        if turn > 0 and size > FALL * before:
+            return False, fall
+        before = size
+    return before <= SMALL, fall
+
+
+def tangent(along: Any, y: Vector, border: Vector) -> tuple[Vector, float]:
+    """Return the unit tangent in coordinates of size 1, on the side of `border`.
+
+    Behind it the determinant of the equations across the border, their rows scaled, which is
+    zero where branches meet.
+    """
+    n = len(y) - 1
+    J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
+    found, determinant = np.zeros(n + 1), 1.0
+    found[n] = 1.0
+    bordered(along, y, border, J, scales)
+    if not factorise(J, rows):
+        return found * np.nan, np.nan
+    for j in range(n + 1):
+        determinant *= J[j, j] if rows[j] == j else -J[j, j]
+    solve_factorised(J, rows, found)
+    size = 0.0
+    for j in range(n + 1):
+        size += found[j] * found[j]
+    return found / sqrt(size), determinant

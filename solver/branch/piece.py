@@ -1,0 +1,290 @@
+"""A piece of a branch: one order of phases, one set of units, an interval of the parameter."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..compiling import Account
+from ..kernels.kernel import pays
+from ..orbit.exact_orbit import ExactOrbit, of_unknowns
+from ..scenes.arrays import Integers
+from ..scenes.case import Case
+from ..scenes.cell import Cell, Form
+from . import walk
+from .along import Along, Interval, along
+from .course import Course, Row
+from .walk import FAMILY
+
+#: How far the parameter may go in one set of units, as a part of itself or of its unit.
+REACH = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """An orbit of a piece.
+
+    Parameters
+    ----------
+    y : ndarray
+        The unknowns, and the coordinate of the parameter.
+    direction : ndarray
+        The unit tangent, in coordinates of size 1.
+    gauges : ndarray
+        What is watched: of the forms, row by row of the table, the durations, and what
+        `walk.OWN` says.
+    extremes : ndarray, shape (2, 2)
+        Ends of displacement and velocity of the cell.
+    maps : ndarray, shape (2, n, n)
+        What the cell makes of perturbations, before it is mirrored, and its size.
+    """
+
+    y: Vector
+    direction: Vector
+    gauges: Vector
+    extremes: Matrix
+    maps: Matrix
+
+
+class NoStepError(ArithmeticError):
+    """A step does not lead to the branch."""
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """The equations of an order of phases along a parameter, in one set of units.
+
+    Parameters
+    ----------
+    course : Course
+    case : Case
+        Whose units are used.
+    index : int
+        Of the parameter.
+    bounds : (float, float)
+        Of its range, in SI units.
+    interval : Interval
+        Of it, without units.
+    along : Along
+    rows : tuple of Row
+    table : ndarray of int
+        What is watched.
+    """
+
+    course: Course
+    case: Case
+    index: int
+    bounds: tuple[float, float]
+    interval: Interval
+    along: Along
+    rows: tuple[Row, ...]
+    table: Integers
+
+    @classmethod
+    def at(
+        cls, course: Course, case: Case, index: int, bounds: tuple[float, float], y: Vector,
+        rows: Sequence[Row] | None = None,
+    ) -> "Piece":  # fmt: skip
+        """Return the piece about an orbit, in the units of a case.
+
+        Parameters
+        ----------
+        course, case, index
+            See `Piece`.
+        bounds : (float, float)
+            Of the parameter, in SI units.
+        y : ndarray
+            The unknowns of the orbit, and its parameter, without units.
+        rows : sequence of Row, optional
+            What is watched; all that there is without it.
+        """
+        z, value, unit = y[:-1], float(y[-1]), unit_of(case, index)
+        reach = REACH * max(abs(value), 1.0)
+        low, high = (bound / unit for bound in bounds)
+        interval = Interval(max(low, value - reach), min(high, value + reach))
+
+        def numbers(at: float) -> tuple[float, ...]:
+            return (*case.numbers[:index], at, *case.numbers[index + 1 :])
+
+        here = numbers(value)
+        found = tuple(course.rows(here, z) if rows is None else rows)
+
+        def content(at: float) -> tuple[Cell, list[Form]]:
+            cell = course.cell(numbers(at))
+            return cell, course.forms(numbers(at), found, cell)
+
+        series, interval = along(content, value, interval, z)
+        table = course.table(here, z, found)
+        return cls(course, case, index, bounds, interval, series, found, table)
+
+    @property
+    def name(self) -> str:
+        """The parameter."""
+        return self.case.scene.parameters[self.index].name
+
+    def value(self, y: Vector) -> float:
+        """Return the parameter in SI units; that at an end of the range is exact."""
+        if self.ends_at(y):
+            return self.bounds[int(y[-1] > 0)]
+        return self.number(y) * unit_of(self.case, self.index)
+
+    def number(self, y: Vector) -> float:
+        """Return the parameter without units."""
+        return self.interval.value(float(y[-1]))
+
+    def of_number(self, y: Vector) -> Vector:
+        """Return unknowns with the coordinate of the parameter in place of the parameter."""
+        return np.append(y[:-1], self.interval.q(float(y[-1])))
+
+    def numbers(self, y: Vector) -> tuple[float, ...]:
+        """Return all parameters without units."""
+        given = self.case.numbers
+        return (*given[: self.index], self.number(y), *given[self.index + 1 :])
+
+    def ends_at(self, y: Vector) -> bool:
+        """Whether an orbit is at an end of the range of the parameter."""
+        side = self.interval.high if y[-1] > 0 else self.interval.low
+        end = self.bounds[int(y[-1] > 0)] / unit_of(self.case, self.index)
+        return abs(y[-1]) == 1 and side == end
+
+    @cached_property
+    def cell(self) -> Cell:
+        """The cell for the parameters of the case: how many phases it has, and which."""
+        return self.course.cell(self.case.numbers)
+
+    @cached_property
+    def functions(self) -> dict[str, Any]:
+        """The functions of a branch, in the form that is quicker by now."""
+        make = FAMILY.compiled if pays(_account(), 1) else FAMILY.plain
+        return make(walk.__name__)
+
+    def place(self, y: Vector, border: Vector) -> Place:
+        """Return an orbit, its tangent on the side of `border`.
+
+        Raises
+        ------
+        NoStepError
+            If it has none.
+        """
+        more = 2 + len(self.along.setting)
+        extremes, maps = np.empty((2, 2)), np.empty((2, more, more))
+        with _account().spending(), np.errstate(all="ignore"):
+            given = self.along, self.table, y, border, extremes, maps
+            direction, gauges = self.functions["look"](*given)
+        if not np.isfinite(direction).all():
+            raise NoStepError
+        return Place(y, direction, gauges, extremes, maps)
+
+    def led(self, y: Vector, border: Vector) -> Vector:
+        """Return where Newton's method leads across a border: the branch.
+
+        Raises
+        ------
+        NoStepError
+        """
+        found = y.copy()
+        with _account().spending(), np.errstate(all="ignore"):
+            if not self.functions["corrected"](self.along, found, border)[0]:
+                raise NoStepError
+        return found
+
+    def stepped(self, place: Place, length: float) -> Place:
+        """Return the orbit a step along the branch.
+
+        Raises
+        ------
+        NoStepError
+        """
+        with _account().spending(), np.errstate(all="ignore"):
+            given = self.along, place.y, place.direction, length
+            converged, _, y = self.functions["stepped"](*given)
+        if not converged:
+            raise NoStepError
+        return self.place(y, place.direction)
+
+    def walk(
+        self, place: Place, length: float, most: float, room: int
+    ) -> tuple[list[Place], Vector, int, float]:
+        """Return the orbits of the next steps, the lengths of these, and why they end.
+
+        Parameters
+        ----------
+        place : Place
+            Where to begin.
+        length : float
+            The first step to try.
+        most : float
+            The most that a step changes the parameter, in SI units.
+        room : int
+            Most steps.
+
+        Returns
+        -------
+        places, lengths, why, length
+            See `walk.walk`.
+        """
+        more, size = 2 + len(self.along.setting), len(place.y)
+        Y, D, V = (np.empty((room + 1, q)) for q in (size, size, len(place.gauges)))
+        E, T, S = (
+            np.empty((room + 1, 2, 2)),
+            np.empty((room + 1, 2, more, more)),
+            np.empty(room + 1),
+        )
+        Y[0], D[0], V[0], E[0], T[0] = vars(place).values()
+        with _account().spending(), np.errstate(all="ignore"):
+            given = self.along, self.table, length, most / self.sizes[-1]
+            last, why, length = self.functions["walk"](*given, Y, D, V, E, T, S)
+        places = [Place(Y[i], D[i], V[i], E[i], T[i]) for i in range(1, last + 1)]
+        return places, S[1 : last + 1], why, length
+
+    @cached_property
+    def sizes(self) -> Vector:
+        """What 1 of each unknown is in SI units; of ``q``, what it is of the parameter."""
+        cell, units = self.cell, self.case.units
+        states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
+        memory = [units.of_motion(q.power) for q in cell.memory]
+        times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
+        half = (self.interval.high - self.interval.low) / 2
+        return np.array([*states, *memory, *times, half * unit_of(self.case, self.index)])
+
+    def orbit(self, y: Vector) -> ExactOrbit | None:
+        """Return an exact orbit as users hold it; None of a motion that nothing ends."""
+        if self.course.endless:
+            return None
+        case = self.course.case(self.case.with_value(self.name, self.value(y)))
+        return of_unknowns(case, self.in_units_of(case, y))
+
+    def in_units_of(self, case: Case, y: Vector) -> Vector:
+        """Return the unknowns of an orbit in the units of another case."""
+        return np.asarray(y[:-1] * self.sizes[:-1] / replace(self, case=case).sizes[:-1])
+
+    def admits(self, place: Place) -> bool:
+        """Whether an orbit is admissible: all that is watched, and what a solver asks."""
+        if (place.gauges[: -walk.OWN] < 0).any():
+            return False
+        orbit = self.orbit(place.y)
+        return orbit is None or (orbit.outcome.converged and orbit.admissible)
+
+    def moved(self, place: Place) -> "tuple[Piece, Place]":
+        """Return a piece about an orbit, in units of its own, and the orbit in it."""
+        case = self.case.with_value(self.name, self.value(place.y))
+        own = np.append(self.in_units_of(case, place.y), case.numbers[self.index])
+        there = Piece.at(self.course, case, self.index, self.bounds, own, self.rows)
+        y = there.of_number(own)
+        border = place.direction / self.along.weights * self.sizes
+        border = border / there.sizes * there.along.weights
+        y = there.led(y, np.append(np.zeros(len(y) - 1), 1.0))
+        return there, there.place(y, border / np.linalg.norm(border))
+
+
+def unit_of(case: Case, index: int) -> float:
+    """Return the unit of a parameter in the units of a case."""
+    return case.units.of_parameter(case.scene.powers[index])
+
+
+def _account() -> Account:
+    """Return what all branches have cost in plain Python."""
+    return FAMILY.account_of(walk.__name__)

@@ -1,0 +1,43 @@
+"""A branch as rows and events for users, in SI units."""
+
+import math
+
+import numpy as np
+
+from ..results.branch import BranchEvent
+from ..results.family import FamilyRow
+from ..stability.monodromy import Monodromy, forgotten
+from ..stability.stability import of_monodromy
+from .follow import Found
+from .piece import Piece, Place
+
+
+def row_of(piece: Piece, place: Place, regular: bool = True) -> FamilyRow:
+    """Return an orbit of a branch as a row; without multipliers where it is not regular."""
+    cell, units = piece.cell, piece.case.units
+    count, more = len(cell.phases), len(cell.memory)
+    found = np.maximum(place.y[2 * count + more :][:count], 0.0)  # at an event one is rounding
+    durations = tuple(map(float, found * units.time)) * cell.cells
+    extremes = place.extremes
+    if cell.sign < 0:
+        most = np.maximum(extremes[:, 1], -extremes[:, 0])
+        extremes = np.column_stack([-most, most])
+    names = enumerate(("displacement", "velocity"))
+    ends = {name: tuple(extremes[j] * units.of_motion(j)) for j, name in names}
+    multipliers, stable = None, None
+    matrix, size = place.maps
+    if regular and np.isfinite(matrix).all() and np.isfinite(size).all():
+        own = of_monodromy(cell, Monodromy(matrix, size, forgotten(cell)))
+        multipliers, stable = tuple(map(complex, own.multipliers)), own.stable
+    turn = float(place.y[-2]) % (2 * math.pi) if cell.forced else None
+    return FamilyRow(
+        piece.value(place.y), "ok", math.fsum(durations), turn, durations, ends, None, 0, True,
+        motion=piece.course.motion, multipliers=multipliers, stable=stable,
+    )  # fmt: skip
+
+
+def event_of(found: Found) -> BranchEvent:
+    """Return what happens on a branch as users read it."""
+    course, p = found.piece.course, found.phase
+    phase = None if p is None else course.name(course.order.steps[p])
+    return BranchEvent(found.kind, found.value, course.motion, phase, found.estimate)

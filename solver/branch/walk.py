@@ -1,0 +1,163 @@
+"""Steps along a branch, as many as go on without an event: what a computer does most of.
+
+Plain Python, or compiled by numba with the exact equations.
+"""
+
+from math import isnan
+from typing import Any
+
+import numpy as np
+
+from ...generated import ck
+from ..arrays import Matrix, Vector
+from ..flow import divided, exact_system, responses
+from ..iteration import iteration, linear
+from ..kernels import linking
+from ..kernels.family import Family
+from ..stability import cell_map as cell_maps
+from ..stability.cell_map import cell_map, end_rates
+from . import extended, watch
+from .extended import case_at, corrected, tangent
+from .watch import watched
+
+#: Shortest and longest step, in coordinates of size 1; what a step is multiplied by.
+LEAST_STEP, MOST_STEP, GROWTH = 1e-9, 0.1, 1.3
+
+#: Least cosine of the angle between tangents of a step; how fast its correction must fall.
+TURN, FIRST_FALL = 0.95, 0.1
+
+#: Size of an unknown in coordinates that were to be of size 1, at which they are chosen anew.
+OUTGROWN = 8.0
+
+#: Rounding of a product of multipliers that shrink no area: they are no bifurcation.
+NEUTRAL = 1e-9
+
+# Why a walk ends: there is no more room; something happens in the last step, or the parameter
+# leaves its interval; the step cannot get smaller; the coordinates do not fit.
+FULL, EVENT, STUCK, GROWN = 0, 1, 2, 3
+
+#: What is watched of an orbit itself, behind its forms and durations: the tangent's part along
+#: the parameter, and what vanishes where a multiplier of the cell is -1, where the product of
+#: two is 1, and where branches meet.
+OWN = 4
+
+
+def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bool, float, Any]:
+    """Return whether a step along the tangent leads to the branch, how fast, and where to."""
+    found = y + length * direction / along[4]
+    converged, fall = corrected(along, found, direction)
+    return converged, fall, found
+
+
+def beyond_one(own: Matrix) -> float:
+    """Return the product over pairs of multipliers of what they are together beyond 1."""
+    if len(own) == 2:
+        return float(own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0] - 1)
+    values, found = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
+    for i in range(len(values)):
+        for j in range(i):
+            found *= values[i] * values[j] - 1
+    return found.real
+
+
+def look(
+    along: Any, table: Any, y: Vector, border: Vector, extremes: Matrix, maps: Any
+) -> tuple[Vector, Vector]:
+    """Return the tangent at an orbit, and what is watched there; fill in its ends and maps.
+
+    extremes : ndarray, shape (2, 2)
+        See `watch.watched`.
+    maps : ndarray, shape (2, n, n)
+        What the cell makes of perturbations, and its size; see `cell_map`.
+    """
+    n, count, sign = len(y) - 1, len(along[0]), 1.0
+    direction, determinant = tangent(along, y, border)
+    case, values = case_at(along, y[n]), np.empty((len(table), 3))
+    watched(case, table, y[:n], values, extremes)
+    speed = max(abs(extremes[1, 0]), abs(extremes[1, 1]))
+    maps[0], maps[1], _ = cell_map(case, y[:n], end_rates(case, y[:n]), speed)
+    gauges = np.empty(values.size + count + OWN)
+    gauges[: values.size] = values.ravel()
+    gauges[values.size : values.size + count] = y[2 * count + len(along[1]) :][:count]
+    gauges[-4], gauges[-3], gauges[-2], gauges[-1] = direction[n], np.nan, np.nan, determinant
+    sign = case[4][0]
+    if np.isfinite(maps[0]).all():  # where an event is touched, perturbations are not mapped
+        own = sign * maps[0]
+        gauges[-3] = np.linalg.det(own + np.eye(len(own)))
+        gauges[-2] = beyond_one(own)
+    return direction, gauges
+
+
+def happens(before: float, after: float, falls: bool) -> bool:
+    """Whether something that is watched vanishes in a step; of some, only by falling."""
+    if falls:
+        return after < 0 and not before < 0
+    return before * after < 0 and min(abs(before), abs(after)) > NEUTRAL
+
+
+def walk(
+    along: Any, table: Any, length: float, most: float, Y: Matrix, D: Matrix, V: Matrix,
+    E: Any, T: Any, S: Vector,
+) -> tuple[int, int, float]:  # fmt: skip
+    """Step along a branch, from the orbit in the first row of the arrays.
+
+    Parameters
+    ----------
+    along, table
+        See `extended` and `watch`.
+    length : float
+        The first step to try.
+    most : float
+        The most that a step changes the coordinate of the parameter.
+    Y, D : ndarray, shape (room, unknowns + 1)
+        Unknowns and tangents of the orbits.
+    V, E, T : ndarray
+        What is watched of each, its extremes, and its maps; see `look`.
+    S : ndarray, shape (room,)
+        The length of the step to each.
+
+    Returns
+    -------
+    last : int
+        The row of the last orbit.
+    why : int
+        Why the walk ends.
+    length : float
+        The next step to try.
+    """
+    last, n = 0, Y.shape[1] - 1
+    while last + 1 < len(Y):
+        rate = abs(D[last, n])
+        length = min(length, MOST_STEP if rate == 0 else min(MOST_STEP, most / rate))
+        converged, fall, y = stepped(along, Y[last], D[last], length)
+        accepted = converged and fall <= FIRST_FALL
+        if accepted:
+            direction, gauges = look(along, table, y, D[last], E[last + 1], T[last + 1])
+            accepted = np.dot(direction, D[last]) >= TURN
+        if not accepted:
+            length /= 2
+            if length < LEAST_STEP:
+                return last, STUCK, length
+            continue
+        last += 1
+        Y[last], D[last], V[last], S[last] = y, direction, gauges, length
+        some = abs(y[n]) > 1
+        for i in range(len(gauges)):
+            some = some or happens(V[last - 1, i], V[last, i], i < len(gauges) - OWN)
+        if some:
+            return last, EVENT, length
+        length *= GROWTH
+        for j in range(n):
+            if abs(y[j] * along[4][j]) > OUTGROWN or isnan(y[j]):
+                return last, GROWN, length
+    return last, FULL, length
+
+
+def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
+    """Return the functions of a branch, plain or compiled."""
+    return linking.made((*MODULES, equations), {}, make)
+
+
+#: What they are made of, and the functions.
+MODULES = (ck, divided, responses, iteration, linear, exact_system, cell_maps, watch, extended)
+FAMILY = Family(linked, MODULES, stepped)

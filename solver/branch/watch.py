@@ -1,0 +1,193 @@
+"""What is watched along a branch, in numbers that keep their smoothness through every event.
+
+Of each linear form of the state that must not be negative: its first derivative that is not
+zero by itself where the phase begins, its least value at critical points inside, and what it
+is where the phase ends, or how fast it falls there, if the phase ends by it.
+
+Plain Python, or compiled by numba with the exact equations.
+"""
+
+from math import ceil, cos, isnan, nan, sin, sqrt
+from typing import Any
+
+import numpy as np
+
+from ...generated.ck import (
+    FREE,
+    JUMP,
+    RHO,
+    F,
+    angles,
+)
+from ..arrays import Matrix, Vector
+from ..flow.exact_system import ends, phase_numbers, places
+from ..flow.responses import by_force, by_forcing, by_start
+
+# Columns of the table of forms: the phase; where the form is looked at; the derivative that is
+# looked at where it begins; whether the phase ends by it; the row that has the value.
+PHASE, KIND, BEGINS, IS_END, INTO = 0, 1, 2, 3, 4
+
+# Where a form is looked at: in the phase, where it ends, or behind the switch there.
+WITHIN, AT_SWITCH, BEHIND = 0, 1, 2
+
+# Columns of the values of a form.
+START, LEAST, END = 0, 1, 2
+
+#: Points of a phase a radian of its quickest part, and most of them; terms of a Taylor series.
+DENSITY, MOST_POINTS, EXPANDED = 3.0, 4096, 14
+
+#: Corrections of a critical point by Newton's method.
+POLISH = 6
+
+
+def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
+    """Return times, displacements and velocities on a grid of a phase, as fine as its waves."""
+    m, c, k, f, g = phase_numbers(case, z, p)
+    omega, x, v = case[4][1], z[2 * p], z[2 * p + 1]
+    s = z[2 * len(case[0]) + len(case[2]) + p]
+    if case[0][p, FREE] == 0:
+        v = case[1][p, F]
+    rate = max(sqrt(abs(k) / m), abs(c) / m, omega)
+    count = int(min(4 + ceil(rate * abs(s) * DENSITY), MOST_POINTS))
+    found, h = np.empty((count + 1, 3)), s / count
+    xx, xv, vx, vv, _, _ = by_start(m, c, k, h)
+    moved, moving, wave_x, wave_v, turn_x, turn_v = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    if f != 0:
+        moved, moving = by_force(m, c, k, h)
+    if g != 0:
+        wave_x, wave_v, turn_x, turn_v = by_forcing(m, c, k, omega, 0.0, h)
+    for i in range(count + 1):
+        found[i, 0], found[i, 1], found[i, 2] = i * h, x, v
+        wave, turned = cos(angle + omega * i * h), sin(angle + omega * i * h)
+        push = g * (wave_x * wave + turn_x * turned)
+        pushed = g * (wave_v * wave + turn_v * turned)
+        x, v = xx * x + xv * v + f * moved + push, vx * x + vv * v + f * moving + pushed
+    return found
+
+
+def taylor(equation: Vector, omega: float, angle: float, x: float, v: float, form: Any) -> Any:
+    """Return the Taylor coefficients of a form along a phase, from a state on."""
+    m, c, k, f, g = equation
+    wave, turned = cos(angle), sin(angle)
+    found, power, factor = np.empty(EXPANDED), 1.0, 1.0
+    here, ahead = x, v
+    for j in range(EXPANDED):
+        turn = j % 4
+        value = wave if turn == 0 else -turned if turn == 1 else -wave if turn == 2 else turned
+        force = g * value * power + (f if j == 0 else 0.0)
+        found[j] = factor * (form[0] * here + form[1] * ahead + form[2] * value * power)
+        here, ahead = ahead, (force - c * ahead - k * here) / m
+        power, factor = power * omega, factor / (j + 1)
+    found[0] += form[3]
+    return found
+
+
+def polynomial(terms: Vector, t: float, derivative: int) -> float:
+    """Return a derivative, 0 to 2, of a polynomial."""
+    value = 0.0
+    for j in range(len(terms) - 1, derivative - 1, -1):
+        factor = 1.0 if derivative == 0 else j if derivative == 1 else j * (j - 1.0)
+        value = value * t + factor * terms[j]
+    return value
+
+
+def least_inside(
+    equation: Vector, omega: float, angle: float, grid: Matrix, form: Any, begins: int
+) -> tuple[float, float]:
+    """Return the least value of a form at its critical points inside a phase, and when.
+
+    Not a number without one.
+
+    equation : ndarray, shape (5,)
+        See `phase_numbers`.
+    begins : int
+        The first derivative of the form that is not zero by itself where the phase begins.
+    """
+    m, c, k, f, g = equation
+    least, when, before = nan, nan, 0.0
+    for i in range(len(grid)):
+        t, x, v = grid[i]
+        now = angle + omega * t
+        a = (f + g * cos(now) - c * v - k * x) / m
+        rate = form[0] * v + form[1] * a - form[2] * omega * sin(now)
+        if i == 0 and begins > 1:
+            rate = taylor(equation, omega, now, x, v, form)[begins]
+        if i > 0 and before < 0 <= rate:
+            last, h = grid[i - 1], t - grid[i - 1, 0]
+            terms = taylor(equation, omega, angle + omega * last[0], last[1], last[2], form)
+            u = h * before / (before - rate)
+            for _ in range(POLISH):
+                bend = polynomial(terms, u, 2)
+                if bend > 0:
+                    u = min(max(u - polynomial(terms, u, 1) / bend, 0.0), h)
+            value = polynomial(terms, u, 0)
+            if isnan(least) or value < least:
+                least, when = value, last[0] + u
+        before = rate
+    return least, when
+
+
+def form_of(case: Any, z: Vector, row: int) -> Vector:
+    """Return a form in x, v, cos and 1, with the memory put in."""
+    forms, count = case[5], len(case[0])
+    found: Vector = forms[row, :4].copy()
+    for i in range(len(case[2])):
+        found[3] += forms[row, 4 + i] * z[2 * count + i]
+    return found
+
+
+def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) -> None:
+    """Fill in what is watched at an orbit, and its ends of displacement and velocity.
+
+    table : ndarray of int, shape (R, 5)
+        Of each form of the case; its columns are named above.
+    values : ndarray, shape (R, 3)
+        Filled; not a number where there is nothing to watch.
+    extremes : ndarray, shape (2, 2)
+        Filled with the least and the largest displacement and velocity of the cell.
+    """
+    at, count, omega = places(case), len(case[0]), case[4][1]
+    theta, (gained, _) = angles(case, z, at), ends(case, z, at)
+    values[:, :] = nan
+    extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
+    for p in range(count):
+        equation, grid = phase_numbers(case, z, p), sampled(case, z, p, theta[p])
+        x, v = z[2 * p] + gained[p, 0], z[2 * p + 1] + gained[p, 1]
+        for row in range(len(table)):
+            if table[row, PHASE] != p:
+                continue
+            form, into = form_of(case, z, row), table[row, INTO]
+            if table[row, KIND] == WITHIN:
+                begins = table[row, BEGINS]
+                first = taylor(equation, omega, theta[p], grid[0, 1], grid[0, 2], form)
+                last = taylor(equation, omega, theta[p + 1], x, v, form)
+                values[row, START] = first[begins]
+                values[row, LEAST], _ = least_inside(
+                    equation, omega, theta[p], grid, form, begins
+                )
+                values[row, END] = -last[1] if table[row, IS_END] != 0 else last[0]
+                continue
+            behind = table[row, KIND] == BEHIND
+            speed = case[1][p, RHO] * v + case[1][p, JUMP] if behind else v
+            value = form[0] * x + form[1] * speed + form[2] * cos(theta[p + 1]) + form[3]
+            value = -value if behind else value
+            if isnan(values[into, END]) or value > values[into, END]:
+                values[into, END] = value
+        for j in range(2):
+            form, ends_at = np.zeros(4), (grid[0, 1 + j], x if j == 0 else v)
+            for side in (1.0, -1.0):
+                form[j] = side
+                inside, _ = least_inside(equation, omega, theta[p], grid, form, 0)
+                for value in (*ends_at, side * inside):
+                    if not isnan(value):
+                        extremes[j, 0] = min(extremes[j, 0], value)
+                        extremes[j, 1] = max(extremes[j, 1], value)
+
+
+def when_least(case: Any, table: Any, z: Vector, row: int) -> float:
+    """Return when in its phase a form has the least value at a critical point inside."""
+    p, at = table[row, PHASE], places(case)
+    angle = angles(case, z, at)[p]
+    grid, form = sampled(case, z, p, angle), form_of(case, z, row)
+    equation = phase_numbers(case, z, p)
+    return least_inside(equation, case[4][1], angle, grid, form, table[row, BEGINS])[1]

@@ -1,0 +1,142 @@
+"""``nonsmooth branch SCENE --vary``: an orbit followed along a parameter."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..about import Given, Output
+from ..output import DATA, PICTURES, drawn_by, write_result
+from ..problems import Problem, as_problems
+from ..progress import busy
+from ..values.vary import parse_vary
+from .options import case_from, command_of, motion_options
+from .wanted import tell
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
+    from nonsmooth.solver.results.branch import Branch
+    from nonsmooth.solver.scenes.case import Case
+    from nonsmooth.solver.scenes.loaded import LoadedScene
+
+OUTPUT = Output(
+    "Write the branch: .csv, .json, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
+)
+
+HELP = """Follow the orbit of {name} along a parameter, stable or not, through folds.
+
+{title}. The orbits are exact. Where the order of the phases changes the branch goes on with the
+new one. Folds, flips, grazings and beginnings and ends of a rest are located to rounding."""
+
+EPILOG = """\b
+Examples:
+  nonsmooth branch {scene} --vary {vary}
+  nonsmooth branch {scene} --vary {vary} -o branch.svg
+  nonsmooth branch {scene} --vary {vary} --all --json
+"""
+
+
+def command(scene: "LoadedScene", said: str) -> click.Command:
+    """Return ``nonsmooth branch`` of a scene, which the user called so."""
+    options: list[click.Parameter] = [
+        click.Option(
+            ["--vary"], metavar="NAME=FROM:TO", required=True,
+            help="The parameter, and its range.",
+        ),
+        *motion_options(scene),
+        click.Option(
+            ["--from-orbit"], type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+            help="Start from an orbit that solve has written as .json or .nc.",
+        ),
+        click.Option(
+            ["--all", "every"], is_flag=True,
+            help="Follow every orbit that is found at a few values.",
+        ),
+    ]  # fmt: skip
+    return command_of(scene, said, run, options, OUTPUT, HELP, EPILOG)
+
+
+def run(
+    given: "Given[LoadedScene]", vary: str, from_orbit: Path | None, every: bool, json_: bool,
+    output: Path | None,
+) -> int:  # fmt: skip
+    """Follow the branch, show it, write it; the exit status."""
+    from nonsmooth.files import documents
+    from nonsmooth.solver.no_orbit import NoOrbit
+    from nonsmooth.solver.results.branch import BranchInterrupted
+
+    names = [q.name for q in given.about.parameters]
+    last = given.about.parameters[-1]
+    example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default:g}"
+    along = parse_vary(f"{vary}", False, names, None, example, float)
+    if every and from_orbit is not None:
+        raise Problem(f"--from-orbit: got {from_orbit} beside --all, expected one of them")
+    case, start = _start(given, from_orbit)
+    interrupted, found = False, []
+    try:
+        with as_problems(), busy(f"following {case.scene.name}") as say:
+
+            def seen(value: float) -> None:
+                say(f"{along.flag} = {value:g}")
+
+            found = _followed(case, along, every, start, seen)
+    except NoOrbit as finding:
+        tell(finding)
+        return 1
+    except BranchInterrupted as interrupt:
+        interrupted, found = True, [interrupt.done]
+    whole = {"branches": [q.as_dict() for q in found]} if every else found[0].as_dict()
+    text = documents.text(case, {"scene": case.scene.name} | whole, ())
+    if json_:
+        click.echo(text, nl=False)
+    else:
+        from .shown import captions, tables
+
+        click.echo(captions.caption(case))
+        for branch in found:
+            tables.branch(branch)
+    if every and output is not None and output.suffix.lower() in {".csv", ".nc"}:
+        raise Problem(f"--output: got {output} beside --all, expected .json or a picture")
+    write_result(output, text, drawn_by("families.branch_figure", found), found[0])
+    if interrupted:
+        raise Problem(f"interrupted: {len(found[0])} orbits are found", 130)
+    return 0
+
+
+def _start(
+    given: "Given[LoadedScene]", from_orbit: Path | None
+) -> "tuple[Case, ExactOrbit | None]":
+    """Return the case, and the exact orbit next to one in a file, if one is named.
+
+    Raises
+    ------
+    Problem
+        If the file holds no orbit, or has parameters beside it.
+    """
+    if from_orbit is None:
+        return case_from(given), None
+    from nonsmooth.files.api import load
+    from nonsmooth.files.file_errors import FileError
+    from nonsmooth.solver.results.orbit import Orbit
+
+    if given.flags or given.file is not None:
+        name = next(iter(given.flags), "case")
+        raise Problem(f"--{name}: given beside --from-orbit, which says it")
+    try:
+        orbit = load(from_orbit, scene=given.about)
+    except (FileError, OSError) as error:
+        raise Problem(f"--from-orbit: {error}") from error
+    if not isinstance(orbit, Orbit) or orbit.exact is None:
+        raise Problem(
+            f"--from-orbit: {from_orbit}: holds no single orbit that is near an exact one"
+        )
+    return orbit.case, orbit.exact
+
+
+def _followed(
+    case: "Case", along: Any, every: bool, start: "ExactOrbit | None", seen: Any
+) -> "list[Branch]":
+    from nonsmooth.solver.along import branch_case, every_branch
+
+    how = case, along.parameter, along.first, along.last
+    return every_branch(*how, seen) if every else [branch_case(*how, start, seen)]

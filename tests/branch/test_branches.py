@@ -1,0 +1,271 @@
+"""Branches as users hold them: what is refused, shown, written, interrupted."""
+
+import csv
+import json
+import signal
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.plots.families import branch_figure
+from nonsmooth.solver import along
+from nonsmooth.solver.branch import piece, walk
+from nonsmooth.solver.branch.along import Interval
+from nonsmooth.solver.branch.branch import course_of, start_of
+from nonsmooth.solver.branch.extended import case_at, left_sides, rates
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.flow.exact_system import arrays
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.no_orbit import NoOrbit
+
+SPRING = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.0)
+FLAGS = ("clearance", "--force", 0.3, "--damping", 0.1, "--gap", 1, "--frequency", 1)
+MOTIONS = [motion for name in registry.names() for motion in registry.load(name).each_motion]
+
+
+@pytest.fixture(scope="module")
+def found() -> ns.Branch:
+    return ns.branch(SPRING, "frequency", 0.8, 1.3)
+
+
+def started(motion):
+    """Return a piece about the exact orbit of a scene's defaults, its last parameter varied."""
+    orbit = exact_orbit(motion(frequency=0.4) if motion.motion == "two-stops" else motion())
+    index = len(motion.parameters) - 1
+    value = tuple(orbit.case.values.values())[index]
+    ends = (0.9 * value, 1.05 * value) if value else (-0.1, 0.1)
+    return start_of(orbit, index, ends)
+
+
+@pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: motion.label)
+def test_series_are_the_equations_along_the_parameter(motion) -> None:
+    there, place = started(motion)
+    for q in (-0.7, float(place.y[-1]), 0.9):
+        y = np.append(place.y[:-1], q)
+        case = case_at(there.along, q)
+        expected = arrays(there.course.cell(there.numbers(y)))
+        for one, other in zip(case[1:5], expected[1:], strict=True):
+            np.testing.assert_allclose(one, other, rtol=2e-15, atol=1e-15)
+
+
+@pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: motion.label)
+def test_the_derivatives_are_those_of_the_equations(motion) -> None:
+    there, place = started(motion)
+    divided = there.along._replace(divided=np.ones_like(there.along.divided))
+    for equations in (there.along, divided):  # rows divided by durations too
+        n = len(place.y) - 1
+        J, step = np.empty((n, n + 1)), 1e-6
+        rates(equations, place.y[:-1], place.y[-1], J)
+        for column in range(n + 1):
+            ends = []
+            for side in (step, -step):
+                y, R = place.y.copy(), np.empty(n)
+                y[column] += side
+                left_sides(equations, y[:-1], y[-1], R)
+                ends.append(R)
+            difference = (ends[0] - ends[1]) / (2 * step)
+            np.testing.assert_allclose(J[:, column], difference, rtol=1e-6, atol=1e-7)
+
+
+@pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: motion.label)
+def test_what_is_watched_is_not_negative_on_an_orbit(motion) -> None:
+    there, place = started(motion)
+    gauges = place.gauges[: -walk.OWN]
+    assert not (gauges < 0).any()
+    assert (gauges[-len(there.along.kinds) :] > 0).all()
+    orbit = there.orbit(place.y)
+    assert orbit is not None
+    ends = [place.extremes[j] * there.case.units.of_motion(j) for j in (0, 1)]
+    if there.cell.sign > 0:
+        for name, own in zip(("displacement", "velocity"), ends, strict=True):
+            assert orbit.extremes[name] == pytest.approx(own, rel=1e-9, abs=1e-12)
+
+
+def test_compiled_and_plain_steps_have_the_same_bits() -> None:
+    for motion in MOTIONS[::3]:
+        there, place = started(motion)
+        results = []
+        for make in (walk.FAMILY.plain, walk.FAMILY.compiled):
+            own = make(walk.__name__)
+            converged, fall, y = own["stepped"](there.along, place.y, place.direction, 0.01)
+            assert converged
+            results.append([fall, *y])
+        assert results[0] == results[1]
+
+
+def test_an_interval_has_exact_ends() -> None:
+    interval = Interval(0.1, 0.7)
+    assert [interval.value(q) for q in (-1.0, 1.0)] == [0.1, 0.7]
+    assert interval.q(0.4) == pytest.approx(0.0, abs=1e-15)
+
+
+def test_the_course_of_a_declared_motion_has_its_name() -> None:
+    for motion in MOTIONS:
+        case = motion()
+        course = course_of(case)
+        assert course.motion == motion.motion
+        assert course.case(case) is case
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("frequenzy", 1.0, 2.0), "parameter: got 'frequenzy', expected one of mass"),
+        (("frequency", 1.0, 1.0), "range: got 1.0 to 1.0, expected two different values"),
+        (("frequency", 0.0, 1.0), "frequency: got 0.0"),
+        (("frequency", "a", 1.0), "range: got 'a', expected a finite number"),
+        (("frequency", 1.0, np.inf), "range: got inf"),
+    ],
+)
+def test_what_cannot_be_followed(arguments, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        ns.branch(SPRING, *arguments)
+    with pytest.raises(TypeError):
+        ns.branch("clearance", "frequency", 1.0, 2.0)
+
+
+def test_no_orbit_to_start_from_says_what_was_tried() -> None:
+    with pytest.raises(NoOrbit) as caught:
+        ns.branch(ns.scene("impact")(gap=50), "restitution", 0.5, 0.9)
+    assert "no orbit was found from which a branch could be followed" in str(caught.value)
+    tried = caught.value.reasons
+    assert [text.partition(":")[0] for text in tried[:2]] == [
+        "at restitution = 0.6",
+        "at restitution = 0.5",
+    ]
+
+
+def test_an_orbit_that_is_outside_of_the_range_is_refused() -> None:
+    with pytest.raises(ValueError, match="start: got one at frequency = 1, expected an orbit"):
+        ns.branch(SPRING, "frequency", 1.1, 1.2, start=ns.exact(SPRING))
+
+
+def test_words_and_documents(found: ns.Branch) -> None:
+    assert repr(found) == (
+        f"<branch of clearance along frequency = 0.8 to 1.3: {len(found)} orbits, "
+        "2 grazing, 2 fold>"
+    )
+    assert str(found).splitlines()[-1] == (
+        "from frequency = 0.8 (the end of the range) to 1.3 (the end of the range)"
+    )
+    document = found.as_dict()
+    assert document["vary"] == "frequency"
+    assert document["why_it_ended"] == dict.fromkeys(("start", "end"), "the end of the range")
+    keys = {"parameter", "motion", "period", "forcing_phase", "durations", "extremes"}
+    assert {*document["points"][0]} == keys | {"multipliers", "stable"}
+    assert {*document["events"][0]} == {"kind", "parameter", "motion", "phase", "estimate"}
+
+
+@pytest.mark.parametrize("suffix", [".json", ".nc"])
+def test_a_branch_is_saved_and_loaded(found: ns.Branch, tmp_path: Path, suffix: str) -> None:
+    pytest.importorskip("xarray")
+    ns.save(found, tmp_path / f"branch{suffix}")
+    assert ns.load(tmp_path / f"branch{suffix}") == found
+
+
+def test_the_command_writes_what_python_has(found: ns.Branch, run, tmp_path: Path) -> None:
+    target, flags = tmp_path / "response.csv", (*FLAGS, "--vary", "frequency=0.8:1.3")
+    status, out, _ = run("branch", *flags, "--json", "-o", target)
+    document = json.loads(out)
+    assert (status, document["scene"]) == (0, "clearance")
+    assert [point["parameter"] for point in document["points"]] == found["value"].tolist()
+    with target.open(newline="") as file:
+        lines = list(csv.DictReader(file))
+    assert [float(line["frequency"]) for line in lines] == found["value"].tolist()
+    _, out, _ = run("branch", *flags)
+    shown = [line.split()[:2] for line in out.splitlines() if line.startswith(("fold", "graz"))]
+    assert [(kind, float(value)) for kind, value in shown] == [
+        (event.kind, pytest.approx(event.parameter, rel=1e-14)) for event in found.events
+    ]
+    assert out.splitlines()[-1].startswith("Omega from 0.8 (the end of the range) to 1.3")
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        (
+            ("--vary", "frequency=1:2:10"),
+            "--vary: got 'frequency=1:2:10', expected NAME=FROM:TO",
+        ),
+        (("--vary", "speed=1:2"), "--vary: unknown parameter 'speed'"),
+        (("--vary", "frequency=1:1"), "--vary: got 'frequency=1:1', expected two different"),
+        (("--vary", "frequency=-1:2"), "frequency: got -1.0"),
+        (("--vary", "frequency=1:2", "--from-orbit", "none.json"), "--from-orbit"),
+        ((), "Missing option '--vary'"),
+    ],
+)
+def test_flags_that_cannot_be_meant(run, flags, words: str) -> None:
+    status, out, err = run("branch", "clearance", *flags)
+    assert (status, out) == (2, "")
+    assert words in err
+
+
+def test_a_branch_from_an_orbit_in_a_file(run, tmp_path: Path) -> None:
+    path = tmp_path / "orbit.json"
+    assert run("solve", *FLAGS, "--method", "ck-tau", "-o", path)[0] == 0
+    vary = ("--vary", "frequency=0.8:1.3", "--from-orbit", path)
+    status, out, _ = run("branch", "clearance", *vary, "--json")
+    assert status == 0
+    kinds = [event["kind"] for event in json.loads(out)["events"]]
+    assert kinds == ["grazing", "fold", "fold", "grazing"]
+    status, _, err = run("branch", *FLAGS, *vary)
+    assert status == 2
+    assert "given beside --from-orbit" in err
+
+
+def test_all_branches_have_those_that_coexist(run, tmp_path: Path) -> None:
+    target = tmp_path / "all.svg"
+    flags = ("--vary", "frequency=0.9:1.3", "--damping", 0, "--restitution", 0.8, "--gap", 0.5)
+    status, out, _ = run("branch", "impact", *flags, "--all", "--json", "-o", target)
+    documents = json.loads(out)["branches"]
+    assert status == 0
+    assert target.exists()
+    assert all(document["points"] for document in documents)
+    starts = [document["points"][0]["parameter"] for document in documents]
+    assert starts[0] == 0.9
+
+
+def test_ctrl_c_keeps_what_was_found(found: ns.Branch, run, monkeypatch, tmp_path) -> None:
+    calls = iter(range(2))
+    original = piece.Piece.walk
+
+    def walked(*arguments):
+        if next(calls, None) is None:
+            signal.raise_signal(signal.SIGINT)
+        return original(*arguments)
+
+    monkeypatch.setattr(piece.Piece, "walk", walked)
+    path = tmp_path / "part.json"
+    status, _, err = run("branch", *FLAGS, "--vary", "frequency=0.8:1.3", "-o", path)
+    assert status == 130
+    part = ns.load(path)
+    assert 0 < len(part) < len(found)
+    assert f"interrupted: {len(part)} orbits are found" in err
+
+
+def test_the_picture_tells_stable_from_unstable_without_colour(found: ns.Branch) -> None:
+    upper, lower = branch_figure([found]).axes
+    styles = {line.get_label(): line.get_linestyle() for line in upper.lines}
+    assert (styles["stable"], styles["unstable"]) == ("-", "--")
+    marks = {line.get_label(): line for line in upper.lines if len(line.get_xdata()) == 1}
+    assert {"fold", "grazing"} <= marks.keys()
+    drawn = [x for line in upper.lines if len(line.get_xdata()) > 1 for x in line.get_xdata()]
+    assert {*drawn} == {*found["value"]}
+    assert "frequency Omega [rad/s]" in lower.get_xlabel()
+    with pytest.raises(ValueError, match="quantity: got 'colour'"):
+        found.plot(quantity="colour")
+
+
+def test_orbits_at_a_value_are_those_of_the_branch() -> None:
+    value = 1.2
+    orbits = [
+        orbit
+        for orbit in along._orbits(SPRING.with_value("frequency", value))
+        if orbit.case.scene.motion is None
+    ]
+    family = ns.family(SPRING, "frequency", [0.9, value, 1.3], order=20)
+    rows = [row for row in family if row.value == value]
+    expected = sorted(orbit.extremes["displacement"][1] for orbit in orbits)
+    assert sorted(row.extremes["displacement"][1] for row in rows) == pytest.approx(expected)

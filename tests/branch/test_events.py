@@ -1,0 +1,192 @@
+"""What happens on a branch, against values of other programs, in 20 digits and more.
+
+Folds: Newton's method at 600 bits; flips and grazings of the impact oscillator and the boundary
+of dry friction: closed forms; the ends of contact: the linear response; the end of the damped
+stick-slip orbit: an ODE solver with events.
+"""
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.existence.known import known_orbits
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.orders import motion_of
+
+SPRING = {"force": 0.3, "damping": 0.1, "gap": 1.0}
+FRICTION = {"damping": 0.0, "mu_s": 0.4, "mu_k": 0.4}
+STOP = {"damping": 0.0, "restitution": 0.8, "gap": 0.5}
+BOUNDARY = 0.535755336592705588
+
+#: Scene, parameters, what varies, its range; what happens in turn, and where.
+RESPONSES = {
+    "impact": (
+        "impact", STOP, "frequency", (0.9, 2.2),
+        [
+            ("flip", 1.01445763678408881), ("flip", 1.09497644619305227),
+            ("fold", 1.93383878222628754), ("grazing", np.sqrt(3.0)),
+        ],
+    ),
+    "backlash": (
+        "backlash", SPRING | {"frequency": 0.7}, "frequency", (0.5, 1.2),
+        [
+            ("fold", 0.816874192230852792), ("fold", 0.541172577515344920),
+            ("grazing", 0.543177377818286865),
+        ],
+    ),
+    "clearance": (
+        "clearance", SPRING | {"frequency": 1.0}, "frequency", (0.3, 2.0),
+        [
+            ("grazing", 0.84386793801144), ("fold", 1.23489905968420878),
+            ("fold", 1.13004874973740283), ("grazing", 1.13043659848587),
+        ],
+    ),
+    "dry-friction, from above": (
+        "dry-friction", FRICTION | {"frequency": 0.8}, "frequency", (0.5, 0.9),
+        [("sticking", BOUNDARY)],
+    ),
+    "dry-friction, from below": (
+        "dry-friction", FRICTION | {"frequency": 0.4}, "frequency", (0.3, 0.9),
+        [("sticking", BOUNDARY)],
+    ),
+    # c = 2 zeta sqrt(k m)
+    "stick-slip-damped": (
+        "stick-slip-damped", {}, "damping", (1.0, 20.0),
+        [("sticking", 200 * 0.0578291161376641)],
+    ),
+}  # fmt: skip
+
+
+def response(name: str) -> tuple[ns.Branch, list[tuple[str, float]]]:
+    """Return a branch, and what is to happen on it."""
+    scene, values, vary, ends, expected = RESPONSES[name]
+    return ns.branch(ns.scene(scene)(**values), vary, *ends), expected
+
+
+@pytest.fixture(scope="module", params=RESPONSES)
+def both(request) -> tuple[ns.Branch, list[tuple[str, float]]]:
+    return response(request.param)
+
+
+def test_what_happens_is_located_to_rounding(both) -> None:
+    branch, expected = both
+    assert [event.kind for event in branch.events] == [kind for kind, _ in expected]
+    for event, (_, value) in zip(branch.events, expected, strict=True):
+        assert event.parameter == pytest.approx(value, rel=1e-12)
+        assert abs(event.parameter - value) <= 20 * event.estimate + 1e-14 * value
+        assert event.estimate <= 1e-13 * value
+
+
+def is_endless(branch: ns.Branch, row) -> bool:
+    """Whether nothing ends the motion of a row."""
+    return row.motion in branch.case.scene.phases
+
+
+def exactly(branch: ns.Branch, row):
+    """Return the exact orbit to which the times of a row lead."""
+    case = branch.case.with_value(branch.parameter, row.value)
+    scene = motion_of(case.scene, row.motion) if row.motion else case.scene
+    case = Case(scene, case.values, case.cycles)
+    times = row.durations[: len(case.cell.phases)]
+    return exact_orbit(case, times, row.forcing_phase or 0.0)
+
+
+def test_every_orbit_is_one_and_as_stable_as_it_is_said(both) -> None:
+    branch, _ = both
+    rows = [row for row in branch if row.stable is not None and not is_endless(branch, row)]
+    for row in rows[:: max(1, len(rows) // 6)]:
+        exact = exactly(branch, row)  # admissible, or it raises
+        assert exact.durations == pytest.approx(row.durations, rel=1e-9)
+        assert exact.stable == row.stable
+        assert exact.multipliers == pytest.approx(row.multipliers, rel=1e-6, abs=1e-9)
+        for name, ends in exact.extremes.items():
+            assert row.extremes[name] == pytest.approx(ends, rel=1e-9, abs=1e-12)
+
+
+def test_beyond_the_contact_it_is_the_linear_response() -> None:
+    branch, _ = response("clearance")
+    rows = [row for row in branch if row.motion == "separated"]
+    m = k = 1.0
+    assert [row.value for row in (rows[0], rows[-1])] == [0.3, 2.0]
+    for row in rows:
+        w, c, force = row.value, SPRING["damping"], SPRING["force"]
+        reach = force / np.hypot(k - m * w * w, c * w)
+        assert row.extremes["displacement"] == pytest.approx((-reach, reach), rel=1e-12)
+        assert row.extremes["velocity"] == pytest.approx((-w * reach, w * reach), rel=1e-12)
+        assert row.multipliers[0].real == pytest.approx(
+            np.exp(-c / 2 * 2 * np.pi / w) * np.cos(np.sqrt(k - c * c / 4) * 2 * np.pi / w)
+        )
+        assert row.stable
+    assert not any(0.84387 < row.value < 1.13043 for row in rows)
+
+
+def test_between_folds_there_are_three_orbits_and_the_middle_one_is_unstable() -> None:
+    branch, _ = response("clearance")
+    inner = [row for row in branch if 1.1305 < row.value < 1.2348]
+    assert {row.stable for row in inner} == {True, False}
+    low, high = branch.events[2].parameter, branch.events[1].parameter
+    turned = [row.stable for row in branch if row.value in {low, high}]
+    assert turned == [None, None]
+    unstable = [row.value for row in branch if row.stable is False]
+    assert low < min(unstable) < max(unstable) < high
+
+
+def test_phases_are_put_in_as_the_frequency_falls() -> None:
+    case = ns.scene("dry-friction")(**FRICTION, frequency=0.8)
+    branch = ns.branch(case, "frequency", 0.1, 0.9)
+    motions = list(dict.fromkeys(row.motion for row in reversed(branch.rows)))
+    four, six = "slide,-stop,slide,stop,mirrored", "slide,-stop,slide,-stop,slide,stop,mirrored"
+    assert motions == ["sliding", "two-stops", four, six]
+    assert [event.kind for event in branch.events] == ["sticking"] * 3
+    for motion in motions:
+        row = next(row for row in branch if row.motion == motion and row.multipliers)
+        assert exactly(branch, row).durations == pytest.approx(row.durations, rel=1e-9)
+
+
+def test_a_branch_is_the_same_from_any_of_its_orbits() -> None:
+    scene, values, vary, ends, expected = RESPONSES["clearance"]
+    spring = ns.scene(scene)(**values | {"frequency": 1.2})
+    unstable = next(
+        orbit for orbit in known_orbits(spring) if orbit.stable is False
+    )  # between the folds
+    branch = ns.branch(spring, vary, *ends, start=unstable)
+    found = [(event.kind, event.parameter) for event in branch.events]
+    found = found if found[0][1] < 1 else found[::-1]
+    assert [kind for kind, _ in found] == [kind for kind, _ in expected]
+    values_there = [value for _, value in found]
+    assert values_there == pytest.approx([value for _, value in expected], rel=1e-12)
+
+
+def test_half_a_period_loses_its_symmetry_where_a_reference_says() -> None:
+    case = ns.scene("backlash")(**SPRING | {"frequency": 0.5})
+    branch = ns.branch(case, "frequency", 0.3, 0.5)
+    (event,) = branch.events
+    assert (event.kind, event.phase) == ("branch-point", None)
+    assert event.parameter == pytest.approx(0.369137, abs=1e-6)
+    assert [row.stable for row in branch][:: len(branch) - 1] == [False, True]
+
+
+def test_where_no_order_goes_on_it_is_said() -> None:
+    branch, _ = response("backlash")  # without a spring in the gap, the mass may drift there
+    assert branch.why_it_ended == ("the end of the range", "grazing")
+    assert branch.rows[-1].stable is None
+
+
+def test_an_orbit_that_grows_without_bound_ends_its_branch() -> None:
+    case = ns.scene("dry-friction")(**FRICTION, frequency=0.8)
+    branch = ns.branch(case, "frequency", 0.7, 1.3)  # resonance, and no damping
+    assert branch.why_it_ended[1] == "the orbit grows beyond all bounds"
+    assert branch["value"].max() == pytest.approx(1.0, abs=1e-6)
+
+
+def test_an_island_is_a_closed_branch() -> None:
+    case = ns.scene("clearance")(force=0.5, damping=0.05, gap=0.5, frequency=2.4, cycles=2)
+    branch = ns.branch(case, "frequency", 1.0, 6.0)
+    assert branch.why_it_ended == ("the branch is closed",) * 2
+    assert [event.kind for event in branch.events] == ["fold", "fold"]
+    low, high = sorted(event.parameter for event in branch.events)
+    assert (branch["value"].min(), branch["value"].max()) == (low, high)
+    for row in branch:
+        if row.value in {low, high}:
+            assert row.multipliers[0] == pytest.approx(1.0, abs=1e-6)
