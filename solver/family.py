@@ -5,6 +5,7 @@ Where that has none, another is looked for, as `solve_case` does, and the row sa
 not followed.
 """
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 
@@ -168,5 +169,14 @@ def _row(orbit: Orbit, value: float, *, followed: bool) -> FamilyRow:
     return FamilyRow(
         value, "ok", orbit.period, orbit.forcing_phase, orbit.durations, orbit.extremes,
         orbit.estimate, orbit.iterations, followed, motion=orbit.case.scene.motion,
-        multipliers=multipliers, stable=stable,
+        multipliers=multipliers, stable=stable, strobe=_at_phase_zero(orbit),
     )  # fmt: skip
+
+
+def _at_phase_zero(orbit: Orbit) -> tuple[float, float] | None:
+    """Return the state of an orbit where the phase of the forcing is 0."""
+    if orbit.forcing_phase is None:
+        return None
+    omega = float(orbit.case.values[str(orbit.case.scene.frequency)])
+    t = [-orbit.forcing_phase % (2 * math.pi) / omega]
+    return float(orbit.displacement(t)[0]), float(orbit.velocity(t)[0])

@@ -9,10 +9,10 @@ from .error import SceneError
 #: Names that flags of the command line have.
 TAKEN = frozenset(
     (
-        *("all", "budget", "case", "cycles", "digits", "figure", "format", "forcing_phase"),
-        *("fragment", "from_orbit", "functions", "help", "json", "log", "method", "methods"),
-        *("motion", "order", "orders", "output", "phases", "quick", "state", "time", "tol"),
-        *("vary", "verbose", "version"),
+        *("all", "attractors", "budget", "case", "cycles", "digits", "figure", "format"),
+        *("forcing_phase", "fragment", "from_orbit", "functions", "grid", "help", "json"),
+        *("log", "method", "methods", "motion", "order", "orders", "output", "phases"),
+        *("quick", "state", "time", "tol", "transient", "vary", "verbose", "version"),
     )
 )
 

@@ -83,7 +83,7 @@ class Branch(Family):
     def as_dict(self) -> dict[str, Any]:
         """Return the branch as the document that ``branch --json`` writes."""
         times = "motion", "period", "forcing_phase", "durations"
-        keys = (*times, "extremes", "multipliers", "stable")
+        keys = (*times, "extremes", "multipliers", "stable", "strobe")
         rows = (row.as_dict() for row in self.rows)
         return self.head() | {
             "vary": self.parameter,

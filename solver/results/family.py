@@ -45,6 +45,9 @@ class FamilyRow:
         Of a whole period, the largest first; None where there are none.
     stable : bool or None
         Whether perturbations die out; None where that is not known.
+    strobe : (float, float) or None
+        Displacement and velocity where the phase of the forcing is 0, as a diagram has them;
+        None where nothing forces.
     """
 
     value: float
@@ -60,6 +63,7 @@ class FamilyRow:
     motion: str | None = None
     multipliers: tuple[complex, ...] | None = None
     stable: bool | None = None
+    strobe: tuple[float, float] | None = None
 
     @property
     def largest_multiplier(self) -> float | None:
@@ -87,6 +91,8 @@ UNITS = {
     "forcing_phase": "rad",
     **{f"{end}_displacement": "m" for end in ("least", "largest")},
     **{f"{end}_velocity": "m/s" for end in ("least", "largest")},
+    "strobe_1": "m",
+    "strobe_2": "m/s",
 }
 
 
@@ -176,9 +182,11 @@ class Family(OfRows):
         ----------
         ax : matplotlib Axes, optional
             Where; new ones without it.
-        quantity : {"displacement", "velocity", "times", "estimate", "period"}
-            Of the first two both ends; the durations of the phases, or of a single one the
-            phase of the forcing; the estimated error of the times; the period.
+        quantity : str
+            ``"displacement"``, ``"velocity"``: both ends; ``"times"``: the durations of the
+            phases, or of a single one the phase of the forcing; ``"estimate"``: the estimated
+            error of the times; ``"period"``; ``"amplitude"``; ``"multiplier"``: the largest
+            modulus; ``"strobe"``: the displacement where the phase of the forcing is 0.
         **style
             Of the lines, as `matplotlib.axes.Axes.plot` takes it.
 

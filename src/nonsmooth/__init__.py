@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .solver.results.branch import Branch
     from .solver.results.family import Family
     from .solver.results.orbit import Orbit
+    from .solver.results.strobe import Basins, Diagram
     from .solver.results.sweep import Sweep
     from .solver.scenes.case import Case
     from .solver.scenes.loaded import UnknownScene
@@ -44,13 +45,16 @@ if TYPE_CHECKING:
     from .solver.space.modes import Modes, ToleranceNotMet, modes
     from .solver.space.structure import UnknownStructure
     from .solver.space.structure import names as structures
+    from .solver.strobe import basins, diagram
 
     __version__: str
 
 #: Where each public name lives.  Nothing is imported before it is asked for: SymPy takes a
 #: second, numba as long, and a command that shows its help needs neither.
 _HOMES = {
+    "Basins": ("solver.results.strobe", "Basins"),
     "Branch": ("solver.results.branch", "Branch"),
+    "Diagram": ("solver.results.strobe", "Diagram"),
     "Case": ("solver.scenes.case", "Case"),
     "ExactOrbit": ("solver.exact", "ExactOrbit"),
     "FileError": ("files.file_errors", "FileError"),
@@ -71,8 +75,10 @@ _HOMES = {
     "TooSlow": ("solver.trade.choice", "TooSlow"),
     "UnknownScene": ("solver.scenes.loaded", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),
+    "basins": ("solver.strobe", "basins"),
     "branch": ("oscillators", "branch"),
     "branches": ("oscillators", "branches"),
+    "diagram": ("solver.strobe", "diagram"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
     "family": ("oscillators", "family"),
@@ -88,8 +94,10 @@ _HOMES = {
 }
 
 __all__ = [
+    "Basins",
     "Branch",
     "Case",
+    "Diagram",
     "ExactOrbit",
     "Family",
     "FileError",
@@ -110,8 +118,10 @@ __all__ = [
     "UnknownScene",
     "UnknownStructure",
     "__version__",
+    "basins",
     "branch",
     "branches",
+    "diagram",
     "equations",
     "exact",
     "family",

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .solver.along import branch_case, every_branch
+from .solver.branches import branch_case, every_branch
 from .solver.exact import ExactOrbit, exact_orbit
 from .solver.family import family_case
 from .solver.scenes.case import Case

@@ -10,7 +10,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.plots.families import branch_figure
-from nonsmooth.solver import along
+from nonsmooth.solver import branches
 from nonsmooth.solver.branch import piece, walk
 from nonsmooth.solver.branch.along import Interval
 from nonsmooth.solver.branch.branch import course_of, start_of
@@ -153,7 +153,7 @@ def test_words_and_documents(found: ns.Branch) -> None:
     document = found.as_dict()
     assert document["vary"] == "frequency"
     assert document["why_it_ended"] == dict.fromkeys(("start", "end"), "the end of the range")
-    keys = {"parameter", "motion", "period", "forcing_phase", "durations", "extremes"}
+    keys = {"strobe", "parameter", "motion", "period", "forcing_phase", "durations", "extremes"}
     assert {*document["points"][0]} == keys | {"multipliers", "stable"}
     assert {*document["events"][0]} == {"kind", "parameter", "motion", "phase", "estimate"}
 
@@ -262,7 +262,7 @@ def test_orbits_at_a_value_are_those_of_the_branch() -> None:
     value = 1.2
     orbits = [
         orbit
-        for orbit in along._orbits(SPRING.with_value("frequency", value))
+        for orbit in branches._orbits(SPRING.with_value("frequency", value))
         if orbit.case.scene.motion is None
     ]
     family = ns.family(SPRING, "frequency", [0.9, value, 1.3], order=20)

@@ -190,3 +190,13 @@ def test_an_island_is_a_closed_branch() -> None:
     for row in branch:
         if row.value in {low, high}:
             assert row.multipliers[0] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_once_a_period_it_is_where_a_simulation_settles() -> None:
+    branch, _ = response("clearance")
+    rows = [row for row in branch if row.stable and 0.5 < row.value < 1.13]
+    for row in rows[:: len(rows) // 5]:
+        case = branch.case.with_value(branch.parameter, row.value)
+        (states,) = ns.diagram(case, branch.parameter, [row.value], 400, 1).states
+        if row.motion is None or row.value < 0.84:
+            np.testing.assert_allclose(states[0], row.strobe, atol=1e-6)

@@ -120,7 +120,7 @@ simulate = SceneCommand(
     "simulate", module="simulate", own=False,
     params=[*simulation.options(), *simulation.OUTPUT.options()],
     help=simulation.HELP.format(name="a scene", title="Stick-slip without SCENE"),
-    epilog=simulation.EPILOG.format(**EXAMPLE),
+    epilog=(simulation.EPILOG + simulation.FORCED).format(**EXAMPLE),
 )  # fmt: skip
 
 for command in (

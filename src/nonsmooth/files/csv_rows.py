@@ -111,6 +111,7 @@ def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
     found = {name: value for name, value in row.items() if not isinstance(value, Mapping)}
     found["durations"] = " ".join(map(repr, row["durations"] or ()))
     if "multipliers" in row:
+        found["strobe"] = " ".join(map(repr, row["strobe"] or ()))
         parts = (complex(each["re"], each["im"]) for each in row["multipliers"] or ())
         found["multipliers"] = " ".join(f"{q.real!r}{q.imag:+}j" for q in parts)
     for key, ends in row.get("extremes", {}).items():

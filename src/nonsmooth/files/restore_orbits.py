@@ -181,10 +181,11 @@ def _branch(document: Mapping[str, Any], case: Case) -> Branch:
 
 
 def _multipliers(row: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the multipliers of a row; files from before these have none."""
+    """Return multipliers and strobe of a row; files from before these have none."""
     found = row.get("multipliers")
     values = found and tuple(complex(each["re"], each["im"]) for each in found)
-    return {"multipliers": values}
+    strobe = row.get("strobe")
+    return {"multipliers": values, "strobe": strobe and tuple(strobe)}
 
 
 def _checked(row: Mapping[str, Any]) -> dict[str, Any]:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.arrays import Vector
     from nonsmooth.solver.results.branch import Branch
     from nonsmooth.solver.results.family import Family, FamilyRow
+    from nonsmooth.solver.results.strobe import Diagram
 
 #: What can be drawn, and what the axis says; of the third, where there are several phases.
 QUANTITIES = {
@@ -26,6 +27,7 @@ QUANTITIES = {
     "period": "period [s]",
     "amplitude": "amplitude of the displacement [m]",
     "multiplier": "largest modulus of a multiplier",
+    "strobe": "displacement once a period of the forcing [m]",
 }
 
 #: The line of orbits that are stable, unstable, and neither.
@@ -95,18 +97,17 @@ def _columns(rows: "Sequence[FamilyRow]", quantity: str) -> "Iterator[Vector]":
 
 
 def _value(row: "FamilyRow", quantity: str, end: int) -> float | None:
-    if quantity == "multiplier":
-        return row.largest_multiplier
-    if quantity == "estimate":
-        return None if row.estimate is None else row.estimate.times
-    if quantity == "period":
-        return row.period
     if row.extremes is None:
         return None
-    if quantity == "amplitude":
-        low, high = row.extremes["displacement"]
-        return (high - low) / 2
-    return row.extremes[quantity][end]
+    low, high = row.extremes["displacement"]
+    others = {
+        "multiplier": row.largest_multiplier,
+        "estimate": None if row.estimate is None else row.estimate.times,
+        "period": row.period,
+        "strobe": None if row.strobe is None else row.strobe[0],
+        "amplitude": (high - low) / 2,
+    }
+    return row.extremes[quantity][end] if quantity in row.extremes else others[quantity]
 
 
 def _lines(axes: Any, result: "Family", values: "Vector", look: dict[str, Any]) -> None:
@@ -156,7 +157,7 @@ def _label(axes: Any, name: str) -> dict[str, str]:
     return {} if name in {line.get_label() for line in axes.lines} else {"label": name}
 
 
-def name_of(result: "Family") -> str:
+def name_of(result: "Family | Diagram") -> str:
     """Return what the axis of the parameter says."""
     parameter = next(q for q in result.case.scene.parameters if q.name == result.parameter)
     unit = f" [{parameter.unit}]" if parameter.unit else ""
@@ -197,12 +198,17 @@ def family_figure(result: "Family", log: bool = False) -> Figure:
     return figure
 
 
-def branch_figure(results: "Sequence[Branch]") -> Figure:
-    """Draw the amplitude and the largest multiplier of branches along a parameter."""
+def branch_figure(results: "Sequence[Branch]", diagrams: "Sequence[Diagram]" = ()) -> Figure:
+    """Draw the amplitude and the largest multiplier of branches along a parameter.
+
+    Over diagrams, in place of the amplitude the displacement once a period of the forcing.
+    """
     figure = Figure(figsize=(6, 6), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
+    for diagram in diagrams:
+        diagram.plot(upper, markersize=3, color="0.6")
     for result in results:
-        draw(result, upper, "amplitude")
+        draw(result, upper, "strobe" if diagrams else "amplitude")
         draw(result, lower, "multiplier")
     lower.axhline(1.0, color="0.7", linewidth=0.8, zorder=0)
     lower.set_ylim(0.0, 2.0)

@@ -35,18 +35,30 @@ def _leave_with(parent: int) -> None:
 
 
 @contextmanager
-def processes() -> Iterator[Run]:
-    """Yield what computes in processes, one a core: in order, a few results ahead.
+def pool() -> Iterator[ProcessPoolExecutor]:
+    """Yield processes, one a core, that are gone behind it.
 
-    Processes are spawned, not forked: a fork after a parallel kernel can hang.
+    They are spawned, not forked: a fork after a parallel kernel can hang.
     """
     count = os.cpu_count() or 1
-    pool = ProcessPoolExecutor(count, get_context("spawn"), _leave_with, (os.getpid(),))
+    found = ProcessPoolExecutor(count, get_context("spawn"), _leave_with, (os.getpid(),))
+    try:
+        yield found
+    finally:
+        for process in (getattr(found, "_processes", None) or {}).values():
+            process.terminate()
+        found.shutdown(wait=True, cancel_futures=True)
+
+
+@contextmanager
+def processes() -> Iterator[Run]:
+    """Yield what computes in processes, one a core: in order, a few results ahead."""
+    count = os.cpu_count() or 1
 
     def run(work: Callable[[Any], Any], each: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
         ahead: deque[tuple[Any, Future[Any]]] = deque()
         for argument in each:
-            ahead.append((argument, pool.submit(work, argument)))
+            ahead.append((argument, found.submit(work, argument)))
             if len(ahead) > 2 * count:
                 first, result = ahead.popleft()
                 yield first, result.result()
@@ -54,9 +66,5 @@ def processes() -> Iterator[Run]:
             first, result = ahead.popleft()
             yield first, result.result()
 
-    try:
+    with pool() as found:
         yield run
-    finally:
-        for process in (getattr(pool, "_processes", None) or {}).values():
-            process.terminate()
-        pool.shutdown(wait=True, cancel_futures=True)

@@ -16,8 +16,12 @@ from .wanted import tell
 if TYPE_CHECKING:
     from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
     from nonsmooth.solver.results.branch import Branch
+    from nonsmooth.solver.results.strobe import Diagram
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
+
+#: Values of a diagram below a branch.
+VALUES = 121
 
 OUTPUT = Output(
     "Write the branch: .csv, .json, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
@@ -38,6 +42,10 @@ Examples:
 
 def command(scene: "LoadedScene", said: str) -> click.Command:
     """Return ``nonsmooth branch`` of a scene, which the user called so."""
+    attractors = click.Option(
+        ["--attractors"], is_flag=True,
+        help="Draw over what simulations settle on, up and down, once a period of the forcing.",
+    ),  # fmt: skip
     options: list[click.Parameter] = [
         click.Option(
             ["--vary"], metavar="NAME=FROM:TO", required=True,
@@ -52,13 +60,14 @@ def command(scene: "LoadedScene", said: str) -> click.Command:
             ["--all", "every"], is_flag=True,
             help="Follow every orbit that is found at a few values.",
         ),
+        *(attractors if scene.frequency else ()),
     ]  # fmt: skip
     return command_of(scene, said, run, options, OUTPUT, HELP, EPILOG)
 
 
 def run(
     given: "Given[LoadedScene]", vary: str, from_orbit: Path | None, every: bool, json_: bool,
-    output: Path | None,
+    output: Path | None, attractors: bool = False,
 ) -> int:  # fmt: skip
     """Follow the branch, show it, write it; the exit status."""
     from nonsmooth.files import documents
@@ -97,7 +106,8 @@ def run(
             tables.branch(branch)
     if every and output is not None and output.suffix.lower() in {".csv", ".nc"}:
         raise Problem(f"--output: got {output} beside --all, expected .json or a picture")
-    write_result(output, text, drawn_by("families.branch_figure", found), found[0])
+    below = _diagrams(case, found[0], along) if attractors and not interrupted else ()
+    write_result(output, text, drawn_by("families.branch_figure", found, below), found[0])
     if interrupted:
         raise Problem(f"interrupted: {len(found[0])} orbits are found", 130)
     return 0
@@ -136,7 +146,20 @@ def _start(
 def _followed(
     case: "Case", along: Any, every: bool, start: "ExactOrbit | None", seen: Any
 ) -> "list[Branch]":
-    from nonsmooth.solver.along import branch_case, every_branch
+    from nonsmooth.solver.branches import branch_case, every_branch
 
     how = case, along.parameter, along.first, along.last
     return every_branch(*how, seen) if every else [branch_case(*how, start, seen)]
+
+
+def _diagrams(case: "Case", found: "Branch", along: Any) -> "tuple[Diagram, ...]":
+    """Return what simulations settle on along a parameter, upwards and downwards."""
+    import numpy as np
+
+    from nonsmooth.solver.strobe import diagram
+
+    low, high = sorted((along.first, along.last))
+    up = np.linspace(low, high, VALUES)
+    ways = (values.tolist() for values in (up, up[::-1]))
+    with busy(f"simulating {case.scene.name}"):
+        return tuple(diagram(found.case, along.parameter, values) for values in ways)

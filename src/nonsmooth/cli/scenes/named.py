@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 DEFAULT = "stick-slip"
 
 #: A scene, a parameter of it and a value, for the help of a command that takes any.
-EXAMPLE = {"scene": "impact", "flag": "--gap", "value": 0.2}
+EXAMPLE = {"scene": "impact", "flag": "--gap", "value": 0.2, "vary": "frequency=1.5:3"}
 
 
 def scene_named(text: str) -> "LoadedScene":

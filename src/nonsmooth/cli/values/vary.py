@@ -30,7 +30,7 @@ class Vary(Generic[Number]):
 
 def parse_vary(
     text: str, log: bool, names: Collection[str], most: int | None, example: str,
-    number: Callable[[str], Number],
+    number: Callable[[str], Number], option: str = "--vary",
 ) -> Vary[Number]:  # fmt: skip
     """Return what ``--vary`` asks for.
 
@@ -48,6 +48,8 @@ def parse_vary(
         One that is right, for the message.
     number : callable
         What makes an end a number.
+    option : str
+        What it is called in messages.
 
     Examples
     --------
@@ -64,23 +66,23 @@ def parse_vary(
     name, _, rest = text.partition("=")
     parts = [part.strip() for part in rest.split(":")]
     if len(parts) != (2 if most is None else 3):
-        raise Problem(f"--vary: got {text!r}, {expected}")
+        raise Problem(f"{option}: got {text!r}, {expected}")
     parameter = name.strip().replace("-", "_")
     if parameter not in names:
         known = ", ".join(flag.replace("_", "-") for flag in names)
-        raise Problem(f"--vary: unknown parameter {name!r}, expected one of {known}")
+        raise Problem(f"{option}: unknown parameter {name!r}, expected one of {known}")
     try:
         first, last = number(parts[0]), number(parts[1])
         low, high = sorted((float(first), float(last)))
     except (ValueError, ZeroDivisionError, OverflowError) as error:
-        raise Problem(f"--vary: got {text!r}, {expected}") from error
+        raise Problem(f"{option}: got {text!r}, {expected}") from error
     if not (math.isfinite(low) and math.isfinite(high) and first != last):
-        raise Problem(f"--vary: got {text!r}, expected two different numbers as the ends")
+        raise Problem(f"{option}: got {text!r}, expected two different numbers as the ends")
     if most is None:
         return Vary(parameter, first, last, 0, log)
     if not is_whole(parts[2]) or not 2 <= int(parts[2]) <= most:
         raise Problem(
-            f"--vary: got {parts[2]!r} points, expected a whole number from 2 to {most}"
+            f"{option}: got {parts[2]!r} points, expected a whole number from 2 to {most}"
         )
     if log and not low > 0:
         raise Problem(f"--log: got an end of {text!r} that is not above 0")

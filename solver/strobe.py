@@ -1,0 +1,240 @@
+"""Motions seen once a period of the forcing: along a parameter, and from a grid of starts."""
+
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import Executor
+from itertools import repeat
+
+import numpy as np
+
+from .arrays import Matrix, Vector
+from .results.strobe import Attractor, Basins, Diagram
+from .scenes.arrays import Integers
+from .scenes.case import Case
+from .scenes.parameter_error import ParameterError, is_number
+from .simulation.machine import Machine
+from .simulation.simulate import at_rest
+from .simulation.steps.state import State
+from .simulation.walk import strobed
+
+#: Periods that are left to a transient, and that are kept; of a basin, those in all.
+TRANSIENT, KEPT, CYCLES = 200, 50, 100
+
+#: Most periods of an attractor.
+LONGEST = 16
+
+#: Differences of states of one attractor, and of states a period of it apart, as parts of the
+#: largest.
+ONE, AGAIN = 1e-3, 1e-6
+
+#: Most values, most periods, and most starts.
+MOST_VALUES, MOST_CYCLES, MOST_STARTS = 10_000, 100_000, 4_000_000
+
+
+def diagram(
+    case: Case, parameter: str, values: Iterable[float], transient: int = TRANSIENT,
+    cycles: int = KEPT, seen: Callable[[float], None] = lambda value: None,
+) -> Diagram:  # fmt: skip
+    """Return the states once a period of the forcing, as a parameter takes each of some values.
+
+    At each value the motion begins where that at the value before was left; from rest at the
+    first, and where that ended before or no phase takes its state.
+
+    Parameters
+    ----------
+    case : Case
+    parameter : str
+        One of the scene.
+    values : iterable of float
+        In SI units, in the order in which they are passed through.
+    transient, cycles : int
+        Periods of the forcing that are left out, and that are kept.
+    seen : callable
+        Called with each value when it is done.
+
+    Raises
+    ------
+    TypeError
+        If `case` is none.
+    ParameterError
+        If the scene has no such parameter, or a value cannot be one.
+    ValueError
+        If nothing forces the scene, or a number is not one that can be simulated.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> found = diagram(registry.load("impact")(), "frequency", [1.8, 2.0], 50, 4)
+    >>> found.states[0].shape, np.ptp(found.states[0][:, 0]) < 1e-9
+    ((4, 2), np.True_)
+    """
+    _check_forced(case)
+    names = [q.name for q in case.scene.parameters]
+    if parameter not in names:
+        expected = f"one of {', '.join(names)}"
+        raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
+    cases = [case.with_value(parameter, value).of_fullest() for value in values]
+    _check_whole("values", len(cases), 1, MOST_VALUES)
+    _check_whole("transient", transient, 0, MOST_CYCLES)
+    _check_whole("cycles", cycles, 1, MOST_CYCLES)
+    states: list[Matrix] = []
+    last: Vector | None = None
+    for each in cases:
+        machine, units = Machine.of(each.cell), _units(each)
+        start = _taken(machine, None if last is None else last / units)
+        found = _followed(machine, start, transient + cycles)
+        states.append(found[transient + 1 :] * units)
+        last = found[-1] * units if len(found) == transient + cycles + 1 else None
+        seen(each.values[parameter])
+    return Diagram(case, parameter, tuple(q.values[parameter] for q in cases), tuple(states))
+
+
+def basins(
+    case: Case, x: Sequence[float], v: Sequence[float], cycles: int = CYCLES,
+    executor: Executor | None = None, seen: Callable[[float], None] = lambda value: None,
+) -> Basins:  # fmt: skip
+    """Return on which attractor the motion settles from each state of a grid.
+
+    Parameters
+    ----------
+    case : Case
+    x, v : sequence of float
+        Displacements in m and velocities in m/s at the start, where the phase of the forcing
+        is 0.
+    cycles : int
+        Periods of the forcing that a motion is followed.
+    executor : Executor, optional
+        What computes the rows of the grid, of `concurrent.futures` or with its ``map``; this
+        process without it.
+    seen : callable
+        Called with the velocity of each row when it is done.
+
+    Raises
+    ------
+    TypeError
+        If `case` is none.
+    ValueError
+        If nothing forces the scene, or a number is not one that can be simulated.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> spring = registry.load("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.2)
+    >>> print(basins(spring, [-3.0, 0.0], [0.0, 3.0], 200))
+      starts  attractor
+           2  x = -0.634615385 m, x' = 0.207692308 m/s, each period
+           2  x = 0.0656077714 m, x' = 2.66715963 m/s, each period
+    """
+    _check_forced(case)
+    _check_whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
+    xs, vs = (_axis(name, values) for name, values in (("x", x), ("v", v)))
+    _check_whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
+    case, each = case.of_fullest(), map if executor is None else executor.map
+    rows = each(_tails, repeat(case), repeat(xs), vs, repeat(cycles))
+    tails = []
+    for value, row in zip(vs, rows, strict=True):
+        tails.append(row)
+        seen(float(value))
+    attractors, index = _classified(np.array(tails))
+    return Basins(case, xs, vs, attractors, index)
+
+
+def _tails(case: Case, xs: Vector, v: float, cycles: int) -> Matrix:
+    """Return the last states of the motions from a row of a grid, in SI units.
+
+    Not a number where no phase takes the start, or the motion ends.
+    """
+    machine, units, last = Machine.of(case.cell), _units(case)[:2], 2 * LONGEST + 1
+    found = np.full((len(xs), last, 2), np.nan)
+    for i, x in enumerate(xs):
+        start = machine.remembered(State(float(x / units[0]), float(v / units[1]), 0.0))
+        if machine.first(start) is not None:
+            states = _followed(machine, start, cycles)
+            if len(states) == cycles + 1:
+                found[i] = states[-last:, :2] * units
+    return found
+
+
+def _classified(tails: Matrix) -> tuple[tuple[Attractor, ...], Integers]:
+    """Return the attractors of motions by their last states, and the number of that of each.
+
+    It is -1 where a motion does not repeat itself, and -2 where there is none.
+    """
+    rows, columns, _, _ = tails.shape
+    sizes = np.nanmax(np.abs(tails), axis=(0, 1, 2), initial=0.0)
+    sizes[sizes == 0] = 1.0
+    found: list[Attractor] = []
+    index = np.full((rows, columns), -2, dtype=np.int64)
+    for i in range(rows):
+        for j in range(columns):
+            tail = tails[i, j] / sizes
+            if np.isnan(tail).any():
+                continue
+            period = _period(tail)
+            if period is None:
+                index[i, j] = -1
+                continue
+            same = (
+                k
+                for k, other in enumerate(found)
+                if other.cycles == period
+                and np.abs(np.array(other.states) / sizes - tail[-1]).max(axis=1).min() <= ONE
+            )
+            index[i, j] = next(same, len(found))
+            if index[i, j] == len(found):
+                states = tails[i, j][-period:]
+                found.append(Attractor(period, tuple(map(tuple, states.tolist()))))
+    return tuple(found), index
+
+
+def _period(tail: Matrix) -> int | None:
+    """Return after how many periods of the forcing states repeat, twice; None if never."""
+    for period in range(1, LONGEST + 1):
+        pairs = tail[-period:] - tail[-2 * period : -period]
+        if np.abs(pairs).max() <= AGAIN:
+            return period
+    return None
+
+
+def _followed(machine: Machine, start: State | None, cycles: int) -> Matrix:
+    """Return the states at each whole turn that is reached, without units."""
+    if start is None:
+        return np.empty((0, 2 + len(machine.cell.memory)))
+    return strobed(machine, start, cycles)[0]
+
+
+def _taken(machine: Machine, last: Vector | None) -> State | None:
+    """Return the last state of the motion before, if a phase takes it; else one at rest."""
+    if last is not None:
+        x, v, *memory = last.tolist()
+        start = State(x, v, 0.0, memory=tuple(memory))
+        if machine.first(start) is not None:
+            return start
+    return at_rest(machine, 0.0)
+
+
+def _units(case: Case) -> Vector:
+    """Return the units of displacement, velocity and memory."""
+    powers = (0, 1, *(memory.power for memory in case.cell.memory))
+    return np.array([case.units.of_motion(power) for power in powers])
+
+
+def _check_forced(case: Case) -> None:
+    if not isinstance(case, Case):
+        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    if case.scene.frequency is None:
+        words = "there is no period at which its states could be looked at"
+        raise ValueError(f"scene: nothing forces {case.scene.name}: {words}")
+
+
+def _check_whole(name: str, value: object, least: int, most: int) -> None:
+    whole = isinstance(value, int) and not isinstance(value, bool)
+    if not (whole and least <= value <= most):  # type: ignore[operator]
+        expected = f"a whole number from {least} to {most}"
+        raise ValueError(f"{name}: got {value!r}, expected {expected}")
+
+
+def _axis(name: str, values: Sequence[float]) -> Vector:
+    found = list(values)
+    if not found or not all(is_number(value) for value in found):
+        raise ValueError(f"{name}: got {values!r:.80}, expected finite numbers")
+    return np.array(found, dtype=float)
