@@ -1,0 +1,93 @@
+"""What an orbit of a branch costs, and what a phase of a simulation does, compiled.
+
+    python -m benchmarks.branches
+
+Microseconds, the median of some rounds: of a step along a branch with all that is watched and
+its multipliers' map; of an orbit of a whole branch, with its events, rows and multipliers; of a
+phase of a simulation without records.  Behind them ten million additions of a loop in Python,
+by which machines can be compared.
+"""
+
+import statistics
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+import nonsmooth as ns
+from nonsmooth.solver.branch import walk
+from nonsmooth.solver.branch.branch import index_of, start_of
+from nonsmooth.solver.branch.walk import FAMILY
+from nonsmooth.solver.simulation import machine
+from nonsmooth.solver.simulation import walk as walking
+from nonsmooth.solver.simulation.steps import run
+from nonsmooth.solver.simulation.steps.state import State
+
+ROUNDS, STEPS, CYCLES = 7, 40, 200
+
+#: Scenes with parameters, and the range of the frequency that is followed.
+RESPONSES = {
+    "impact": ({"damping": 0.0, "restitution": 0.8, "gap": 0.5}, (0.95, 2.2)),
+    "backlash": ({"force": 0.3, "damping": 0.1, "frequency": 0.7}, (0.5, 1.0)),
+    "clearance": ({"force": 0.3, "damping": 0.1, "gap": 1.0, "frequency": 1.0}, (0.3, 2.0)),
+    "dry-friction": ({"damping": 0.0, "mu_s": 0.4, "mu_k": 0.4}, (0.3, 0.9)),
+}
+
+
+def median(work: Callable[[], int]) -> float:
+    """Return the microseconds of one of the things of which `work` does as many as it says."""
+    work()
+    times = []
+    for _ in range(ROUNDS):
+        begin = time.perf_counter()
+        count = work()
+        times.append((time.perf_counter() - begin) / count)
+    return statistics.median(times) * 1e6
+
+
+def measured(scene: str) -> tuple[float, float, float]:
+    """Return what a step, an orbit of a branch and a phase of a simulation cost."""
+    values, ends = RESPONSES[scene]
+    case = ns.scene(scene)(**values)
+    orbit = ns.exact(case)
+    piece, place = start_of(orbit, index_of(orbit.case, "frequency"), ends)
+    rules = machine.Machine.of(case.of_fullest().cell)
+    (row,) = ns.family(orbit.case, "frequency", [values.get("frequency", 0.8)])[:1]
+    start = State(*np.divide(row.strobe, [case.units.length, case.units.of_motion(1)]), 0.0)
+    phases = len(ns.simulate(case, row.strobe, cycles=CYCLES).phases)
+
+    def steps() -> int:
+        return len(piece.walk(place, 1e-3, 1e-4 * case.values["frequency"], STEPS)[0])
+
+    def branch() -> int:
+        return len(ns.branch(case, "frequency", *ends))
+
+    def simulation() -> int:
+        walking.strobed(rules, start, CYCLES)
+        return phases
+
+    return median(steps), median(branch), median(simulation)
+
+
+def additions() -> float:
+    """Return the seconds of ten million additions."""
+    begin, total = time.perf_counter(), 0.0
+    for i in range(10_000_000):
+        total += i
+    return time.perf_counter() - begin
+
+
+def main() -> None:
+    """Measure and print."""
+    FAMILY.compiled(walk.__name__)
+    machine.FAMILY.compiled(run.__name__)
+    print("us                    step   orbit of a branch   phase")
+    for scene in RESPONSES:
+        with np.errstate(all="ignore"):
+            step, orbit, phase = measured(scene)
+        print(f"{scene:20} {step:6.0f}   {orbit:17.0f}   {phase:5.1f}")
+    print(f"10 million additions: {additions():.2f} s")
+
+
+if __name__ == "__main__":
+    main()
