@@ -121,8 +121,8 @@ def basins(
     >>> spring = registry.load("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.2)
     >>> print(basins(spring, [-3.0, 0.0], [0.0, 3.0], 200))
       starts  attractor
-           2  x = -0.634615385 m, x' = 0.207692308 m/s, each period
-           2  x = 0.0656077714 m, x' = 2.66715963 m/s, each period
+           3  x = 0.0656078 m, x' = 2.66716 m/s, each period
+           1  x = -0.634615 m, x' = 0.207692 m/s, each period
     """
     _check_forced(case)
     _check_whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)

@@ -152,7 +152,7 @@ class Basins(Tabular):
             part = int((self.index == number).sum())
             x, v = each.states[0]
             every = "each period" if each.cycles == 1 else f"every {each.cycles} periods"
-            lines.append(f"{part:8}  x = {x:.9g} m, x' = {v:.9g} m/s, {every}")
+            lines.append(f"{part:8}  x = {x:.6g} m, x' = {v:.6g} m/s, {every}")
         for number, words in ((-1, "not settled"), (-2, "no motion from there")):
             part = int((self.index == number).sum())
             lines += [f"{part:8}  {words}"] if part else []
