@@ -6,7 +6,7 @@ picture goes to ``orbit.png``.
 
 Prints::
 
-    <stick-slip by c1, N = 7: T = 0.6712383809 s, t1 = 0.2000074538 s, estimate 1.2e-05>
+    <stick-slip by c1, N = 7: T = 0.6712383809 s, t1 = 0.2000074538 s, stable, estimate 1.2e-05>
     errors: period -7.7e-07, times 1.2e-05, acceleration (22) 3.7e-03
 """
 

@@ -93,7 +93,7 @@ class ExactOrbit(Motion):
         return self.case, self.outcome.unknowns.tobytes()
 
     def __repr__(self) -> str:
-        return f"<exact orbit of {self.case.scene.label}: {self._times}>"
+        return f"<exact orbit of {self.case.scene.label}: {self._times}{self._verdict}>"
 
 
 def from_times(case: Case, start: RoughTimes) -> ExactOrbit:

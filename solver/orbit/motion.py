@@ -12,6 +12,7 @@ from ..arrays import Matrix, Vector
 from ..presentation.showing import Shown
 from ..scenes.case import Case
 from ..scenes.cell import Cell
+from ..stability.monodromy import NoMultipliersError
 from ..stability.stability import Complex, Stability, stability
 from .extremes import LOOK, extremes
 
@@ -80,6 +81,15 @@ class Motion(Shown):
         if turn is not None:
             words.append(f"phi = {turn:.10g} rad")
         return ", ".join(words)
+
+    @property
+    def _verdict(self) -> str:
+        """Whether it is stable, in a word behind a comma; empty where that is not known."""
+        try:
+            stable = self.stable
+        except NoMultipliersError:
+            return ""
+        return "" if stable is None else ", stable" if stable else ", unstable"
 
     @property
     def cell_durations(self) -> Vector:

@@ -104,4 +104,5 @@ class Orbit(Solution):
         head = f"{self.case.scene.label} by {name}, N = {self.order}"
         if not self.converged:
             return f"<{head}: not converged: {self.outcome.reason}>"
-        return f"<{head}: {self._times}, estimate {self.estimate.times:.1e}>"
+        words = f"{self._times}{self._verdict}"
+        return f"<{head}: {words}, estimate {self.estimate.times:.1e}>"

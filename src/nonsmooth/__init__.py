@@ -13,7 +13,7 @@ Examples
 >>> round(orbit.period, 6), round(ns.exact(belt).period, 6)
 (0.671238, 0.671239)
 >>> ns.solve(ns.scene("impact")(gap=0.2), tol=1e-9)
-<impact by c0-tau, N = 9: T = 3.490658504 s, phi = 1.103021211 rad, estimate 8.3e-11>
+<impact by c0-tau, N = 9: T = 3.490658504 s, phi = 1.103021211 rad, stable, estimate 8.3e-11>
 """
 
 from importlib import import_module

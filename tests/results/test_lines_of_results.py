@@ -11,12 +11,12 @@ from nonsmooth.solver.presentation import notebook
 #: What each kind says of itself in one line.
 LINES = {
     "orbit": "<dry-friction, two-stops by c1-tau, N = 6: T = 15.70796327 s, slide {0:.10g} s, "
-    "stop {1:.10g} s, phi = {phi:.10g} rad, estimate {estimate:.1e}>",
-    "exact": "<exact orbit of impact: T = 3.490658504 s, phi = 0.929643986 rad>",
+    "stop {1:.10g} s, phi = {phi:.10g} rad, stable, estimate {estimate:.1e}>",
+    "exact": "<exact orbit of impact: T = 3.490658504 s, phi = 0.929643986 rad, stable>",
     "sweep": "<sweep of impact by hb, c0-tau: 6 rows, 6 orbits>",
     "family": "<impact along gap = 0.1 to 50 by c0-tau, N = 6: 3 values, 2 orbits>",
     "simulation": "<impact simulated for 6.98132 s: 3 phases>",
-    "exact-belt": "<exact orbit of stick-slip: T = 0.671238898 s, t1 = 0.2 s>",
+    "exact-belt": "<exact orbit of stick-slip: T = 0.671238898 s, t1 = 0.2 s, stable>",
     "sweep-belt": "<sweep of stick-slip by hb, c1: 6 rows, 6 orbits>",
     "family-belt": "<stick-slip along belt_speed = 0.001 to 1 by hb, N = 5: 3 values, "
     "2 orbits>",
