@@ -14,7 +14,7 @@ from ..scenes.arrays import Integers
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form
 from ..scenes.loaded import LoadedScene
-from ..scenes.mirror import same
+from ..scenes.mirror import mirror, same
 from ..scenes.orders import Order, OrderedScene, Step, in_cell, in_order
 from ..simulation.machine import Machine
 from ..simulation.nodes import Node
@@ -148,14 +148,14 @@ class Course:
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, for parameters without units and their cell."""
-        nodes: tuple[Node, ...] = ()
-        if any(row.kind == BEHIND for row in rows):
-            nodes = Machine.of(self.base.cell(numbers)).nodes
+        declared = self.base.cell(numbers)
         found: list[Form] = []
         for row in rows:
             phase = cell.phases[row.phase]
             if row.kind == BEHIND:
-                _, form = nodes[row.node].phase.demands[row.number]
+                mirrored, p = divmod(row.node, len(declared.phases))
+                node = declared.carrying(p)
+                _, form = (mirror(node) if mirrored else node).demands[row.number]
                 form = (*form[:4], *[0.0] * len(cell.memory))
             else:
                 demands = phase.demands if row.kind == WITHIN else phase.switch_demands

@@ -147,7 +147,7 @@ def walk(
         if some:
             return last, EVENT, length
         length *= GROWTH
-        for j in range(n):
+        for j in range(3 * len(along[0]) + len(along[1])):  # but for the phase of the forcing
             if abs(y[j] * along[4][j]) > OUTGROWN or isnan(y[j]):
                 return last, GROWN, length
     return last, FULL, length

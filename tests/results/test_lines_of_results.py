@@ -37,7 +37,7 @@ def test_a_line_of_the_paper_s_orbit_and_of_modes() -> None:
     belt, modes = thing("belt"), thing("modes")
     times = f"T = {belt.period:.10g} s, t1 = {belt.t1:.10g} s"
     assert repr(belt) == (
-        f"<stick-slip by c1, N = 6: {times}, estimate {belt.estimate.times:.1e}>"
+        f"<stick-slip by c1, N = 6: {times}, stable, estimate {belt.estimate.times:.1e}>"
     )
     assert repr(modes) == (
         f"<3 modes of beam-mass by ritz-c2, N = 8: {modes[0].frequency:.10g} to "
