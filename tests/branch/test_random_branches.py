@@ -1,0 +1,61 @@
+"""Branches of random oscillators along a random parameter: every orbit on them is one."""
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.orders import motion_of
+
+#: Branches of one block, and orbits of each that are found again.
+BRANCHES, ORBITS = 3, 4
+
+
+def drawn(random):
+    """Return a case of a shipped scene, a parameter of it, and a range of that."""
+    scene = ns.scene(random.choice(ns.scenes()))
+    values = {}
+    for q in scene.parameters:
+        value = q.default * np.exp(random.uniform(-0.5, 0.5)) if q.default else 0.0
+        values[q.name] = float(value if q.most is None else min(value, q.most))
+    if "mu_k" in values:
+        values["mu_k"] = min(values["mu_k"], 0.9 * values["mu_s"])
+    vary = scene.parameters[random.integers(len(scene.parameters))]
+    low, high = 0.6 * values[vary.name], 1.6 * values[vary.name]
+    if vary.name in {"mu_k", "mu_s"}:
+        low, high = 0.95 * values[vary.name], 1.05 * values[vary.name]
+    high = high if vary.most is None else min(high, vary.most)
+    return scene(**values), vary.name, low, high
+
+
+def found_again(case, branch, row):
+    """Return the exact orbit to which the times of a row lead."""
+    here = case.with_value(branch.parameter, row.value)
+    scene = motion_of(here.scene, row.motion) if row.motion else here.scene
+    here = Case(scene, here.values, here.cycles)
+    times = row.durations[: len(here.cell.phases)]
+    return exact_orbit(here, times, row.forcing_phase or 0.0)
+
+
+@pytest.mark.parametrize(
+    "seed", [1, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(2, 40))]
+)
+def test_every_orbit_of_a_random_branch_is_one(seed: int) -> None:
+    random, count = np.random.default_rng(seed), 0
+    while count < BRANCHES:
+        case, parameter, low, high = drawn(random)
+        try:
+            branch = ns.branch(case, parameter, low, high)
+        except (NoOrbit, ns.ParameterError):
+            continue
+        count += 1
+        assert low <= branch["value"].min() <= branch["value"].max() <= high
+        phases = case.scene.phases  # the name of a motion that nothing ends is that of one
+        rows = [q for q in branch if q.stable is not None and q.motion not in phases]
+        for i in random.permutation(len(rows))[:ORBITS]:
+            exact = found_again(case, branch, rows[i])
+            assert exact.stable == rows[i].stable
+            total = sum(rows[i].durations)
+            assert exact.durations == pytest.approx(rows[i].durations, abs=1e-8 * total)
