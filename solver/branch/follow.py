@@ -21,11 +21,19 @@ PART, MOST_POINTS = 1 / 80, 20_000
 #: How far a point may be from the first, in steps, for the branch to be closed.
 NEAR = 1.0
 
+#: How far such orbits are apart, in steps.
+TOGETHER = 100.0
+
 #: How far back what happens in a step is looked for again, in steps.
 BACK = 1.25
 
 #: Why a branch ends.
 CLOSED, RANGE = "the branch is closed", "the end of the range"
+TWICE = "the orbit becomes one of half its period"
+
+#: Step within which an orbit may become one of half its period: there two branches meet, and
+#: the equations across the branch are singular.
+SHORTER = 1e-3
 
 #: Size of an unknown, without units, that no orbit has that is worth following.
 MOST = 1e8
@@ -140,6 +148,9 @@ def follow(
             except NoStepError:
                 length = float(lengths[-1]) / 2
                 found.why = "" if length > LEAST_STEP else "the step cannot get smaller"
+                if length < SHORTER and _is_twice(piece, place, length):
+                    found.events.append(_meeting(piece, place, places[-1]))
+                    found.why = TWICE
         elif why == GROWN:
             piece, place = piece.moved(place)
             if np.abs(place.y).max() > MOST:
@@ -172,6 +183,26 @@ def _pass(
             return piece, event.place
     found.points.append((piece, after))
     return piece, after
+
+
+def _is_twice(piece: Piece, place: Place, length: float) -> bool:
+    """Whether an orbit is within a few steps of one of half its period, or of its image."""
+    steps, count = piece.course.order.steps, len(piece.along.kinds)
+    half, more = count // 2, len(piece.along.setting)
+    if count % 2 or piece.course.order.half_period:
+        return False
+    y = place.y * piece.along.weights
+    states, durations = y[: 2 * count], y[2 * count + more :][:count]
+    sign = 1.0 if steps[half:] == steps[:half] else -1.0
+    apart = float(np.abs(states[: 2 * half] - sign * states[2 * half :]).max())
+    later = float(np.abs(durations[:half] - durations[half:]).max())
+    return max(apart, later) <= TOGETHER * length
+
+
+def _meeting(piece: Piece, before: Place, after: Place) -> Found:
+    """Return where a branch meets that of an orbit of half the period, in the last step."""
+    apart = abs(piece.value(after.y) - piece.value(before.y))
+    return Found("branch-point", None, None, piece, before, estimate=apart)
 
 
 def _in_turn(found: Iterable[tuple[float, Found]]) -> list[Found]:

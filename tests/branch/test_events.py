@@ -13,6 +13,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.orders import motion_of
+from nonsmooth.solver.solve import with_order
 
 SPRING = {"force": 0.3, "damping": 0.1, "gap": 1.0}
 FRICTION = {"damping": 0.0, "mu_s": 0.4, "mu_k": 0.4}
@@ -200,3 +201,17 @@ def test_once_a_period_it_is_where_a_simulation_settles() -> None:
         (states,) = ns.diagram(case, branch.parameter, [row.value], 400, 1).states
         if row.motion is None or row.value < 0.84:
             np.testing.assert_allclose(states[0], row.strobe, atol=1e-6)
+
+
+def test_an_orbit_of_two_impacts_ends_where_the_one_with_a_single_impact_flips() -> None:
+    stop = ns.scene("impact")(damping=0.02, restitution=0.8, gap=0.0, frequency=2.7)
+    twice = with_order(stop, "flight,flight", 2)
+    branch = ns.branch(twice, "frequency", 2.65, 2.72)
+    assert branch.why_it_ended[0] == "the orbit becomes one of half its period"
+    meeting, flip = branch.events
+    assert (meeting.kind, flip.kind) == ("branch-point", "flip")
+    single = ns.branch(stop.with_value("frequency", 2.6), "frequency", 2.6, 2.72)
+    (doubles,) = single.events
+    assert doubles.kind == "flip"
+    assert abs(meeting.parameter - doubles.parameter) <= meeting.estimate < 1e-5
+    assert [row.stable for row in single][:: len(single) - 1] == [True, False]
