@@ -6,6 +6,7 @@ from contextlib import suppress
 import numpy as np
 
 from .branch.branch import Both, Bounds, go, index_of, orbits_at, start_of
+from .branch.change import doubled
 from .branch.follow import RANGE
 from .branch.piece import NoStepError
 from .branch.rows import event_of, row_of
@@ -18,6 +19,9 @@ from .scenes.case import Case
 
 #: Values at which orbits are looked for where all branches are wanted.
 VALUES = 7
+
+#: Differences of values at which branches meet, as parts of them, that are one.
+NEAR = 1e-5
 
 #: Differences of the forcing phase and of durations, as parts of them, of the same orbit.
 SAME = 1e-7
@@ -91,6 +95,8 @@ def every_branch(
 ) -> list[Branch]:
     """Return the branches of all orbits that are found at a few values of a parameter.
 
+    And those at their flips, of orbits of twice the period, and where they lose their symmetry.
+
     Parameters
     ----------
     case, parameter, first, last, seen
@@ -114,7 +120,26 @@ def every_branch(
                 found.append((both, _result(case, parameter, both)))
     if not found:
         _start(case, parameter, bounds)
-    return [branch for _, branch in found]
+    branches = [branch for _, branch in found]
+    for both, _ in found:
+        branches += _doubled(case, parameter, both, seen)
+    return branches
+
+
+def _doubled(case: Case, parameter: str, found: Both, seen: Seen) -> list[Branch]:
+    """Return the branches at the flips of another, and where symmetry is lost on it."""
+    branches: list[Branch] = []
+    for event in found.events():
+        here = event.kind in {"flip", "branch-point"} and event.gauge >= 0
+        ends = (q.parameter for branch in branches for q in branch.events)
+        if not here or any(abs(end - event.value) <= NEAR * abs(end) for end in ends):
+            continue
+        start = doubled(event)
+        if start is not None:
+            other = Both(found.index)
+            go(other, start, seen=seen)
+            branches.append(_result(start[0].course.case(case), parameter, other))
+    return branches
 
 
 def _orbits(case: Case) -> list[ExactOrbit]:

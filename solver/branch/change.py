@@ -18,7 +18,7 @@ from ..simulation.followers import may_follow
 from ..simulation.machine import Machine
 from . import extended, watch
 from .course import Course, Row
-from .follow import Found
+from .follow import Found, halves_apart
 from .piece import NoStepError, Piece, Place
 from .watch import END, LEAST, START, WITHIN
 
@@ -75,6 +75,36 @@ def beyond(found: Found) -> tuple[Piece, Place] | None:
                 return _led(found, candidate, ahead)
             except (NoStepError, ParameterError, UnknownScene, ArithmeticError):
                 continue
+    return None
+
+
+def doubled(found: Found) -> tuple[Piece, Place] | None:
+    """Return an orbit of twice the period beside a flip; of half a period, without symmetry.
+
+    It is looked for along what the equations of the longer orbit leave free there, but for
+    the branch of the shorter one: where its halves differ.  None without one.
+    """
+    at, old = _At(found), found.piece
+    if at.cell.memory:
+        return None
+    slots = (*at.slots, *map(at.next_cell, at.slots))
+    order = Order(tuple(slot.step for slot in slots))
+    course = Course(old.course.base, order, old.course.cycles * (1 if at.half else 2))
+    z = _unknowns(found, course, Candidate(slots, False, at.angle))
+    here = np.append(z, old.number(found.place.y))
+    bare = Piece.at(course, old.case, old.index, old.bounds, here, ())
+    y, J = bare.of_number(here), np.empty((len(z), len(z) + 1))
+    extended.rates(bare.along, y[:-1], y[-1], J)
+    J /= bare.along.weights
+    free = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2][-2:]
+    apart = [halves_apart(bare, each) for each in free]
+    border = np.linalg.svd(np.array(apart).T)[2][0] @ free
+    for ahead in AHEAD[::-1]:
+        try:
+            led = bare.led(y + ahead * border / bare.along.weights, border)
+            return _admitted(bare, led, border)
+        except (NoStepError, ParameterError, ArithmeticError):
+            continue
     return None
 
 
@@ -197,6 +227,10 @@ class _At:
         plain = (each for each in turns if not each.slots[0].step.mirrored)
         declared = (each for each in turns if self._course(each).declared is not None)
         return next(declared, next(plain, found))
+
+    def next_cell(self, slot: Slot) -> Slot:
+        """Return a phase of the next cell."""
+        return self._mirrored(slot)
 
     def _turned(self, found: Candidate) -> Candidate:
         """Return a candidate that begins with its second phase."""

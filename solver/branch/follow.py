@@ -187,21 +187,29 @@ def _pass(
 
 def _is_twice(piece: Piece, place: Place, length: float) -> bool:
     """Whether an orbit is within a few steps of one of half its period, or of its image."""
+    if len(piece.along.kinds) % 2 or piece.course.order.half_period:
+        return False
+    apart = halves_apart(piece, place.y * piece.along.weights)
+    return float(np.abs(apart).max()) <= TOGETHER * length
+
+
+def halves_apart(piece: Piece, y: Vector) -> Vector:
+    """Return by what the halves of an orbit differ, or a half from the image of the other."""
     steps, count = piece.course.order.steps, len(piece.along.kinds)
     half, more = count // 2, len(piece.along.setting)
-    if count % 2 or piece.course.order.half_period:
-        return False
-    y = place.y * piece.along.weights
     states, durations = y[: 2 * count], y[2 * count + more :][:count]
     sign = 1.0 if steps[half:] == steps[:half] else -1.0
-    apart = float(np.abs(states[: 2 * half] - sign * states[2 * half :]).max())
-    later = float(np.abs(durations[:half] - durations[half:]).max())
-    return max(apart, later) <= TOGETHER * length
+    apart = states[: 2 * half] - sign * states[2 * half :]
+    return np.concatenate([apart, durations[:half] - durations[half:]])
 
 
 def _meeting(piece: Piece, before: Place, after: Place) -> Found:
-    """Return where a branch meets that of an orbit of half the period, in the last step."""
-    apart = abs(piece.value(after.y) - piece.value(before.y))
+    """Return where a branch meets that of an orbit of half the period, in the last step.
+
+    The parameter goes with the square of the way to it: it is less than a few times off what
+    the step changes.
+    """
+    apart = 4 * abs(piece.value(after.y) - piece.value(before.y))
     return Found("branch-point", None, None, piece, before, estimate=apart)
 
 

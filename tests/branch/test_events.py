@@ -215,3 +215,28 @@ def test_an_orbit_of_two_impacts_ends_where_the_one_with_a_single_impact_flips()
     assert doubles.kind == "flip"
     assert abs(meeting.parameter - doubles.parameter) <= meeting.estimate < 1e-5
     assert [row.stable for row in single][:: len(single) - 1] == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("scene", "values", "ends", "cycles"),
+    [
+        ("impact", STOP | {"frequency": 1.05}, (1.0, 1.12), 2),
+        ("backlash", SPRING | {"frequency": 0.4}, (0.3, 0.5), 1),
+    ],
+)
+def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cycles) -> None:
+    """And where the symmetry is lost, one without it."""
+    single, double = ns.branches(ns.scene(scene)(**values), "frequency", *ends)
+    flips = [event.parameter for event in single.events]
+    met = [event for event in double.events if event.kind == "branch-point"]
+    assert len(met) == len(flips)
+    assert double.case.cycles == cycles
+    for event, value in zip(met, sorted(flips), strict=True):
+        assert abs(event.parameter - value) <= event.estimate < 1e-5
+    rows = [row for row in double if row.stable is not None]
+    assert {row.stable for row in rows} == {True, False}
+    inner = rows[5:-5]  # where branches meet the equations are singular
+    for row in inner[:: len(inner) // 5]:
+        exact = exactly(double, row)  # no repetition of a shorter one, or it raises
+        assert exact.stable == row.stable
+        assert exact.durations == pytest.approx(row.durations, rel=1e-8)

@@ -58,7 +58,7 @@ def command(scene: "LoadedScene", said: str) -> click.Command:
         ),
         click.Option(
             ["--all", "every"], is_flag=True,
-            help="Follow every orbit that is found at a few values.",
+            help="Follow every orbit that is found at a few values, and those at their flips.",
         ),
         *(attractors if scene.frequency else ()),
     ]  # fmt: skip
