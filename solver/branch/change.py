@@ -85,7 +85,7 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     the branch of the shorter one: where its halves differ.  None without one.
     """
     at, old = _At(found), found.piece
-    if at.cell.memory:
+    if at.cell.memory or at.course.endless:
         return None
     slots = (*at.slots, *map(at.next_cell, at.slots))
     order = Order(tuple(slot.step for slot in slots))
@@ -228,14 +228,10 @@ class _At:
         declared = (each for each in turns if self._course(each).declared is not None)
         return next(declared, next(plain, found))
 
-    def next_cell(self, slot: Slot) -> Slot:
-        """Return a phase of the next cell."""
-        return self._mirrored(slot)
-
     def _turned(self, found: Candidate) -> Candidate:
         """Return a candidate that begins with its second phase."""
         first, *rest = found.slots
-        last = self._mirrored(first, found.half)
+        last = self.next_cell(first, found.half)
         count, grows = len(found.slots), found.grows
         angle = found.angle + self.cell.omega * first.s
         grows = None if grows is None else (grows - 1) % count
@@ -254,16 +250,16 @@ class _At:
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
         """Yield the order in which a phase goes on where it ended."""
         slots, angle = self._from((p + 1) % len(self.slots))
-        if self._alike(slots[-1].step, self._mirrored(slots[0]).step):
+        if self._alike(slots[-1].step, self.next_cell(slots[0]).step):
             yield from self._joined(slots, angle)
 
     def _from(self, p: int) -> tuple[list[Slot], float]:
         """Return the phases from one on, and the angle where it begins."""
-        before = [self._mirrored(slot) for slot in self.slots[:p]]
+        before = [self.next_cell(slot) for slot in self.slots[:p]]
         turned = self.angle + self.cell.omega * sum(slot.s for slot in self.slots[:p])
         return [*self.slots[p:], *before], turned
 
-    def _mirrored(self, slot: Slot, half: bool | None = None) -> Slot:
+    def next_cell(self, slot: Slot, half: bool | None = None) -> Slot:
         """Return a phase of the next cell as this one has it, which may be half a period."""
         if not (self.half if half is None else half):
             return slot
@@ -273,11 +269,11 @@ class _At:
 
     def _next(self, slots: list[Slot], p: int) -> Step:
         """Return the phase behind one of a cell."""
-        return slots[p + 1].step if p + 1 < len(slots) else self._mirrored(slots[0]).step
+        return slots[p + 1].step if p + 1 < len(slots) else self.next_cell(slots[0]).step
 
     def _joined(self, slots: list[Slot], angle: float) -> Iterator[Candidate]:
         """Yield phases whose last and first meet where nothing may change."""
-        last, first = slots[-1], self._mirrored(slots[0])
+        last, first = slots[-1], self.next_cell(slots[0])
         if not self._alike(last.step, first.step):
             yield Candidate(tuple(slots), self.half, angle)
         elif len(slots) > 1:
@@ -297,7 +293,7 @@ class _At:
         """Yield orders with one phase more behind another."""
         q = self._next(self.slots, p)
         slot = self.slots[p]
-        after = self.slots[p + 1] if p + 1 < len(self.slots) else self._mirrored(self.slots[0])
+        after = self.slots[p + 1] if p + 1 < len(self.slots) else self.next_cell(self.slots[0])
         for step in self._steps():
             if self._may(slot.step, step) and self._may(step, q):
                 new = Slot(step, after.x, after.v, 0.0)
