@@ -1,6 +1,6 @@
 """Branches of a case along a parameter: that of one orbit, or all that are found."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 import numpy as np
@@ -8,7 +8,6 @@ import numpy as np
 from .branch.branch import Both, Bounds, go, index_of, orbits_at, start_of
 from .branch.change import doubled
 from .branch.follow import RANGE
-from .branch.piece import NoStepError
 from .branch.rows import event_of, row_of
 from .exact import exact_orbit
 from .existence.known import known_orbits
@@ -16,6 +15,8 @@ from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
 from .results.branch import Branch, BranchInterrupted
 from .scenes.case import Case
+from .scenes.loaded import UnknownScene
+from .scenes.parameter_error import ParameterError
 
 #: Values at which orbits are looked for where all branches are wanted.
 VALUES = 7
@@ -78,7 +79,7 @@ def branch_case(
     found = Both(index_of(case, parameter))
     try:
         place = start_of(orbit, found.index, bounds)
-    except NoStepError:
+    except ArithmeticError:
         words = (
             f"{orbit.case.scene.label}: the orbit at {parameter} = {value:g} is not isolated"
         )
@@ -86,7 +87,9 @@ def branch_case(
     try:
         go(found, place, seen=seen)
     except KeyboardInterrupt:
-        raise BranchInterrupted(_result(case, parameter, found)) from None
+        if not found.points():
+            raise
+        raise BranchInterrupted([_result(case, parameter, found)]) from None
     return _result(case, parameter, found)
 
 
@@ -106,40 +109,55 @@ def every_branch(
     ------
     NoOrbit
         If no orbit is found at any value.
+    BranchInterrupted
+        A `KeyboardInterrupt`: with the branches that were followed before.
     """
     bounds = _bounds(case, parameter, first, last)
-    found: list[tuple[Both, Branch]] = []
-    for value in np.linspace(*bounds, VALUES):
-        for orbit in _orbits(case.with_value(parameter, float(value))):
-            there = (q for both, _ in found for q in orbits_at(both, float(value)))
+    branches: list[Branch] = []
+    try:
+        for branch in _each_branch(case, parameter, bounds, seen):
+            branches.append(branch)
+    except KeyboardInterrupt:
+        if not branches:
+            raise
+        raise BranchInterrupted(branches) from None
+    if not branches:
+        _start(case, parameter, bounds)
+    return branches
+
+
+def _each_branch(case: Case, parameter: str, bounds: Bounds, seen: Seen) -> Iterator[Branch]:
+    """Yield the branches of all orbits that are found, then those at their flips."""
+    found: list[Both] = []
+    for value in map(float, np.linspace(*bounds, VALUES)):
+        for orbit in _orbits(case.with_value(parameter, value)):
+            there = (q for both in found for q in orbits_at(both, value))
             if any(_are_one(orbit, other) for other in there):
                 continue
             both = Both(index_of(case, parameter))
-            with suppress(NoStepError):
+            with suppress(ArithmeticError):  # it is not isolated
                 go(both, start_of(orbit, both.index, bounds), seen=seen)
-                found.append((both, _result(case, parameter, both)))
-    if not found:
-        _start(case, parameter, bounds)
-    branches = [branch for _, branch in found]
-    for both, _ in found:
-        branches += _doubled(case, parameter, both, seen)
-    return branches
+                found.append(both)
+                yield _result(case, parameter, both)
+    for both in found:
+        yield from _doubled(case, parameter, both, seen)
 
 
-def _doubled(case: Case, parameter: str, found: Both, seen: Seen) -> list[Branch]:
-    """Return the branches at the flips of another, and where symmetry is lost on it."""
-    branches: list[Branch] = []
+def _doubled(case: Case, parameter: str, found: Both, seen: Seen) -> Iterator[Branch]:
+    """Yield the branches at the flips of another, and where symmetry is lost on it."""
+    met: list[float] = []
     for event in found.events():
         here = event.kind in {"flip", "branch-point"} and event.gauge >= 0
-        ends = (q.parameter for branch in branches for q in branch.events)
-        if not here or any(abs(end - event.value) <= NEAR * abs(end) for end in ends):
+        if not here or any(abs(end - event.value) <= NEAR * abs(end) for end in met):
             continue
-        start = doubled(event)
+        start = None
+        with suppress(ArithmeticError, ParameterError, UnknownScene):
+            start = doubled(event)
         if start is not None:
             other = Both(found.index)
             go(other, start, seen=seen)
-            branches.append(_result(start[0].course.case(case), parameter, other))
-    return branches
+            met += [each.value for each in other.events()]
+            yield _result(start[0].course.case(case), parameter, other)
 
 
 def _orbits(case: Case) -> list[ExactOrbit]:

@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 
 from .branch.branch import Both, go, index_of, orbits_at, start_of
-from .branch.piece import NoStepError
 from .kernels import registry
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
@@ -150,7 +149,7 @@ class _Rows:
         found = Both(index_of(exact.case, self.parameter))
         try:
             start = start_of(exact, found.index, bounds)
-        except NoStepError:
+        except ArithmeticError:  # it is not isolated
             return
         self.branches.append(found)
         go(found, start, PART)

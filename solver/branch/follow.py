@@ -145,14 +145,17 @@ def follow(
         elif why == EVENT:
             try:
                 piece, place = _pass(found, piece, place, places[-1], float(lengths[-1]))
-            except NoStepError:
+            except ArithmeticError:
                 length = float(lengths[-1]) / 2
                 found.why = "" if length > LEAST_STEP else "the step cannot get smaller"
                 if length < SHORTER and _is_twice(piece, place, length):
                     found.events.append(_meeting(piece, place, places[-1]))
                     found.why = TWICE
         elif why == GROWN:
-            piece, place = piece.moved(place)
+            try:
+                piece, place = piece.moved(place)
+            except ArithmeticError:
+                found.why = "the step cannot get smaller"
             if np.abs(place.y).max() > MOST:
                 found.why = "the orbit grows beyond all bounds"
     found.why = found.why or f"{MOST_POINTS} orbits are the most that a branch has"
@@ -168,21 +171,23 @@ def _pass(
     NoStepError
         If it is not located.
     """
+    points, events, why = [], [], ""
     for event in _in_turn(_events(piece, before, after, length)):
+        points.append((piece, event.place))
         if event.kind == EDGE:
-            found.points.append((piece, event.place))
-            if piece.ends_at(event.place.y):
-                found.why = RANGE
-                return piece, event.place
-            found.points[-1] = piece.moved(event.place)
-            return found.points[-1]
-        found.events.append(_estimated(event, after, length))
-        found.points.append((piece, event.place))
+            why = RANGE if piece.ends_at(event.place.y) else ""
+            points[-1] = points[-1] if why else piece.moved(event.place)
+            break
+        events.append(_estimated(event, after, length))
         if event.changes:
-            found.why = event.kind
-            return piece, event.place
-    found.points.append((piece, after))
-    return piece, after
+            why = event.kind
+            break
+    else:
+        points.append((piece, after))
+    found.points += points
+    found.events += events
+    found.why = why
+    return points[-1]
 
 
 def _is_twice(piece: Piece, place: Place, length: float) -> bool:
@@ -278,7 +283,10 @@ def _root(piece: Piece, before: Place, length: float, i: int) -> tuple[float, Pl
         found = float((piece.stepped(before, at) if at else before).gauges[i])
         return 1.0 if np.isnan(found) else found
 
-    at = float(brentq(value, 0.0, length, xtol=1e-300, rtol=8.9e-16, maxiter=200))
+    try:
+        at = float(brentq(value, 0.0, length, xtol=1e-300, rtol=8.9e-16, maxiter=200))
+    except (ValueError, RuntimeError):  # no change of the sign, or too many trials
+        raise NoStepError from None
     return at, piece.stepped(before, at)
 
 
@@ -288,7 +296,7 @@ def _estimated(event: Found, after: Place, length: float) -> Found:
     least = float(np.spacing(abs(value)))
     try:
         _, place = _root(piece, after, -BACK * length, event.gauge)
-    except (NoStepError, ValueError):  # behind a phase that has no duration nothing is smooth
+    except NoStepError:  # behind a phase that has no duration nothing is smooth
         return replace(event, estimate=least)
     return replace(event, estimate=max(least, abs(piece.value(place.y) - value)))
 
@@ -300,6 +308,8 @@ def _located(
     forms, phases = 3 * len(piece.table), len(piece.along.kinds)
     at, place = _root(piece, before, length, i)
     if not abs(float(place.gauges[i])) <= ZERO * abs(end):
+        if i < forms + phases:  # no orbit beyond, and it is not seen where
+            raise NoStepError
         return
     if i < forms:
         row, column = piece.rows[i // 3], i % 3

@@ -96,8 +96,8 @@ class Branch(Family):
 
 
 class BranchInterrupted(KeyboardInterrupt):
-    """Ctrl-C while a branch was followed; `done` is the branch as far as it was."""
+    """Ctrl-C while branches were followed; `done` has them as far as they were."""
 
-    def __init__(self, done: Branch) -> None:
-        super().__init__(f"after {len(done)} orbits")
+    def __init__(self, done: list[Branch]) -> None:
+        super().__init__(f"after {sum(map(len, done))} orbits")
         self.done = done

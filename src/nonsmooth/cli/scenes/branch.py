@@ -77,9 +77,14 @@ def run(
     names = [q.name for q in given.about.parameters]
     last = given.about.parameters[-1]
     example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default:g}"
-    along = parse_vary(f"{vary}", False, names, None, example, float)
+    along = parse_vary(vary, False, names, None, example, float)
     if every and from_orbit is not None:
         raise Problem(f"--from-orbit: got {from_orbit} beside --all, expected one of them")
+    suffix = "" if output is None else output.suffix.lower()
+    if every and suffix in {".csv", ".nc"}:
+        raise Problem(f"--output: got {output} beside --all, expected .json or a picture")
+    if attractors and suffix not in PICTURES:
+        raise Problem("--attractors: expected beside --output and a picture")
     case, start = _start(given, from_orbit)
     interrupted, found = False, []
     try:
@@ -93,7 +98,7 @@ def run(
         tell(finding)
         return 1
     except BranchInterrupted as interrupt:
-        interrupted, found = True, [interrupt.done]
+        interrupted, found = True, interrupt.done
     whole = {"branches": [q.as_dict() for q in found]} if every else found[0].as_dict()
     text = documents.text(case, {"scene": case.scene.name} | whole, ())
     if json_:
@@ -104,12 +109,10 @@ def run(
         click.echo(captions.caption(case))
         for branch in found:
             tables.branch(branch)
-    if every and output is not None and output.suffix.lower() in {".csv", ".nc"}:
-        raise Problem(f"--output: got {output} beside --all, expected .json or a picture")
     below = _diagrams(case, found[0], along) if attractors and not interrupted else ()
     write_result(output, text, drawn_by("families.branch_figure", found, below), found[0])
     if interrupted:
-        raise Problem(f"interrupted: {len(found[0])} orbits are found", 130)
+        raise Problem(f"interrupted: {sum(map(len, found))} orbits are found", 130)
     return 0
 
 
