@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.solver.branch.course import Course
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.scenes.case import Case
@@ -28,6 +29,10 @@ RESPONSES = {
             ("flip", 1.01445763678408881), ("flip", 1.09497644619305227),
             ("fold", 1.93383878222628754), ("grazing", np.sqrt(3.0)),
         ],
+    ),
+    "impact, a second touch": (
+        "impact", STOP | {"gap": 0.0, "frequency": 1.2}, "frequency", (1.0, 1.25),
+        [("grazing", 1.00621643423140580), ("flip", 1.00634916395299999)],
     ),
     "backlash": (
         "backlash", SPRING | {"frequency": 0.7}, "frequency", (0.5, 1.2),
@@ -240,3 +245,12 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cy
         exact = exactly(double, row)  # no repetition of a shorter one, or it raises
         assert exact.stable == row.stable
         assert exact.durations == pytest.approx(row.durations, rel=1e-8)
+
+
+def test_what_is_not_watched_ends_a_branch_by_the_solver(monkeypatch) -> None:
+    """As if nothing were demanded: the orbits behind the second touch solve all equations."""
+    monkeypatch.setattr(Course, "rows", lambda *found: [])
+    branch, (touch, _) = response("impact, a second touch")
+    assert branch.why_it_ended[0].startswith("beyond, in flight, not true that the mass stays")
+    assert branch["value"].min() > touch[1]
+    assert [event.kind for event in branch.events] == ["flip"]
