@@ -19,6 +19,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.flow.exact_system import arrays
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.results.branch import BranchInterrupted
 
 SPRING = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.0)
 FLAGS = ("clearance", "--force", 0.3, "--damping", 0.1, "--gap", 1, "--frequency", 1)
@@ -194,6 +195,8 @@ def test_the_command_writes_what_python_has(found: ns.Branch, run, tmp_path: Pat
         (("--vary", "frequency=-1:2"), "frequency: got -1.0"),
         (("--vary", "frequency=1:2", "--from-orbit", "none.json"), "--from-orbit"),
         ((), "Missing option '--vary'"),
+        (("--vary", "frequency=1:2", "--attractors"), "--attractors: expected beside --output"),
+        (("--vary", "frequency=1:2", "--all", "-o", "all.csv"), "beside --all, expected .json"),
     ],
 )
 def test_flags_that_cannot_be_meant(run, flags, words: str) -> None:
@@ -243,6 +246,22 @@ def test_ctrl_c_keeps_what_was_found(found: ns.Branch, run, monkeypatch, tmp_pat
     part = ns.load(path)
     assert 0 < len(part) < len(found)
     assert f"interrupted: {len(part)} orbits are found" in err
+
+
+def test_ctrl_c_keeps_the_branches_that_were_followed(monkeypatch) -> None:
+    original, calls = branches._result, iter(range(1))
+
+    def result(*arguments):
+        if next(calls, None) is None:
+            raise KeyboardInterrupt
+        return original(*arguments)
+
+    monkeypatch.setattr(branches, "_result", result)
+    stop = ns.scene("impact")(damping=0, restitution=0.8, gap=0.5, frequency=1.05)
+    with pytest.raises(BranchInterrupted) as caught:
+        ns.branches(stop, "frequency", 1.0, 1.12)
+    (done,) = caught.value.done
+    assert [event.kind for event in done.events] == ["flip", "flip"]
 
 
 def test_the_picture_tells_stable_from_unstable_without_colour(found: ns.Branch) -> None:
