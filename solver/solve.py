@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
-from itertools import islice, product
+from itertools import chain, islice, product
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from .orbit.attempt import attempt
 from .orbit.solution import Solution
 from .results.orbit import Orbit
 from .scenes.case import Case
-from .scenes.methods import FIRST
+from .scenes.methods import FIRST, about
 from .scenes.orders import OrderedScene
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
@@ -264,7 +264,27 @@ class _Search:
     def from_exact(self, exact: ExactOrbit) -> Orbit | None:
         """Return the orbit of the method next to an exact one, if it has one."""
         self.words = "the times of the exact orbit"
-        return self.orbit(exact.times)
+        starts = chain([exact.times], self.aside(exact.times))
+        return next((orbit for orbit in map(self.orbit, starts) if orbit is not None), None)
+
+    def aside(self, times: Vector) -> Iterator[Vector]:
+        """Yield times in which one switch is half a wave of the highest harmonic off, if any.
+
+        Where the velocity jumps, harmonics have times that are that wrong, and between these
+        and the exact ones there may be no way.
+        """
+        count = len(self.case.cell.phases)
+        if count == 1 or not about(self.method).is_series:
+            return
+        wave = times[:count].sum() * self.case.cell.cells / self.order
+        for p, step in product(range(count), (wave / 2, -wave / 2)):
+            moved = times.copy()
+            moved[p - 1 if p else count - 1] += step
+            moved[p] -= step
+            if p == 0 and self.case.cell.forced:
+                moved[-1] += self.case.cell.omega * step
+            self.words = "the times of the exact orbit, one of them half a wave aside"
+            yield moved
 
     def orbit(self, times: Vector) -> Orbit | None:
         """Return the orbit to which times lead, if they lead to one."""

@@ -95,9 +95,18 @@ def test_an_orbit_that_is_not_stable_stays_where_a_method_lacks_the_stable_one(
 ) -> None:
     other = exact_orbit(BOUNCES)
     monkeypatch.setattr(solving, "settled_orbit", lambda case: other)
+    monkeypatch.setattr(solving._Search, "aside", lambda search, times: iter(()))
     single = BOUNCES.with_cycles(1)
     assert solve_case(single, "hb", 10).case == single
     assert solve_case(single, "ck-tau", 10).case == other.case
+
+
+@pytest.mark.parametrize("order", [20, 45, 60, 120])
+def test_harmonics_find_an_orbit_that_is_half_a_wave_away(order) -> None:
+    """Their times are off by up to half a wave of the highest harmonic, after T/N."""
+    orbit = solve_case(BOUNCES, "hb", order)
+    assert orbit.case.scene.motion == "flight,flight"
+    assert orbit.errors.times * order < 0.5
 
 
 @pytest.mark.parametrize("method", ["ck", "hb-ck"])
