@@ -1,4 +1,4 @@
-"""The names in a scene, and those that have a meaning of their own in a kernel."""
+"""The names in a scene, and those that have a meaning of their own in its equations."""
 
 import keyword
 import re
@@ -27,25 +27,16 @@ COMMANDS = frozenset(
 #: How scenes and their motions are called, on the command line too.
 _CALLED = re.compile(r"[a-z][a-z0-9-]*")
 
-#: The short ones of the names that kernels and equations use themselves.
+#: The short ones of the names that equations use themselves.
 SHORT = ("N", "R", "J", "T", "z", "p", "u", "l", "n", "j", "t", "x", "v", "a", "b", "a0", "phi")
 
-#: All of them: unknowns, indices, functions.
+#: All of them: unknowns, indices, times of switches, functions.
 _RESERVED = re.compile(
-    rf"({'|'.join(SHORT)}"
-    r"|q\d+|row|case|angle|forcing|omega_0"
-    r"|np|pi|cycles|cos|sin|sqrt|exp|abs|max|range|len|legendre"
-    r"|(at|by|number|over|ends|series|event|displacement|velocity|derivative|impact|jump|memory)_\w+"
-    r"|[CS]_[mckfgw](_\w+)?|size|residual|jacobian|motion|coefficients|cell(_by_\w+)?"
-    r"|spherical_bessel|legendre_moments|phase_motion|harmonic_(integrals|motion)"
-    r"|rates|integrated|multiples|weighted_integrals"
-    r"|bands|joints|(band|joint)_rates|(band|kept)_places|diagonals|right|found|slopes"
-    r"|before|after|follow|column"
-    r"|break_(series|ends|integrals)|breaks_on_phases?)"
+    rf"({'|'.join(SHORT)}|t\d+|omega_0|forcing|angle|cycles|pi|cos|sin|sqrt|exp|abs)"
 )
 
-#: What stands before or behind the name of a phase in the names of its unknowns.
-_OF_A_PHASE = r"(s|x|v|d|J|c\d+|tau\d+|mu|nu|beta|G\d+)_{0}(_\w+)?|{0}_(by|rest)_\w+"
+#: What stands before the name of a phase in the names of its unknowns and integrals.
+_OF_A_PHASE = r"(s|x|v|d|J|C|S|c\d+|tau\d*|mu|nu|beta|G\d+)_{0}(_\w+)?"
 
 
 def check_name(field: str, name: str) -> None:
@@ -93,6 +84,6 @@ def check_meaning(field: str, name: str, phases: Iterable[str]) -> None:
 
 
 def reserved(name: str, phases: Iterable[str]) -> bool:
-    """Whether kernels use a name themselves, in a scene with phases of these names."""
+    """Whether equations use a name themselves, in a scene with phases of these names."""
     patterns = (_OF_A_PHASE.format(re.escape(phase)) for phase in phases)
     return bool(_RESERVED.fullmatch(name)) or any(re.fullmatch(q, name) for q in patterns)

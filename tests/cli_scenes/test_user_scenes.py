@@ -42,6 +42,13 @@ def derivations(monkeypatch) -> list[str]:
     return names
 
 
+@pytest.mark.parametrize("name", ["size", "found", "residual", "np", "coefficients", "row"])
+def test_a_parameter_may_have_a_name_that_kernels_use(name: str) -> None:
+    """Equations do not use it, and kernels take a scene as numbers."""
+    usual, other = (ns.solve(ns.scene(ball(gravity=q))()) for q in ("g", name))
+    assert other.durations == usual.durations
+
+
 def ball(restitution: float = 0.8, name: str = "ball", gravity: str = "g") -> Scene:
     """Return a scene that is made in place."""
     A, Omega, r = sp.symbols("A Omega r", positive=True)

@@ -81,6 +81,14 @@ NAMES = {
         lambda: with_parameter(0, symbol=sp.Symbol("s_flight", positive=True)),
         "parameter mass: symbol: s_flight has a meaning of its own",
     ),
+    "symbol of a switch": (
+        lambda: with_parameter(0, symbol=sp.Symbol("t1", positive=True)),
+        "parameter mass: symbol: t1 has a meaning of its own",
+    ),
+    "symbol of an integral": (
+        lambda: with_parameter(0, symbol=sp.Symbol("C_flight", positive=True)),
+        "parameter mass: symbol: C_flight has a meaning of its own",
+    ),
     "complex symbol": (
         lambda: with_parameter(0, symbol=sp.Symbol("m")),
         "parameter mass: symbol: got m",
