@@ -42,7 +42,7 @@ def motion(
     with np.errstate(all="ignore"):  # a trial of Newton's method may grow beyond float64
         x, v = _states(phase, start, angle, omega, t.ravel())
         if derivative == 2:
-            x = _acceleration(phase, x, v, np.cos(omega * t.ravel() + angle))
+            x = phase.acceleration(x, v, np.cos(omega * t.ravel() + angle))
     return np.asarray((x, v, x)[derivative]).reshape(t.shape)
 
 
@@ -51,10 +51,6 @@ def by_start(phase: Phase, s: float) -> Matrix:
     if phase.held:
         return np.array([[1.0, 0.0], [0.0, 0.0]])
     return np.reshape(responses.by_start(phase.m, phase.c, phase.k, s)[:4], (2, 2))
-
-
-def _acceleration(phase: Phase, x: Vector, v: Vector, cosine: Vector) -> Vector:
-    return (phase.f + phase.g * cosine - phase.c * v - phase.k * x) / phase.m
 
 
 def _states(

@@ -47,8 +47,8 @@ def defect(orbit: Motion, p: int) -> tuple[float, float]:
         if phase.held:
             return np.array([orbit.part(p, u, 2)])
         x, v, a = (orbit.part(p, u, j) for j in (0, 1, 2))
-        force = phase.f + phase.g * np.cos(angle + cell.omega * s * u)
-        return np.array([a, phase.c / phase.m * v, phase.k / phase.m * x, -force / phase.m])
+        parts = phase.accelerations(x, v, np.cos(angle + cell.omega * s * u))
+        return np.array([a, *(-part for part in parts)])
 
     def residual(u: Vector) -> Vector:
         return np.asarray(terms(u).sum(axis=0))

@@ -85,8 +85,7 @@ def _is_a_switch(orbit: Motion, p: int, u: float, allowed: float) -> bool:
     angle = orbit.angle + cell.omega * float(begun)
     x, v = (sign * float(orbit.part(p, at, j)[0]) for j in (0, 1))
     wave, turned = sign * np.cos(angle), -sign * cell.omega * np.sin(angle)
-    force = following.f + following.g * wave - following.c * v - following.k * x
-    a = 0.0 if following.held else force / following.m
+    a = following.acceleration(x, v, wave)
     for _, form in following.demands:
         value = float(np.dot(form, (x, v, wave, 1.0)))
         near = abs(value) <= allowed * scale_of(orbit, p, form)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from operator import mul
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .loaded import LoadedScene
@@ -71,6 +71,17 @@ class Phase:
 
         force = self.f + sum(map(mul, self.memory, values))
         return replace(self.with_forms(put), f=force, memory=())
+
+    def accelerations(self, x: Any, v: Any, cosine: Any) -> tuple[Any, Any, Any]:
+        """Return what force, damper and spring make of the acceleration in a free phase."""
+        force = self.f + self.g * cosine
+        return force / self.m, -self.c * v / self.m, -self.k * x / self.m
+
+    def acceleration(self, x: Any, v: Any, cosine: Any) -> Any:
+        """Return the acceleration in a state: what the equation of motion says."""
+        if self.held:
+            return 0.0 * v
+        return (self.f + self.g * cosine - self.c * v - self.k * x) / self.m
 
     def with_forms(self, put: Callable[[Form], Form]) -> "Phase":
         """Return the phase with another form in the place of each."""

@@ -73,8 +73,8 @@ def _reached(motion: "Motion") -> Matrix:
     angles = motion.angle + cell.omega * np.cumsum(motion.cell_durations)
     for p, (phase, angle) in enumerate(zip(cell.phases, angles, strict=True)):
         x, v = (float(motion.part(p, end, j)[0]) for j in (0, 1))
-        force = phase.f + phase.g * np.cos(angle) - phase.c * v - phase.k * x
-        found[p] = (phase.speed, 0.0) if phase.held else (v, force / phase.m)
+        v = phase.speed if phase.held else v
+        found[p] = v, phase.acceleration(x, v, np.cos(angle))
     return found
 
 
