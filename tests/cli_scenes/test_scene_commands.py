@@ -317,7 +317,7 @@ def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
     assert v.min() == pytest.approx(orbit.phases[0].velocity, rel=1e-6)
     assert v.max() == pytest.approx(-orbit.phases[0].velocity / 0.6, rel=1e-6)
     assert x.max() == pytest.approx(0.1, rel=1e-6)
-    assert len(velocity.lines[0].get_xdata()) == 400
+    assert (velocity.lines[0].get_xdata() < 1).sum() == 400
     result = ns.sweep(case, ["hb", "ck"], [3, 4])
     times, jumps = convergence_figure(result).axes
     errors = [row.errors.times for row in result.of("c0")]

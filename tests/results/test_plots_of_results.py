@@ -40,7 +40,14 @@ def test_a_motion_against_time_has_both_sides_of_each_switch(kind: str, axes) ->
     (line,) = axes.lines
     part, values = curve(line)
     same = {"rtol": 1e-10, "atol": 1e-10}
-    np.testing.assert_allclose(values, motion.acceleration(part * motion.period), **same)
+    once = part < 1
+    assert part.max() == pytest.approx(
+        1.2, abs=0.01
+    )  # what follows a switch at the end is seen
+    np.testing.assert_array_equal(values[~once], values[once][: (~once).sum()])
+    np.testing.assert_allclose(
+        values[once], motion.acceleration(part[once] * motion.period), **same
+    )
     assert line.get_color() == "red"
     for switch in np.cumsum(motion.durations)[:-1] / motion.period:
         assert (switch - part > 0).any()
@@ -48,8 +55,9 @@ def test_a_motion_against_time_has_both_sides_of_each_switch(kind: str, axes) ->
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("t/T", "acceleration [m/s²]")
     plane = motion.plot(Figure().subplots()).lines[0]
     x, v = curve(plane)
-    np.testing.assert_allclose(x[:-1], motion.displacement(part * motion.period), **same)
-    np.testing.assert_allclose(v[:-1], motion.velocity(part * motion.period), **same)
+    times = part[once] * motion.period
+    np.testing.assert_allclose(x[:-1], motion.displacement(times), **same)
+    np.testing.assert_allclose(v[:-1], motion.velocity(times), **same)
     assert (x[0], v[0]) == (x[-1], v[-1])
 
 
@@ -88,7 +96,7 @@ def test_families_along_their_parameter(axes) -> None:
     np.testing.assert_array_equal(low[0], [0.1, 0.2])
     np.testing.assert_allclose(high[1], [0.1, 0.2], rtol=1e-9)  # the stop
     np.testing.assert_array_equal(missing[0], [50.0])
-    assert axes.get_xlabel() == "gap g [m]"
+    assert axes.get_xlabel() == "gap $g$ [m]"
     drawn = thing("family-belt").plot(Figure().subplots(), "period")
     np.testing.assert_array_equal(curve(drawn.lines[0])[1], thing("family-belt")["period"][1:])
 

@@ -13,6 +13,16 @@ from ..style import SETTINGS, save
 #: Least error that is drawn: below it is rounding, and for 0 there is no place on the axis.
 LEAST = float(np.finfo(float).eps) / 2
 
+#: Names of Greek letters that symbols have.
+GREEK = frozenset(
+    (
+        *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota"),
+        *("kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "phi", "chi"),
+        *("psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi"),
+        *("Psi", "Omega"),
+    )
+)
+
 
 def axes_or_new(ax: Any) -> Any:
     """Return axes to draw on: those given, or new ones in the style of all pictures."""
@@ -34,6 +44,35 @@ def check_quantity(quantity: object, known: Collection[str]) -> None:
     """
     if quantity not in known:
         raise ValueError(f"quantity: got {quantity!r}, expected one of {', '.join(known)}")
+
+
+def typeset(symbol: str) -> str:
+    r"""Return a symbol as matplotlib typesets it.
+
+    Examples
+    --------
+    >>> typeset("Omega"), typeset("mu_s"), typeset("F_0"), typeset("left")
+    ('$\\Omega$', '$\\mu_{s}$', '$F_{0}$', '$\\mathrm{left}$')
+    """
+    head, _, index = (_letters(part) for part in symbol.partition("_"))
+    return f"${head}_{{{index}}}$" if index else f"${head}$"
+
+
+def _letters(name: str) -> str:
+    if name in GREEK:
+        return f"\\{name}"
+    return rf"\mathrm{{{name}}}" if len(name) > 1 else name
+
+
+def described(case: Any, but: str = "") -> str:
+    """Return the scene and the parameters of a case in a line, `but` for one of them."""
+    values = [
+        f"{typeset(q.symbol)} = {case.values[q.name]:.4g} {q.unit}".rstrip()
+        for q in case.scene.parameters
+        if q.name != but
+    ]
+    cycles = [f"{case.cycles} cycles of the forcing"] if case.cycles > 1 else []
+    return f"{case.scene.name}: {', '.join([*values, *cycles])}"
 
 
 def draw_errors(axes: Any, orders: Any, errors: Any, **look: Any) -> None:

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import about
 
-from .axes import axes_or_new, check_quantity
+from .axes import axes_or_new, check_quantity, described, frame, typeset
 
 if TYPE_CHECKING:
     from nonsmooth.solver.arrays import Vector
@@ -161,7 +161,7 @@ def name_of(result: "Family | Diagram") -> str:
     """Return what the axis of the parameter says."""
     parameter = next(q for q in result.case.scene.parameters if q.name == result.parameter)
     unit = f" [{parameter.unit}]" if parameter.unit else ""
-    return f"{parameter.name.replace('_', ' ')} {parameter.symbol}{unit}"
+    return f"{parameter.name.replace('_', ' ')} {typeset(parameter.symbol)}{unit}"
 
 
 def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:
@@ -193,7 +193,7 @@ def family_figure(result: "Family", log: bool = False) -> Figure:
     if log:
         panels[0].set_xscale("log")
     method = f"{shown(scene, result.method)}, N = {result.order}"
-    words = f"{scene.name}: {result.other_parameters}; {method}"
+    words = f"{described(result.case, but=result.parameter)}; {method}"
     figure.supxlabel(words, fontsize=7, wrap=True)
     return figure
 
@@ -213,7 +213,5 @@ def branch_figure(results: "Sequence[Branch]", diagrams: "Sequence[Diagram]" = (
     lower.axhline(1.0, color="0.7", linewidth=0.8, zorder=0)
     lower.set_ylim(0.0, 2.0)
     upper.set_xlabel("")
-    upper.legend(frameon=False, fontsize=8)
-    words = f"{results[0].case.scene.name}: {results[0].other_parameters}"
-    figure.supxlabel(words, fontsize=7, wrap=True)
+    frame(figure, upper, described(results[0].case, but=results[0].parameter), columns=5)
     return figure

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from nonsmooth.plots.instants import instants
 
 from ..style import EXACT
-from .axes import axes_or_new, check_quantity, frame
+from .axes import axes_or_new, check_quantity, described, frame
 
 if TYPE_CHECKING:
     from nonsmooth.solver.exact import ExactOrbit
@@ -24,10 +24,18 @@ HISTORIES = {
 }
 
 
+#: How far motions are drawn against time, in periods: beyond the switch that ends one.
+BEYOND = 1.2
+
+#: How the first motion on a pair of axes looks.
+FIRST: dict[str, Any] = {"color": "0.1", "linestyle": "-", "linewidth": 1.4}
+
+
 def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> Any:
     """Draw a periodic motion and return the axes.
 
-    Both sides of each switch are drawn, the first and the last instant of each phase.
+    Both sides of each switch are drawn, the first and the last instant of each phase.  The
+    first motion on a pair of axes is a solid dark line, those behind it look as their method.
 
     Parameters
     ----------
@@ -36,7 +44,8 @@ def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> An
     ax : matplotlib Axes, optional
         Where; new ones without it.
     quantity : {"plane", "displacement", "velocity", "acceleration"}
-        The phase plane, or one of the three against time in periods.
+        The phase plane, or one of the three against time in periods, for a little more than
+        one.
     **style
         Of the line, as `matplotlib.axes.Axes.plot` takes it.
 
@@ -47,13 +56,16 @@ def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> An
     """
     check_quantity(quantity, (PLANE, *HISTORIES))
     axes, times = axes_or_new(ax), instants(motion)
-    look = {"label": motion.label} | line(motion) | style
+    look = {"label": motion.label} | (line(motion) if axes.lines else _first(motion)) | style
     if quantity == PLANE:
         x, v = motion.displacement(times), motion.velocity(times)
         axes.plot(np.append(x, x[0]), np.append(v, v[0]), **look)
         axes.set(xlabel=HISTORIES["displacement"], ylabel=HISTORIES["velocity"])
     else:
-        axes.plot(times / motion.period, getattr(motion, quantity)(times), **look)
+        part, values = times / motion.period, getattr(motion, quantity)(times)
+        again = part < BEYOND - 1
+        part, values = np.append(part, 1 + part[again]), np.append(values, values[again])
+        axes.plot(part, values, **look)
         axes.set(xlabel="t/T", ylabel=HISTORIES[quantity])
     return axes
 
@@ -64,6 +76,11 @@ def line(motion: Any) -> dict[str, Any]:
     if look is None:
         return dict(EXACT)
     return {"color": look["color"], "linestyle": look["linestyle"], "linewidth": 1.4}
+
+
+def _first(motion: Any) -> dict[str, Any]:
+    """Return how the curve of the first motion on a pair of axes looks."""
+    return line(motion) if motion.look is None else FIRST
 
 
 def motions_figure(
@@ -84,5 +101,6 @@ def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
     """Draw some orbits of a case, and the exact one."""
     every = [*([] if exact is None else [exact]), *orbits]
     case = every[0].case
-    words = f"{case.scene.name}: {case.description}"
-    return motions_figure([(each.label, each) for each in every], "periodic orbit", words)
+    return motions_figure(
+        [(each.label, each) for each in every], "periodic orbit", described(case)
+    )

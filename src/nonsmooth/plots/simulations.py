@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from nonsmooth.solver.scenes.methods import about
 
-from .axes import axes_or_new, check_quantity
+from .axes import axes_or_new, check_quantity, described
 from .orbits import HISTORIES, PLANE
 
 if TYPE_CHECKING:
@@ -73,6 +73,5 @@ def simulation_figure(motion: "Simulation") -> Figure:
     since = (1 - LATE) * motion.time
     draw(motion, plane, PLANE, since=since, color=colour, linewidth=1.4, label=words)
     plane.legend(loc="lower left", bbox_to_anchor=(0, 1.0), frameon=False, fontsize=8)
-    case = motion.case
-    figure.supxlabel(f"{case.scene.name}: {case.description}", fontsize=7, wrap=True)
+    figure.supxlabel(described(motion.case), fontsize=7, wrap=True)
     return figure

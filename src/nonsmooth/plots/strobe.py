@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 
-from .axes import axes_or_new, check_quantity
+from .axes import axes_or_new, check_quantity, described
 from .families import name_of
 
 if TYPE_CHECKING:
@@ -77,8 +77,8 @@ def diagram_figure(result: "Diagram") -> Figure:
     draw_diagram(result, upper)
     draw_diagram(result, lower, "velocity")
     upper.set_xlabel("")
-    words = f"{result.case.scene.name}, once a period of the forcing: {_others(result)}"
-    figure.supxlabel(words, fontsize=7, wrap=True)
+    words = described(result.case, but=result.parameter)
+    figure.supxlabel(f"once a period of the forcing; {words}", fontsize=7, wrap=True)
     return figure
 
 
@@ -86,16 +86,5 @@ def basins_figure(result: "Basins") -> Figure:
     """Draw basins of attraction."""
     figure = Figure(figsize=(6, 5), layout="constrained")
     draw_basins(result, figure.subplots())
-    words = f"{result.case.scene.name}: {result.case.description}"
-    figure.supxlabel(words, fontsize=7, wrap=True)
+    figure.supxlabel(described(result.case), fontsize=7, wrap=True)
     return figure
-
-
-def _others(result: "Diagram") -> str:
-    """Return the parameters that do not vary, in one line."""
-    parts = (
-        f"{q.symbol} = {result.case.values[q.name]:.4g} {q.unit}".rstrip()
-        for q in result.case.scene.parameters
-        if q.name != result.parameter
-    )
-    return ", ".join(parts)

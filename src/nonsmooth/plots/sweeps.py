@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import about
 
-from .axes import axes_or_new, check_quantity, draw_errors, frame
+from .axes import axes_or_new, check_quantity, described, draw_errors, frame
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.sweep import Sweep
@@ -62,6 +62,5 @@ def convergence_figure(result: "Sweep") -> Figure:
     for axes, quantity in zip(both, QUANTITIES, strict=False):
         draw(result, axes, quantity)
         axes.set_title(axes.get_ylabel())
-    case = result.case
-    frame(figure, both[0], f"{case.scene.name}: {case.description}")
+    frame(figure, both[0], described(result.case))
     return figure

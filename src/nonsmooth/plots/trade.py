@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import EXACT, about
 
-from .axes import frame
+from .axes import described, frame
 
 if TYPE_CHECKING:
     from nonsmooth.solver.trade.measured import Trade
@@ -29,5 +29,5 @@ def trade_figure(result: "Trade") -> Figure:
         axes.plot(times, errors, label=words, markersize=5, zorder=2, **look)
     axes.set(xscale="log", yscale="log", xlabel="time of one orbit [s]")
     axes.set_ylabel("error of the times, as a part of the period")
-    frame(figure, axes, f"{case.scene.name}: {case.description}")
+    frame(figure, axes, described(case))
     return figure

@@ -7,9 +7,8 @@ of its own here.
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
 from nonsmooth.plots.axes import draw_errors
+from nonsmooth.plots.orbits import BEYOND
 from nonsmooth.plots.orbits import draw as draw_motion
 from nonsmooth.style import EXACT, STYLES, above_floor, draw_floor, line
 
@@ -28,9 +27,6 @@ NAMES = {name: f"{name} ({section})" for name, (section, _) in METHODS.items()}
 
 #: The last order in Fig. 4, where the curves can still be told apart.
 LAST_ORDER = 12
-
-#: Periods of Fig. 2(b) to (d): past the first, so that both ends of slip are inside.
-PERIODS = 1.2
 
 #: What marks a level or points at a place.
 THIN: Any = {"color": "0.5", "linewidth": 0.8, "linestyle": "--"}
@@ -82,17 +78,13 @@ def history(quantity: str) -> Callable[[Any, Case], None]:
             axes.axhline(centre, **THIN)
             _beside(axes, "$x_s$", (1, centre), xytext=(-3, 3), ha="right")
         draw_motion(exact, axes, quantity, linewidth=1.6)
-        curve = axes.lines[-1]
-        part, values = curve.get_data()
-        again = part <= PERIODS - 1
-        curve.set_data(np.append(part, 1 + part[again]), np.append(values, values[again]))
         share = exact.t1 / exact.period
         axes.axvspan(0, share, color="0.9", zorder=0)
-        axes.axvspan(1, min(1 + share, PERIODS), color="0.9", zorder=0)
+        axes.axvspan(1, min(1 + share, BEYOND), color="0.9", zorder=0)
         where = {"xycoords": ("data", "axes fraction"), "ha": "center", "fontsize": 9}
         axes.annotate("stick", (share / 2, 1.02), **where)
         axes.annotate("slip", ((1 + share) / 2, 1.02), **where)
-        axes.set(xlim=(0, PERIODS))
+        axes.set(xlim=(0, BEYOND))
 
     return draw
 
