@@ -1,13 +1,30 @@
-"""Draw the picture of the README, ``docs/impact.png``: ``python docs/first_picture.py``."""
+"""Draw the first picture of README and site, ``docs/impact.png``.
+
+It is to be read at 390 pixels as well: four panels, two beside each other, with large letters.
+"""
 
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 
 import nonsmooth as ns
-from nonsmooth.report.scenes.gallery import page_of, show
 
 if __name__ == "__main__":
     plt.switch_backend("Agg")
-    show(page_of(ns.scene("impact")()), "plane", "jump", "times")
-    plt.savefig(Path(__file__).with_name("impact.png"), dpi=100)
+    plt.rcParams.update({"font.size": 12, "axes.grid": True, "grid.alpha": 0.3})
+    stop = ns.scene("impact")()
+    figure, ((plane, history), (errors, response)) = plt.subplots(
+        2, 2, figsize=(8, 6.6), layout="constrained"
+    )
+    exact, few = ns.exact(stop), ns.solve(stop, method="hb", order=10)
+    ns.plot([exact, few], plane)
+    ns.plot([exact, few], history, quantity="velocity")
+    plane.legend(["orbit", "10 harmonics"], frameon=False, loc="lower left", fontsize=10)
+    ns.sweep(stop, methods=["hb", "ck-tau"], orders=range(3, 25)).plot(errors)
+    errors.set_ylabel("error of the times")
+    errors.legend(["harmonics", "functions that jump"], frameon=False, fontsize=10)
+    ns.branch(ns.scene("impact")(gap=0.5, damping=0.02), "frequency", 1.2, 2.6).plot(
+        response, "amplitude"
+    )
+    response.legend(frameon=False, fontsize=10)
+    figure.savefig(Path(__file__).with_name("impact.png"), dpi=110)

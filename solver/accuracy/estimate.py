@@ -12,6 +12,7 @@ last correction of Newton's method alone does not: it may be small by chance.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -37,7 +38,7 @@ SAME, SAME_DERIVATIVE = 1e-6, 1e-3
 #: What one rounding is, as a part of a number.
 EPSILON = float(np.finfo(float).eps)
 
-NOTHING = Errors(math.inf, math.inf, math.inf)
+NOTHING = Errors(math.inf, math.inf, math.inf, math.inf)
 
 
 def estimate(orbit: Solution) -> Errors:
@@ -62,6 +63,7 @@ def estimate(orbit: Solution) -> Errors:
         + doubt.discontinuous
         + left
         + max(DERIVATIVE_ROUNDING, turned),
+        switches=apart.switches + doubt.switches + left + max(ROUNDING, shared),
     )
 
 
@@ -70,7 +72,7 @@ def _against_the_exact_orbit(orbit: Solution) -> Errors:
     found = orbit.errors
     if found is None:
         return NOTHING
-    return Errors(abs(found.period), found.times, found.discontinuous)
+    return replace(found, period=abs(found.period))
 
 
 def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, Errors] | None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..arrays import Vector
 from . import chebyshev
+from .extremes import LOOK
 from .motion import Motion
 from .quadrature import panels
 
@@ -28,11 +29,15 @@ class Errors:
     discontinuous : float
         Relative L2 error of the first derivative that jumps somewhere, ``x^(k+1)`` for a
         motion of class C^k, with each phase mapped onto the exact one, so that jumps coincide.
+    switches : float
+        The largest error of the displacement where a phase begins, as a part of the largest
+        displacement.  Where a clock says when phases end, times have no error, and it has.
     """
 
     period: float
     times: float
     discontinuous: float
+    switches: float
 
 
 def difference(found: Motion, reference: Motion, waves: int) -> Errors:
@@ -55,11 +60,21 @@ def difference(found: Motion, reference: Motion, waves: int) -> Errors:
     return Errors(
         period=float(np.sum(here - there)) / total,
         times=times / (total * cell.cells),
-        discontinuous=_ofderivative(found, reference, waves),
+        discontinuous=_of_derivative(found, reference, waves),
+        switches=_of_switches(found, reference),
     )
 
 
-def _ofderivative(found: Motion, reference: Motion, waves: int) -> float:
+def _of_switches(found: Motion, reference: Motion) -> float:
+    phases, start = range(len(reference.cell_durations)), np.zeros(1)
+    off = max(
+        abs(float((found.part(p, start, 0) - reference.part(p, start, 0))[0])) for p in phases
+    )
+    size = max(float(np.abs(reference.part(p, LOOK, 0)).max()) for p in phases)
+    return off / size if size else off
+
+
+def _of_derivative(found: Motion, reference: Motion, waves: int) -> float:
     u, weights = panels([], max(waves, 2))
     order = found.case.cell.k + 1
     apart = size = 0.0

@@ -1,9 +1,10 @@
 """An orbit of a scene as the document that programs read, in SI units."""
 
 import math
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from typing import TYPE_CHECKING, Any
 
+from ..orbit.errors import Errors
 from ..scenes.classes import classes
 from ..stability import in_words as stability
 
@@ -111,7 +112,7 @@ def _phases(case: "Case") -> "tuple[Phase, ...]":
 
 def without_errors() -> dict[str, None]:
     """Return the errors of an orbit that is not there."""
-    return dict.fromkeys(("period", "times", "discontinuous"))
+    return dict.fromkeys(field.name for field in fields(Errors))
 
 
 def _of_exact(exact: "ExactOrbit | None") -> dict[str, Any]:

@@ -93,5 +93,5 @@ class TooSlow(Exception):  # noqa: N818  (a finding, not a fault)
 
 
 def size(errors: Errors) -> float:
-    """Return what a tolerance bounds: the error of the times, and of a free period."""
-    return max(errors.times, abs(errors.period))
+    """Return what a tolerance bounds: errors of the switches, and of a free period."""
+    return max(errors.times, errors.switches, abs(errors.period))

@@ -44,7 +44,8 @@ def choose_order(
     case : Case
         The oscillator.
     tol : float
-        Largest estimated error of the times and of the period, as a part of the period.
+        Largest estimated error of the times and of the period, as a part of the period, and
+        of the displacement at switches, as a part of the largest.
     method, functions, motion : str, int, str
         See `solve_case`.
 

@@ -205,7 +205,7 @@ class StickSlipErrors(Errors):
 
     Parameters
     ----------
-    period, times, discontinuous : float
+    period, times, discontinuous, switches : float
         See `Errors`.
     t1 : float
         ``t1/t1_exact - 1``, signed.
@@ -268,8 +268,8 @@ class StickSlipOrbit(_Belt, Orbit):
         found = difference(self, self.exact, self.order)
         t1 = self.durations[0] / self.exact.durations[0] - 1
         apart = acceleration_error(self, self.exact, self.order)
-        own = (t1, apart, found.discontinuous)
-        return StickSlipErrors(found.period, found.times, found.discontinuous, *own)
+        own = {"t1": t1, "acceleration": apart, "acceleration_aligned": found.discontinuous}
+        return StickSlipErrors(**vars(found), **own)
 
     @cached_property
     def coefficients(self) -> dict[str, float | list[float]]:

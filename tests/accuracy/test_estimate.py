@@ -41,7 +41,7 @@ def belt_at(alpha: float) -> ns.StickSlip:
 ORDERS = {"hb": st.integers(1, 80), "hb-c1": st.integers(1, 80), "c1": st.integers(1, 30)}
 
 #: Errors below which rounding decides, not the method.
-FLOORS = {"period": 2e-14, "times": 2e-14, "discontinuous": 1e-11}
+FLOORS = {"period": 2e-14, "times": 2e-14, "discontinuous": 1e-11, "switches": 2e-14}
 
 
 @pytest.mark.parametrize("method", ORDERS)
@@ -58,7 +58,8 @@ def test_the_estimate_is_at_least_half_and_at_most_20_times_the_error(method: st
         seen.append(order)
         for name, floor in FLOORS.items():
             error, estimated = abs(getattr(orbit.errors, name)), getattr(orbit.estimate, name)
-            assert 0.5 * error <= estimated <= 20 * max(error, floor)
+            left = orbit.outcome.correction  # by Newton's method
+            assert 0.5 * error <= estimated <= 20 * max(error, floor, left)
 
     run()
     assert len(seen) >= 0.5 * (EXAMPLES // 3)

@@ -41,6 +41,7 @@ def test_solve_prints_the_fixed_keys(method: str, run, belt: ns.StickSlip) -> No
     assert set(document["exact"]) == {"t1", "period", "forcing_phase", "durations"}
     errors, t1, period = document["errors"], document["t1"], document["period"]
     names = {"period", "t1", "acceleration", "acceleration_aligned", "times", "discontinuous"}
+    names |= {"switches"}
     assert set(errors) == names
     assert errors["period"] == pytest.approx(period / EXACT["T"] - 1, abs=1e-14)
     assert errors["t1"] == pytest.approx(t1 / EXACT["t1"] - 1, abs=1e-14)

@@ -52,7 +52,9 @@ def test_where_there_is_none_the_row_says_why(along) -> None:
     assert (last.status, last.period, last.durations) == ("no-orbit", None, None)
     assert "no such orbit exists" in last.message
     assert np.isnan(along["period"][-1])
-    assert last.as_dict()["estimate"] == {"period": None, "times": None, "discontinuous": None}
+    assert last.as_dict()["estimate"] == dict.fromkeys(
+        ("period", "times", "discontinuous", "switches")
+    )
 
 
 def test_an_orbit_that_no_branch_has_is_searched_anew(monkeypatch) -> None:

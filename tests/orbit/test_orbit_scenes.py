@@ -72,6 +72,8 @@ def test_errors_fall_faster_than_any_power_and_are_estimated(case) -> None:
         assert times <= orbit.estimate.times <= 1.01 * times + 1e-14
         assert orbit.errors.discontinuous <= orbit.estimate.discontinuous
         assert orbit.estimate.discontinuous <= 1.01 * orbit.errors.discontinuous + 1e-12
+        assert orbit.errors.switches <= orbit.estimate.switches
+        assert orbit.estimate.switches <= 1.01 * orbit.errors.switches + 1e-14
         assert abs(orbit.errors.period) <= orbit.estimate.period
 
 
@@ -169,7 +171,7 @@ def test_the_document_is_json_and_complete(case) -> None:
     assert document["parameters"] == dict(case.values)
     assert document["phases"][0]["start"]["displacement"] == orbit.phases[0].displacement
     assert document["exact"]["period"] == pytest.approx(orbit.period, rel=1e-4)
-    assert set(document["errors"]) == {"period", "times", "discontinuous"}
+    assert set(document["errors"]) == {"period", "times", "discontinuous", "switches"}
     assert document["iterations"] == orbit.iterations >= orbit.outcome.iterations
     assert "\n" not in repr(orbit)
 

@@ -202,7 +202,7 @@ def _errors(
     row: Mapping[str, Any], found: Mapping[str, Any], kind: type[Errors] = Errors
 ) -> Errors | None:
     """Return errors; None without an orbit, or where nothing is known of them."""
-    values = [found[field.name] for field in fields(kind)]
+    values = [found.get(field.name) for field in fields(kind)]
     if row["status"] != "ok" or all(value is None for value in values):
         return None
     for name in ("times", "discontinuous"):
