@@ -1,14 +1,13 @@
 """Structures as the text of ``generated/space/``: data, and closed forms by `lambdify`."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 import sympy as sp
 from sympy.codegen.cfunctions import expm1
 
 from ..emission.closed_forms import ClosedForm, function_source
 from ..python_text import digest
-from ..scene import Parameter
 from . import collapse, forced_modes, green, matching, series
 from .data import Structure, a, b, beta, x
 from .structures import STRUCTURES
@@ -59,7 +58,7 @@ def sources() -> dict[str, str]:
 def module_source(structure: Structure) -> str:
     """Return the text of the module of a structure; its derivation is checked on the way."""
     matching.check_determinant(structure)
-    forms = list(closed_forms(structure))
+    forms = closed_forms(structure)
     body = "\n\n".join([*map(function_source, forms), _forced_modes(structure)])
     names = [q for q in ("cos", "exp", "expm1", "sin", "sqrt") if re.search(rf"\b{q}\(", body)]
     math = f"from numpy import {', '.join(names)}\n\n"
@@ -67,65 +66,40 @@ def module_source(structure: Structure) -> str:
     return head + math + _constants(forms, body) + "\n\n" + body
 
 
-def closed_forms(structure: Structure) -> Iterator[ClosedForm]:
-    """Yield what the numeric stage evaluates of a structure."""
+def closed_forms(structure: Structure) -> list[ClosedForm]:
+    """Return what the numeric stage evaluates of a structure."""
+    m, compliant = structure.m, structure.kind == "compliance"
     symbols = tuple(q.symbol for q in structure.parameters)
-    yield ClosedForm(
-        "strength", "Return the dimensionless strength s.", symbols, (structure.strength,)
-    )
-    yield ClosedForm(
-        "frequency",
-        f"Return the angular frequency over beta**{structure.m}.",
-        symbols,
-        (structure.bare.frequency,),
-    )
-    yield ClosedForm(
-        "restoring",
-        "Return the factor of the internal force or moment.",
-        symbols,
-        (structure.bare.restoring,),
-    )
     over, rest = green.regular_receptance(structure)
-    yield ClosedForm(
-        "receptance_over_sine",
-        "Return the part of the receptance over the sine; of a compliance, over lambda.",
-        (beta, SIN_A, COS_A, SIN_B, COS_B),
-        (_with_names(over),),
-    )
-    yield ClosedForm(
-        "receptance_rest", "Return the other part.", (beta, a, b), (decaying(rest),)
-    )
-    both = [green.response(structure, d) for d in range(2 * structure.m)]
-    yield ClosedForm(
-        "shape_over_sine",
-        "Return the response at x <= a and its derivatives, the part over the sine.",
-        (beta, x, SIN_B, COS_B),
-        tuple(_with_names(first) for first, _ in both),
-    )
-    yield ClosedForm(
-        "shape_rest",
-        "Return the other part of them.",
-        (beta, x, b),
-        tuple(decaying(second) for _, second in both),
-    )
-    yield ClosedForm(
-        "static_sum",
-        "Return the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2.",
-        (a,),
-        (forced_modes.static_sum(structure, 2 if structure.kind == "compliance" else 1),),
-    )
-    yield ClosedForm(
-        "legendre_norm_squared",
-        "Return the integral of P_l* squared over a segment of length h.",
-        (series.l, series.h),
-        (series.norm_squared(),),
-    )
-    yield ClosedForm(
-        "legendre_integral",
-        "Return the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*).",
-        (series.l, series.h),
-        (series.integral_factor(),),
-    )
+    shapes = [green.response(structure, d) for d in range(2 * m)]
+    first_sum = forced_modes.static_sum(structure, 2 if compliant else 1)
+    sines = SIN_B, COS_B
+    forms = [
+        ("strength", "the dimensionless strength s", symbols, structure.strength),
+        ("frequency", f"the angular frequency over beta**{m}", symbols,
+         structure.bare.frequency),
+        ("restoring", "the factor of the internal force or moment", symbols,
+         structure.bare.restoring),
+        ("receptance_over_sine",
+         "the part of the receptance over the sine; of a compliance, over lambda",
+         (beta, SIN_A, COS_A, *sines), _with_names(over)),
+        ("receptance_rest", "the other part", (beta, a, b), decaying(rest)),
+        ("shape_over_sine",
+         "the response at x <= a and its derivatives, the part over the sine",
+         (beta, x, *sines), *(_with_names(first) for first, _ in shapes)),
+        ("shape_rest", "the other part of them", (beta, x, b),
+         *(decaying(second) for _, second in shapes)),
+        ("static_sum", "the sum of r_n**2/mu_n; of a compliance, of r_n**2/mu_n**2",
+         (a,), first_sum),
+        ("legendre_norm_squared", "the integral of P_l* squared over a segment of length h",
+         (series.l, series.h), series.norm_squared()),
+        ("legendre_integral", "the factor in: integral of P_l* = factor (P_(l+1)* - P_(l-1)*)",
+         (series.l, series.h), series.integral_factor()),
+    ]  # fmt: skip
+    return [
+        ClosedForm(name, f"Return {words}.", arguments, tuple(values))
+        for name, words, arguments, *values in forms
+    ]
 
 
 def _forced_modes(structure: Structure) -> str:
@@ -197,23 +171,23 @@ def data_source(structures: Iterable[Structure]) -> str:
 
 
 def _record(structure: Structure) -> str:
-    rates = tuple(collapse.rate(structure, K) for K in range(forced_modes.MOST + 1))
-    parameters = "".join(f"            {_parameter(q)!r},\n" for q in structure.parameters)
-    return (
-        f"    {structure.name!r}: {{\n"
-        f"        'title': {structure.title!r},\n"
-        f"        'source': {structure.source!r},\n"
-        f"        'bare': {structure.bare.name!r},\n"
-        f"        'm': {structure.m},\n"
-        f"        'felt': {structure.felt},\n"
-        f"        'broken': {structure.broken},\n"
-        f"        'kind': {structure.kind!r},\n"
-        f"        'jump': {structure.jump_of_load},\n"
-        f"        'rates': {rates},\n"
-        f"        'parameters': (\n{parameters}        ),\n"
-        "    },\n"
+    fields = {
+        "title": structure.title,
+        "source": structure.source,
+        "bare": structure.bare.name,
+        "m": structure.m,
+        "felt": structure.felt,
+        "broken": structure.broken,
+        "kind": structure.kind,
+        "jump": structure.jump_of_load,
+        "rates": tuple(collapse.rate(structure, K) for K in range(forced_modes.MOST + 1)),
+    }
+    lines = "".join(f"        {name!r}: {value!r},\n" for name, value in fields.items())
+    rows = (
+        (q.name, q.symbol.name, q.unit, float(q.default), q.what) for q in structure.parameters
     )
-
-
-def _parameter(q: Parameter) -> tuple[object, ...]:
-    return q.name, q.symbol.name, q.unit, float(q.default), q.what
+    parameters = "".join(f"            {row!r},\n" for row in rows)
+    return (
+        f"    {structure.name!r}: {{\n{lines}"
+        f"        'parameters': (\n{parameters}        ),\n    }},\n"
+    )

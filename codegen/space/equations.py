@@ -1,6 +1,7 @@
 """A structure for a reader: its problem, its exact modes, the three expansions, their rates."""
 
 from collections.abc import Iterable, Iterator
+from functools import partial
 
 import sympy as sp
 
@@ -9,6 +10,9 @@ from ..system import Equation, Inner
 from . import collapse, forced_modes, green, matching, series
 from .data import Structure, a, beta, lam, s, x
 from .structures import structure_named
+
+#: An equation without a number, in words and with its sides.
+line = partial(Equation, "")
 
 n, N, i, j, l = sp.symbols("n N i j l", integer=True, positive=True)
 u, g = sp.Function("u"), sp.IndexedBase("g")
@@ -90,57 +94,47 @@ def _jump(order: int) -> sp.Expr:
 def _problem(structure: Structure) -> Iterator[Equation]:
     m = structure.m
     equation = (-1) ** m * _derivative(2 * m)
-    yield Equation("", "equation of the mode; away from the attachment", (equation, lam * u(x)))
-    yield Equation("", "eigenvalue and wave number", (lam, beta ** (2 * m)))
+    yield line("equation of the mode; away from the attachment", (equation, lam * u(x)))
+    yield line("eigenvalue and wave number", (lam, beta ** (2 * m)))
     for end in (0, 1):
         for order in (0, 2)[:m]:
             words = "supported at" if order == 0 else "free of moment at"
-            yield Equation(
-                "", f"{words} `x = {end}`", (_derivative(order, sp.Integer(end)), zero)
-            )
+            yield line(f"{words} `x = {end}`", (_derivative(order, sp.Integer(end)), zero))
     for order in range(2 * m):
         if order != structure.broken:
-            yield Equation(
-                "",
-                f"derivative {order} is continuous at `x = a`",
-                (_jump(order), zero),
-            )
+            yield line(f"derivative {order} is continuous at `x = a`", (_jump(order), zero))
     law = structure.law * _derivative(structure.felt, a)
-    yield Equation(
-        "",
+    yield line(
         f"what jumps first: the modes are of class `C^{structure.k}`",
         (_jump(structure.broken), law),
     )
-    yield Equation("", "strength of the attachment", (s, structure.strength))
-    power = structure.m
+    yield line("strength of the attachment", (s, structure.strength))
     omega = sp.Symbol("omega")
-    yield Equation("", "angular frequency", (omega, beta**power * structure.bare.frequency))
+    yield line("angular frequency", (omega, beta**m * structure.bare.frequency))
 
 
 def _exact(structure: Structure) -> Iterator[Equation]:
     first, second = green.response(structure)
     words = f"response to a unit load on derivative {structure.felt} at `x = a`; `x <= a`"
-    yield Equation("", words, (sp.Function("R")(x), first + second))
-    yield Equation(
-        "",
-        "receptance: that derivative of it at `x = a`",
-        (G, sum(green.receptance(structure))),
+    yield line(words, (sp.Function("R")(x), first + second))
+    yield line(
+        "receptance: that derivative of it at `x = a`", (G, sum(green.receptance(structure)))
     )
-    yield Equation("", "equation of the attachment", (structure.equation, zero))
-    yield Equation("", "characteristic equation", (green.characteristic(structure), zero))
+    yield line("equation of the attachment", (structure.equation, zero))
+    yield line("characteristic equation", (green.characteristic(structure), zero))
     factor = matching.check_determinant(structure)
-    yield Equation(
-        "", "determinant of the matching conditions, over the left side of that",
+    yield line(
+        "determinant of the matching conditions, over the left side of that",
         (sp.Symbol("D"), factor),
-    )  # fmt: skip
+    )
     wave = n * sp.pi
     around = (sp.sin(wave * a), sp.cos(wave * a), -sp.sin(wave * a))[structure.felt]
-    yield Equation("", "modes without the attachment", (phi[n], sp.sqrt(2) * sp.sin(wave * x)))
-    yield Equation("", "their eigenvalues", (bare[n], wave ** (2 * structure.m)))
-    yield Equation(
-        "", "what the attachment feels of them; where it is zero, the mode stays",
+    yield line("modes without the attachment", (phi[n], sp.sqrt(2) * sp.sin(wave * x)))
+    yield line("their eigenvalues", (bare[n], wave ** (2 * structure.m)))
+    yield line(
+        "what the attachment feels of them; where it is zero, the mode stays",
         (r[n], sp.sqrt(2) * wave**structure.felt * around),
-    )  # fmt: skip
+    )
 
 
 def _scalar(structure: Structure, last: sp.Expr, tail: sp.Expr) -> sp.Expr:
@@ -155,18 +149,14 @@ def _scalar(structure: Structure, last: sp.Expr, tail: sp.Expr) -> sp.Expr:
 
 def _ritz(structure: Structure) -> Iterator[Equation]:
     c = sp.IndexedBase("c")
-    yield Equation("", "expansion", (u(x), sp.Sum(c[n] * phi[n], (n, 1, N))))
+    yield line("expansion", (u(x), sp.Sum(c[n] * phi[n], (n, 1, N))))
     if structure.kind == "compliance":
-        yield Equation(
-            "", "no sine has a jump: the modes are those without the attachment, at any order",
+        yield line(
+            "no sine has a jump: the modes are those without the attachment, at any order",
             (lam, bare[n]),
-        )  # fmt: skip
+        )
         return
-    yield Equation(
-        "",
-        "all conditions as one equation",
-        (_scalar(structure, N, zero), zero),
-    )
+    yield line("all conditions as one equation", (_scalar(structure, N, zero), zero))
     yield from _rate(structure, 0)
 
 
@@ -174,14 +164,14 @@ def _rate(structure: Structure, K: int) -> Iterator[Equation]:
     power = collapse.rate(structure, K)
     forced = f" with {K} forced mode{'s' if K > 1 else ''}" if K else ""
     words = f"the error of the eigenvalue{forced} falls like"
-    yield Equation("", words, (N ** sp.Integer(-power),))
+    yield line(words, (N ** sp.Integer(-power),))
 
 
 def _forced(structure: Structure) -> Iterator[Equation]:
     c, d = sp.IndexedBase("c"), sp.IndexedBase("d")
     K = sp.Symbol("K", integer=True, positive=True)
     expansion = sp.Sum(c[n] * phi[n], (n, 1, N)) + sp.Sum(d[i] * g[i], (i, 1, K))
-    yield Equation("", "expansion", (u(x), expansion))
+    yield line("expansion", (u(x), expansion))
     yield from _forced_modes(structure)
     yield from _products(structure)
     yield from _tails(structure, K)
@@ -192,40 +182,40 @@ def _forced(structure: Structure) -> Iterator[Equation]:
 def _forced_modes(structure: Structure) -> Iterator[Equation]:
     for number in range(1, forced_modes.MOST + 1):
         left, right = map(sp.factor, forced_modes.forced_mode(structure, number))
-        yield Equation("", f"forced mode {number}; `x <= a`", (g[number], left))
+        yield line(f"forced mode {number}; `x <= a`", (g[number], left))
         if number == 1:
-            yield Equation("", f"forced mode {number}; `a < x`", (g[number], right))
+            yield line(f"forced mode {number}; `a < x`", (g[number], right))
     lowest = 2 if structure.kind == "compliance" else 1
     for number in range(lowest, lowest + 2):
         whole = sp.Sum(r[n] ** 2 / bare[n] ** number, (n, 1, sp.oo))
         sides = (S[number], whole, forced_modes.static_sum(structure, number))
-        yield Equation("", "sum of what is felt, a Bernoulli polynomial of `a`", sides)
+        yield line("sum of what is felt, a Bernoulli polynomial of `a`", sides)
 
 
 def _products(structure: Structure) -> Iterator[Equation]:
     primes = "'" * structure.m
     primed = sp.IndexedBase(f"g{primes}")
     sine = (Inner(phi[n], g[i]), r[n] / bare[n] ** i)
-    yield Equation("", "inner product with a sine: one term", sine)
-    yield Equation("", "inner product of two", (Inner(g[i], g[j]), S[i + j]))
+    yield line("inner product with a sine: one term", sine)
+    yield line("inner product of two", (Inner(g[i], g[j]), S[i + j]))
     but = ", on both sides; zero for the first by itself"
     words = f"of their derivatives {structure.m}{but if structure.kind == 'compliance' else ''}"
-    yield Equation("", words, (Inner(primed[i], primed[j]), S[i + j - 1]))
+    yield line(words, (Inner(primed[i], primed[j]), S[i + j - 1]))
 
 
 def _tails(structure: Structure, K: sp.Symbol) -> Iterator[Equation]:
     rest = sp.Sum(r[n] ** 2 / bare[n] ** i, (n, N + 1, sp.oo))
-    yield Equation("", "sums over the modes left out", (left_over[i], rest))
+    yield line("sums over the modes left out", (left_over[i], rest))
     tail = sp.Function("t_K")(lam)
-    yield Equation("", "all conditions as one equation", (_scalar(structure, N, tail), zero))
+    yield line("all conditions as one equation", (_scalar(structure, N, tail), zero))
     shift = 2 if structure.kind == "compliance" else 0
     names = {old: left_over[q + 1 + shift] for q, old in enumerate(collapse.sums(2))}
     one = collapse.tail(1).subs(names, simultaneous=True)
     words = "tail of two forced modes" if shift else "tail of one forced mode"
-    yield Equation("", words, (sp.Function("t_2" if shift else "t_1")(lam), one))
+    yield line(words, (sp.Function("t_2" if shift else "t_1")(lam), one))
     series_ = sp.Sum(lam ** (i - 1) * left_over[i + shift], (i, 1, 2 * K - shift))
     words = "any tail, as a power series: to this order that of all modes left out"
-    yield Equation("", words, (tail, series_))
+    yield line(words, (tail, series_))
 
 
 def _series(structure: Structure) -> Iterator[Equation]:
@@ -234,21 +224,19 @@ def _series(structure: Structure) -> Iterator[Equation]:
     d, P = sp.IndexedBase("d"), sp.IndexedBase("P^*")
     expansion = sp.Sum(d[l] * P[l], (l, 0, N))
     sign = "`0 <= x < a`, and with coefficients of its own beyond"
-    yield Equation(
-        "", f"expansion of derivative {order}; {sign}", (_derivative(order), expansion)
-    )
+    yield line(f"expansion of derivative {order}; {sign}", (_derivative(order), expansion))
     h = sp.Symbol("h", positive=True)
     integral = sp.Integral(P[l], (sp.Symbol("x"), 0, sp.Symbol("x")))
-    yield Equation(
-        "", "integration, on a segment of length `h`",
+    yield line(
+        "integration, on a segment of length `h`",
         (integral, series.integral_factor() * (P[l + 1] - P[l - 1])),
-    )  # fmt: skip
-    yield Equation("", "norm", (Inner(P[l], P[l]), series.norm_squared().subs(series.h, h)))
+    )
+    yield line("norm", (Inner(P[l], P[l]), series.norm_squared().subs(series.h, h)))
     for derivative in range(min(order, k + 1)):
         words = f"derivative {derivative} is continuous at `x = a`"
-        yield Equation("", words, (_jump(derivative), zero))
+        yield line(words, (_jump(derivative), zero))
     for end in (0, 1):
-        yield Equation("", f"supported at `x = {end}`", (u(sp.Integer(end)), zero))
+        yield line(f"supported at `x = {end}`", (u(sp.Integer(end)), zero))
     Lam, psi = sp.IndexedBase("Lambda"), sp.IndexedBase("r")
     total = sp.Sum(psi[i] ** 2 / (Lam[i] - lam), (i, 1, sp.Symbol("M")))
     words = "the attachment, in the modes of the expansion without it"
@@ -257,4 +245,4 @@ def _series(structure: Structure) -> Iterator[Equation]:
         left = 1 - s * lam * (hinge + lam * total)
     else:
         left = 1 + (s if structure.kind == "stiffness" else -s * lam) * total
-    yield Equation("", words, (left, zero))
+    yield line(words, (left, zero))
