@@ -17,11 +17,10 @@ from typing import Any, NoReturn
 import click
 
 from . import equations, paper
-from .about import CommandOfAny
+from .named import SCENES, STRUCTURES, NamedCommand
 from .problems import Problem, print_warnings, say
 from .scenes import generate
 from .scenes import simulate as simulation
-from .scenes.command import SceneCommand
 from .scenes.named import EXAMPLE
 from .scenes.shown import listing
 from .space import modes
@@ -63,7 +62,7 @@ class _Commands(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name, command, rest = super().resolve_command(ctx, args)
-        if not isinstance(command, CommandOfAny):
+        if not isinstance(command, NamedCommand):
             return name, command, rest
         try:
             chosen, about, others = command.chosen(rest)
@@ -107,17 +106,14 @@ def _verbs() -> Iterable[click.Command]:
         "tradeoff": "Measure time against error.",
     }
     for name, summary in summaries.items():
-        both = name == "sweep"
-        yield SceneCommand(name, module=name, own=False, structures=both, help=summary)
-    yield SceneCommand(
-        "stability", module="stability", own=False, hidden=True,
-        help="The old name of `nonsmooth digits`.",
-    )  # fmt: skip
+        kinds = (SCENES, STRUCTURES) if name == "sweep" else (SCENES,)
+        yield NamedCommand(name, kinds=kinds, help=summary)
+    yield NamedCommand("stability", hidden=True, help="The old name of `nonsmooth digits`.")
 
 
 #: Its command line is that of the scene, the default one too; this is what documentation shows.
-simulate = SceneCommand(
-    "simulate", module="simulate", own=False,
+simulate = NamedCommand(
+    "simulate",
     params=[*simulation.options(), *simulation.OUTPUT.options()],
     help=simulation.HELP.format(name="a scene", title="Stick-slip without SCENE"),
     epilog=(simulation.EPILOG + simulation.FORCED).format(**EXAMPLE),

@@ -87,22 +87,6 @@ class Output:
         return [json, output] if file else [output]
 
 
-class CommandOfAny(click.Command):
-    """A command that becomes that of the scene or structure that its arguments name."""
-
-    def chosen(self, arguments: list[str]) -> tuple[click.Command, str, list[str]]:
-        """Return the command that arguments mean, what it is about as named, and the rest."""
-        raise NotImplementedError
-
-    def names(self) -> tuple[str, ...]:
-        """Return what may be named first."""
-        raise NotImplementedError
-
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Complete names beside options."""
-        return [*completed(self.names(), incomplete), *super().shell_complete(ctx, incomplete)]
-
-
 class CommandAbout(click.Command):
     """A command about one scene or structure.
 
@@ -129,7 +113,8 @@ class CommandAbout(click.Command):
         options: Iterable[click.Parameter], parameters: Iterable[click.Parameter],
         output: Output, help: str, epilog: str, words: Mapping[str, object],
     ) -> None:  # fmt: skip
-        self.about = about
+        self.about, parameters = about, [*parameters]
+        self.flags = [q.opts[0] for q in parameters if (q.name or "").startswith(PREFIX)]
         table = tables_of(about.name)[0]
         file = click.Option(
             ["--case"], type=click.Path(path_type=Path),

@@ -11,10 +11,10 @@ from nonsmooth.files.json_text import as_json
 
 from .about import PREFIX, flag, given
 from .folders import check_folder, write_folder
+from .named import NamedCommand
 from .output import PICTURES, check_target, need, write_whole
 from .problems import Problem
 from .progress import busy, progress
-from .scenes.command import SceneCommand
 from .scenes.named import DEFAULT, scene_named
 from .scenes.options import case_from
 
@@ -123,7 +123,7 @@ def _print(found: "list[RealSolution]") -> None:
     print_table(table)
 
 
-@click.command(cls=SceneCommand, module="report", epilog=EPILOG_OF_REPORT)
+@click.command(cls=NamedCommand, own=True, epilog=EPILOG_OF_REPORT)
 @parameter_options
 @click.option(
     "--figure", type=click.Choice(FIGURES),

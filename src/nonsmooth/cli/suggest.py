@@ -3,6 +3,7 @@
 import click
 
 from ..nearest import nearest
+from .about import CommandAbout
 
 #: Flags of earlier versions, and what is asked in their place.
 RENAMED = {"--c1-terms": "--functions K, with --method hb-ck,"}
@@ -15,12 +16,9 @@ def no_such_option(error: click.NoSuchOption) -> str:
     command = error.ctx.command if error.ctx else click.Command(None)
     flags = [name for q in command.params for name in q.opts if name.startswith("--")]
     meant = nearest(error.option_name.replace("_", "-"), [*flags, "--help"])
-    scene = getattr(command, "about", None)
-    of_what = f"{scene.name} has no {error.option_name}." if scene else error.message
+    about = command if isinstance(command, CommandAbout) else None
+    of_what = f"{about.about.name} has no {error.option_name}." if about else error.message
     if meant:
         *others, last = meant
         return f"{of_what} Did you mean {', '.join(others)}{' or ' * bool(others)}{last}?"
-    if scene is None:
-        return of_what
-    names = (f"--{q.name.replace('_', '-')}" for q in scene.parameters)
-    return f"{of_what} It has {', '.join(names)}."
+    return f"{of_what} It has {', '.join(about.flags)}." if about else of_what

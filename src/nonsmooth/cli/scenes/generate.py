@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ..named import NamedCommand
 from ..problems import Problem
 from ..progress import busy
-from .command import SceneCommand
 from .named import scene_named
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ Examples:
 """
 
 
-@click.command(cls=SceneCommand, module="generate", all_without=True, epilog=EPILOG)
+@click.command(cls=NamedCommand, default=None, epilog=EPILOG)
 @click.option("--check", is_flag=True, help=CHECK)
 def generate(check: bool) -> int:
     """Derive the equations with SymPy and write generated/.

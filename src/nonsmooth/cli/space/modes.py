@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..about import Given, Output
+from ..named import STRUCTURES, NamedCommand
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
 from ..progress import progress
-from .named import StructureCommand, known
 from .options import attached_from, command_of
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ Examples:
 """
 
 
-@click.command(cls=StructureCommand, epilog=EPILOG)
+@click.command(cls=NamedCommand, kinds=(STRUCTURES,), default=None, epilog=EPILOG)
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 def modes(json_: bool) -> None:
     """Compute the lowest modes of a beam or a string with something attached.
@@ -59,7 +59,7 @@ def modes(json_: bool) -> None:
 
     from ..scenes.shown.listing import columns
 
-    structures = [load(name) for name in known()]
+    structures = [load(name) for name in STRUCTURES.known()]
     if json_:
         from nonsmooth.files.json_text import as_json
 

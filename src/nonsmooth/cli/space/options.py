@@ -1,7 +1,6 @@
 """The flags of a structure, and what they and a case file describe."""
 
 from collections.abc import Callable
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -12,23 +11,6 @@ from ..problems import Problem
 if TYPE_CHECKING:
     from nonsmooth.solver.space.attached import Attached
     from nonsmooth.solver.space.structure import Structure
-
-
-class CommandOfStructure(CommandAbout):
-    """A command built for a structure: an unknown option may be a parameter misspelled."""
-
-    about: "Structure"
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse arguments; say which parameters there are where one is unknown."""
-        try:
-            return super().parse_args(ctx, args)
-        except click.NoSuchOption as error:
-            flags = ["--position", *(flag(q.name) for q in self.about.parameters)]
-            given = str(error.option_name)
-            close = get_close_matches(given, [*flags, *(error.possibilities or ())], 1)
-            hint = f"Did you mean {close[0]}?" if close else f"It has {', '.join(flags)}."
-            raise click.UsageError(f"{self.about.name} has no {given}. {hint}", ctx) from error
 
 
 def command_of(
@@ -51,9 +33,7 @@ def command_of(
         )
         for q in structure.parameters
     )
-    return CommandOfStructure(
-        structure, run, options, [place, *flags], output, help_, epilog, words
-    )
+    return CommandAbout(structure, run, options, [place, *flags], output, help_, epilog, words)
 
 
 def _range(structure: "Structure", name: str) -> str:
