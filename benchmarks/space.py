@@ -34,9 +34,7 @@ PLACES = ("0.3", "0.318309886183790671537767526745", "0.5")
 def off(one: Attached, bare: BareModes, number: int = 1) -> float:
     """Return the relative error of an eigenvalue."""
     roots = secular.eigenvalues(bare, one, number)
-    exact = exact_modes(one, number)
-    found = secular.difference(roots, exact.origins, exact.shifts, number - 1)
-    return found / float(exact.eigenvalues[number - 1])
+    return exact_modes(one, number).error(roots, number - 1)
 
 
 def rates() -> None:

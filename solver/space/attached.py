@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -112,6 +113,21 @@ class Attached:
     def bare(self, n: Integers) -> Vector:
         """Return ``mu_n = (n pi)^(2m)``, the eigenvalues without the attachment."""
         return (np.asarray(n, dtype=float) * np.pi) ** (2 * self.structure.m)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the structure and its numbers, as documents begin."""
+        return {
+            "structure": self.structure.name,
+            "class": f"C{self.structure.k}",
+            "parameters": dict(self.values),
+            "position": str(self.a),
+            "strength": self.s,
+        }
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """The same without the parameters, as tables have it."""
+        return {name: value for name, value in self.as_dict().items() if name != "parameters"}
 
     @property
     def description(self) -> str:

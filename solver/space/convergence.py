@@ -1,8 +1,7 @@
 """How fast the expansions converge: the errors of one mode over the orders, and rates."""
 
-import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from ..presentation.table import Table, Tabular, flat
 from .attached import Attached
 from .eigenvalues import secular
-from .eigenvalues.exact import exact_modes
+from .eigenvalues.exact import exact_modes, of_frequency
 from .errors import shape_errors
 from .expansions.methods import available, bare_modes, check_order, shown
 from .expansions.shapes import jump_mismatch, shape_of
@@ -31,8 +30,7 @@ class Line:
 
     def name(self, attached: Attached) -> str:
         """Return it with the class of the structure: ``ritz-c1(2)``."""
-        found = shown(attached.structure, self.method)
-        return f"{found}({self.forced})" if self.forced > 1 else found
+        return shown(attached.structure, self.method, self.forced)
 
 
 @dataclass(frozen=True)
@@ -130,24 +128,12 @@ class Convergence(Tabular):
         rows = [asdict(row) for row in self.rows]
         for row in rows:
             row["method"] = Line(row["method"], row["forced"]).name(self.attached)
-        a, s = self.attached, self.attached.structure
-        about = {"structure": s.name, "class": f"C{s.k}", "position": str(a.a), "strength": a.s}
-        return Table(
-            ("method", "order"),
-            flat(rows),
-            {},
-            about | {"number": self.number} | dict(a.values),
-        )
+        about = self.attached.about | {"number": self.number} | dict(self.attached.values)
+        return Table(("method", "order"), flat(rows), {}, about)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the study as plain numbers."""
-        structure = self.attached.structure
-        return {
-            "structure": structure.name,
-            "class": f"C{structure.k}",
-            "parameters": dict(self.attached.values),
-            "position": str(self.attached.a),
-            "strength": self.attached.s,
+        return self.attached.as_dict() | {
             "number": self.number,
             "rows": [asdict(row) for row in self.rows],
             "rates": [
@@ -211,23 +197,16 @@ def _row(attached: Attached, line: Line, order: int, number: int) -> Convergence
         return head
     roots = secular.eigenvalues(bare, attached, number)
     exact, i = exact_modes(attached, number), number - 1
-    off = secular.difference(roots, exact.origins, exact.shifts, i) / float(
-        exact.eigenvalues[i]
-    )
+    off = exact.error(roots, i)
     shape = shape_of(attached, bare, roots, i)
     errors = shape_errors(attached, shape, exact, number, order)
     value = float(roots.values[i])
-    mismatch = jump_mismatch(attached, shape, value)
-    untouched = bool(exact.untouched[i]) or not math.isfinite(mismatch)
-    return ConvergenceRow(
-        method=line.method,
-        forced=line.forced,
-        order=order,
-        unknowns=bare.unknowns,
+    return replace(
+        head,
         beta=value ** (1 / (2 * attached.structure.m)),
-        error=math.expm1(0.5 * math.log1p(off)),
+        error=of_frequency(off),
         eigenvalue_error=off,
         shape=errors[0],
         discontinuous=errors[-1],
-        jump_mismatch=None if untouched else mismatch,
+        jump_mismatch=None if exact.untouched[i] else jump_mismatch(attached, shape, value),
     )

@@ -12,7 +12,7 @@ from ..presentation.table import Table, Tabular, flat
 from ..scenes.parameter_error import is_number
 from .attached import POSITION, Attached, attach
 from .eigenvalues import bounds, secular
-from .eigenvalues.exact import ExactModes, exact_modes
+from .eigenvalues.exact import ExactModes, exact_modes, of_frequency
 from .expansions.bare import BareModes
 from .expansions.methods import (
     HIGHEST,
@@ -23,7 +23,7 @@ from .expansions.methods import (
     generic_method,
     shown,
 )
-from .expansions.shapes import Shape, jump_mismatch, shape_of
+from .expansions.shapes import jump_mismatch, shape_of
 from .mode import Mode
 from .structure import Structure, load
 
@@ -137,11 +137,14 @@ class Modes(Tabular, Sequence[Mode]):
             row["exact_beta"] = row.pop("exact")["beta"]
             row["low"], row["high"] = row.pop("bounds")
             rows.append(row)
-        a, s = self.attached, self.structure
-        about = {"structure": s.name, "class": f"C{s.k}", "position": str(a.a), "strength": a.s}
-        about |= {"method": self.method, "order": self.order, "forced": self.forced}
-        about |= {"unknowns": self.unknowns} | dict(a.values)
+        about = self.attached.about | self._how | dict(self.attached.values)
         return Table(("number",), flat(rows), {"frequency": "Hz"}, about)
+
+    @property
+    def _how(self) -> dict[str, Any]:
+        """How they were computed."""
+        head = {"method": self.method, "order": self.order, "forced": self.forced}
+        return head | {"unknowns": self.unknowns}
 
     @property
     def structure(self) -> Structure:
@@ -151,24 +154,12 @@ class Modes(Tabular, Sequence[Mode]):
     @property
     def shown(self) -> str:
         """The method with the class in its name: ``ritz-c1``, with two forced modes (2)."""
-        name = shown(self.structure, self.method)
-        return f"{name}({self.forced})" if self.forced > 1 else name
+        return shown(self.structure, self.method, self.forced)
 
     def as_dict(self) -> dict[str, Any]:
         """Return structure, method and modes as plain numbers."""
-        a, s = self.attached, self.structure
-        return {
-            "structure": s.name,
-            "class": f"C{s.k}",
-            "parameters": dict(a.values),
-            "position": str(a.a),
-            "strength": a.s,
-            "method": self.method,
-            "order": self.order,
-            "forced": self.forced,
-            "unknowns": self.unknowns,
-            "modes": [mode.as_dict() for mode in self],
-        }
+        modes = {"modes": [mode.as_dict() for mode in self]}
+        return self.attached.as_dict() | self._how | modes
 
 
 def modes(
@@ -284,28 +275,18 @@ def _mode(
     low: float, high: float,
 ) -> Mode:  # fmt: skip
     shape, eigenvalue = shape_of(attached, bare, roots, i), float(roots.values[i])
+    mismatch = None if exact.untouched[i] else jump_mismatch(attached, shape, eigenvalue)
     return Mode(
         number=i + 1,
         eigenvalue=eigenvalue,
         exact_beta=float(exact.beta[i]),
-        error=_frequency_error(roots, exact, i),
+        error=of_frequency(exact.error(roots, i)),
         bounds=(low if math.isfinite(low) else None, high),
         node=int(exact.n[i]) if exact.untouched[i] else None,
-        jump_mismatch=None if exact.untouched[i] else _mismatch(attached, shape, eigenvalue),
+        jump_mismatch=mismatch,
         _attached=attached,
         _shape=shape,
     )
-
-
-def _mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float | None:
-    found = jump_mismatch(attached, shape, eigenvalue)
-    return found if math.isfinite(found) else None
-
-
-def _frequency_error(roots: secular.Roots, exact: ExactModes, i: int) -> float:
-    """Return frequency over the exact one less one."""
-    off = secular.difference(roots, exact.origins, exact.shifts, i)
-    return math.expm1(0.5 * math.log1p(off / float(exact.eigenvalues[i])))
 
 
 def _to_tolerance(attached: Attached, method: str, K: int, count: int, tol: float) -> Modes:

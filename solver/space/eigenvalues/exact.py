@@ -6,6 +6,7 @@ distance from the nearer one, and sines are taken from there, so that neither a 
 nor one near a node costs digits.
 """
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -18,6 +19,7 @@ from ..expansions.forced import ForcedModes
 from ..expansions.sums import left_out
 from ..position import Integers
 from .bracketing import EPS, bracketed
+from .secular import Roots
 
 #: Near zero and near an end the closed form cancels.  There, up to this mode, it is a sum over
 #: so many modes beyond twice its number, and so many terms of a power series for the rest.
@@ -61,6 +63,14 @@ class ExactModes:
     def shifts(self) -> Vector:
         """The eigenvalues less ``(n pi)^(2m)``, with all their digits."""
         return _shift(self.n, self.offset, self.attached.structure.m)
+
+    def error(self, roots: Roots, i: int) -> float:
+        """Return the relative error of the `i`-th of some eigenvalues.
+
+        Where both are near the same eigenvalue of the bare structure, by their shifts.
+        """
+        off = (roots.origin[i] - self.origins[i]) + (roots.shift[i] - self.shifts[i])
+        return float(off) / float(self.eigenvalues[i])
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
         """Return a derivative of a mode, in units of the length; its scale is any.
@@ -109,6 +119,11 @@ class ExactModes:
         over = module.shape_over_sine(beta, inside, sine[0], cosine[0])[derivative]
         rest = module.shape_rest(beta, inside, b)[derivative]
         return np.asarray(over / around.sin[0] + rest)
+
+
+def of_frequency(error: float) -> float:
+    """Return the relative error of a frequency from that of its eigenvalue."""
+    return math.expm1(0.5 * math.log1p(error))
 
 
 def _shift(n: Integers, d: Vector, m: int) -> Vector:

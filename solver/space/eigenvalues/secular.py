@@ -82,14 +82,6 @@ def eigenvalues(bare: BareModes, attached: Attached, count: int) -> Roots:
     return Roots(all_origins[order], all_shifts[order], mark[order], rounding)
 
 
-def difference(roots: Roots, origins: Vector, shifts: Vector, i: int) -> float:
-    """Return the `i`-th of some eigenvalues less that of others, given by origin and shift.
-
-    Where both are near the same eigenvalue of the bare structure, by their shifts.
-    """
-    return float((roots.origin[i] - origins[i]) + (roots.shift[i] - shifts[i]))
-
-
 def number(bare: BareModes, kind: str) -> int:
     """Return how many eigenvalues there are: a function with a jump brings one more."""
     return len(bare.eigenvalues) + (kind == "compliance" and bare.hinge_rest > 0)

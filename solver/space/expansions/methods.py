@@ -32,9 +32,10 @@ def generic_method(structure: Structure, method: object) -> str:
     raise ValueError(f"method: got {method!r}, expected {expected}")
 
 
-def shown(structure: Structure, method: str) -> str:
-    """Return the name of a method with the class of the structure: ``ritz-c1``."""
-    return method.replace("ck", f"c{structure.k}")
+def shown(structure: Structure, method: str, forced: int = 0) -> str:
+    """Return the name of a method with the class: ``ritz-c1``, of two forced modes with (2)."""
+    name = method.replace("ck", f"c{structure.k}")
+    return f"{name}({forced})" if forced > 1 else name
 
 
 def check_forced(structure: Structure, method: str, forced: int | None) -> int:

@@ -1,5 +1,6 @@
 """The shape of a mode from its eigenvalue: what each bare mode has of it."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -60,11 +61,11 @@ def shape_of(attached: Attached, bare: BareModes, roots: Roots, i: int) -> Shape
     return shape
 
 
-def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float:
+def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float | None:
     """Return the jump over what the law of the attachment says it is, less one.
 
     Both are taken from the shape at the attachment.  An error that needs no exact solution;
-    -1 where the functions have no jump.
+    -1 where the functions have no jump, None where the law is that there is none.
     """
     structure, a = attached.structure, np.array([float(attached.a)])
     before, behind = (shape.values(a, structure.broken, side)[0] for side in (-1, 1))
@@ -74,4 +75,5 @@ def jump_mismatch(attached: Attached, shape: Shape, eigenvalue: float) -> float:
         "compliance": attached.s,
     }[structure.kind]
     law = structure.jump * factor * shape.values(a, structure.felt)[0]
-    return float((behind - before) / law - 1) if law else float("nan")
+    found = float((behind - before) / law - 1) if law else math.nan
+    return found if math.isfinite(found) else None
