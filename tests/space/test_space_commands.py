@@ -11,7 +11,8 @@ import pytest
 from known import NAMES, attached
 
 import nonsmooth as ns
-from nonsmooth.cli.space import vary
+from nonsmooth.cli.space.family import structures_of, vary_of
+from nonsmooth.cli.values.vary import values_of
 from nonsmooth.plots import modes as pictures
 from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.eigenvalues.exact import exact_modes
@@ -309,9 +310,9 @@ def test_what_the_pictures_of_a_study_show() -> None:
     errors = figure.axes[0].lines[0].get_ydata()
     np.testing.assert_allclose(errors, [abs(row.eigenvalue_error) for row in study.rows[:3]])
     assert list(figure.axes[0].lines[1].get_xdata()) == [4, 6, 10]
-    over = vary.varied("position=1/4:1/2:2", False, attached("beam-mass"))
-    found = [ns.modes(each, count=2) for each in over.structures]
-    family = pictures.family_figure(over.name, over.values, found)
+    along = vary_of("position=1/4:1/2:2", False, attached("beam-mass"))
+    found = [ns.modes(each, count=2) for each in structures_of(along, attached("beam-mass"))]
+    family = pictures.family_figure(along.flag, values_of(along), found)
     assert family.axes[0].lines[1].get_ydata()[-1] == pytest.approx(2.0)
 
 

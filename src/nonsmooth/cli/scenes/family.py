@@ -1,6 +1,5 @@
 """``nonsmooth sweep SCENE --vary``: the orbit of a scene along one of its parameters."""
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +11,7 @@ from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
 from ..values.orders import is_whole
 from ..values.vary import Vary, parse_vary
+from ..values.vary import values_of as values_of  # noqa: PLC0414  (for simulate)
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.family import FamilyRow
@@ -36,28 +36,6 @@ def vary_of(given: "Given[LoadedScene]", text: str, log: bool) -> Vary[float]:
     if vary.parameter in given.flags:
         raise Problem(f"--{vary.flag}: given beside --vary {vary.flag}, which sets it")
     return vary
-
-
-def values_of(vary: Vary[float]) -> list[float]:
-    """Return the values of a parameter.
-
-    Examples
-    --------
-    >>> values_of(Vary("my_gap", 0.1, 10.0, 3, True))
-    [0.1, 1.0, 10.0]
-    """
-    import numpy as np
-
-    steps = vary.count - 1
-    numbers = np.arange(vary.count)
-    part = numbers / steps
-    if not vary.log:
-        found = vary.first + numbers * ((vary.last - vary.first) / steps)
-    elif 0 < vary.last / vary.first < math.inf:
-        found = vary.first * (vary.last / vary.first) ** part
-    else:
-        found = vary.first ** (1 - part) * vary.last**part
-    return [*found[:-1].tolist(), vary.last]
 
 
 def run(

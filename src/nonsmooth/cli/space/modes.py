@@ -9,7 +9,6 @@ from ..about import Given, Output
 from ..named import STRUCTURES, NamedCommand
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
-from ..progress import progress
 from .options import attached_from, command_of
 
 if TYPE_CHECKING:
@@ -107,7 +106,9 @@ def run(
     if vary is None and log:
         raise Problem("--log: expected --vary with it")
     if vary is not None:
-        return _run_family(attached, wanted, vary, log, json_, output)
+        from . import family
+
+        return family.run(attached, wanted, vary, log, json_, output)
     return _run_once(attached, wanted, json_, output)
 
 
@@ -171,43 +172,3 @@ def _warn(found: "list[Modes]") -> None:
         if expansion.structure.kind == "compliance" and expansion.method == "ritz":
             words = "sines have no jump: these are the modes of the sound beam"
             click.echo(f"nonsmooth: ritz: {words}", err=True)
-
-
-def _run_family(
-    attached: "Attached", wanted: dict[str, Any], vary: str, log: bool, json_: bool,
-    output: Path | None,
-) -> int:  # fmt: skip
-    """Compute the modes over a parameter, show them, write them; the exit status."""
-    from nonsmooth.files import csv_rows, documents
-
-    from . import mode_tables
-    from .vary import varied
-
-    if wanted["method"] == ALL:
-        raise Problem("--vary: got --method all with it, expected one method")
-    over = varied(vary, log, attached)
-    found: list[Modes] = []
-    with progress(len(over.values), "sweep") as advance:
-        for value, each in zip(over.labels, over.structures, strict=True):
-            found += compute(each, wanted)
-            advance(f"{over.name} = {value}")
-
-    document = documents.of_varied_modes(over.name, over.values, found)
-    text = documents.text_of_modes(attached.structure, document)
-    if json_:
-        click.echo(text, nl=False)
-    else:
-        click.echo(mode_tables.caption(attached, over.name.replace("-", "_")))
-        words = (
-            f"{found[0].shown}, N = {found[0].order}"
-            if wanted["tol"] is None
-            else "to a tolerance"
-        )
-        click.echo(f"{over.name} varies; {words}\n")
-        mode_tables.family(over.name, over.labels, found)
-    write_result(
-        output, text,
-        drawn_by("modes.family_figure", over.name, over.values, found, over.log), found,
-        rows=lambda: csv_rows.of_modes(found, over.name, over.values),
-    )  # fmt: skip
-    return 0

@@ -87,3 +87,33 @@ def parse_vary(
     if log and not low > 0:
         raise Problem(f"--log: got an end of {text!r} that is not above 0")
     return Vary(parameter, first, last, int(parts[2]), log)
+
+
+def values_of(vary: Vary[Number]) -> list[Number]:
+    """Return the values of a parameter; fractions are spaced evenly without rounding.
+
+    Examples
+    --------
+    >>> values_of(Vary("my_gap", 0.1, 10.0, 3, True))
+    [0.1, 1.0, 10.0]
+    >>> values_of(Vary("position", Fraction(1, 3), Fraction(1, 2), 3, False))
+    [Fraction(1, 3), Fraction(5, 12), Fraction(1, 2)]
+    """
+    number, steps = type(vary.first), vary.count - 1
+    found: list[Number] = [vary.first]
+    for i in range(1, steps):
+        if vary.log:
+            between = _between(float(vary.first), float(vary.last), i / steps)
+            found.append(number(repr(between)))
+        else:
+            found.append(vary.first + i * ((vary.last - vary.first) / steps))
+    found.append(vary.last)
+    return found
+
+
+def _between(first: float, last: float, part: float) -> float:
+    """Return the number at a part of the way by a constant factor, whatever that is."""
+    factor = last / first
+    if 0 < factor < math.inf:
+        return float(first * factor**part)
+    return float(first ** (1 - part) * last**part)
