@@ -6,8 +6,7 @@ import numpy as np
 
 import nonsmooth as ns
 from nonsmooth.kim_perkins import StickSlipOrbit
-from nonsmooth.report.case import FLOORS, MOST, Case
-from nonsmooth.report.paper import DEFAULT
+from nonsmooth.report.case import DEFAULT, FLOORS, MOST, Case
 from nonsmooth.solver.accuracy.rates import slope
 
 #: No two of its scales are the same, nor 1: a wrong unit or a missing factor is seen.

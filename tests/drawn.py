@@ -8,7 +8,8 @@ from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
 
 import nonsmooth as ns
-from nonsmooth.report.figures import FIGURES, figure
+from nonsmooth.report.figures import FIGURES
+from nonsmooth.report.pictures import figure
 
 #: The paper's markers.
 MARKERS = {"hb": "D", "hb-c1": "s", "c1": "o"}

@@ -5,8 +5,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import nonsmooth as ns
-from nonsmooth.report.case import Case, at_alpha
-from nonsmooth.report.paper import DEFAULT
+from nonsmooth.report.case import DEFAULT, Case, at_alpha
 
 
 class Fake(Case):

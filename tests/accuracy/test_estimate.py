@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth.report.paper import DEFAULT
+from nonsmooth.report.case import DEFAULT
 from nonsmooth.solver.accuracy import estimate as estimates
 from nonsmooth.solver.accuracy.estimate import EPSILON, ROUNDING
 from nonsmooth.solver.accuracy.skeel import condition as skeel

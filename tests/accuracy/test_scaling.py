@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth.kim_perkins import StickSlipOrbit
-from nonsmooth.report.paper import DEFAULT
+from nonsmooth.report.case import DEFAULT
 
 scale = st.floats(-12, 12).map(lambda exponent: 10.0**exponent)
 METHODS = st.sampled_from([("hb", 4), ("hb-c1", 4), ("c1", 7)])

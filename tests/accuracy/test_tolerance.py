@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth.report.paper import DEFAULT
+from nonsmooth.report.case import DEFAULT
 from nonsmooth.solver.trade.choice import MARGIN
 
 EXAMPLES = int(os.environ.get("EXAMPLES", "800"))

@@ -7,7 +7,7 @@ import pytest
 from computed import Exact
 
 import nonsmooth as ns
-from nonsmooth.report.paper import DEFAULT
+from nonsmooth.report.case import DEFAULT
 from nonsmooth.solver.orbit import quadrature
 from nonsmooth.solver.orbit.errors import acceleration_error
 

@@ -18,8 +18,8 @@ from written import value
 
 import nonsmooth as ns
 from nonsmooth.report.captions import PLATES, reading
+from nonsmooth.report.case import DEFAULT
 from nonsmooth.report.ours import other_tests
-from nonsmooth.report.paper import DEFAULT
 
 BELTS = pytest.mark.parametrize("belt", [DEFAULT, ODD, LIGHT], ids=["default", "odd", "light"])
 

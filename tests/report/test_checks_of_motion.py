@@ -8,9 +8,8 @@ from fakes import Fake
 from paper import Problem
 
 import nonsmooth as ns
-from nonsmooth.report.case import Case
+from nonsmooth.report.case import DEFAULT, Case
 from nonsmooth.report.checks import Finding, motion
-from nonsmooth.report.paper import DEFAULT
 
 QUANTITIES = ("displacement", "velocity", "acceleration")
 

@@ -8,10 +8,9 @@ from computed import ODD, Exact, case
 from every_run import tried
 from fakes import Fake
 
-from nonsmooth.report.case import at_alpha
+from nonsmooth.report.case import DEFAULT, at_alpha
 from nonsmooth.report.checks import Finding
 from nonsmooth.report.claims import CLAIMS, PARTS, Claim, Part
-from nonsmooth.report.paper import DEFAULT
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scaling import equilibrated
 

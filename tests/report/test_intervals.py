@@ -15,11 +15,10 @@ from matplotlib.colors import to_hex
 
 import nonsmooth as ns
 from nonsmooth.report import intervals, workers
-from nonsmooth.report.case import Case, at_alpha
+from nonsmooth.report.case import DEFAULT, Case, at_alpha
 from nonsmooth.report.checks import Finding
 from nonsmooth.report.claim_map import claim_map
 from nonsmooth.report.claims import CLAIMS, Claim, Part
-from nonsmooth.report.paper import DEFAULT
 
 
 @pytest.mark.parametrize(
@@ -52,8 +51,8 @@ def test_processes_find_the_same_intervals(monkeypatch) -> None:
     parts = [CLAIMS[0].parts[0], poorest.parts[0]]
     monkeypatch.setattr(intervals, "grid", lambda: [0.3, 0.5, 1.0])
     alone, told = intervals.scan(DEFAULT, parts), []
-    with workers.processes() as run:
-        assert intervals.scan(DEFAULT, parts, told.append, run) == alone
+    with workers.pool() as processes:
+        assert intervals.scan(DEFAULT, parts, told.append, processes.map) == alone
     assert len(alone[parts[1]][0]) == 2
     assert told[:3] == ["alpha = 0.3", "alpha = 0.5", "alpha = 1"]
     assert sorted(told[3:]) == sorted(part.words for part in parts)

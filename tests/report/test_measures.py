@@ -7,10 +7,9 @@ from paper import METHODS
 from scipy.special import sici
 
 import nonsmooth as ns
-from nonsmooth.report.case import Case, at_alpha
+from nonsmooth.report.case import DEFAULT, Case, at_alpha
 from nonsmooth.report.checks.fourier import GIBBS, rising
 from nonsmooth.report.measures import MEASURES
-from nonsmooth.report.paper import DEFAULT
 
 
 @pytest.fixture(params=[0.3, 5.0])

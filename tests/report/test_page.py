@@ -17,12 +17,11 @@ from written import Elements, value
 import nonsmooth as ns
 from nonsmooth.cli import folders
 from nonsmooth.report import build, pictures
-from nonsmooth.report.case import Case
+from nonsmooth.report.case import DEFAULT, Case
 from nonsmooth.report.claims import CLAIMS, PARTS
 from nonsmooth.report.html import prose
 from nonsmooth.report.intervals import Intervals
 from nonsmooth.report.page import page
-from nonsmooth.report.paper import DEFAULT
 
 
 @pytest.fixture(scope="module")

@@ -35,16 +35,15 @@ def found() -> Collected:
 
 
 def test_the_errors_are_those_of_the_orbits(found: Collected) -> None:
-    ways = {way.name: (way, points) for way, points in found.curves.items()}
+    ways = {way.name: (way, curve) for way, curve in found.curves.items()}
     assert list(ways) == [
         "hb", "hb-c0, K = 1", "hb-c0, K = 2", "hb-c0, K = 3", "c0", "c0-tau"
     ]  # fmt: skip
-    way, points = ways["hb-c0, K = 3"]
+    way, curve = ways["hb-c0, K = 3"]
     orbit = ns.solve(CASE, "hb-ck", 8, functions=3)
-    assert points[1].order == 8
-    assert points[1].times == orbit.errors.times
-    assert points[1].discontinuous == orbit.errors.discontinuous
-    assert [point.order for point in ways["c0-tau"][1]] == [4, 6, 8]  # none at 2
+    assert list(curve) == [4, 8, 16]
+    assert curve[8] == orbit.errors
+    assert list(ways["c0-tau"][1]) == [4, 6, 8]  # none at 2
     assert way.functions == 3
 
 
@@ -74,8 +73,8 @@ def test_the_theory_is_that_of_the_references() -> None:
 def test_the_slopes_that_are_drawn_are_those_of_theory(found: Collected) -> None:
     axes = figure(figures.convergence("times"), found).axes[0]
     drawn = {line.get_label(): line for line in axes.lines}
-    points = {way.name: points for way, points in found.curves.items()}
-    assert list(drawn["hb"].get_ydata()) == [point.times for point in points["hb"]]
+    curves = {way.name: curve for way, curve in found.curves.items()}
+    assert list(drawn["hb"].get_ydata()) == [each.times for each in curves["hb"].values()]
     grey = [line for line in axes.lines if line.get_color() == "0.75"]
     slopes = [
         -np.diff(np.log(line.get_ydata())) / np.diff(np.log(line.get_xdata())) for line in grey
@@ -104,8 +103,8 @@ def test_the_page_says_the_numbers(found: Collected) -> None:
     assert f"{found.exact.period:.12g}" in text
     assert f"{found.exact.forcing_phase:.12g}" in text
     assert "0.2 m" in text
-    points = next(points for way, points in found.curves.items() if way.name == "c0-tau")
-    assert f"{points[-1].times:.1e} at N = {points[-1].order}" in text
+    curve = next(curve for way, curve in found.curves.items() if way.name == "c0-tau")
+    assert f"{curve[8].times:.1e} at N = 8" in text
     beyond = gallery.overshoots(found).splitlines()
     for (name, orbit), line in zip(found.ringing.items(), beyond, strict=True):
         percent = 100 * overshoot(orbit, found.exact)

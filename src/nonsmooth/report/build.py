@@ -17,7 +17,7 @@ from .figures import FIGURES
 from .intervals import SCANNED, Intervals, scan
 from .page import page
 from .pictures import SIZE, figure, files, write, write_all
-from .workers import processes
+from .workers import pool
 
 #: Names of the pictures, that of the claims last.
 PICTURES = (*FIGURES, "claims")
@@ -70,8 +70,8 @@ def build(belt: ns.StickSlip, folder: Path, done: Callable[[str], None]) -> None
     done : callable
         Called `STEPS` times with what has just been done, in words.
     """
-    with processes() as run:
-        intervals = scan(belt, PARTS, done, run)
+    with pool() as processes:
+        intervals = scan(belt, PARTS, done, processes.map)
     case = Case(belt)
     pictures = draw(case, intervals, folder, done)
     (folder / "index.html").write_text(page(case, intervals, pictures), "utf-8")

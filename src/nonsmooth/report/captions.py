@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import nonsmooth as ns
+from nonsmooth.kim_perkins import METHODS
 
-from .case import MOST, Case
+from .case import DEFAULT, MOST, Case
 from .checks import BAND, THREE
 from .checks.fourier import rising
 from .claims import table
-from .measures import jump, peak
-from .paper import DEFAULT, METHODS
+from .measures import peak
 from .words import listed, number, percent, power_of_order
 
 
@@ -81,7 +81,7 @@ def _orbit(case: Case) -> dict[str, Any]:
         "t1": number(exact.t1),
         "share": percent(exact.t1 / exact.period, 2),
         "period": number(exact.period, 4),
-        "jump": number(jump(case.belt)),
+        "jump": number(case.belt.largest_jump),
     }
 
 
@@ -89,7 +89,7 @@ def _many_harmonics(case: Case) -> dict[str, Any]:
     orbit = case.orbit("hb", MOST)
     time, size = peak(orbit)
     return {
-        "overshoot": percent(size / jump(case.belt)),
+        "overshoot": percent(size / case.belt.largest_jump),
         "before": number(orbit.t1 - time),
         "error": percent(case.measured("acceleration", "hb", MOST)),
         "reading": reading(case, MOST),

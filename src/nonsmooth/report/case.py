@@ -4,10 +4,13 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import nonsmooth as ns
-from nonsmooth.kim_perkins import ExactStickSlipOrbit, StickSlipOrbit
+from nonsmooth.kim_perkins import SECTION_4, ExactStickSlipOrbit, StickSlipOrbit
 from nonsmooth.solver.accuracy.rates import slope
 
 from .measures import MEASURES
+
+#: The oscillator of Section 4.
+DEFAULT = ns.StickSlip(**SECTION_4)
 
 #: Highest order that a claim is checked at: that of Fig. 3.
 MOST = 40

@@ -7,6 +7,7 @@ of its own here.
 from collections.abc import Callable
 from typing import Any
 
+from nonsmooth.kim_perkins import METHODS
 from nonsmooth.plots.axes import draw_errors
 from nonsmooth.plots.orbits import BEYOND
 from nonsmooth.plots.orbits import draw as draw_motion
@@ -14,13 +15,10 @@ from nonsmooth.style import EXACT, STYLES, above_floor, draw_floor, line
 
 from .case import MOST, Case
 from .checks import BAND, THREE
-from .measures import jump, peak
-from .paper import METHODS
-from .pictures import figure, legend
+from .measures import peak
+from .pictures import legend
 from .scenes.sketches import sketch
 from .words import percent
-
-__all__ = ["FIGURES", "figure"]
 
 #: Short names, for legends.
 NAMES = {name: f"{name} ({section})" for name, (section, _) in METHODS.items()}
@@ -112,7 +110,8 @@ many_harmonics = accelerations(("hb",), MOST)
 def overshoot(axes: Any, case: Case) -> None:
     """Draw the end of stick in Fig. 3, with the ripple measured and the mean marked."""
     many_harmonics(axes, case)
-    end, width, falls = case.exact.t1 / case.exact.period, 4 / MOST, jump(case.belt)
+    end, width = case.exact.t1 / case.exact.period, 4 / MOST
+    falls = case.belt.largest_jump
     left, right = max(0, end - width), min(1, end + width)
     axes.set(xlim=(left, right), ylim=(-1.9 * falls, 0.45 * falls))
     if not case.has("hb", MOST):

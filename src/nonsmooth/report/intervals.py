@@ -5,9 +5,10 @@ for the direction of friction in stick: that depends on ``mu_k/mu_s``, whatever 
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache, partial
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,6 @@ import nonsmooth as ns
 from .case import at_alpha
 from .claims import Claim, Part
 from .words import listed, number
-from .workers import Run, one_by_one
 
 #: Values of alpha that are looked at, from the first to the last.
 FIRST, LAST, SCANNED = 0.01, 10.0, 49
@@ -42,7 +42,7 @@ def scan(
     belt: ns.StickSlip,
     parts: list[Part],
     progress: Callable[[str], None] = lambda done: None,
-    run: Run = one_by_one,
+    run: Callable[..., Iterable[Any]] = map,
 ) -> Intervals:
     """Return the intervals of alpha in which each part holds.
 
@@ -57,10 +57,12 @@ def scan(
     progress : callable, optional
         Called in words, `SCANNED` times and once a part.
     run : callable, optional
-        Yields arguments with what a function returns of them, in order: see `workers`.
+        Yields what a function returns of each of some arguments, in order: `map`, or that of
+        several processes.
     """
     holds: list[list[bool]] = []
-    for alpha, found in run(partial(_holding, belt, parts), grid()):
+    verdicts = run(partial(_holding, belt, parts), grid())
+    for alpha, found in zip(grid(), verdicts, strict=True):
         holds.append(found)
         progress(f"alpha = {alpha:.3g}")
     ends = {part: [0.0] if first else [] for part, first in zip(parts, holds[0], strict=True)}
@@ -69,7 +71,7 @@ def scan(
     for part in parts:
         if part not in last:
             progress(part.words)
-    for step, places in run(partial(_ends, belt), steps):
+    for step, places in zip(steps, run(partial(_ends, belt), steps), strict=True):
         for (part, _), place in zip(step[2], places, strict=True):
             ends[part].append(place)
             if last[part] is step:
@@ -137,7 +139,7 @@ def in_words(belt: ns.StickSlip, found: list[tuple[float, float]]) -> str:
 
     Examples
     --------
-    >>> from nonsmooth.report.paper import DEFAULT
+    >>> from nonsmooth.report.case import DEFAULT
     >>> in_words(DEFAULT, [(0, 0.1), (0.2, 0.3), (1, math.inf)])
     'up to 40.0 N, from 80.0 to 120 N and from 400 N up'
     >>> in_words(DEFAULT, [(0, math.inf)]), in_words(DEFAULT, [])

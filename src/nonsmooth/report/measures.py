@@ -6,7 +6,6 @@ from collections.abc import Callable
 import numpy as np
 from numpy.polynomial import Legendre
 
-import nonsmooth as ns
 from nonsmooth.kim_perkins import ExactStickSlipOrbit, StickSlipOrbit
 from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.orbit.errors import acceleration_error
@@ -14,11 +13,6 @@ from nonsmooth.solver.orbit.quadrature import panels
 
 #: Samples of each phase where a largest value is looked for.
 SAMPLES = 2000
-
-
-def jump(belt: ns.StickSlip) -> float:
-    """Return by how much the exact acceleration falls at the end of stick, in m/s**2."""
-    return belt.largest_jump
 
 
 def peak(orbit: StickSlipOrbit) -> tuple[float, float]:
@@ -35,7 +29,7 @@ def overshoot(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit) -> float:
     At the end of stick the exact one falls from 0; what is above 0 in the second half of
     stick is the ripple that Gibbs' phenomenon leaves there.
     """
-    return peak(orbit)[1] / jump(exact.case)
+    return peak(orbit)[1] / exact.case.largest_jump
 
 
 def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str) -> Vector:
@@ -47,7 +41,7 @@ def differences(orbit: StickSlipOrbit, exact: ExactStickSlipOrbit, quantity: str
     size = {
         "displacement": exact.case.amplitude,
         "velocity": exact.case.amplitude * omega,
-        "acceleration": jump(exact.case),
+        "acceleration": exact.case.largest_jump,
         "jerk": exact.case.amplitude * omega**3,
     }[quantity]
     there, here = (_by_phases(motion, quantity) for motion in (exact, orbit))

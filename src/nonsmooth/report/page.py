@@ -3,16 +3,19 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from nonsmooth.codegen.equations import sections
+from nonsmooth.codegen.printing.html import fragment_of
+from nonsmooth.kim_perkins import METHODS, SCENE
+from nonsmooth.solver.kernels import registry
 from nonsmooth.style import FLOOR
 
 from .captions import PLATES, flags, reading
-from .case import MOST, Case
+from .case import DEFAULT, MOST, Case
 from .checks import Finding
 from .claims import CLAIMS, GROUPS, VERDICTS, Claim, Part
 from .html import filled, folded, inline
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
 from .ours import EXPANSIONS, in_space, other_tests
-from .paper import DEFAULT, METHODS, equations_html, mathematics
 from .words import number, percent
 
 #: Orders in the table of the page.
@@ -94,6 +97,6 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         alphas=(f"{FIRST:g}", f"{LAST:g}"),
         space=in_space().values(),
         space_heads=EXPANSIONS,
-        equations=folded(equations_html()),
-        hashes={method: mathematics(method) for method in METHODS},
+        equations=folded(fragment_of(sections(SCENE, METHODS))),
+        hashes={method: registry.mathematics(belt.scene, [method]) for method in METHODS},
     )

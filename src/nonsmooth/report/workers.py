@@ -5,20 +5,10 @@ import signal
 import threading
 import time
 import warnings
-from collections import deque
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Future, ProcessPoolExecutor
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import get_context
-from typing import Any
-
-#: What calls a function with each of several arguments, and yields each with its result.
-Run = Callable[[Callable[[Any], Any], Iterable[Any]], Iterator[tuple[Any, Any]]]
-
-
-def one_by_one(work: Callable[[Any], Any], each: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Yield each argument with its result, computed in this process."""
-    return ((argument, work(argument)) for argument in each)
 
 
 def _leave_with(parent: int) -> None:
@@ -48,23 +38,3 @@ def pool() -> Iterator[ProcessPoolExecutor]:
         for process in (getattr(found, "_processes", None) or {}).values():
             process.terminate()
         found.shutdown(wait=True, cancel_futures=True)
-
-
-@contextmanager
-def processes() -> Iterator[Run]:
-    """Yield what computes in processes, one a core: in order, a few results ahead."""
-    count = os.cpu_count() or 1
-
-    def run(work: Callable[[Any], Any], each: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-        ahead: deque[tuple[Any, Future[Any]]] = deque()
-        for argument in each:
-            ahead.append((argument, found.submit(work, argument)))
-            if len(ahead) > 2 * count:
-                first, result = ahead.popleft()
-                yield first, result.result()
-        while ahead:
-            first, result = ahead.popleft()
-            yield first, result.result()
-
-    with pool() as found:
-        yield run

@@ -5,8 +5,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from nonsmooth.all_solutions import solutions
+
 from ..case import FLOORS, MOST, Case
-from ..paper import all_times
 from ..words import listed, number, percent
 from . import BAND, THREE, UNSEEN, Finding
 
@@ -74,12 +75,12 @@ def in_band_with_any_solution(case: Case) -> Finding:
             errors[N] = abs(case.measured("period", "c1", N))
         else:
             natural = 2 * math.pi / case.belt.omega_n
-            short = [(t1, T) for t1, T in all_times(case.belt, N) if T - t1 < natural]
+            short = [found for found in solutions(case.belt, N) if found.slip < natural]
             if not short:
                 words = f"at N = {N} there is none of a slip shorter than a natural period"
                 return Finding(False, words)
-            _, T = min(short, key=lambda times: abs(times[0] - case.exact.t1))
-            errors[N] = abs(T / case.exact.period - 1)
+            nearest = min(short, key=lambda found: abs(found.t1 - case.exact.t1))
+            errors[N] = abs(nearest.period / case.exact.period - 1)
         if errors[N] < FLOORS["period"]:
             break
     return _worst(errors)

@@ -3,7 +3,6 @@
 from itertools import pairwise
 
 from ..case import FLOORS, MOST, Case
-from ..measures import jump
 from ..words import number, percent, power_of_order
 from . import BAND, DOUBLED, THREE, UNSEEN, Finding, over_doubled
 
@@ -48,7 +47,7 @@ def half_way(case: Case, end: str) -> Finding:
     orbit = case.orbit("hb", MOST)
     motion = {"series": orbit, "exact": case.exact}[end]
     place = motion.t1 / motion.period * orbit.period
-    level = -float(orbit.acceleration(place)) / jump(case.belt)
+    level = -float(orbit.acceleration(place)) / case.belt.largest_jump
     return Finding(abs(level - 0.5) < 0.1, f"{percent(level)} of the jump at N = {MOST}")
 
 

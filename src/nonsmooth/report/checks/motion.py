@@ -8,7 +8,6 @@ from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.orbit.quadrature import panels
 
 from ..case import MOST, Case
-from ..measures import jump
 from ..words import number, percent
 from . import Finding
 
@@ -29,7 +28,7 @@ def smooth(case: Case) -> Finding:
     )
     size = ROUNDING * (case.belt.amplitude + case.belt.slip_centre)
     continuous = max(*np.abs(x), *np.abs(v / omega)) <= size
-    falls = jump(case.belt)
+    falls = case.belt.largest_jump
     holds = continuous and max(a) <= -falls + size * omega**2
     return Finding(bool(holds), f"the acceleration falls by {number(falls)} m/s² at both")
 

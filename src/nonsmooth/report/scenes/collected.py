@@ -10,7 +10,7 @@ from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.orbit.errors import derivative
+from nonsmooth.solver.orbit.errors import Errors, derivative
 from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.case import Case
@@ -48,15 +48,6 @@ class Way:
 
 
 @dataclass(frozen=True)
-class Point:
-    """The errors of one orbit: of the times, and of the derivative that jumps."""
-
-    order: int
-    times: float
-    discontinuous: float
-
-
-@dataclass(frozen=True)
 class Collected:
     """What the page on a case says, computed.
 
@@ -70,15 +61,15 @@ class Collected:
         Orbits of low order, by the names of their ways.
     ringing : dict of str to Orbit
         Orbits of higher order, for the derivative that jumps.
-    curves : dict of Way to list of Point
-        Errors over the orders.
+    curves : dict of Way to dict of int to Errors
+        Errors by the order.
     """
 
     case: Case
     exact: ExactOrbit
     small: dict[str, Orbit]
     ringing: dict[str, Orbit]
-    curves: dict[Way, list[Point]]
+    curves: dict[Way, dict[int, Errors]]
 
     @cached_property
     def best(self) -> Orbit:
@@ -122,7 +113,7 @@ def collect(case: Case, exact: ExactOrbit, done: Callable[[str], None]) -> Colle
     done("the derivative that jumps")
     curves = {}
     for way in found:
-        curves[way] = list(_curve(case, way))
+        curves[way] = _curve(case, way)
         done(way.name)
     return Collected(case, exact, small, ringing, curves)
 
@@ -141,11 +132,10 @@ def _orbits(case: Case, chosen: list[Way], order: int) -> Iterator[tuple[str, Or
             yield way.name, orbit
 
 
-def _curve(case: Case, way: Way) -> Iterator[Point]:
-    for order in POWER_ORDERS if about(way.method).power else FACTOR_ORDERS:
-        orbit = _orbit(case, way, order)
-        if orbit is not None and orbit.errors is not None:
-            yield Point(order, orbit.errors.times, orbit.errors.discontinuous)
+def _curve(case: Case, way: Way) -> dict[int, Errors]:
+    orders = POWER_ORDERS if about(way.method).power else FACTOR_ORDERS
+    errors = {order: orbit.errors for order in orders if (orbit := _orbit(case, way, order))}
+    return {order: found for order, found in errors.items() if found is not None}
 
 
 def jump(exact: Motion, p: int) -> float:

@@ -84,11 +84,11 @@ def convergence(name: str) -> Draw:
     """Return what draws one error against the order, with the slopes that theory has."""
 
     def draw(axes: Any, found: Collected) -> None:
-        for way, points in found.curves.items():
-            orders = [point.order for point in points]
-            errors = [max(getattr(point, name), LEAST) for point in points]
+        for way, curve in found.curves.items():
+            orders = [*curve]
+            errors = [max(getattr(each, name), LEAST) for each in curve.values()]
             axes.loglog(orders, errors, label=way.name, **_marked(way))
-            if about(way.method).power and points:
+            if about(way.method).power and orders:
                 rate = theory(found, way, name)
                 slope = errors[0] * (np.array(orders) / orders[0]) ** -rate
                 axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)

@@ -14,14 +14,12 @@ from nonsmooth.solver.scenes.methods import about
 from nonsmooth.solver.stability.in_words import in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 
+from ..checks.fourier import GIBBS
 from ..html import filled, folded, inline
 from .collected import Collected, overshoot
 from .scene_figures import FIGURES, theory
 
-#: What Fourier series of a jump tend to go beyond it: Wilbraham's and Gibbs' constant.
-GIBBS = 0.0894899
-
-#: What is measured of an orbit, as `Point` has it.
+#: The errors of an orbit that the page has.
 ERRORS = ("times", "discontinuous")
 
 
@@ -131,8 +129,8 @@ def _overshoots(found: Collected) -> list[dict[str, str]]:
 def rates(found: Collected) -> list[dict[str, str]]:
     """Return the measured rate of each error of each way, and what theory has for it."""
     rows = []
-    for way, points in found.curves.items():
-        errors = [(p.order, {name: getattr(p, name) for name in ERRORS}) for p in points]
+    for way, curve in found.curves.items():
+        errors = [(order, vars(each)) for order, each in curve.items()]
         measured, power = rate(way.method, errors), about(way.method).power
         row = {"name": way.name}
         for name in ERRORS:
@@ -147,9 +145,9 @@ def _errors(found: Collected) -> list[dict[str, str]]:
     return [
         {
             "name": way.name,
-            "low": f"{points[0].times:.1e} at N = {points[0].order}",
-            "high": f"{points[-1].times:.1e} at N = {points[-1].order}",
+            "low": f"{curve[min(curve)].times:.1e} at N = {min(curve)}",
+            "high": f"{curve[max(curve)].times:.1e} at N = {max(curve)}",
         }
-        for way, points in found.curves.items()
-        if points
+        for way, curve in found.curves.items()
+        if curve
     ]
