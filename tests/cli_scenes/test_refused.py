@@ -1,10 +1,34 @@
-"""What commands of scenes refuse: one line that says why."""
+"""What commands refuse: one line that says why."""
 
 import pytest
 from refusals import refused
 
+#: More figures than Python reads.
+FIGURES = "9" * 5000
+
+#: Lists of orders that are none.
+NO_ORDERS = ("5-2", "0", "0-4", "-3", "1-", "a", "", "1,,2", "1.5", "1-2-3", "1-99999999")
+
 #: By the command: its arguments, and what is said of them.
 REFUSED = {
+    "": [("fly", "--help"), ("solve --colour", "--help"), ("solve extra", "--help")],
+    "roots": [
+        ("--mu-k 0.5 --order 5", "expected less than mu_s = 0.5"),
+        ("--order=0", "order"),
+        ("--order=401", "order"),
+        ("--order=x", "order"),
+        ("", "--order"),
+    ],
+    "equations": [
+        ("--method galerkin", "--method: got 'galerkin', expected one of hb, hb-c1"),
+        ("--format word", "--help"),
+        ("--format latex -o a.html", "a.html with --format latex"),
+        ("--format text -o a.PDF", "expected .txt"),
+        ("-o a.docx", "expected a name that ends in one of .txt, .tex, .html, .pdf"),
+        ("--format pdf", "expected -o FILE.pdf"),
+        ("--fragment", "--fragment: got format text, expected latex"),
+        ("--fragment -o a.html", "--fragment: got format html"),
+    ],
     "solve": [
         ("impakt", "did you mean impact?"),
         ("42", "expected one of backlash"),
@@ -38,8 +62,30 @@ REFUSED = {
         ("--norm 3", "stick-slip has no --norm. Did you mean --normal-force? (see"),
         ("--c1-terms 3", "--functions K, with --method hb-ck"),
         ("--xyz 3", "--mu-k, --normal-force. (see nonsmooth solve --help)"),
+        ("--mu-k=-0.1", "mu_k"),
+        ("--mu-k=nan", "mu_k"),
+        ("--mu-k=inf", "mu_k"),
+        ("--mu-k=x", "--mu-k"),
+        ("--mu-k 0.5", "expected less than mu_s = 0.5"),
+        ("--mu-k 0.6", "expected that mu_k is at most mu_s"),
+        ("--mu-k 1e9", "expected that mu_k is at most mu_s"),
+        ("--mass 1e300 --belt-speed 1e300 --normal-force 1e-300", "beyond float64"),
+        ("--method galerkin", "--method: got 'galerkin', expected one of ck, ck-tau, hb,"),
+        ("beam-mass", "scene: got 'beam-mass'"),
     ],
     "sweep": [
+        ("--methods galerkin", "--methods: got 'galerkin', expected one of ck, ck-tau, hb,"),
+        ("--methods hb,", "--methods: got '', expected one of ck, ck-tau, hb, hb-c1, hb-ck"),
+        ("--methods hb,c2", "--methods: got 'c2', expected one of ck, ck-tau, hb, hb-c1"),
+        ("--methods=", "--methods: got '', expected one of ck, ck-tau, hb, hb-c1, hb-ck"),
+        *((f"--orders={orders}", repr(orders)) for orders in NO_ORDERS),
+        ("--orders 3,1000001", "got 1000001, expected a whole number from 1 to"),
+        ("--methods hb,c1 --orders 3,500", "got 500"),
+        (f"--orders {FIGURES}", "--orders: got "),
+        (f"--orders 1-{FIGURES}", "--orders: got "),
+        (f"--orders 1,2,...,{FIGURES}", "--orders: got "),
+        (f"--vary mass=1:2:{FIGURES}", "--vary: got "),
+        (f"--vary mass=1:2:3 --orders {FIGURES}", "--orders: got "),
         ("impact --methods hb,galerkin", "--methods: got 'galerkin'"),
         ("impact --methods ck --orders 1,3", "--orders: got 1"),
         ("impact --orders 3-", "'3-'"),
@@ -55,6 +101,54 @@ REFUSED = {
         ("gap=0:1:3 --orders 1-3", "expected one order"),
         ("gap=0:1:3 --methods hb,ck", "expected one method"),
         ("restitution=0.5:2:3", "--vary: restitution: got 1.25"),
+    ],
+    "modes": [
+        ("beam-mas", "did you mean beam-mass?"),
+        ("beam-mass --position 0", "--position: got '0', expected a fraction"),
+        ("beam-mass --position 1", "above 0 and below 1"),
+        ("beam-mass --position 7/5", "--position: got '7/5'"),
+        ("beam-mass --position 1/0", "--position: got '1/0'"),
+        ("beam-mass --position 1e-5", "--position: got 1e-05, expected 1/10000 from an end"),
+        ("beam-mass --position middle", "--position: got 'middle'"),
+        ("beam-mass --mass 0", "--mass: got 0.0, expected a number above 0 in kg (without"),
+        ("beam-mass --mass -5", "--mass: got -5.0, expected a number above 0 in kg"),
+        ("beam-mass --mass nan", "--mass: got nan"),
+        ("beam-mass --mass 1e40", "--mass: got 1e+40, a dimensionless strength of 1e+40"),
+        ("beam-mass --stiffness 3", "beam-mass has no --stiffness. Did you mean --bending-st"),
+        ("beam-mass --xyz 3", "beam-mass has no --xyz. It has --position, --length, --bending"),
+        ("beam-mass --method hb", "one of ritz, ritz-ck, ck: beam-mass is C2; or all"),
+        ("beam-mass --method ritz --forced 2", "--forced: got 2, ritz has no forced"),
+        ("beam-mass --forced 4", "--forced: got 4, expected a whole number from 1 to 3"),
+        ("beam-mass --order 0", "--order: got 0, expected a whole number from 1 to 512"),
+        ("beam-mass --order 2 --count 7", "--count: got 7, ritz-ck at order 2 has 3"),
+        ("beam-mass --count 0", "--count: got 0, expected a whole number from 1"),
+        ("beam-mass --order 2 --tol 1e-3", "--tol: got 0.001 with order 2"),
+        ("beam-mass --tol 2", "--tol: got 2.0, expected a number above 0 and below 1"),
+        ("beam-mass --log", "--log: expected --vary with it"),
+        ("beam-mass --vary mass=1:2", "--vary: got 'mass=1:2', expected NAME=FROM:TO:POINTS"),
+        ("beam-mass --vary gap=1:2:3", "--vary: unknown parameter 'gap'"),
+        ("beam-mass --vary position=0:1/2:3", "--vary: position: got 0, expected"),
+        ("beam-mass --vary mass=1:1:3", "two different numbers"),
+        ("beam-mass --vary mass=1:2:1", "--vary: got '1' points"),
+        ("beam-mass --vary mass=1:2:3 --method all", "expected one method"),
+        ("beam-mass -o modes.txt", "-o: got modes.txt, expected a name that ends in"),
+    ],
+    "modes beam-spring --position 1/2": [
+        ("--stiffness -48", "--stiffness: got -48.0, expected more than the critical"),
+        ("--vary stiffness=-50:-40:3", "critical stiffness -48 N/m, at which the beam"),
+        ("--stiffness 0", "expected a number other than 0 in N/m (without"),
+        ("--stiffness -1e40", "got -1e+40, expected more than the critical"),
+        ("--stiffness -1e-40", "expected one of a size from 1e-09 to 1e+09"),
+        ("--stiffness -1e300 --length 1e100", "beyond float64"),
+        ("--length -1", "--length: got -1.0, expected a number above 0 in m"),
+    ],
+    "sweep beam-mass": [
+        ("--methods hb", "--methods: got 'hb'"),
+        ("--methods ritz --forced 1", "--forced: got '1', ritz has no forced modes"),
+        ("--forced 1,x", "--forced: got 'x'"),
+        ("--orders 0-3", "--orders: got '0-3'"),
+        ("--orders 200", "--orders: got 200"),
+        ("--mode 0", "--mode: got 0"),
     ],
     "simulate": [
         ("impact --state 1", "--state: got '1', expected displacement and velocity as X,V"),
@@ -97,11 +191,17 @@ REFUSED = {
 @pytest.mark.parametrize(
     ("command", "arguments", "words"),
     [(command, *each) for command, every in REFUSED.items() for each in every],
+    ids=lambda text: f"{text:.60}",
 )
-def test_what_is_refused_is_one_line(run, command: str, arguments: str, words: str) -> None:
+def test_what_is_refused_is_one_line(
+    run, command: str, arguments: str, words: str, tmp_path, monkeypatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("nonsmooth.cli.progress.QUIET", 600.0)  # however slow the machine is
     if command == "digits":
         pytest.importorskip("flint")
     assert words in refused(run, *command.split(), *arguments.split())
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize(

@@ -67,8 +67,8 @@ MUTANTS = (
     Mutant(
         "the jump of a mode is not that of its shape",
         "solver/space/modes.py",
-        "found = jump_mismatch(attached, shape, eigenvalue)",
-        "found = jump_mismatch(attached, shape, 2 * eigenvalue)",
+        "else jump_mismatch(attached, shape, eigenvalue)",
+        "else jump_mismatch(attached, shape, 2 * eigenvalue)",
         ("tests/space/test_space_claims.py::test_the_mismatch_of_a_jump_is_that_of_its_shape",),
     ),
 )
