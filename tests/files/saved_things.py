@@ -38,6 +38,15 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "belt-c1-tau": lambda: ns.solve(ODD, "c1-tau", 9),
     "belt-sweep": lambda: ns.sweep(LIGHT, ["hb", "c1"], [4, 5]),
     "belt-family": lambda: ns.family(BELT, "normal_force", [100.0, 400.0], "c1", 4),
+    "modes": lambda: ns.modes("beam-mass"),
+    "modes-node": lambda: ns.modes("beam-rotational-spring", position="1/2", count=3),
+    "modes-forced": lambda: ns.modes("string-mass", forced=2, order=5, position=0.27, mass=3.3),
+    "modes-nothing-proved": lambda: ns.modes("beam-crack", "ck", 12, length=2.0),
+    "modes-sound": lambda: ns.modes("beam-crack", "ritz", 4),
+    "modes-several": lambda: [
+        *(ns.modes("beam-crack", method) for method in ("ritz", "ritz-ck", "ck")),
+        ns.modes("beam-crack", position=0.25, compliance=3, count=2),
+    ],
 }
 
 

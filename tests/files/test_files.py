@@ -25,6 +25,12 @@ def test_what_is_loaded_is_what_was_saved(kind: str, suffix: str, tmp_path: Path
         assert found.unknowns.tobytes() == made.unknowns.tobytes()
         with pytest.raises(ValueError, match="read-only"):
             found.unknowns[0] = 1
+    if isinstance(found, ns.Modes):
+        assert found.attached == made.attached
+        x = np.linspace(0, made.attached.length, 7)
+        for mode, other in zip(found, made, strict=True):
+            assert mode.as_dict() == other.as_dict()
+            assert (mode.shape(x, 1) == other.shape(x, 1)).all()
 
 
 def test_some_of_these_rows_have_no_orbit() -> None:
@@ -79,7 +85,7 @@ def test_the_motion_of_orbits_as_csv(tmp_path: Path, run) -> None:
     assert np.array_equal(own["acceleration"], orbit.acceleration(own["t"]))
 
 
-@pytest.mark.parametrize("kind", ["orbit", "sweep", "family"])
+@pytest.mark.parametrize("kind", ["orbit", "sweep", "family", "modes"])
 def test_csv_is_for_other_programs(kind: str, tmp_path: Path) -> None:
     path = saved(kind, tmp_path, ".csv")
     assert path.read_text().count("\n") > 3
@@ -160,7 +166,7 @@ def test_without_what_netcdf_needs(missing: str, run, tmp_path: Path, monkeypatc
     assert err == f"nonsmooth: -o: netCDF needs {missing}: pip install 'nonsmooth[netcdf]'\n"
 
 
-@pytest.mark.parametrize("kind", ["exact", "empty", "number", "both", "families"])
+@pytest.mark.parametrize("kind", ["exact", "empty", "number", "both", "families", "modes"])
 def test_what_is_no_orbit_is_not_saved(kind: str, tmp_path: Path) -> None:
     things = {
         "exact": ns.exact(BELT),
@@ -168,6 +174,7 @@ def test_what_is_no_orbit_is_not_saved(kind: str, tmp_path: Path) -> None:
         "number": 3,
         "both": [thing("orbit"), thing("family")],
         "families": [thing("family")],
+        "modes": [thing("modes"), thing("modes-sound")],  # of two structures
     }
     target = tmp_path / "orbit.json"
     target.write_text("before")
