@@ -11,7 +11,7 @@ from .attached import Attached
 from .eigenvalues import secular
 from .eigenvalues.exact import exact_modes, of_frequency
 from .errors import shape_errors
-from .expansions.methods import available, bare_modes, check_order, shown
+from .expansions.methods import available, bare_modes, check_order, check_whole, shown
 from .expansions.shapes import jump_mismatch, shape_of
 
 #: Relative error of an eigenvalue below which rounding, and not the expansion, is seen.
@@ -180,8 +180,7 @@ def convergence(
     >>> f"{study.rate(study.lines[0]):.0f}", study.expected(study.lines[0])
     ('-5', -5)
     """
-    if isinstance(number, bool) or not isinstance(number, int) or number < 1:
-        raise ValueError(f"mode: got {number!r}, expected a whole number from 1")
+    check_whole("mode", number)
     rows = []
     for line in lines:
         for order in orders:

@@ -20,6 +20,7 @@ from .expansions.methods import (
     bare_modes,
     check_forced,
     check_order,
+    check_whole,
     generic_method,
     shown,
 )
@@ -260,9 +261,7 @@ def at_order(attached: Attached, method: str, order: int, K: int, count: int | N
 def _count(there_are: int, count: int | None, method: str, order: int) -> int:
     if count is None:
         return min(COUNT, there_are)
-    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-        raise ValueError(f"count: got {count!r}, expected a whole number from 1")
-    if count > there_are:
+    if check_whole("count", count) > there_are:
         raise ValueError(
             f"count: got {count}, {method} at order {order} has {there_are} modes; "
             "expected fewer, or a higher order"

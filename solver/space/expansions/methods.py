@@ -1,5 +1,6 @@
 """The three expansions by name, and what can be had of each."""
 
+import math
 from collections.abc import Sequence
 
 from ..attached import Attached
@@ -50,10 +51,7 @@ def check_forced(structure: Structure, method: str, forced: int | None) -> int:
         if forced is not None:
             raise ValueError(f"forced: got {forced!r}, {method} has no forced modes")
         return 0
-    most, found = structure.most_forced, 1 if forced is None else forced
-    if isinstance(found, bool) or not isinstance(found, int) or not 1 <= found <= most:
-        raise ValueError(f"forced: got {forced!r}, expected a whole number from 1 to {most}")
-    return found
+    return check_whole("forced", 1 if forced is None else forced, structure.most_forced)
 
 
 def check_order(method: str, order: object) -> int:
@@ -64,11 +62,21 @@ def check_order(method: str, order: object) -> int:
     ValueError
         If it is not a whole number in the range of the method.
     """
-    most = HIGHEST[method]
-    if isinstance(order, bool) or not isinstance(order, int) or not 1 <= order <= most:
-        expected = f"a whole number from 1 to {most}"
-        raise ValueError(f"order: got {order!r}, expected {expected} for {method}")
-    return order
+    return check_whole("order", order, HIGHEST[method], f" for {method}")
+
+
+def check_whole(name: str, value: object, most: float = math.inf, of: str = "") -> int:
+    """Return a whole number from 1, which has a name, to the most that is `of` something.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= most:
+        last = f" to {most}" if math.isfinite(most) else ""
+        raise ValueError(f"{name}: got {value!r}, expected a whole number from 1{last}{of}")
+    return value
 
 
 def bare_modes(

@@ -1,6 +1,8 @@
 """What every table on stdout has in common: columns, width, digits."""
 
 import math
+import re
+import textwrap
 from collections.abc import Iterable
 
 from rich.console import Console
@@ -10,8 +12,8 @@ from rich.text import Text
 #: Estimated error of the period below which the digits of a column are not all.
 MORE_DIGITS = 1e-9
 
-#: Columns beyond which the gaps of a table are one column and not two.
-WIDE = 80
+#: Columns of text, and beyond which the gaps of a table are one column and not two.
+WIDTH = 80
 
 #: Columns where stdout is not a terminal; the tables take what they need, mostly below 80.
 WIDEST = 200
@@ -36,7 +38,7 @@ def print_table(table: Table) -> None:
     console = _Console()
     if not console.is_terminal:
         console = _Console(width=WIDEST)
-        if console.measure(table).maximum > WIDE:
+        if console.measure(table).maximum > WIDTH:
             table.padding = (0, 1, 0, 0)
     console.print(table)
 
@@ -49,6 +51,17 @@ def table_of(*columns: str) -> Table:
             Text(column), justify="left" if index == 0 else "right", overflow="fold"
         )
     return table
+
+
+def filled(text: str, indent: str = "") -> str:
+    """Return a text in lines, all but the first indented."""
+    return textwrap.fill(text, WIDTH, subsequent_indent=indent)
+
+
+def filled_parameters(words: str) -> str:
+    """Return parameters in lines; none is divided."""
+    glued = re.sub(r"(?<![,;]) ", "\0", words)
+    return textwrap.fill(glued, WIDTH).replace("\0", " ")
 
 
 def certain_digits(value: float, error: float) -> str:

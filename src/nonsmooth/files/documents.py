@@ -92,14 +92,6 @@ def of_each(
     ]
 
 
-def text_of_each(
-    case: "Case", documents: Sequence[dict[str, Any]], methods: Iterable[str], one: bool
-) -> str:
-    """Return the text of one orbit's document, or of several in ``orbits``."""
-    whole = dict(documents[0]) if one else {"scene": case.scene.name, "orbits": list(documents)}
-    return text(case, whole, methods)
-
-
 def of_modes(found: "Sequence[Modes]") -> dict[str, Any]:
     """Return the document of one expansion, or of several in ``expansions``."""
     documents = [expansion.as_dict() for expansion in found]

@@ -1,6 +1,5 @@
 """``nonsmooth solve SCENE --all``: every orbit of a scene that is found, of every motion."""
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import click
@@ -27,6 +26,7 @@ def list_every(case: "Case", wanted: Wanted) -> int:
     from nonsmooth.solver.scenes.methods import FIRST
     from nonsmooth.solver.solve import orbits_of
 
+    from ..columns import filled
     from .shown import captions, tables
 
     for option, value in (("--tol", wanted.tol), ("--budget", wanted.budget)):
@@ -48,6 +48,6 @@ def list_every(case: "Case", wanted: Wanted) -> int:
     else:
         click.echo(captions.caption(case))
         tables.every(orbits, still)
-        click.echo(f"\n{textwrap.fill(LEGEND, captions.WIDTH)}")
+        click.echo(f"\n{filled(LEGEND)}")
     write_orbits(wanted.output, text, orbits, None)
     return 0 if every else 1

@@ -94,7 +94,8 @@ def _solve(case: "Case", wanted: Wanted) -> int:
     parts = documents.of_each(case, found, order, wanted.functions, exact)
     if choice is not None:
         parts[0] |= {"trials": [asdict(trial) for trial in choice.trials]}
-    text = documents.text_of_each(case, parts, list(found), wanted.one)
+    whole = parts[0] if wanted.one else {"scene": case.scene.name, "orbits": parts}
+    text = documents.text(case, whole, found)
     if wanted.json:
         click.echo(text, nl=False)
     else:

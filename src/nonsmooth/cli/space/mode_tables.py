@@ -1,12 +1,11 @@
 """Tables of modes, at most 80 columns wide, and what stands above and below them."""
 
-import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import click
 
-from ..columns import print_table, table_of
+from ..columns import filled, filled_parameters, print_table, table_of
 
 if TYPE_CHECKING:
     from nonsmooth.solver.space.attached import Attached
@@ -15,18 +14,12 @@ if TYPE_CHECKING:
     from nonsmooth.solver.space.modes import Modes
     from nonsmooth.solver.space.structure import Structure
 
-#: Columns of a table and of what stands above it.
-WIDTH = 80
-
 
 def caption(attached: "Attached", varied: str = "") -> str:
     """Return the structure with its class, and its parameters but for what is varied."""
     structure = attached.structure
     head = f"{structure.name}: {structure.title} (C{structure.k})"
-    glued = attached.described(varied).replace(" ", "\0")
-    glued = glued.replace(",\0", ", ").replace(";\0", "; ")
-    lines = [line.replace("\0", " ") for line in textwrap.wrap(glued, WIDTH)]
-    return "\n".join([head, *lines]) + "\n"
+    return f"{head}\n{filled_parameters(attached.described(varied))}\n"
 
 
 def modes(found: "Sequence[Modes]") -> None:
@@ -83,7 +76,7 @@ def legend(structure: "Structure") -> str:
         f"jump law: [{broken}]/({sign}{law}) - 1 at the attachment",
         "node: the mode is sin(n pi x/L), which the attachment does not feel",
     ]
-    return textwrap.fill("; ".join(parts) + ".", WIDTH)
+    return filled("; ".join(parts) + ".")
 
 
 def _sign(structure: "Structure") -> str:

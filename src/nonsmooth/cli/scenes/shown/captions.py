@@ -1,26 +1,23 @@
 """What stands above a table of a scene: what it is, its parameters, what the headings mean."""
 
-import textwrap
 from typing import TYPE_CHECKING
 
 from nonsmooth.kim_perkins import CHOICE, SECTION_4, StickSlip
 from nonsmooth.solver.scenes.method_names import shown
+
+from ...columns import filled, filled_parameters
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.family import Family
     from nonsmooth.solver.scenes.case import Case
     from nonsmooth.solver.scenes.loaded import LoadedScene
 
-#: Columns of a table and of what stands above it.
-WIDTH = 80
-
 
 def caption(case: "Case") -> str:
     """Return the scene and the parameters of a case, and whose choice they are."""
     scene = case.scene
     head = f"{scene.label}: {scene.title} (C{scene.k})"
-    lines = [*textwrap.wrap(head, WIDTH), *_wrapped(case.description)]
-    lines += [line for text in smoother(case) for line in textwrap.wrap(text, WIDTH)]
+    lines = [filled(head), filled_parameters(case.description), *map(filled, smoother(case))]
     if isinstance(case, StickSlip):
         lines.append(f"alpha = omega_n (mu_s - mu_k) F_N / (K V) = {case.alpha:.6g}")
         if case.values == SECTION_4:
@@ -35,7 +32,7 @@ def caption_of_family(result: "Family") -> str:
     head = f"{scene.name}: {scene.title} (C{scene.k})"
     along = f"{parameter.symbol} = {values[0]:g} to {values[-1]:g} {parameter.unit}".rstrip()
     how = f"{shown(scene, result.method)}, N = {result.order}"
-    lines = [*textwrap.wrap(head, WIDTH), *_wrapped(result.other_parameters), f"{along}; {how}"]
+    lines = filled(head), filled_parameters(result.other_parameters), f"{along}; {how}"
     return "\n".join(lines) + "\n"
 
 
@@ -55,12 +52,6 @@ def smoother(case: "Case") -> list[str]:
                 f"{less}C{k} for these parameters, C{general} in general."
             )
     return list(dict.fromkeys(found))
-
-
-def _wrapped(parameters: str) -> list[str]:
-    """Return parameters in lines; none is divided."""
-    glued = parameters.replace(" ", "\0").replace(",\0", ", ")
-    return [line.replace("\0", " ") for line in textwrap.wrap(glued, WIDTH)]
 
 
 def derivative(scene: "LoadedScene") -> str:
@@ -84,4 +75,4 @@ def legend(scene: "LoadedScene", durations: bool = True) -> str:
         "estimate: of times, without the exact orbit",
         "it: Jacobians formed",
     ]
-    return textwrap.fill("; ".join(parts) + ".", WIDTH)
+    return filled("; ".join(parts) + ".")

@@ -1,6 +1,5 @@
 """The digits that float64 keeps, a row for each extreme and method, a column for each order."""
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import click
@@ -9,8 +8,7 @@ from nonsmooth.solver.precision.digits import TARGET
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import EXACT
 
-from ...columns import print_table, table_of
-from .captions import WIDTH
+from ...columns import filled, print_table, table_of
 
 if TYPE_CHECKING:
     from nonsmooth.solver.precision.digits import Kept
@@ -65,4 +63,4 @@ def print_digits(case: "Case", found: "list[Kept]") -> None:
         f"{counts[1]} lost without a reason\n"
     )
     also = " and the phase of the forcing" if case.scene.frequency else ""
-    click.echo(textwrap.fill(LEGEND.format(and_phase=also), WIDTH))
+    click.echo(filled(LEGEND.format(and_phase=also)))

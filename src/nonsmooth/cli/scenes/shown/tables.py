@@ -1,7 +1,6 @@
 """Tables of the orbits of a scene, at most 80 columns wide where the numbers allow."""
 
 import math
-import textwrap
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -15,11 +14,12 @@ from nonsmooth.solver.stability.in_words import VERDICTS, in_words
 from ...columns import (
     MORE_DIGITS,
     certain_digits,
+    filled,
     print_table,
     table_of,
     without_rounding,
 )
-from .captions import WIDTH, derivative
+from .captions import derivative
 
 if TYPE_CHECKING:
     from nonsmooth.solver.exact import ExactOrbit
@@ -62,12 +62,12 @@ def solutions(case: "Case", exact: "ExactOrbit | None", found: Found) -> None:
     for motion, words in [(exact, "exact"), *((q, name_of(q)) for q in orbits)]:
         if motion is not None:
             line = f"{words}: {in_words(motion)}"
-            click.echo(textwrap.fill(line, WIDTH, subsequent_indent="  "))
+            click.echo(filled(line, "  "))
             break
     for orbit in found.values():
         if isinstance(orbit, Orbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
-            click.echo(textwrap.fill(words, WIDTH, subsequent_indent="  "))
+            click.echo(filled(words, "  "))
 
 
 def tell_of_others(exact: "ExactOrbit | None") -> None:
@@ -77,7 +77,7 @@ def tell_of_others(exact: "ExactOrbit | None") -> None:
         verdicts = [VERDICTS[is_stable(orbit)] for orbit in found]
         count = "another orbit" if len(found) == 1 else f"{len(found)} other orbits"
         words = f"{count} at these parameters: {', '.join(verdicts)}; see --all"
-        click.echo(textwrap.fill(words[0].upper() + words[1:], WIDTH))
+        click.echo(filled(words[0].upper() + words[1:]))
 
 
 def every(orbits: "Sequence[Orbit]", still: "Sequence[WithoutSwitches]") -> None:
