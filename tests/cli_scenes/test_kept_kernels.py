@@ -231,10 +231,18 @@ def test_what_is_pickled_is_checked_when_it_is_loaded(scene_file: Path, kept: Pa
         pickle.loads(text)
 
 
-def test_motions_are_checked_as_well(tmp_path: Path, monkeypatch) -> None:
-    """A file of one motion in the place of that of the other."""
+def test_motions_are_kept_and_checked_as_well(tmp_path: Path, monkeypatch) -> None:
+    """A folder a motion; then a file of one of them is in the place of that of the other."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    scene = find.find_scene(replace(dry_friction.SCENE, name="rough-ground"), print)
+    said: list[str] = []
+    scene = find.find_scene(replace(dry_friction.SCENE, name="rough-ground"), said.append)
+    assert said[0] == "deriving the equations of rough-ground, this once"
+    assert scene.motions == ("sliding", "two-stops")
+    assert ns.solve(scene(frequency=0.4), order=6).case.scene.motion == "two-stops"
+    assert scene.folder.is_relative_to(tmp_path)
+    folders = {path.parent.name for path in scene.folder.glob("*/scene.py")}
+    assert folders == {"sliding", "two_stops"}
+    assert store.stored(scene.folder.name) == scene.folder
     sliding = scene.each_motion[0]
     assert pickle.loads(pickle.dumps(sliding)) == sliding
     shutil.copy(scene.folder / "two_stops" / "scene.py", sliding.folder)
