@@ -4,14 +4,17 @@ import re
 from importlib.metadata import version
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined, Template
+from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from nonsmooth.codegen.printing.html import STYLE, mathml
 
 
-def template(name: str) -> Template:
-    """Return a template of the report, in which all that is not marked safe is escaped."""
+def filled(name: str, **content: Any) -> str:
+    """Return a page that needs nothing from outside: a template of the report, filled.
+
+    All of its content that is not marked safe is escaped.
+    """
     environment = Environment(
         loader=PackageLoader("nonsmooth.report", "."),
         autoescape=True,
@@ -20,12 +23,8 @@ def template(name: str) -> Template:
         lstrip_blocks=True,
     )
     environment.filters |= {"prose": prose, "math": lambda latex: folded(mathml(latex))}
-    return environment.get_template(name)
-
-
-def filled(name: str, **content: Any) -> str:
-    """Return a page that needs nothing from outside: a template with its content."""
-    return template(name).render(version=version("nonsmooth"), equation_style=STYLE, **content)
+    template = environment.get_template(name)
+    return template.render(version=version("nonsmooth"), equation_style=STYLE, **content)
 
 
 def prose(words: str) -> Markup:

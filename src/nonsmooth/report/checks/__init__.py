@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from ..case import Case
 from ..words import listed, percent
 
 #: The band of the period that the paper names in Fig. 4.
@@ -32,7 +33,9 @@ class Finding:
     numbers: str
 
 
-def over_doubled(values: list[float], of: str) -> str:
-    """Return three measurements at N = 10, 20 and 40, in words."""
+def doubled(case: Case, of: str, method: str) -> tuple[list[float], str]:
+    """Return what is measured at N = 10, 20 and 40, and the same in words."""
+    values = [case.measured(of, method, N) for N in DOUBLED]
     unit = "" if of == "acceleration" else " of the jump"
-    return f"{listed([percent(value, 2) for value in values])}{unit} at N = 10, 20 and 40"
+    words = listed([percent(value, 2) for value in values])
+    return values, f"{words}{unit} at N = 10, 20 and 40"

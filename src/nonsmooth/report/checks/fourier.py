@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from ..case import FLOORS, MOST, Case
 from ..words import number, percent, power_of_order
-from . import BAND, DOUBLED, THREE, UNSEEN, Finding, over_doubled
+from . import BAND, DOUBLED, THREE, UNSEEN, Finding, doubled
 
 #: Gibbs' constant: the overshoot of a Fourier series, in jumps.
 GIBBS = 0.0894898722360836
@@ -14,22 +14,21 @@ TOO_FEW = Finding(False, "too few orders have an orbit")
 
 def falls(case: Case, of: str, method: str, factor: float) -> Finding:
     """Return whether something falls to a part of itself each time N is doubled."""
-    values = [case.measured(of, method, N) for N in DOUBLED]
-    holds = all(fine < factor * coarse for coarse, fine in pairwise(values))
-    return Finding(holds, over_doubled(values, of))
+    values, words = doubled(case, of, method)
+    return Finding(all(fine < factor * coarse for coarse, fine in pairwise(values)), words)
 
 
 def never_below(case: Case, of: str, least: float) -> Finding:
     """Return whether something of harmonics alone stays large as N is doubled."""
-    values = [case.measured(of, "hb", N) for N in DOUBLED]
-    return Finding(min(values) >= least, over_doubled(values, of))
+    values, words = doubled(case, of, "hb")
+    return Finding(min(values) >= least, words)
 
 
 def does_not_halve(case: Case, of: str, since: int, least: float = 0.0) -> Finding:
     """Return whether something is more than half of what it was at a lower order."""
-    values = {N: case.measured(of, "hb", N) for N in DOUBLED}
-    holds = values[MOST] > max(values[since] / 2, least)
-    return Finding(holds, over_doubled(list(values.values()), of))
+    values, words = doubled(case, of, "hb")
+    before = values[DOUBLED.index(since)]
+    return Finding(values[-1] > max(before / 2, least), words)
 
 
 def gibbs(case: Case) -> Finding:
@@ -111,9 +110,8 @@ def falls_faster(case: Case, of: str, powers: float) -> Finding:
 
 def ripple_vanishes(case: Case) -> Finding:
     """Return whether one C1 function makes the ripple go away with N."""
-    over = [case.measured("overshoot", "hb-c1", N) for N in DOUBLED]
-    holds = over[-1] < UNSEEN < case.measured("overshoot", "hb", MOST)
-    return Finding(holds, over_doubled(over, "overshoot"))
+    over, words = doubled(case, "overshoot", "hb-c1")
+    return Finding(over[-1] < UNSEEN < case.measured("overshoot", "hb", MOST), words)
 
 
 def no_ripple_at_3(case: Case) -> Finding:
