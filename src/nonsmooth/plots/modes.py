@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from nonsmooth.solver.scenes.methods import about
+from nonsmooth.solver.space.expansions.methods import check_whole
 
 from ..style import EXACT
 from .axes import LEAST, axes_or_new, check_quantity, frame
@@ -43,23 +44,10 @@ UNITS = {"slope": "1/m", "moment": "N", "shear force": "N/m"}
 def draw(
     modes: "Modes", ax: Any = None, quantity: str = "shape", *, number: int = 1, **style: Any
 ) -> Any:
-    """Draw one mode above the exact one and return the axes.
+    """Draw one mode above the exact one and return the axes; see `Modes.plot`.
 
     The exact one has the scale and the sign of the other; what is left and right of the
     attachment is not joined where it jumps.
-
-    Parameters
-    ----------
-    modes : Modes
-        Of one expansion.
-    ax : matplotlib Axes, optional
-        Where; new ones, with a legend, without it.
-    quantity : {"shape", "discontinuous"}
-        The displacement, or the first derivative that jumps: slope, moment or shear force.
-    number : int
-        Of the mode, from 1.
-    **style
-        Of the line, as `matplotlib.axes.Axes.plot` takes it.
 
     Raises
     ------
@@ -67,7 +55,7 @@ def draw(
         If there is no such quantity or mode.
     """
     check_quantity(quantity, QUANTITIES)
-    _check_number(modes, number)
+    check_whole("number", number, len(modes))
     axes = axes_or_new(ax)
     draw_exact(modes, axes, quantity, number)
     _draw_mode(modes, axes, quantity, number, style)
@@ -75,12 +63,6 @@ def draw(
         axes.set_xlabel("x [m]")
         axes.legend(frameon=False)
     return axes
-
-
-def _check_number(modes: "Modes", number: object) -> None:
-    whole = isinstance(number, int) and not isinstance(number, bool)
-    if not (whole and 1 <= number <= len(modes)):  # type: ignore[operator]
-        raise ValueError(f"number: got {number!r}, expected that of a mode, 1 to {len(modes)}")
 
 
 def _draw_mode(
