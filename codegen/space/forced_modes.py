@@ -104,31 +104,3 @@ def by_bernoulli(structure: Structure, q: int) -> sp.Expr:
     unit = sp.Integer((-1) ** (p + 1) * 2 ** (2 * p)) / (2 * sp.factorial(2 * p))
     sign = -1 if structure.felt % 2 == 0 else 1
     return unit * (sp.bernoulli(2 * p) + sign * sp.bernoulli(2 * p, a))
-
-
-def inner(structure: Structure, p: int, q: int, derivative: int) -> sp.Expr:
-    """Return the integral of ``g_p^(d) g_q^(d)`` over the length, piece by piece."""
-    sides = zip(forced_mode(structure, p), forced_mode(structure, q), strict=True)
-    limits = ((x, 0, a), (x, a, 1))
-    return sp.factor(
-        sum(
-            sp.integrate(
-                sp.expand(sp.diff(f, x, derivative) * sp.diff(g, x, derivative)), where
-            )
-            for (f, g), where in zip(sides, limits, strict=True)
-        )
-    )
-
-
-def inner_with_sine(structure: Structure, q: int, derivative: int) -> sp.Expr:
-    """Return the integral of ``phi_n^(d) g_q^(d)``: one term, from two subintervals."""
-    n = sp.Symbol("n", integer=True, positive=True)
-    phi = sp.sqrt(2) * sp.sin(n * sp.pi * x)
-    limits = ((x, 0, a), (x, a, 1))
-    whole = sum(
-        sp.integrate(
-            sp.expand(sp.diff(phi, x, derivative) * sp.diff(piece, x, derivative)), where
-        )
-        for piece, where in zip(forced_mode(structure, q), limits, strict=True)
-    )
-    return sp.factor(sp.expand(whole))

@@ -4,36 +4,28 @@ import ast
 import inspect
 from functools import cache
 from types import ModuleType
+from typing import Any
 
 #: What a linear form is linear in.
 STATE = ("x", "x'", "cos(Omega t + phi)", "")
 
 
 @cache
-def rows(module: ModuleType, function: str) -> tuple[tuple[str, ...], ...]:
+def rows(module: ModuleType, function: str) -> tuple[Any, ...]:
     """Return what a function of the module returns, as text: a tuple for each phase.
 
-    Where it returns one expression for each phase, each is a tuple of one.
+    It has expressions, or rows of them; of a single expression it is a tuple of one.
     """
     source = ast.parse(inspect.getsource(getattr(module, function)))
     (result,) = (node for node in ast.walk(source) if isinstance(node, ast.Return))
     assert isinstance(result.value, ast.Tuple)
-    return tuple(
-        tuple(map(_text, row.elts)) if isinstance(row, ast.Tuple) else (_text(row),)
-        for row in result.value.elts
-    )
+    phases = map(_texts, result.value.elts)
+    return tuple(phase if isinstance(phase, tuple) else (phase,) for phase in phases)
 
 
-def nested(module: ModuleType, function: str) -> tuple[tuple[tuple[str, ...], ...], ...]:
-    """Return what a function of the module returns that has several rows for each phase."""
-    source = ast.parse(inspect.getsource(getattr(module, function)))
-    (result,) = (node for node in ast.walk(source) if isinstance(node, ast.Return))
-    assert isinstance(result.value, ast.Tuple)
-    return tuple(
-        tuple(tuple(map(_text, row.elts)) for row in phase.elts if isinstance(row, ast.Tuple))
-        for phase in result.value.elts
-        if isinstance(phase, ast.Tuple)
-    )
+def _texts(node: ast.expr) -> Any:
+    """Return an expression as text, or several as a tuple."""
+    return tuple(map(_texts, node.elts)) if isinstance(node, ast.Tuple) else _text(node)
 
 
 def linear(coefficients: tuple[str, ...], words: tuple[str, ...] = STATE) -> str:

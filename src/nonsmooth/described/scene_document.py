@@ -6,7 +6,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import in_order
 
-from .formulas import STATE, linear, nested, rows
+from .formulas import STATE, linear, rows
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -87,9 +87,9 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
     state = (*STATE, *words)
     right = linear((f, g, *memory), (*RIGHT, *words))
     equation = f"{linear((m, c, k), LEFT)} = {right}"
-    at_switch = nested(module, "switch_demands")[p]
+    at_switch = rows(module, "switch_demands")[p]
     k_of_switch, jumps = module.SWITCHES[p]
-    forms = nested(module, "demands")[p]
+    forms = rows(module, "demands")[p]
     return {
         "name": name,
         "equation": named(equation),
