@@ -93,12 +93,9 @@ def along(
 
 def _series(content: Content, interval: Interval) -> Matrix | None:
     """Return the Chebyshev coefficients of all entries; None where they are not resolved."""
-    k = 2 * np.arange(TERMS) + 1  # in whole numbers: the waves keep their digits
-    table = np.cos(np.pi / (2 * TERMS) * (np.outer(np.arange(TERMS), k) % (4 * TERMS)))
-    table[0] /= 2
-    nodes = map(interval.value, np.cos(np.pi / (2 * TERMS) * k))
-    values = np.array([_entries(*content(value)) for value in nodes])
-    found = (2 / TERMS * table @ values).T
+    at, table = chebyshev(TERMS)
+    values = np.array([entries(*content(value)) for value in map(interval.value, at)])
+    found = (table @ values).T
     constant = (values == values[0]).all(axis=0)
     found[constant] = 0.0
     found[constant, 0] = values[0, constant]
@@ -106,7 +103,16 @@ def _series(content: Content, interval: Interval) -> Matrix | None:
     return None if found[:, -2:].any() else found
 
 
-def _entries(cell: Cell, forms: list[Form]) -> Vector:
+def chebyshev(count: int) -> tuple[Vector, Matrix]:
+    """Return the nodes of Chebyshev series of so many terms, and what makes values these."""
+    k = 2 * np.arange(count) + 1  # in whole numbers: the waves keep their digits
+    table = np.cos(np.pi / (2 * count) * (np.outer(np.arange(count), k) % (4 * count)))
+    table[0] /= 2
+    return np.cos(np.pi / (2 * count) * k), 2 / count * table
+
+
+def entries(cell: Cell, forms: list[Form]) -> Vector:
+    """Return all entries of the arrays of a cell that may vary, the forms behind them."""
     found, rows = arrays(cell), np.array(forms, dtype=float)
     parts = (found.numbers, found.memory, found.cell, rows)
     return np.concatenate([part.ravel() for part in parts])

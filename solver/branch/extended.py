@@ -65,23 +65,29 @@ def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
             R[2 * count + p] = change / z[2 * count + len(case[2]) + p]
 
 
-def rates(along: Any, z: Vector, q: float, J: Matrix) -> None:
-    """Fill J with their derivatives, that by the parameter in the last column."""
-    case = case_at(along, q)
-    at, count, n = places(case), len(case[0]), len(z)
+def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
+    """Fill R with the left sides of the equations of a cell, J with their derivatives by z."""
+    at, count = places(case), len(case[0])
     gained, gained_by = ends(case, z, at)
+    joints(case, z, at, gained, gained, R, 0)
     J[:, :] = 0.0
-    square = J[:n, :n]
-    joint_rates(case, z, at, gained_by, gained_by, square, 0)
+    joint_rates(case, z, at, gained_by, gained_by, J, 0)
     theta = angles(case, z, at)
     for p in range(count):
-        if along[3][p] != 0:
+        if divided[p] != 0:
             row, at_s = 2 * count + p, 2 * count + len(case[2]) + p
             _, change = event(case, z, at, gained, theta, p)
             s = z[at_s]
-            square[row, :] = 0.0
-            add_event(case, square, row, at, gained_by, theta, p, 0.0, 1 / s)
-            square[row, at_s] -= change / (s * s)
+            R[row] = change / s
+            J[row, :] = 0.0
+            add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s)
+            J[row, at_s] -= change / (s * s)
+
+
+def rates(along: Any, z: Vector, q: float, J: Matrix) -> None:
+    """Fill J with their derivatives, that by the parameter in the last column."""
+    n = len(z)
+    equations(case_at(along, q), along[3], z, np.empty(n), J[:n, :n])
     above, below = np.empty(n), np.empty(n)
     left_sides(along, z, q + DIFFERENCE, above)
     left_sides(along, z, q - DIFFERENCE, below)

@@ -243,12 +243,9 @@ class Piece:
     @cached_property
     def sizes(self) -> Vector:
         """What 1 of each unknown is in SI units; of ``q``, what it is of the parameter."""
-        cell, units = self.cell, self.case.units
-        states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
-        memory = [units.of_motion(q.power) for q in cell.memory]
-        times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
         half = (self.interval.high - self.interval.low) / 2
-        return np.array([*states, *memory, *times, half * unit_of(self.case, self.index)])
+        own = half * unit_of(self.case, self.index)
+        return np.append(sizes_of(self.cell, self.case), own)
 
     def orbit(self, y: Vector) -> ExactOrbit | None:
         """Return an exact orbit as users hold it; None of a motion that nothing ends."""
@@ -278,6 +275,15 @@ class Piece:
         border = border / there.sizes * there.along.weights
         y = there.led(y, np.append(np.zeros(len(y) - 1), 1.0))
         return there, there.place(y, border / np.linalg.norm(border))
+
+
+def sizes_of(cell: Cell, case: Case) -> Vector:
+    """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
+    units = case.units
+    states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
+    memory = [units.of_motion(q.power) for q in cell.memory]
+    times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
+    return np.array([*states, *memory, *times])
 
 
 def unit_of(case: Case, index: int) -> float:

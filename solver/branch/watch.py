@@ -41,7 +41,10 @@ POLISH = 6
 
 
 def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
-    """Return times, displacements and velocities on a grid of a phase, as fine as its waves."""
+    """Return a grid of a phase, as fine as its waves.
+
+    Columns: time, displacement, velocity, cosine and sine of the forcing's phase.
+    """
     m, c, k, f, g = phase_numbers(case, z, p)
     omega, x, v = case[4][1], z[2 * p], z[2 * p + 1]
     s = z[2 * len(case[0]) + len(case[2]) + p]
@@ -49,7 +52,7 @@ def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
         v = case[1][p, F]
     rate = max(sqrt(abs(k) / m), abs(c) / m, omega)
     count = int(min(4 + ceil(rate * abs(s) * DENSITY), MOST_POINTS))
-    found, h = np.empty((count + 1, 3)), s / count
+    found, h = np.empty((count + 1, 5)), s / count
     xx, xv, vx, vv, _, _ = by_start(m, c, k, h)
     moved, moving, wave_x, wave_v, turn_x, turn_v = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     if f != 0:
@@ -59,6 +62,7 @@ def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
     for i in range(count + 1):
         found[i, 0], found[i, 1], found[i, 2] = i * h, x, v
         wave, turned = cos(angle + omega * i * h), sin(angle + omega * i * h)
+        found[i, 3], found[i, 4] = wave, turned
         push = g * (wave_x * wave + turn_x * turned)
         pushed = g * (wave_v * wave + turn_v * turned)
         x, v = xx * x + xv * v + f * moved + push, vx * x + vv * v + f * moving + pushed
@@ -106,12 +110,11 @@ def least_inside(
     m, c, k, f, g = equation
     least, when, before = nan, nan, 0.0
     for i in range(len(grid)):
-        t, x, v = grid[i]
-        now = angle + omega * t
-        a = (f + g * cos(now) - c * v - k * x) / m
-        rate = form[0] * v + form[1] * a - form[2] * omega * sin(now)
+        t, x, v, wave, turned = grid[i]
+        a = (f + g * wave - c * v - k * x) / m
+        rate = form[0] * v + form[1] * a - form[2] * omega * turned
         if i == 0 and begins > 1:
-            rate = taylor(equation, omega, now, x, v, form)[begins]
+            rate = taylor(equation, omega, angle + omega * t, x, v, form)[begins]
         if i > 0 and before < 0 <= rate:
             last, h = grid[i - 1], t - grid[i - 1, 0]
             terms = taylor(equation, omega, angle + omega * last[0], last[1], last[2], form)
@@ -143,8 +146,9 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
         Of each form of the case; its columns are named above.
     values : ndarray, shape (R, 3)
         Filled; not a number where there is nothing to watch.
-    extremes : ndarray, shape (2, 2)
-        Filled with the least and the largest displacement and velocity of the cell.
+    extremes : ndarray, shape (2, 2) or (0, 2)
+        Filled with the least and the largest displacement and velocity of the cell, if it has
+        rows.
     """
     at, count, omega = places(case), len(case[0]), case[4][1]
     theta, (gained, _) = angles(case, z, at), ends(case, z, at)
@@ -173,7 +177,7 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
             value = -value if behind else value
             if isnan(values[into, END]) or value > values[into, END]:
                 values[into, END] = value
-        for j in range(2):
+        for j in range(len(extremes)):
             form, ends_at = np.zeros(4), (grid[0, 1 + j], x if j == 0 else v)
             for side in (1.0, -1.0):
                 form[j] = side
