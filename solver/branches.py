@@ -1,6 +1,6 @@
 """Branches of a case along a parameter: that of one orbit, or all that are found."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from contextlib import suppress
 
 import numpy as np
@@ -20,6 +20,9 @@ from .scenes.parameter_error import ParameterError
 
 #: Values at which orbits are looked for where all branches are wanted.
 VALUES = 7
+
+#: Where orbits of twice the period, or without their symmetry, begin.
+DOUBLED = frozenset(("flip", "branch-point"))
 
 #: Differences of values at which branches meet, as parts of them, that are one.
 NEAR = 1e-5
@@ -128,8 +131,22 @@ def every_branch(
 
 def _each_branch(case: Case, parameter: str, bounds: Bounds, seen: Seen) -> Iterator[Branch]:
     """Yield the branches of all orbits that are found, then those at their flips."""
+    for both in every_way(case, parameter, bounds, VALUES, DOUBLED, seen):
+        own = case if both.course is None else both.course.case(case)
+        yield _result(own, parameter, both)
+
+
+def every_way(
+    case: Case, parameter: str, bounds: Bounds, values: int, beside: Container[str],
+    seen: Seen = lambda value: None,
+) -> Iterator[Both]:  # fmt: skip
+    """Yield the branches of all orbits that are found at so many values, each when followed.
+
+    Then those that begin at events of the kinds `beside`: of twice the period at a flip, and
+    without its symmetry where an orbit loses it.
+    """
     found: list[Both] = []
-    for value in map(float, np.linspace(*bounds, VALUES)):
+    for value in map(float, np.linspace(*bounds, values)):
         for orbit in _orbits(case.with_value(parameter, value)):
             there = (q for both in found for q in orbits_at(both, value))
             if any(_are_one(orbit, other) for other in there):
@@ -138,26 +155,26 @@ def _each_branch(case: Case, parameter: str, bounds: Bounds, seen: Seen) -> Iter
             with suppress(ArithmeticError):  # it is not isolated
                 go(both, start_of(orbit, both.index, bounds), seen=seen)
                 found.append(both)
-                yield _result(case, parameter, both)
+                yield both
     for both in found:
-        yield from _doubled(case, parameter, both, seen)
+        yield from _doubled(both, beside, seen)
 
 
-def _doubled(case: Case, parameter: str, found: Both, seen: Seen) -> Iterator[Branch]:
+def _doubled(found: Both, kinds: Container[str], seen: Seen) -> Iterator[Both]:
     """Yield the branches at the flips of another, and where symmetry is lost on it."""
     met: list[float] = []
     for event in found.events():
-        here = event.kind in {"flip", "branch-point"} and event.gauge >= 0
+        here = event.kind in kinds and event.gauge >= 0
         if not here or any(abs(end - event.value) <= NEAR * abs(end) for end in met):
             continue
         start = None
         with suppress(ArithmeticError, ParameterError, UnknownScene):
             start = doubled(event)
         if start is not None:
-            other = Both(found.index)
+            other = Both(found.index, start[0].course)
             go(other, start, seen=seen)
             met += [each.value for each in other.events()]
-            yield _result(start[0].course.case(case), parameter, other)
+            yield other
 
 
 def _orbits(case: Case) -> list[ExactOrbit]:

@@ -32,9 +32,19 @@ class Way:
 
 @dataclass(eq=False)
 class Both:
-    """A branch from one orbit on, both ways: backward and forward."""
+    """A branch from one orbit on, both ways: backward and forward.
+
+    Parameters
+    ----------
+    index : int
+        Of the parameter.
+    course : Course or None
+        The order of phases of its first orbit, if that is not one of the case.
+    back, forth : Way
+    """
 
     index: int
+    course: Course | None = None
     back: Way = field(default_factory=Way)
     forth: Way = field(default_factory=Way)
 

@@ -1,0 +1,148 @@
+"""Rows of a map: which motion there is at each point, and whether it is stable."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..branch import walk
+from ..branch.walk import MODULES
+from ..compiling import Account
+from ..kernels import linking
+from ..kernels.family import Family
+from ..kernels.kernel import pays
+from ..scenes.arrays import Integers
+from ..stability.monodromy import Monodromy, forgotten
+from ..stability.stability import ROUNDING, of_monodromy
+from . import filling, following
+from .plane import Plane
+
+#: Room at first, in orbits; orbits of an order of phases that are asked of the solver.
+ROOM, ASKED = 64, 4
+
+#: Whether an orbit is stable, as maps keep it: the best first.
+STABLE, NEITHER, UNSTABLE = 0, 1, 2
+
+
+def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
+    """Return the functions of maps, plain or compiled."""
+    return linking.made((*MODULES, walk, filling, following), {}, make)
+
+
+#: What they are made of, and the functions.
+FAMILY = Family(linked, (*MODULES, walk, following), filling.fill)
+
+
+def account() -> Account:
+    """Return what all maps have cost in plain Python."""
+    return FAMILY.account_of(filling.__name__)
+
+
+def functions() -> dict[str, Any]:
+    """Return the functions of maps, in the form that is quicker by now."""
+    make = FAMILY.compiled if pays(account(), 1) else FAMILY.plain
+    return make(filling.__name__)
+
+
+def block_of(
+    planes: Sequence[Plane], A: Vector, B: Vector, wide: float, seeds: Sequence[Matrix]
+) -> tuple[Integers, Integers]:
+    """Return the motions of some rows of a map, and whether they are stable.
+
+    Parameters
+    ----------
+    planes : sequence of Plane
+        The orders of phases, those that go before others first.
+    A, B : ndarray
+        The parameters of the columns and of these rows, from -1 to 1 over the map.
+    wide : float
+        Distance of rows.
+    seeds : sequence of ndarray, shape (m, n + 2)
+        Known orbits of each plane.
+
+    Returns
+    -------
+    index, stable : ndarray of int, shape (rows, columns)
+        The number of the plane, -1 where there is none; one of `STABLE`, `NEITHER`,
+        `UNSTABLE`.
+    """
+    none = 3 * len(planes)
+    best = np.full(len(A) * len(B), none)
+    for number, (plane, own) in enumerate(zip(planes, seeds, strict=True)):
+        at, stable = orbits_of(plane, A, B, wide, own)
+        np.minimum.at(best, at, stable * len(planes) + number)
+    best = best.reshape(len(B), len(A))
+    index = np.where(best < none, best % max(len(planes), 1), -1)
+    return index, best // max(len(planes), 1)
+
+
+def orbits_of(
+    plane: Plane, A: Vector, B: Vector, wide: float, seeds: Matrix
+) -> tuple[Integers, Integers]:
+    """Return the points of all orbits of an order of phases, and whether they are stable."""
+    n, size = seeds.shape[1] - 2, 2 + len(plane.series.setting)
+    near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
+    orbits = _room(4 * len(near) + ROOM, len(A) * len(B), n, size)
+    given = plane.series, plane.table, A, B
+    with account().spending(), np.errstate(all="ignore"):
+        count = functions()["sown"](*given, wide, near, orbits)
+    begin = 0
+    while begin < count:
+        if count == len(orbits[0]):
+            orbits = _larger(orbits, len(A) * len(B), n, size)
+        with account().spending(), np.errstate(all="ignore"):
+            begin, count = functions()["fill"](*given, begin, count, orbits)
+    Z, at, _, _, _, _, maps = (part[:count] for part in orbits)
+    for k in np.linspace(0, count - 1, min(count, ASKED)).astype(int):
+        orbit = plane.orbit(np.append(Z[k], [A[at[k] % len(A)], B[at[k] // len(A)]]))
+        if orbit is not None and not (orbit.outcome.converged and orbit.admissible):
+            return at[:0], at[:0]
+    return at, stability_of(plane, maps)
+
+
+def _room(count: int, points: int, n: int, size: int) -> tuple[Any, ...]:
+    """Return arrays for so many orbits on so many points; see `filling.fill`."""
+    whole = np.int64
+    return (
+        np.empty((count, n)), np.empty(count, whole), np.empty(count),
+        np.full((count, 4), -1), np.full(points, -1), np.empty(count, whole),
+        np.empty((count, 2, size, size)),
+    )  # fmt: skip
+
+
+def _larger(orbits: tuple[Any, ...], points: int, n: int, size: int) -> tuple[Any, ...]:
+    """Return arrays of orbits with twice the room."""
+    count = len(orbits[0])
+    found = _room(2 * count, points, n, size)
+    for i, part in enumerate(orbits):
+        found[i][: len(part)] = part
+    return found
+
+
+def stability_of(plane: Plane, maps: Any) -> Integers:
+    """Return whether orbits are stable, by the maps of their cells.
+
+    Where rounding might change the verdict, it is that of `stability.of_monodromy`.
+
+    Parameters
+    ----------
+    plane : Plane
+    maps : ndarray, shape (m, 2, n, n)
+        See `cell_map`.
+    """
+    cell = plane.course.cell(plane.case.numbers)
+    known = np.isfinite(maps).all(axis=(1, 2, 3))
+    own = np.where(known[:, None, None, None], maps, 0.0)
+    values = np.linalg.eigvals(own[:, 0])
+    moduli = np.abs(values)
+    if not cell.forced:  # a shift in time is no perturbation
+        moduli[np.arange(len(own)), np.abs(values - 1).argmin(axis=1)] = 0.0
+    margin, norm = 1 - moduli.max(axis=1), np.linalg.norm(own[:, 1], axis=(1, 2))
+    found = np.where(margin > 0, STABLE, UNSTABLE)
+    found[~known] = NEITHER
+    near = np.abs(margin) <= np.sqrt(ROUNDING * norm) * (1 + norm)
+    for k in np.flatnonzero(known & near):
+        stable = of_monodromy(cell, Monodromy(*own[k], forgotten(cell))).stable
+        found[k] = {True: STABLE, None: NEITHER, False: UNSTABLE}[stable]
+    return found

@@ -1,0 +1,104 @@
+"""A curve of events in two parameters: orbits on which something that is watched vanishes.
+
+One equation more than along a branch, and one unknown more: the second parameter.  What is
+watched at a fold is the determinant of the equations, which is zero there whatever varies.
+
+Plain Python, or compiled by numba with the equations along a branch.
+"""
+
+from math import isfinite, sqrt
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..branch.extended import DIFFERENCE, SMALL, left_sides, rates
+from ..branch.walk import look
+from ..iteration.iteration import ROUNDOFF, scale_rows
+from ..iteration.linear import factorise, solve_factorised
+from .filling import row_of
+
+#: Most corrections; those with derivatives of their own.
+MOST_CORRECTIONS, FRESH = 16, 3
+
+#: What a correction must be less than, as a part of the one before, not to be rounding.
+FALLING = 0.7
+
+
+def gauges_at(plane: Any, table: Any, y: Vector) -> Vector:
+    """Return what is watched at an orbit; the last is the determinant of the equations."""
+    n, size = len(y) - 2, 2 + len(plane[1])
+    border, extremes, maps = np.zeros(n + 1), np.empty((2, 2)), np.empty((2, size, size))
+    border[n] = 1.0
+    _, found = look(row_of(plane, y[n + 1]), table, y[: n + 1], border, extremes, maps)
+    gauges: Vector = found
+    return gauges
+
+
+def sides(plane: Any, table: Any, gauge: int, y: Vector, R: Vector) -> None:
+    """Fill R with the left sides of the equations, the gauge and zero."""
+    n = len(y) - 2
+    left_sides(row_of(plane, y[n + 1]), y[:n], y[n], R[:n])
+    R[n], R[n + 1] = gauges_at(plane, table, y)[gauge], 0.0
+
+
+def slopes(
+    plane: Any, table: Any, gauge: int, y: Vector, border: Vector, J: Matrix
+) -> None:
+    """Fill J with their derivatives in coordinates of size 1, over a row."""
+    n, weights = len(y) - 2, plane[4]
+    first = np.empty((n, n + 1))
+    rates(row_of(plane, y[n + 1]), y[:n], y[n], first)
+    J[:n, : n + 1] = first
+    above, below = np.empty(n), np.empty(n)
+    left_sides(row_of(plane, y[n + 1] + DIFFERENCE), y[:n], y[n], above)
+    left_sides(row_of(plane, y[n + 1] - DIFFERENCE), y[:n], y[n], below)
+    for i in range(n):
+        J[i, n + 1] = (above[i] - below[i]) / (2 * DIFFERENCE)
+    for j in range(n + 2):
+        weight = weights[j] if j < n else 1.0
+        ends = np.empty(2)
+        for k in range(2):
+            other = y.copy()
+            other[j] += (1 - 2 * k) * DIFFERENCE / weight
+            ends[k] = gauges_at(plane, table, other)[gauge]
+        for i in range(n):
+            J[i, j] /= weight
+        J[n, j], J[n + 1, j] = (ends[0] - ends[1]) / (2 * DIFFERENCE), border[j]
+
+
+def pinned(
+    plane: Any, table: Any, gauge: int, y: Vector, border: Vector
+) -> tuple[bool, Vector]:
+    """Lead `y` to the curve across a border; whether it gets there, and the unit tangent.
+
+    border : ndarray, shape (unknowns + 2,)
+        In coordinates of size 1; the tangent is on its side.
+    """
+    n = len(y)
+    J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
+    step, before, direction = np.empty(n), np.inf, np.zeros(n)
+    direction[n - 1] = 1.0
+    for turn in range(MOST_CORRECTIONS):
+        sides(plane, table, gauge, y, step)
+        if turn < FRESH:
+            slopes(plane, table, gauge, y, border, J)
+            scale_rows(J, scales)
+            if not factorise(J, rows):
+                return False, direction
+        for i in range(n):
+            step[i] /= scales[i]
+        solve_factorised(J, rows, step)
+        size = 0.0
+        for j in range(n):
+            size += step[j] * step[j]
+        size = sqrt(size)
+        if not isfinite(size) or (turn > 0 and size > FALLING * before):
+            break
+        for j in range(n):
+            y[j] -= step[j] / (plane[4][j] if j < n - 2 else 1.0)
+        before = size
+        if size <= ROUNDOFF:
+            break
+    solve_factorised(J, rows, direction)
+    return before <= SMALL, direction / sqrt(np.dot(direction, direction))

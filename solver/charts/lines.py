@@ -1,0 +1,129 @@
+"""Branches along lines of a map: where orbits are, and what happens, that a map begins with."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..branch.branch import Both
+from ..branch.course import Course
+from ..branch.follow import OF_THE_ORBIT, Found
+from ..branch.piece import Piece, Place
+from ..branches import every_way
+from ..scenes.case import Case
+from .plane import Bounds
+
+#: Values on a line at which orbits are looked for.
+VALUES = 5
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Orbits of one order of phases on a line.
+
+    Parameters
+    ----------
+    course : Course
+    case : Case
+        With the parameters of the orbit in the middle.
+    points : ndarray, shape (m, n + 2)
+        Unknowns and both parameters of each, in SI units.
+    """
+
+    course: Course
+    case: Case
+    points: Matrix
+
+    @property
+    def middle(self) -> Vector:
+        """The unknowns of the orbit in the middle."""
+        found: Vector = self.points[len(self.points) // 2, :-2]
+        return found
+
+
+@dataclass(frozen=True)
+class Happening:
+    """Something that happens on a line.
+
+    Parameters
+    ----------
+    kind : str
+        The word for it.
+    course : Course
+        Of the orbits there.
+    gauge : tuple
+        What vanishes: see `gauge_of`.
+    point : ndarray, shape (n + 2,)
+        Unknowns and both parameters, in SI units.
+    across : int
+        Which parameter does not vary on the line.
+    """
+
+    kind: str
+    course: Course
+    gauge: tuple[object, ...]
+    point: Vector
+    across: int
+
+
+Line = tuple[list[Stretch], list[Happening]]
+
+
+def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> Line:
+    """Return the orbits on a line, and what happens there.
+
+    Parameters
+    ----------
+    case : Case
+        With the value of the parameter that does not vary on the line.
+    names : (str, str)
+        Both parameters.
+    bounds : ((float, float), (float, float))
+        Their ranges.
+    across : int
+        Which of them does not vary.
+    """
+    along = 1 - across
+    stretches: list[Stretch] = []
+    happened: list[Happening] = []
+    for both in every_way(case, names[along], bounds[along], VALUES, {"branch-point"}):
+        if both.course is None or both.course.cycles == case.cycles:
+            stretches += _stretches(case.values[names[across]], both, across)
+            happened += _happenings(case.values[names[across]], both, across)
+    return stretches, happened
+
+
+def _stretches(value: float, both: Both, across: int) -> Iterator[Stretch]:
+    for segment in (*both.back.segments, *both.forth.segments):
+        points = segment.points[1:-1] or segment.points[:1]  # something happens at the ends
+        if points:
+            piece, place = points[len(points) // 2]
+            middle = piece.case.with_value(piece.name, piece.value(place.y))
+            found = [_point(value, piece, place, across) for piece, place in points]
+            yield Stretch(segment.course, middle, np.array(found))
+
+
+def _happenings(value: float, both: Both, across: int) -> Iterator[Happening]:
+    for found in both.events():
+        if found.gauge >= 0:
+            point = _point(value, found.piece, found.place, across)
+            yield Happening(found.kind, found.piece.course, gauge_of(found), point, across)
+
+
+def _point(value: float, piece: Piece, place: Place, across: int) -> Vector:
+    """Return the unknowns of an orbit and both parameters, in SI units."""
+    where = [piece.value(place.y), value]
+    y: Vector = place.y[:-1] * piece.sizes[:-1]
+    return np.concatenate([y, where if across == 1 else where[::-1]])
+
+
+def gauge_of(found: Found) -> tuple[object, ...]:
+    """Return what vanishes at an event: a form and where in it, a duration, or a word."""
+    piece, i = found.piece, found.gauge
+    forms, phases = 3 * len(piece.rows), len(piece.along.kinds)
+    if i < forms:
+        return "form", piece.rows[i // 3], i % 3
+    if i < forms + phases:
+        return "duration", i - forms
+    return "orbit", OF_THE_ORBIT[i - forms - phases]

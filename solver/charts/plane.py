@@ -1,0 +1,157 @@
+"""The equations of an order of phases over two parameters, in one set of units."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from ..branch.along import ROUNDING, Interval, chebyshev, divided_phases, entries, weights
+from ..branch.course import Course, Row
+from ..branch.piece import sizes_of, unit_of
+from ..flow.exact_system import arrays
+from ..orbit.exact_orbit import ExactOrbit, of_unknowns
+from ..scenes.arrays import Integers
+from ..scenes.case import Case
+
+#: Terms of the series by each parameter, in turn, until they are resolved.
+TERMS = 4, 8, 16, 32
+
+Bounds = tuple[tuple[float, float], tuple[float, float]]
+
+
+class Series(NamedTuple):
+    """The arrays of a cell over two parameters, as `filling` takes them.
+
+    Parameters
+    ----------
+    kinds, setting, divided : ndarray
+        See `along.Along`.
+    series : ndarray, shape (entries, terms, terms)
+        Chebyshev coefficients of its other entries, and of the forms of a table.
+    weights : ndarray, shape (unknowns + 1,)
+        1 over the size of each unknown, and 1 for a parameter.
+    """
+
+    kinds: Integers
+    setting: Integers
+    series: Matrix
+    divided: Integers
+    weights: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """An order of phases over a rectangle of two parameters.
+
+    Parameters
+    ----------
+    course : Course
+    case : Case
+        Whose units are used.
+    indices : (int, int)
+        Of the parameters.
+    bounds : ((float, float), (float, float))
+        Of their ranges, in SI units.
+    series : Series
+    rows : tuple of Row
+    table : ndarray of int
+        What is watched.
+    """
+
+    course: Course
+    case: Case
+    indices: tuple[int, int]
+    bounds: Bounds
+    series: Series
+    rows: tuple[Row, ...]
+    table: Integers
+
+    @classmethod
+    def over(
+        cls, course: Course, case: Case, indices: tuple[int, int], bounds: Bounds, z: Vector
+    ) -> "Plane":
+        """Return the plane of an order of phases.
+
+        Parameters
+        ----------
+        course, indices, bounds
+            See `Plane`.
+        case : Case
+            With the parameters of an orbit of this order, of which nothing is special.
+        z : ndarray
+            Its unknowns, in SI units.
+
+        Raises
+        ------
+        ArithmeticError
+            If the equations are not smooth over the rectangle.
+        """
+        cell = course.cell(case.numbers)
+        own = z / sizes_of(cell, case)
+        rows = tuple(course.rows(case.numbers, own))
+        found = arrays(cell)
+        divided, sizes = divided_phases(cell, own), weights(cell, own)
+        series = _series(course, case, indices, bounds, rows)
+        table = course.table(case.numbers, own, rows)
+        whole = Series(found.kinds, found.setting, series, divided, sizes)
+        return cls(course, case, indices, bounds, whole, rows, table)
+
+    @cached_property
+    def sizes(self) -> Vector:
+        """What 1 of each unknown is in SI units."""
+        return sizes_of(self.course.cell(self.case.numbers), self.case)
+
+    def inside(self, found: Matrix) -> Matrix:
+        """Return unknowns and parameters in SI units as they are on the plane."""
+        where = (Interval(*ends).q(found[:, i - 2]) for i, ends in enumerate(self.bounds))
+        return np.column_stack([found[:, :-2] / self.sizes, *where])
+
+    def values(self, y: Vector) -> tuple[float, float]:
+        """Return the parameters of an orbit of the plane in SI units."""
+        first, second = (Interval(*self.bounds[i]).value(float(y[i - 2])) for i in (0, 1))
+        return first, second
+
+    def orbit(self, y: Vector) -> ExactOrbit | None:
+        """Return an exact orbit as users hold it; None of a motion that nothing ends."""
+        if self.course.endless:
+            return None
+        names = (self.case.scene.parameters[i].name for i in self.indices)
+        given = dict(self.case.values) | dict(zip(names, self.values(y), strict=True))
+        case = self.course.case(Case(self.case.scene, given, self.case.cycles))
+        own = sizes_of(self.course.cell(case.numbers), case)
+        return of_unknowns(case, y[:-2] * self.sizes / own)
+
+
+def _series(
+    course: Course, case: Case, indices: tuple[int, int], bounds: Bounds, rows: Sequence[Row]
+) -> Matrix:
+    """Return the Chebyshev coefficients of all entries over a rectangle.
+
+    Raises
+    ------
+    ArithmeticError
+        If so many terms do not resolve them.
+    """
+    ends = [np.divide(bounds[i], unit_of(case, indices[i])) for i in (0, 1)]
+    for terms in TERMS:
+        at, table = chebyshev(terms)
+        values = []
+        for a in map(Interval(*ends[0]).value, at):
+            for b in map(Interval(*ends[1]).value, at):
+                numbers = list(case.numbers)
+                numbers[indices[0]], numbers[indices[1]] = float(a), float(b)
+                cell = course.cell(tuple(numbers))
+                forms = course.forms(tuple(numbers), rows, cell)
+                values.append(entries(cell, forms))
+        grid = np.array(values).T.reshape(-1, terms, terms)
+        found = table @ grid @ table.T
+        largest = np.abs(grid).max(axis=(1, 2), keepdims=True)
+        found[np.abs(found) <= terms * ROUNDING * largest] = 0.0
+        if not (found[:, -1:].any() or found[:, :, -1:].any()):
+            used = [np.flatnonzero(found.any(axis=i))[-1] + 1 for i in ((0, 2), (0, 1))]
+            first, second = (max(2, int(count)) for count in used)
+            return np.ascontiguousarray(found[:, :first, :second])
+    raise ArithmeticError("the equations are not smooth over the parameters")
