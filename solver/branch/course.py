@@ -89,6 +89,13 @@ class Course:
             return self.declared.motion
         return self._scene.motion
 
+    @property
+    def called(self) -> str:
+        """What a map calls it, where every motion has a name of its own."""
+        if self.endless:
+            return f"only {self.motion}"
+        return self.motion or self._scene.motion
+
     def name(self, step: Step) -> str:
         """Return the name of a phase, with a minus if it is mirrored."""
         return f"{'-' * step.mirrored}{self.base.phases[step.phase]}"

@@ -47,8 +47,8 @@ def functions() -> dict[str, Any]:
 
 def block_of(
     planes: Sequence[Plane], A: Vector, B: Vector, wide: float, seeds: Sequence[Matrix]
-) -> tuple[Integers, Integers]:
-    """Return the motions of some rows of a map, and whether they are stable.
+) -> Integers:
+    """Return the best orbit at each point of some rows of a map, as a number.
 
     Parameters
     ----------
@@ -63,18 +63,15 @@ def block_of(
 
     Returns
     -------
-    index, stable : ndarray of int, shape (rows, columns)
-        The number of the plane, -1 where there is none; one of `STABLE`, `NEITHER`,
-        `UNSTABLE`.
+    ndarray of int, shape (rows, columns)
+        One of `STABLE`, `NEITHER`, `UNSTABLE` times the number of planes, and the number of
+        the plane: the best is the least.  Without an orbit it is beyond all of them.
     """
-    none = 3 * len(planes)
-    best = np.full(len(A) * len(B), none)
+    best = np.full(len(A) * len(B), 3 * len(planes))
     for number, (plane, own) in enumerate(zip(planes, seeds, strict=True)):
         at, stable = orbits_of(plane, A, B, wide, own)
         np.minimum.at(best, at, stable * len(planes) + number)
-    best = best.reshape(len(B), len(A))
-    index = np.where(best < none, best % max(len(planes), 1), -1)
-    return index, best // max(len(planes), 1)
+    return best.reshape(len(B), len(A))
 
 
 def orbits_of(
@@ -140,9 +137,9 @@ def stability_of(plane: Plane, maps: Any) -> Integers:
         moduli[np.arange(len(own)), np.abs(values - 1).argmin(axis=1)] = 0.0
     margin, norm = 1 - moduli.max(axis=1), np.linalg.norm(own[:, 1], axis=(1, 2))
     found = np.where(margin > 0, STABLE, UNSTABLE)
-    found[~known] = NEITHER
+    found[~known | (np.abs(margin) <= ROUNDING / 2)] = NEITHER
     near = np.abs(margin) <= np.sqrt(ROUNDING * norm) * (1 + norm)
-    for k in np.flatnonzero(known & near):
+    for k in np.flatnonzero(near & (found != NEITHER)):
         stable = of_monodromy(cell, Monodromy(*own[k], forgotten(cell))).stable
         found[k] = {True: STABLE, None: NEITHER, False: UNSTABLE}[stable]
     return found

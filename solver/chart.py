@@ -1,0 +1,208 @@
+"""A map of two parameters: which motion there is at each point, and whether it is stable.
+
+Some rows and columns are followed as branches, with a search for orbits on each.  From their
+orbits the points between are filled in, each from its neighbours, and the events on them lie on
+curves that are followed in both parameters.  Lines, and the blocks of rows between them, are
+tasks of their own.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from .arrays import Matrix, Vector
+from .branch.along import Interval
+from .branch.branch import index_of
+from .branch.course import Course
+from .charts.block import NEITHER, STABLE, block_of
+from .charts.curves import curves_of
+from .charts.lines import Line, Stretch, line_of
+from .charts.plane import Bounds, Plane
+from .results.chart import Chart, ChartInterrupted, EventCurve
+from .scenes.arrays import Integers
+from .scenes.case import Case
+from .scenes.parameter_error import is_number
+
+#: Least and most values of an axis, and most points.
+LEAST_VALUES, MOST_VALUES, MOST_POINTS = 2, 10_000, 4_000_000
+
+#: Least lines that are followed each way, and for how many rows or columns there is one.
+LINES, EACH = 3, 64
+
+
+def chart(
+    case: Case, axes: Mapping[str, tuple[float, float, int]], executor: Any = None,
+    seen: Callable[[str], None] = lambda done: None,
+) -> Chart:  # fmt: skip
+    """Return which motion an oscillator has over two of its parameters.
+
+    Each orbit is exact, converged and admissible; a point without one is empty.  Of several
+    at a point a stable one is shown, and among these the motion that the scene declares first.
+    Orbits are looked for at a few values on some rows and columns: what lies between them and
+    touches none is not seen.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator; its own values of the two parameters do not matter.
+    axes : mapping of str to (float, float, int)
+        Two parameters: each from where to where in SI units, and at how many values.
+    executor : Executor, optional
+        What computes lines and blocks of rows: anything with the ``submit`` of
+        `concurrent.futures`, such as pools of processes, dask's client and pools of MPI; this
+        process without it.
+    seen : callable
+        Called with words when a line or a block is done; there are `number_of_tasks`.
+
+    Raises
+    ------
+    TypeError
+        If `case` is none.
+    ParameterError
+        A `ValueError`: if the scene has no such parameter, or a corner of the map makes no
+        oscillator.
+    ValueError
+        If there are not two axes, or one is not two different numbers and a count.
+    ChartInterrupted
+        A `KeyboardInterrupt`: with the rows that were computed before.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> stop = registry.load("impact")(damping=0.1, restitution=0.8)
+    >>> found = chart(stop, {"frequency": (1.5, 3.0, 4), "gap": (0.0, 0.2, 3)})
+    >>> print(found)  # doctest: +NORMALIZE_WHITESPACE
+      points  stable  motion
+          12      10  flight
+    flip curve of flight: ...
+    """
+    names, bounds, values = _checked(case, axes)
+    rows, columns = (_lines(len(each)) for each in (values[1], values[0]))
+    corner = _at(case, names, (values[0][0], values[1][0]))
+    tasks = [(corner.with_value(names[1], values[1][i]), names, bounds, 1) for i in rows]
+    tasks += [(corner.with_value(names[0], values[0][j]), names, bounds, 0) for j in columns]
+    lines: list[Line] = []
+    for line in _run(executor, line_of, tasks):
+        lines.append(line)
+        seen(f"line {len(lines)} of {len(tasks)}")
+    planes, seeds = _planes(case, names, bounds, [each for line in lines for each in line[0]])
+    A, B = (Interval(*ends).q(each) for ends, each in zip(bounds, values, strict=True))
+    parts = [slice(low, high + 1) for low, high in zip(rows[:-1], rows[1:], strict=True)]
+    blocks = _run(
+        executor, block_of, [(planes, A, B[part], B[1] - B[0], seeds) for part in parts]
+    )
+    best = np.full((len(B), len(A)), 3 * len(planes))
+    curves: list[EventCurve] = []
+    done = 0
+    try:
+        events = [each for line in lines for each in line[1]]
+        for curve in curves_of(events, planes):
+            points = np.array([curve.plane.values(y) for y in curve.points])
+            curves.append(EventCurve(curve.kind, curve.plane.course.called, points, curve.why))
+        for part, found in zip(parts, blocks, strict=True):
+            best[part] = np.minimum(best[part], found)
+            done = part.stop
+            seen(f"{names[1]} = {values[1][done - 1]:g}")
+    except KeyboardInterrupt:
+        if not done:
+            raise
+        part_of = _result(case, names, values, planes, best, curves)
+        raise ChartInterrupted(part_of, done) from None
+    return _result(case, names, values, planes, best, curves)
+
+
+def number_of_tasks(columns: int, rows: int) -> int:
+    """Return how many lines and blocks a map has."""
+    return len(_lines(columns)) + 2 * len(_lines(rows)) - 1
+
+
+def _lines(count: int) -> list[int]:
+    """Return which rows, or columns, are followed."""
+    several = min(count, max(LINES, count // EACH + 1))
+    return sorted({*np.linspace(0, count - 1, several).round().astype(int).tolist()})
+
+
+def _run(executor: Any, work: Callable[..., Any], tasks: Sequence[Any]) -> Iterator[Any]:
+    """Return an iterator over the results of tasks, which an executor begins at once."""
+    if executor is None:
+        return (work(*task) for task in tasks)
+    futures = [executor.submit(work, *task) for task in tasks]
+    return (future.result() for future in futures)
+
+
+def _planes(
+    case: Case, names: tuple[str, str], bounds: Bounds, stretches: Sequence[Stretch]
+) -> tuple[list[Plane], list[Matrix]]:
+    """Return the planes of all orders of phases that were found, and their orbits."""
+    indices = index_of(case, names[0]), index_of(case, names[1])
+    planes, seeds = [], []
+    for course in sorted({q.course: None for q in stretches}, key=_turn):
+        own = [q for q in stretches if q.course == course]
+        longest = max(own, key=lambda q: len(q.points))
+        plane = Plane.over(course, longest.case, indices, bounds, longest.middle)
+        planes.append(plane)
+        seeds.append(plane.inside(np.concatenate([q.points for q in own])))
+    return planes, seeds
+
+
+def _turn(course: Course) -> tuple[int, str]:
+    """Return what sorts orders of phases: those that are declared, then by their length."""
+    every = course.base.whole.each_motion
+    if not course.endless and course.declared is not None:
+        return every.index(course.declared), ""
+    return len(every) + len(course.order.steps), course.called
+
+
+def _result(
+    case: Case, names: tuple[str, str], values: tuple[Vector, Vector],
+    planes: Sequence[Plane], best: Integers, curves: Sequence[EventCurve],
+) -> Chart:  # fmt: skip
+    """Return what is found as users hold it, with the motions that occur."""
+    count = len(planes)
+    number, verdict = (best % count, best // count) if count else (best, best)
+    index, motions = np.full(best.shape, -1), []
+    for i, plane in enumerate(planes):
+        here = (number == i) & (best < 3 * count)
+        if here.any():
+            motions += [] if plane.course.called in motions else [plane.course.called]
+            index[here] = motions.index(plane.course.called)
+    stable = np.where(verdict == NEITHER, -1, verdict == STABLE).astype(int)
+    stable[index < 0] = -1
+    return Chart(case, names, values, tuple(motions), index, stable, tuple(curves))
+
+
+def _checked(
+    case: Case, axes: Mapping[str, tuple[float, float, int]]
+) -> tuple[tuple[str, str], Bounds, tuple[Vector, Vector]]:
+    """Return the names of two parameters, their ranges and values."""
+    if not isinstance(case, Case):
+        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    if not isinstance(axes, Mapping) or len(axes) != 2:
+        raise ValueError(f"axes: got {axes!r:.80}, expected two parameters")
+    found = []
+    for name, given in axes.items():
+        index_of(case, name)
+        ends = [*given] if isinstance(given, Sequence) and len(given) == 3 else []
+        counted = ends and isinstance(ends[2], int) and ends[2] >= LEAST_VALUES
+        if not counted or not all(map(is_number, ends)) or ends[0] == ends[1]:
+            expected = "two different numbers and how many values, 2 or more"
+            raise ValueError(f"{name}: got {given!r:.80}, expected {expected}")
+        found.append((float(ends[0]), float(ends[1]), ends[2]))
+    points = found[0][2] * found[1][2]
+    if points > MOST_POINTS:
+        raise ValueError(f"axes: got {points} points, expected at most {MOST_POINTS}")
+    first, second = axes
+    names = first, second
+    for corner in product(found[0][:2], found[1][:2]):
+        _at(case, names, corner)
+    bounds, other = ((min(each[:2]), max(each[:2])) for each in found)
+    values = np.linspace(*bounds, found[0][2]), np.linspace(*other, found[1][2])
+    return names, (bounds, other), values
+
+
+def _at(case: Case, names: tuple[str, str], values: Sequence[float]) -> Case:
+    """Return the case at a point of the map."""
+    given = dict(case.values) | {n: float(q) for n, q in zip(names, values, strict=True)}
+    return Case(case.scene, given, case.cycles)

@@ -1,0 +1,188 @@
+"""Curves of events in the plane of two parameters, each followed both ways from one event."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Vector
+from ..branch.follow import CLOSED, RANGE
+from ..branch.walk import OWN
+from .block import account, functions
+from .lines import Happening
+from .plane import Plane
+
+#: Least step, in coordinates of size 1, and the first; most of it, and of it in the plane.
+LEAST, FIRST, MOST, MOST_SEEN = 1e-8, 0.01, 0.3, 0.03
+
+#: What a step is multiplied by, and the least cosine of the angle between its tangents.
+GROWTH, TURN = 1.3, 0.95
+
+#: Most points of a curve, each way.
+MOST_POINTS = 2000
+
+#: What is watched beside the gauge is violated below the negative of it.
+ROUNDING = 1e-6
+
+#: How near a curve passes an event that lies on it, in the plane.
+ON = 1e-8
+
+#: Why a curve ends, beside what ends a branch.
+LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible"
+
+#: Which gauge, from the last, vanishes at events of the orbit itself.
+OF_THE_ORBIT = {"fold": -1, "branch-point": -1, "torus": -2, "flip": -3}
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A curve of events.
+
+    Parameters
+    ----------
+    kind : str
+        The word for what happens.
+    plane : Plane
+        Of the orbits on it.
+    gauge : int
+        What vanishes on it; see `following.gauges_at`.
+    points : tuple of ndarray
+        Unknowns and both parameters, from the one end to the other.
+    why : (str, str)
+        Why it ends there.
+    """
+
+    kind: str
+    plane: Plane
+    gauge: int
+    points: tuple[Vector, ...]
+    why: tuple[str, str]
+
+
+def curves_of(happened: Iterable[Happening], planes: Sequence[Plane]) -> list[Curve]:
+    """Return the curves on which events lie, each once."""
+    found: list[Curve] = []
+    for event in happened:
+        plane = next((q for q in planes if q.course == event.course), None)
+        gauge = None if plane is None else _gauge(plane, event)
+        if plane is None or gauge is None:
+            continue
+        y = plane.inside(event.point[None])[0]
+        if not any(_passes(q, event.kind, y[-2:], event.across) for q in found):
+            found += _followed(event.kind, plane, gauge, y, event.across)
+    return found
+
+
+def _gauge(plane: Plane, event: Happening) -> int | None:
+    """Return which gauge of a plane vanishes at an event; None if it watches no such thing."""
+    what, which, *where = event.gauge
+    if what == "orbit":
+        return OF_THE_ORBIT[str(which)]
+    if what == "duration":
+        return 3 * len(plane.rows) + int(str(which))
+    rows: list[Any] = [*plane.rows]
+    return 3 * rows.index(which) + int(str(where[0])) if which in rows else None
+
+
+def _followed(kind: str, plane: Plane, gauge: int, y: Vector, across: int) -> list[Curve]:
+    """Return the curve through an event; none if it cannot be followed at all."""
+    first, direction = _pinned(plane, gauge, y, _unit(len(y), across))
+    if first is None:
+        return []
+    forth, why = _way(plane, gauge, first, direction)
+    if why == CLOSED:
+        return [Curve(kind, plane, gauge, (first, *forth, first), (why, why))]
+    back, before = _way(plane, gauge, first, -direction)
+    points = (*reversed(back), first, *forth)
+    return [Curve(kind, plane, gauge, points, (before, why))] if len(points) > 1 else []
+
+
+def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[Vector], str]:
+    """Return the points behind one, on the side of a direction, and why they end."""
+    first, ahead, weights = y, direction, _weights(plane)
+    watched = np.abs(_gauges(plane, y)) > ROUNDING  # or there is none as yet
+    watched |= np.isnan(_gauges(plane, y))
+    watched[-OWN:], watched[gauge] = False, False
+    points: list[Vector] = []
+    length, growth, why = FIRST, GROWTH, LOST
+    while len(points) < MOST_POINTS:
+        seen = float(np.abs(direction[-2:]).max())
+        length = min(length, MOST, MOST_SEEN / seen if seen else MOST)
+        there, tangent = _pinned(plane, gauge, y + length * direction / weights, direction)
+        accepted = there is not None and tangent @ direction >= TURN
+        if there is not None and accepted:
+            if np.abs(there[-2:]).max() > 1:
+                end = _edge(plane, gauge, y, there)
+                return ([*points, end], RANGE) if end is not None else (points, LOST)
+            if (_gauges(plane, there)[watched] < -ROUNDING).any():
+                accepted, growth, why = False, 1.0, VIOLATED
+        if there is None or not accepted:
+            length /= 2
+            if length < LEAST:
+                return points, why
+            continue
+        away = (first - y) * weights
+        if len(points) > 2 and 0 <= away @ direction <= length >= np.linalg.norm(away):
+            if tangent @ ahead > 0:
+                return points, CLOSED
+        points.append(there)
+        y, direction, length = there, tangent, length * growth
+    return points, f"{MOST_POINTS} points are the most that a curve has each way"
+
+
+def _edge(plane: Plane, gauge: int, y: Vector, there: Vector) -> Vector | None:
+    """Return where a step leaves the rectangle; None if that is not found."""
+    ends = np.sign(there[-2:])
+    parts = np.where(np.abs(there[-2:]) > 1, (ends - y[-2:]) / (there[-2:] - y[-2:]), np.inf)
+    which = int(np.argmin(parts))
+    start = y + parts[which] * (there - y)
+    start[which - 2] = ends[which]
+    return _pinned(plane, gauge, start, _unit(len(y), which))[0]
+
+
+def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
+    """Whether an event of a kind lies on a curve, by where that crosses its line."""
+    points, along = np.array(curve.points), 1 - across - 2
+    side = points[:, across - 2] - at[across]
+    crosses = (side[1:] * side[:-1] <= 0) | (np.minimum(abs(side[1:]), abs(side[:-1])) <= ON)
+    for i in np.flatnonzero(crosses) if kind == curve.kind else ():
+        change = side[i + 1] - side[i]
+        part = np.clip(-side[i] / change, 0, 1) if change else 0.0
+        y = points[i] + part * (points[i + 1] - points[i])
+        y[across - 2] = at[across]
+        if abs(y[along] - at[1 - across]) > MOST_SEEN:
+            continue
+        there, _ = _pinned(curve.plane, curve.gauge, y, _unit(len(y), across))
+        if there is not None and abs(there[along] - at[1 - across]) <= ON:
+            return True
+    return False
+
+
+def _unit(size: int, which: int) -> Vector:
+    """Return the border across which one of the parameters is fixed."""
+    found = np.zeros(size)
+    found[which - 2] = 1.0
+    return found
+
+
+def _weights(plane: Plane) -> Vector:
+    return np.append(plane.series.weights, 1.0)
+
+
+def _gauges(plane: Plane, y: Vector) -> Vector:
+    with account().spending(), np.errstate(all="ignore"):
+        found: Vector = functions()["gauges_at"](plane.series, plane.table, y)
+    return found
+
+
+def _pinned(
+    plane: Plane, gauge: int, y: Vector, border: Vector
+) -> tuple[Vector | None, Vector]:
+    """Return where Newton's method leads across a border, None if nowhere, and the tangent."""
+    number = len(_gauges(plane, y)) + gauge if gauge < 0 else gauge
+    found = y.copy()
+    with account().spending(), np.errstate(all="ignore"):
+        given = plane.series, plane.table, number, found, border
+        converged, direction = functions()["pinned"](*given)
+    return (found if converged else None), direction
