@@ -72,11 +72,11 @@ def chart(
     --------
     >>> from nonsmooth.solver.kernels import registry
     >>> stop = registry.load("impact")(damping=0.1, restitution=0.8)
-    >>> found = chart(stop, {"frequency": (1.5, 3.0, 4), "gap": (0.0, 0.2, 3)})
-    >>> print(found)  # doctest: +NORMALIZE_WHITESPACE
-      points  stable  motion
-          12      10  flight
-    flip curve of flight: ...
+    >>> found = chart(stop, {"frequency": (2.0, 3.0, 2), "gap": (0.0, 0.2, 2)})
+    >>> found.motion
+    [['flight', 'flight'], ['flight', 'only flight']]
+    >>> [curve.kind for curve in found.curves]
+    ['flip', 'grazing']
     """
     names, bounds, values = _checked(case, axes)
     rows, columns = (_lines(len(each)) for each in (values[1], values[0]))

@@ -20,7 +20,7 @@ TAKEN = frozenset(
 COMMANDS = frozenset(
     (
         *("digits", "equations", "generate", "modes", "report", "roots", "scenes", "simulate"),
-        *("branch", "solve", "stability", "sweep", "tradeoff"),
+        *("branch", "map", "solve", "stability", "sweep", "tradeoff"),
     )
 )
 

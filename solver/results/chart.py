@@ -116,6 +116,7 @@ class Chart(Tabular):
             "parameters": dict(self.case.values),
             "vary": list(self.parameters),
             "axes": self.axes,
+            "motions": list(self.motions),
             "motion": self.motion,
             "stable": [[STABLE[i] for i in row] for row in self.stable.tolist()],
             "curves": [

@@ -30,9 +30,11 @@ if TYPE_CHECKING:
     from .scene import find as scene
     from .scene_files.error import SceneFileError
     from .scene_files.find import names as scenes
+    from .solver.chart import chart
     from .solver.exact import ExactOrbit
     from .solver.no_orbit import NoOrbit
     from .solver.results.branch import Branch
+    from .solver.results.chart import Chart
     from .solver.results.family import Family
     from .solver.results.orbit import Orbit
     from .solver.results.strobe import Basins, Diagram
@@ -56,6 +58,7 @@ _HOMES = {
     "Branch": ("solver.results.branch", "Branch"),
     "Diagram": ("solver.results.strobe", "Diagram"),
     "Case": ("solver.scenes.case", "Case"),
+    "Chart": ("solver.results.chart", "Chart"),
     "ExactOrbit": ("solver.exact", "ExactOrbit"),
     "FileError": ("files.file_errors", "FileError"),
     "FileWarning": ("files.file_errors", "FileWarning"),
@@ -78,6 +81,7 @@ _HOMES = {
     "basins": ("solver.strobe", "basins"),
     "branch": ("oscillators", "branch"),
     "branches": ("oscillators", "branches"),
+    "chart": ("solver.chart", "chart"),
     "diagram": ("solver.strobe", "diagram"),
     "equations": ("codegen", "derive"),
     "exact": ("oscillators", "exact"),
@@ -97,6 +101,7 @@ __all__ = [
     "Basins",
     "Branch",
     "Case",
+    "Chart",
     "Diagram",
     "ExactOrbit",
     "Family",
@@ -121,6 +126,7 @@ __all__ = [
     "basins",
     "branch",
     "branches",
+    "chart",
     "diagram",
     "equations",
     "exact",

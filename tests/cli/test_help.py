@@ -10,7 +10,7 @@ import pytest
 from nonsmooth.cli import cli
 
 COMMANDS = (
-    "scenes", "generate", "equations", "solve", "sweep", "branch", "simulate", "roots",
+    "scenes", "generate", "equations", "solve", "sweep", "branch", "map", "simulate", "roots",
     "digits", "tradeoff", "report", "modes",
 )  # fmt: skip
 

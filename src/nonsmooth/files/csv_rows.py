@@ -1,8 +1,9 @@
 """CSV, for other programs: rows of results and of studies, motions over time."""
 
 import csv
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,12 +26,14 @@ MODES = (
 )  # fmt: skip
 
 
-def write(target: Path, rows: Sequence[Mapping[str, Any]]) -> None:
+def write(target: Path, rows: Iterable[Mapping[str, Any]]) -> None:
     """Write rows of the same columns below a line with their names."""
+    every = iter(rows)
+    first = next(every, {})
     with target.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(rows[0] if rows else ())
-        writer.writerows(row.values() for row in rows)
+        writer.writerow(first)
+        writer.writerows(row.values() for row in chain([first] if first else (), every))
 
 
 def of_orbits(orbits: "Sequence[Orbit]") -> list[dict[str, Any]]:
@@ -97,11 +100,12 @@ def of_convergence(study: "Convergence") -> list[dict[str, Any]]:
 
 
 #: The rows of results of each kind.
-ROWS: Mapping[str, Callable[[Sequence[Any]], list[dict[str, Any]]]] = {
+ROWS: Mapping[str, Callable[[Sequence[Any]], Iterable[dict[str, Any]]]] = {
     "orbits": of_orbits,
     "sweep": lambda several: of_sweep(several[0]),
     "family": lambda several: of_family(several[0]),
     "branch": lambda several: of_family(several[0]),
+    "map": lambda several: several[0].rows(),
     "modes": of_modes,
 }
 

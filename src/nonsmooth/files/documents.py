@@ -73,7 +73,7 @@ def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
         return of_modes(several) | origin_of_modes(first.structure)
     if kind == "sweep":
         return dict(first.as_dict() | origin(first.case, first.rates()))
-    if kind == "branch":
+    if kind in {"branch", "map"}:
         return dict(first.as_dict() | origin(first.case, ()))
     found = [result.as_dict() | origin(result.case, [result.method]) for result in several]
     return found[0] if len(found) == 1 else {"scene": first.case.scene.name, "orbits": found}

@@ -13,6 +13,7 @@ from nonsmooth.solver.iteration.newton import Outcome
 from nonsmooth.solver.kernels.registry import generic_method, kernel, mathematics
 from nonsmooth.solver.orbit.errors import Errors
 from nonsmooth.solver.results.branch import Branch, BranchEvent
+from nonsmooth.solver.results.chart import Chart, EventCurve
 from nonsmooth.solver.results.family import Family, FamilyRow
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.sweep import Sweep, SweepRow
@@ -49,6 +50,8 @@ def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> 
     NotRightError
         A `ValueError`: if a number in it cannot be right.
     """
+    if "axes" in document:
+        return _map(document, _case(path, document, scene))
     if "why_it_ended" in document:
         return _branch(document, _case(path, document, scene))
     if "vary" in document:
@@ -178,6 +181,28 @@ def _branch(document: Mapping[str, Any], case: Case) -> Branch:
     why = document["why_it_ended"]
     found = tuple(rows), events, (why["start"], why["end"])
     return Branch(case, parameter, "exact", 0, None, *found)
+
+
+def _map(document: Mapping[str, Any], case: Case) -> Chart:
+    """Return a map from its document."""
+    first, second = document["vary"]
+    for name in (first, second):
+        checks.check(name in case.values, f"{name!r} varies, which is not a parameter")
+    values = np.array(document["axes"][first]), np.array(document["axes"][second])
+    shape = len(values[1]), len(values[0])
+    motion, stable = np.array(document["motion"]), np.array(document["stable"])
+    for name, found in (("motion", motion), ("stable", stable)):
+        checks.equal(f"the shape of {name}", found.shape, shape)
+    motions = document["motions"]
+    checks.check({*motion.ravel()} - {None} == {*motions}, "motion and motions differ")
+    index = np.array([[motions.index(q) if q else -1 for q in row] for row in motion])
+    known = np.array([[-1 if q is None else int(q) for q in row] for row in stable])
+    curves = (
+        EventCurve(q["kind"], q["motion"], np.array(q["points"]), (why["start"], why["end"]))
+        for q in document["curves"]
+        for why in [q["why_it_ended"]]
+    )
+    return Chart(case, (first, second), values, tuple(motions), index, known, tuple(curves))
 
 
 def _multipliers(row: Mapping[str, Any]) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from nonsmooth.solver.results.branch import Branch
+from nonsmooth.solver.results.chart import Chart
 from nonsmooth.solver.results.family import Family
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.sweep import Sweep
@@ -15,7 +16,7 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
 
     Returns
     -------
-    {"orbits", "sweep", "family", "branch", "modes"}, sequence
+    {"orbits", "sweep", "family", "branch", "map", "modes"}, sequence
 
     Raises
     ------
@@ -26,6 +27,8 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
 
     if isinstance(thing, Sweep):
         return "sweep", [thing]
+    if isinstance(thing, Chart):
+        return "map", [thing]
     if isinstance(thing, Branch):
         return "branch", [thing]
     if isinstance(thing, Family):
@@ -35,7 +38,7 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
         return "orbits", several
     if _all_are(several, Modes) and len({found.structure for found in several}) == 1:
         return "modes", several
-    kinds = "an orbit, a branch, a family, modes, a sequence of orbits or of modes, or a sweep"
+    kinds = "an orbit, a branch, a family, a map, modes, a sequence of orbits or of modes, or a sweep"
     raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
 
 

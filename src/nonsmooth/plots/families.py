@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from nonsmooth.solver.results.branch import Branch
     from nonsmooth.solver.results.family import Family, FamilyRow
     from nonsmooth.solver.results.strobe import Diagram
+    from nonsmooth.solver.scenes.loaded import LoadedScene
 
 #: What can be drawn, and what the axis says; of the third, where there are several phases.
 QUANTITIES = {
@@ -159,7 +160,12 @@ def _label(axes: Any, name: str) -> dict[str, str]:
 
 def name_of(result: "Family | Diagram") -> str:
     """Return what the axis of the parameter says."""
-    parameter = next(q for q in result.case.scene.parameters if q.name == result.parameter)
+    return name_of_parameter(result.case.scene, result.parameter)
+
+
+def name_of_parameter(scene: "LoadedScene", name: str) -> str:
+    """Return what the axis of one of the parameters of a scene says."""
+    parameter = next(q for q in scene.parameters if q.name == name)
     unit = f" [{parameter.unit}]" if parameter.unit else ""
     return f"{parameter.name.replace('_', ' ')} {typeset(parameter.symbol)}{unit}"
 

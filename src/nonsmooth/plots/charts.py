@@ -1,0 +1,115 @@
+"""A map of two parameters: regions of motions, what is not stable hatched, curves of events."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from .axes import axes_or_new
+from .families import name_of_parameter
+from .strobe import BASINS, NONE
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.results.chart import Chart
+
+#: The line of each event.
+LINES = {
+    "fold": "-", "flip": "--", "torus": (0, (5, 1, 1, 1, 1, 1)), "branch-point": (0, (8, 3)),
+    "grazing": ":", "sticking": "-.", "vanishing": (0, (1, 3)),
+}  # fmt: skip
+
+#: Hatching of what is not stable.
+HATCH = "////"
+
+#: Least part of the points that a number is put on.
+LEAST = 0.01
+
+
+def draw(result: "Chart", ax: Any = None) -> Any:
+    """Draw the regions of motions and the curves of events, and return the axes.
+
+    Each motion has a shade, told apart in grey too, and a number in its region that the legend
+    explains; what is not stable is hatched, and where there is no orbit it is white.
+    """
+    axes, count = axes_or_new(ax), len(result.motions)
+    a, b = result.values
+    colors = [NONE, *(BASINS[i % len(BASINS)] for i in range(count))]
+    axes.pcolormesh(
+        a, b, result.index, cmap=ListedColormap(colors), vmin=-1.5, vmax=count - 0.5,
+        shading="nearest", rasterized=True,
+    )  # fmt: skip
+    _hatch(axes, result)
+    handles = [
+        Patch(facecolor=colors[i + 1], edgecolor="0.3", label=f"{i + 1}: {name}")
+        for i, name in enumerate(result.motions)
+    ]
+    for i in range(count):
+        _number(axes, result, i)
+    if (result.stable[result.index >= 0] != 1).any():
+        words = "not stable"
+        handles.append(Patch(facecolor="white", edgecolor="0.3", hatch=HATCH, label=words))
+    if (result.index < 0).any():
+        handles.append(Patch(facecolor="white", edgecolor="0.3", label="no orbit found"))
+    for kind in dict.fromkeys(curve.kind for curve in result.curves):
+        every = [curve.points for curve in result.curves if curve.kind == kind]
+        for points in every:
+            (line,) = axes.plot(*points.T, color="black", linestyle=LINES[kind], linewidth=1.2)
+        line.set_label(kind)
+        handles.append(line)
+    axes.set(xlim=(a[0], a[-1]), ylim=(b[0], b[-1]))
+    axes.set_xlabel(name_of_parameter(result.case.scene, result.parameters[0]))
+    axes.set_ylabel(name_of_parameter(result.case.scene, result.parameters[1]))
+    axes.legend(
+        handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0,
+        frameon=False, fontsize=8, handlelength=3,
+    )  # fmt: skip
+    return axes
+
+
+def _hatch(axes: Any, result: "Chart") -> None:
+    """Hatch the points with an orbit that is not known to be stable."""
+    here = (result.index >= 0) & (result.stable != 1)
+    if here.any():
+        edges = [_edges(each) for each in result.values]
+        found = np.repeat(np.repeat(here, 2, axis=0), 2, axis=1)
+        axes.contourf(
+            *(np.repeat(each, 2)[1:-1] for each in edges), found, levels=[0.5, 1.5],
+            colors="none", hatches=[HATCH],
+        )  # fmt: skip
+
+
+def _edges(values: Any) -> Any:
+    """Return the ends of the cells about values at equal distances."""
+    half = (values[1] - values[0]) / 2
+    return np.append(values - half, values[-1] + half)
+
+
+def _number(axes: Any, result: "Chart", i: int) -> None:
+    """Put the number of a motion where its region is widest."""
+    from scipy.ndimage import distance_transform_edt  # noqa: PLC0415  (200 ms)
+
+    here = result.index == i
+    if here.mean() < LEAST:
+        return
+    inside = distance_transform_edt(np.pad(here, 1))[1:-1, 1:-1]
+    row, column = np.unravel_index(int(inside.argmax()), here.shape)
+    a, b = result.values
+    axes.text(
+        a[column], b[row], str(i + 1), ha="center", va="center", fontsize=9,
+        bbox={"facecolor": "white", "edgecolor": "0.3", "boxstyle": "circle,pad=0.25"},
+    )  # fmt: skip
+
+
+def chart_figure(result: "Chart") -> Figure:
+    """Draw a map, and say below what it is of."""
+    figure = Figure(figsize=(7.5, 4.8), layout="constrained")
+    draw(result, figure.subplots())
+    fixed = (
+        f"{q.symbol} = {result.case.values[q.name]:.4g} {q.unit}".rstrip()
+        for q in result.case.scene.parameters
+        if q.name not in result.parameters
+    )
+    figure.supxlabel(f"{result.case.scene.name}: {', '.join(fixed)}", fontsize=7, wrap=True)
+    return figure
