@@ -7,13 +7,14 @@ tasks of their own.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import product
+from dataclasses import dataclass
+from itertools import pairwise, product
+from numbers import Integral
 from typing import Any
 
 import numpy as np
 
 from .arrays import Matrix, Vector
-from .branch.along import Interval
 from .branch.branch import index_of
 from .branch.course import Course
 from .charts.block import NEITHER, STABLE, block_of
@@ -30,6 +31,30 @@ LEAST_VALUES, MOST_VALUES, MOST_POINTS = 2, 10_000, 4_000_000
 
 #: Least lines that are followed each way, and for how many rows or columns there is one.
 LINES, EACH = 3, 64
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A parameter that varies: its range, and how many values it takes."""
+
+    name: str
+    low: float
+    high: float
+    count: int
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Its range, in SI units."""
+        return self.low, self.high
+
+    @property
+    def values(self) -> Vector:
+        """Its values, in SI units."""
+        return np.linspace(self.low, self.high, self.count)
+
+    def lines(self) -> list[tuple[str, float]]:
+        """Return its values on lines that are followed, each with its name."""
+        return [(self.name, float(self.values[i])) for i in _lines(self.count)]
 
 
 def chart(
@@ -78,21 +103,22 @@ def chart(
     >>> [curve.kind for curve in found.curves]
     ['flip', 'grazing']
     """
-    names, bounds, values = _checked(case, axes)
-    rows, columns = (_lines(len(each)) for each in (values[1], values[0]))
-    corner = _at(case, names, (values[0][0], values[1][0]))
-    tasks = [(corner.with_value(names[1], values[1][i]), names, bounds, 1) for i in rows]
-    tasks += [(corner.with_value(names[0], values[0][j]), names, bounds, 0) for j in columns]
+    columns, rows = _axes(case, axes)
+    names, bounds = (columns.name, rows.name), (columns.ends, rows.ends)
+    corner = _at(case, names, (columns.low, rows.low))
+    tasks = [(corner.with_value(*each), names, bounds, 1) for each in rows.lines()]
+    tasks += [(corner.with_value(*each), names, bounds, 0) for each in columns.lines()]
     lines: list[Line] = []
     for line in _run(executor, line_of, tasks):
         lines.append(line)
         seen(f"line {len(lines)} of {len(tasks)}")
     planes, seeds = _planes(case, names, bounds, [each for line in lines for each in line[0]])
-    A, B = (Interval(*ends).q(each) for ends, each in zip(bounds, values, strict=True))
-    parts = [slice(low, high + 1) for low, high in zip(rows[:-1], rows[1:], strict=True)]
+    A, B = (np.linspace(-1, 1, axis.count) for axis in (columns, rows))
+    parts = [range(low, high + 1) for low, high in pairwise(_lines(rows.count))]
     blocks = _run(
         executor, block_of, [(planes, A, B[part], B[1] - B[0], seeds) for part in parts]
     )
+    values = columns.values, rows.values
     best = np.full((len(B), len(A)), 3 * len(planes))
     curves: list[EventCurve] = []
     done = 0
@@ -103,8 +129,8 @@ def chart(
             curves.append(EventCurve(curve.kind, curve.plane.course.called, points, curve.why))
         for part, found in zip(parts, blocks, strict=True):
             best[part] = np.minimum(best[part], found)
-            done = part.stop
-            seen(f"{names[1]} = {values[1][done - 1]:g}")
+            done = part[-1] + 1
+            seen(f"{rows.name} = {rows.values[done - 1]:g}")
     except KeyboardInterrupt:
         if not done:
             raise
@@ -173,33 +199,31 @@ def _result(
     return Chart(case, names, values, tuple(motions), index, stable, tuple(curves))
 
 
-def _checked(
-    case: Case, axes: Mapping[str, tuple[float, float, int]]
-) -> tuple[tuple[str, str], Bounds, tuple[Vector, Vector]]:
-    """Return the names of two parameters, their ranges and values."""
+def _axes(case: Case, axes: Mapping[str, tuple[float, float, int]]) -> tuple[Axis, Axis]:
+    """Return what varies along the columns and along the rows, checked."""
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
     if not isinstance(axes, Mapping) or len(axes) != 2:
         raise ValueError(f"axes: got {axes!r:.80}, expected two parameters")
-    found = []
-    for name, given in axes.items():
-        index_of(case, name)
-        ends = [*given] if isinstance(given, Sequence) and len(given) == 3 else []
-        counted = ends and isinstance(ends[2], int) and ends[2] >= LEAST_VALUES
-        if not counted or not all(map(is_number, ends)) or ends[0] == ends[1]:
-            expected = "two different numbers and how many values, 2 or more"
-            raise ValueError(f"{name}: got {given!r:.80}, expected {expected}")
-        found.append((float(ends[0]), float(ends[1]), ends[2]))
-    points = found[0][2] * found[1][2]
-    if points > MOST_POINTS:
-        raise ValueError(f"axes: got {points} points, expected at most {MOST_POINTS}")
-    first, second = axes
-    names = first, second
-    for corner in product(found[0][:2], found[1][:2]):
-        _at(case, names, corner)
-    bounds, other = ((min(each[:2]), max(each[:2])) for each in found)
-    values = np.linspace(*bounds, found[0][2]), np.linspace(*other, found[1][2])
-    return names, (bounds, other), values
+    columns, rows = (_axis(case, name, given) for name, given in axes.items())
+    if columns.count * rows.count > MOST_POINTS:
+        got = f"{columns.count} by {rows.count} points"
+        raise ValueError(f"axes: got {got}, expected at most {MOST_POINTS}")
+    for corner in product(columns.ends, rows.ends):
+        _at(case, (columns.name, rows.name), corner)
+    return columns, rows
+
+
+def _axis(case: Case, name: str, given: object) -> Axis:
+    index_of(case, name)
+    parts: list[Any] = [*given] if isinstance(given, Sequence) else []
+    right = len(parts) == 3 and all(map(is_number, parts)) and parts[0] != parts[1]
+    count = int(parts[2]) if right and isinstance(parts[2], Integral) else 0
+    if not LEAST_VALUES <= count <= MOST_VALUES:
+        expected = f"two different numbers, and {LEAST_VALUES} to {MOST_VALUES} values"
+        raise ValueError(f"{name}: got {given!r:.80}, expected {expected}")
+    low, high = sorted(map(float, parts[:2]))
+    return Axis(name, low, high, count)
 
 
 def _at(case: Case, names: tuple[str, str], values: Sequence[float]) -> Case:

@@ -139,7 +139,8 @@ def stability_of(plane: Plane, maps: Any) -> Integers:
     found = np.where(margin > 0, STABLE, UNSTABLE)
     found[~known | (np.abs(margin) <= ROUNDING / 2)] = NEITHER
     near = np.abs(margin) <= np.sqrt(ROUNDING * norm) * (1 + norm)
+    lost = forgotten(cell)
     for k in np.flatnonzero(near & (found != NEITHER)):
-        stable = of_monodromy(cell, Monodromy(*own[k], forgotten(cell))).stable
+        stable = of_monodromy(cell, Monodromy(own[k, 0], own[k, 1], lost)).stable
         found[k] = {True: STABLE, None: NEITHER, False: UNSTABLE}[stable]
     return found

@@ -123,9 +123,9 @@ def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[V
                 return points, why
             continue
         away = (first - y) * weights
-        if len(points) > 2 and 0 <= away @ direction <= length >= np.linalg.norm(away):
-            if tangent @ ahead > 0:
-                return points, CLOSED
+        near = 0 <= away @ direction <= length >= np.linalg.norm(away)
+        if len(points) > 2 and near and tangent @ ahead > 0:
+            return points, CLOSED
         points.append(there)
         y, direction, length = there, tangent, length * growth
     return points, f"{MOST_POINTS} points are the most that a curve has each way"

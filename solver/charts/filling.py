@@ -1,11 +1,11 @@
 """Orbits of one order of phases on a grid of two parameters, each from its neighbours.
 
 The equations of a cell are series in two parameters, each from -1 to 1 over the grid (see
-`plane`).  From an orbit at a point Newton's method leads to the points beside it: predicted from
-the point on the other side, in smaller steps where its corrections do not fall quickly, and
-never through a fold, where the determinant changes its sign.  What it leads to counts if all
-that is watched holds.  Several orbits may be at one point: they are kept in a list, and two
-are one where they do not differ.
+`plane`).  From an orbit at a point Newton's method leads to those at the points beside it:
+predicted from the point on the other side, in smaller steps where its corrections do not fall
+quickly, and never through a fold, where the determinant changes its sign.  What it leads to
+counts if all that is watched holds.  Several orbits may be at one point: they are kept in a
+list, and two are one where they do not differ.
 
 Plain Python, or compiled by numba with the equations along a branch.
 """
@@ -201,7 +201,7 @@ def sown(
             for j in np.flatnonzero(np.abs(A - a) < A[1] - A[0]):
                 ok, there = led(plane, z, sign, (a, b), (A[j], B[i]), np.zeros(n))
                 if ok:
-                    point = i * len(A) + j
+                    point = int(i) * len(A) + int(j)
                     k = number_of(plane, table, A, B, point, there, sign, count, orbits)
                     count += 1 if k == count else 0
     return count

@@ -42,9 +42,7 @@ def sides(plane: Any, table: Any, gauge: int, y: Vector, R: Vector) -> None:
     R[n], R[n + 1] = gauges_at(plane, table, y)[gauge], 0.0
 
 
-def slopes(
-    plane: Any, table: Any, gauge: int, y: Vector, border: Vector, J: Matrix
-) -> None:
+def slopes(plane: Any, table: Any, gauge: int, y: Vector, border: Vector, J: Matrix) -> None:
     """Fill J with their derivatives in coordinates of size 1, over a row."""
     n, weights = len(y) - 2, plane[4]
     first = np.empty((n, n + 1))

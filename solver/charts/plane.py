@@ -106,7 +106,8 @@ class Plane:
 
     def inside(self, found: Matrix) -> Matrix:
         """Return unknowns and parameters in SI units as they are on the plane."""
-        where = (Interval(*ends).q(found[:, i - 2]) for i, ends in enumerate(self.bounds))
+        ends = enumerate(self.bounds)
+        where = ((2 * found[:, i - 2] - sum(q)) / (q[1] - q[0]) for i, q in ends)
         return np.column_stack([found[:, :-2] / self.sizes, *where])
 
     def values(self, y: Vector) -> tuple[float, float]:

@@ -38,7 +38,9 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
         return "orbits", several
     if _all_are(several, Modes) and len({found.structure for found in several}) == 1:
         return "modes", several
-    kinds = "an orbit, a branch, a family, a map, modes, a sequence of orbits or of modes, or a sweep"
+    kinds = (
+        "an orbit, a branch, a family, a map, modes, a sweep, or a sequence of orbits or modes"
+    )
     raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
 
 

@@ -75,7 +75,7 @@ def run(
     wanted = Wanted(methods, **numbers, budget=seconds, json=json_, output=output)
     case = case_from(given)
     if every:
-        from .every import list_every
+        from .shown.every import list_every
 
         return list_every(case, wanted)
     return _solve(case, wanted)

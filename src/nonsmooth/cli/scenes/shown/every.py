@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ..aliases import check_one_method
-from ..problems import Problem, as_problems
-from ..progress import busy
-from .wanted import Wanted, tell, write_orbits
+from ...aliases import check_one_method
+from ...problems import Problem, as_problems
+from ...progress import busy
+from ..wanted import Wanted, tell, write_orbits
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.case import Case
@@ -26,8 +26,8 @@ def list_every(case: "Case", wanted: Wanted) -> int:
     from nonsmooth.solver.scenes.methods import FIRST
     from nonsmooth.solver.solve import orbits_of
 
-    from ..columns import filled
-    from .shown import captions, tables
+    from ...columns import filled
+    from . import captions, tables
 
     for option, value in (("--tol", wanted.tol), ("--budget", wanted.budget)):
         if value is not None:
