@@ -8,7 +8,7 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from ..branch import walk
 from ..branch.walk import MODULES
-from ..compiling import Account
+from ..compiling import Account, rebuilt
 from ..kernels import linking
 from ..kernels.family import Family
 from ..kernels.kernel import pays
@@ -26,8 +26,10 @@ STABLE, NEITHER, UNSTABLE = 0, 1, 2
 
 
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
-    """Return the functions of maps, plain or compiled."""
-    return linking.made((*MODULES, walk, filling, following), {}, make)
+    """Return the functions of maps, plain or compiled, over those of branches."""
+    form = walk.FAMILY.plain if make is rebuilt else walk.FAMILY.compiled
+    under = {name: q for name, q in form(walk.__name__).items() if callable(q)}
+    return linking.made((filling, following), under, make)
 
 
 #: What they are made of, and the functions.

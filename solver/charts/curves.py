@@ -14,13 +14,13 @@ from .lines import Happening
 from .plane import Plane
 
 #: Least step, in coordinates of size 1, and the first; most of it, and of it in the plane.
-LEAST, FIRST, MOST, MOST_SEEN = 1e-8, 0.01, 0.3, 0.03
+LEAST, FIRST, MOST, MOST_SEEN = 1e-5, 0.01, 0.3, 0.03
 
 #: What a step is multiplied by, and the least cosine of the angle between its tangents.
 GROWTH, TURN = 1.3, 0.95
 
 #: Most points of a curve, each way.
-MOST_POINTS = 2000
+MOST_POINTS = 1000
 
 #: What is watched beside the gauge is violated below the negative of it.
 ROUNDING = 1e-6

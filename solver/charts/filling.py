@@ -210,7 +210,7 @@ def sown(
 def fill(
     plane: Any, table: Any, A: Vector, B: Vector, begin: int, count: int, orbits: Any
 ) -> tuple[int, int]:
-    """Go from each orbit to the points beside it, until there are no new ones or no room.
+    """Go from each orbit to the points beside it, until there are no new ones, or no room.
 
     Parameters
     ----------
