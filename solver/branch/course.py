@@ -15,7 +15,7 @@ from ..scenes.case import Case
 from ..scenes.cell import Cell, Form
 from ..scenes.loaded import LoadedScene
 from ..scenes.mirror import mirror, same
-from ..scenes.orders import Order, OrderedScene, Step, in_cell, in_order
+from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
 from ..simulation.machine import Machine
 from ..simulation.nodes import Node
 from ..simulation.steps.column import NONE, WALL
@@ -89,12 +89,21 @@ class Course:
             return self.declared.motion
         return self._scene.motion
 
-    @property
+    @cached_property
     def called(self) -> str:
-        """What a map calls it, where every motion has a name of its own."""
+        """What a map calls it: the same, from whichever of its phases an order begins."""
         if self.endless:
             return f"only {self.motion}"
-        return self.motion or self._scene.motion
+        if self.declared is not None:
+            return self.motion or self._scene.motion
+        steps, half, turns = self.order.steps, self.order.half_period, []
+        cell = self.base.cell(self._numbers)
+        for _ in range(len(steps) * (2 if half else 1)):
+            first, *rest = steps
+            steps = (*rest, (image(cell, first) or first) if half else first)
+            name = in_order(self.base, Order(steps, half)).motion
+            turns.append((sum(step.mirrored for step in steps), name))
+        return min(turns)[1]
 
     def name(self, step: Step) -> str:
         """Return the name of a phase, with a minus if it is mirrored."""
@@ -151,7 +160,12 @@ class Course:
 
     @cached_property
     def _generic(self) -> Cell:
-        return self.cell(tuple(0.4 + 0.3 * j / 7 for j in range(len(self.base.parameters))))
+        return self.cell(self._numbers)
+
+    @property
+    def _numbers(self) -> tuple[float, ...]:
+        """Parameters of which none is special."""
+        return tuple(0.4 + 0.3 * j / 7 for j in range(len(self.base.parameters)))
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, for parameters without units and their cell."""

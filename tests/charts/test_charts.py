@@ -1,0 +1,256 @@
+"""Maps of two parameters: against closed forms, the solver, and themselves elsewhere."""
+
+import csv
+import json
+import signal
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.plots.charts import chart_figure
+from nonsmooth.solver import chart as charts
+from nonsmooth.solver.charts import block
+from nonsmooth.solver.existence.known import known_orbits
+from nonsmooth.solver.results.chart import ChartInterrupted
+
+RESTITUTION = 0.8
+STOP = ns.scene("impact")(damping=0, restitution=RESTITUTION)
+AXES = {"frequency": (1.55, 2.2, 6), "gap": (0.1, 0.8, 5)}
+FLAGS = ("impact", "--damping", 0, "--restitution", RESTITUTION)
+VARY = ("--vary", "frequency=1.55:2.2:6", "--vary", "gap=0.1:0.8:5")
+
+
+def gap_at(kind: str, w: np.ndarray) -> np.ndarray:
+    """Return the gap at which something happens to the orbit with one impact, undamped.
+
+    With the speed v of the impact, v^2 (q^2 + e^2) + 2 g q v + g^2 = a^2, where a is the
+    response without a stop, q and e what the impact adds; the trace of its map has v as well.
+    """
+    r, turn, a = RESTITUTION, 2 * np.pi / w, 1 / (1 - w * w)
+    q, e = (1 + r) / 2 / np.tan(np.pi / w), (1 - r) / (2 * w)
+    bend = (1 + r) * np.sin(turn)
+    speed = bend * (1 / a - 1) / (2 * r * np.cos(turn) - 1 - r * r - bend * q / a)
+    return {
+        "grazing": np.abs(a),
+        "fold": np.abs(a) * np.hypot(q, e) / e,
+        "flip": np.abs(a) / np.sqrt(speed**2 * (q * q + e * e) + 2 * q * speed + 1),
+    }[kind]
+
+
+@pytest.fixture(scope="module")
+def found() -> ns.Chart:
+    return ns.chart(STOP, AXES)
+
+
+def test_the_closed_forms_are_those_of_the_references() -> None:
+    for kind, w in (
+        ("fold", 1.93383878222628754), ("flip", 1.09497644619305227), ("grazing", np.sqrt(3)),
+    ):  # fmt: skip
+        assert gap_at(kind, np.array(w)) == pytest.approx(0.5, rel=1e-14)
+
+
+def test_curves_are_their_closed_forms_to_rounding(found: ns.Chart) -> None:
+    """By the distance in the plane: a curve may be steep.
+
+    Where the flip ends at no speed of the impact, its map has an entry beyond all bounds.
+    """
+    kinds = [curve.kind for curve in found.curves]
+    assert sorted(kinds) == ["flip", "fold", "grazing"]
+    for curve in found.curves:
+        w, gap = curve.points.T
+        regular = gap_at("grazing", w) - gap > 1e-3 if curve.kind == "flip" else w > 0
+        slope = np.diff(gap_at(curve.kind, w + 1e-6 * np.array([[-1], [1]])), axis=0)[0] / 2e-6
+        distance = (gap - gap_at(curve.kind, w)) / np.hypot(1, slope)
+        assert np.abs(distance[regular]).max() < 1e-14
+        assert np.count_nonzero(regular) > 10
+        inside = [(w >= 1.55) & (w <= 2.2), (gap >= 0.1) & (gap <= 0.8)]
+        assert np.all(inside)
+
+
+def test_curves_end_at_the_range_or_where_they_meet(found: ns.Chart) -> None:
+    ends = {curve.kind: curve for curve in found.curves}
+    assert ends["grazing"].why_it_ended == ("the end of the range",) * 2
+    for kind in ("fold", "flip"):  # at w = 2 both begin on the grazing
+        curve = ends[kind]
+        met = [why != "the end of the range" for why in curve.why_it_ended]
+        assert sorted(met) == [False, True]
+        point = curve.points[0 if met[0] else -1]
+        assert point == pytest.approx([2, 1 / 3], abs=2e-3)
+
+
+def test_regions_end_at_the_curves(found: ns.Chart) -> None:
+    w, gap = np.meshgrid(*found.values)
+    fold, flip, grazing = (gap_at(kind, w) for kind in ("fold", "flip", "grazing"))
+    impacts = np.where(w < 2, gap < fold, gap < grazing)
+    assert [*found.motions] == ["flight", "only flight"]
+    np.testing.assert_array_equal(found.index == 0, impacts)
+    stable = np.where(impacts, np.where(w < 2, 1, gap < flip), -1)  # undamped: neutral
+    np.testing.assert_array_equal(found.stable, stable)
+
+
+@pytest.mark.parametrize(
+    "seed", [1, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(2, 12))]
+)
+def test_a_random_map_says_what_the_solver_does(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    case, axes = drawn(random)
+    found = ns.chart(case, axes)
+    told = {1: True, 0: False, -1: None}
+    for _ in range(12):
+        i, j = (int(random.integers(len(each))) for each in found.values[::-1])
+        given = dict(
+            zip(found.parameters, (found.values[0][j], found.values[1][i]), strict=True)
+        )
+        here = case.scene(**dict(case.values) | {n: float(q) for n, q in given.items()})
+        orbits = known_orbits(here)
+        every = [(name_of(q.case.scene), q.stable) for q in orbits]
+        name = found.motion[i][j]
+        if name is None:
+            assert every == []
+        elif name in {name for name, _ in every}:
+            stable = told[int(found.stable[i, j])]
+            assert (name, stable) in every
+            assert stable or not any(stable for _, stable in every)
+        elif not name.startswith("only "):  # of an order that is not declared
+            orbit = ns.solve(here, phases=name, order=8)
+            assert orbit.exact.stable == told[int(found.stable[i, j])]
+
+
+def drawn(random):
+    """Return a case of a shipped scene, and two parameters with ranges."""
+    scene = ns.scene(random.choice([q for q in ns.scenes() if not q.startswith("stick")]))
+    values = {q.name: q.default * np.exp(random.uniform(-0.4, 0.4)) for q in scene.parameters}
+    most = {q.name: q.most for q in scene.parameters if q.most is not None}
+    values |= {name: min(values[name], most[name]) for name in most}
+    if "mu_k" in values:
+        values["mu_k"] = min(values["mu_k"], 0.9 * values["mu_s"])
+    names = [n for n, value in values.items() if value and n not in {"mu_k", "mu_s", *most}]
+    axes = {}
+    for name in random.choice(names, 2, replace=False):
+        axes[str(name)] = (0.7 * values[name], 1.5 * values[name], int(random.integers(4, 9)))
+    return scene(**{name: float(value) for name, value in values.items()}), axes
+
+
+def name_of(scene) -> str:
+    """Return what a map calls a motion that a scene declares."""
+    return scene.motion or ",".join([*scene.phases, *["mirrored"] * scene.half_period])
+
+
+def test_lines_and_blocks_may_be_computed_elsewhere(found: ns.Chart) -> None:
+    with ThreadPoolExecutor(1) as executor:
+        other = ns.chart(STOP, AXES, executor)
+    assert other.as_dict() == found.as_dict()
+
+
+def test_a_cluster_of_dask_is_an_executor(found: ns.Chart) -> None:
+    distributed = pytest.importorskip("distributed")
+    how = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": None}
+    with distributed.LocalCluster(**how) as cluster, distributed.Client(cluster) as client:
+        other = ns.chart(STOP, AXES, client)
+    assert other.as_dict() == found.as_dict()
+
+
+def test_tables_have_a_row_a_point(found: ns.Chart) -> None:
+    pytest.importorskip("pandas")
+    array = pytest.importorskip("xarray") and found.to_xarray()
+    assert dict(array.sizes) == {"gap": 5, "frequency": 6}
+    assert array.motion.values.tolist() == found.motion
+    frame = found.to_dataframe()
+    assert len(frame) == 30
+    assert frame.attrs["restitution"] == RESTITUTION
+    assert "frequency" not in frame.attrs
+
+
+@pytest.mark.parametrize("suffix", [".json", ".nc"])
+def test_a_map_is_saved_and_loaded(found: ns.Chart, tmp_path: Path, suffix: str) -> None:
+    pytest.importorskip("xarray")
+    ns.save(found, tmp_path / f"map{suffix}")
+    assert ns.load(tmp_path / f"map{suffix}").as_dict() == found.as_dict()
+
+
+def test_a_map_that_cannot_be_right_is_refused(found: ns.Chart, tmp_path: Path) -> None:
+    path = tmp_path / "map.json"
+    ns.save(found, path)
+    document = json.loads(path.read_text())
+    document["stable"] = document["stable"][:-1]
+    path.write_text(json.dumps(document))
+    with pytest.warns(ns.FileWarning), pytest.raises(ns.FileError, match="shape of stable"):
+        ns.load(path)
+
+
+def test_the_command_has_the_map(found: ns.Chart, run, tmp_path: Path) -> None:
+    path = tmp_path / "map.csv"
+    status, out, _ = run("map", *FLAGS, *VARY, "--json", "-o", path)
+    document = json.loads(out)
+    assert status == 0
+    assert document["axes"] == found.axes
+    assert document["motion"] == found.motion
+    assert {curve["kind"] for curve in document["curves"]} == {"flip", "fold", "grazing"}
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["motion"] for row in rows] == [q for row in found.motion for q in row]
+    assert {row["stable"] for row in rows} == {"True", "False", ""}
+
+
+def test_a_picture_names_motions_and_curves(found: ns.Chart) -> None:
+    (axes,) = chart_figure(found).axes
+    said = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert said[:3] == ["1: flight", "2: only flight", "not stable"]
+    assert sorted(said[3:]) == ["flip", "fold", "grazing"]
+    assert {text.get_text() for text in axes.texts} == {"1", "2"}
+    assert axes.get_xlabel() == "frequency Omega [rad/s]"
+
+
+@pytest.mark.parametrize(
+    ("vary", "words"),
+    [
+        (("gap=0:1:5",), "--vary: got gap=0:1:5, expected two parameters"),
+        (("gap=0:1:5", "gap=1:2:5"), "--vary: got gap=0:1:5 and gap=1:2:5, expected two"),
+        (("gap=0:1:1", "mass=1:2:5"), "--vary: got '1' points, expected a whole number from 2"),
+        (("gap=0:1:5", "speed=1:2:5"), "--vary: unknown parameter 'speed'"),
+        (("gap=0:1:5", "mass=-1:2:5"), "mass: got -1.0"),
+        (("gap=0:1:5000", "mass=1:2:5000"), "axes: got 5000 by 5000 points"),
+        (("gap=0:1:5", "damping=1:2:5"), "--damping: given beside --vary damping"),
+    ],
+)
+def test_flags_that_cannot_be_meant(run, vary, words: str) -> None:
+    status, out, err = run("map", *FLAGS, *(q for each in vary for q in ("--vary", each)))
+    assert (status, out) == (2, "")
+    assert words in err
+
+
+@pytest.mark.parametrize(
+    ("axes", "words"),
+    [
+        ({"gap": (0, 1, 5)}, "axes: got"),
+        ({"gap": (0, 1, 5), "mess": (1, 2, 5)}, "parameter: got 'mess'"),
+        ({"gap": (0, 1, 5), "mass": (1, 1, 5)}, "mass: got .* expected two different numbers"),
+        ({"gap": (0, 1, 5), "mass": (1, 2, 1)}, "expected two different numbers, and 2 to"),
+        ({"gap": (0, np.inf, 5), "mass": (1, 2, 5)}, "gap: got"),
+    ],
+)
+def test_axes_that_cannot_be(axes, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        ns.chart(STOP, axes)
+    with pytest.raises(TypeError):
+        ns.chart("impact", AXES)
+
+
+def test_ctrl_c_keeps_the_rows_that_are_done(found: ns.Chart, monkeypatch) -> None:
+    calls = iter(range(1))
+
+    def block_of(*arguments):
+        if next(calls, None) is None:
+            signal.raise_signal(signal.SIGINT)
+        return block.block_of(*arguments)
+
+    monkeypatch.setattr(charts, "block_of", block_of)
+    with pytest.raises(ChartInterrupted) as caught:
+        ns.chart(STOP, AXES)
+    part, rows = caught.value.done, caught.value.rows
+    assert 0 < rows < len(found.index)
+    np.testing.assert_array_equal(part.index[:rows], found.index[:rows])
+    assert (part.index[rows:] == -1).all()
