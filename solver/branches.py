@@ -2,21 +2,30 @@
 
 from collections.abc import Callable, Container, Iterator
 from contextlib import suppress
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .branch.branch import Both, Bounds, go, index_of, orbits_at, start_of
 from .branch.change import doubled
 from .branch.follow import RANGE
+from .branch.piece import Piece, Place
 from .branch.rows import event_of, row_of
 from .exact import exact_orbit
 from .existence.known import known_orbits
+from .kernels import registry
 from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
 from .results.branch import Branch, BranchInterrupted
+from .results.family import Beside
 from .scenes.case import Case
 from .scenes.loaded import UnknownScene
+from .scenes.methods import FIRST
 from .scenes.parameter_error import ParameterError
+from .solve import check_order, number_of_functions, orbit_beside
+
+#: Order of an expansion beside a branch, where none is named.
+ORDER = 10
 
 #: Values at which orbits are looked for where all branches are wanted.
 VALUES = 7
@@ -33,9 +42,50 @@ SAME = 1e-7
 Seen = Callable[[float], None]
 
 
+@dataclass(frozen=True)
+class Expansion:
+    """An expansion that is solved beside each orbit of a branch; without an order, none."""
+
+    method: str = "exact"
+    order: int = 0
+    functions: int | None = None
+
+    @classmethod
+    def checked(
+        cls, case: Case, method: str | None, order: int | None, functions: int | None
+    ) -> "Expansion":
+        """Return what users ask for: nothing, without a method and an order.
+
+        Raises
+        ------
+        ValueError
+            If it cannot be computed.
+        """
+        if method is None and order is None:
+            if functions is not None:
+                raise ValueError(f"functions: got {functions!r}, expected beside a method")
+            return cls()
+        name = registry.generic_method(case.scene, FIRST if method is None else method)
+        count = number_of_functions(case, name, functions)
+        kernel = registry.kernel(case.scene.each_motion[0], name, count)
+        return cls(name, check_order(kernel, ORDER if order is None else order), count)
+
+    def beside(self, piece: Piece, place: Place) -> Beside | None:
+        """Return its orbit next to one of a branch; None without one."""
+        exact = piece.orbit(place.y) if self.order else None
+        if exact is None or not exact.outcome.converged:
+            return None
+        with suppress(ArithmeticError, UnknownScene, NoOrbit):
+            orbit = orbit_beside(exact, self.method, self.order, self.functions)
+            if orbit is not None and orbit.errors is not None:
+                times = orbit.period, orbit.forcing_phase, orbit.durations
+                return Beside(*times, orbit.errors)
+        return None
+
+
 def branch_case(
     case: Case, parameter: str, first: float, last: float, start: ExactOrbit | None = None,
-    seen: Seen = lambda value: None,
+    seen: Seen = lambda value: None, how: Expansion = Expansion(),
 ) -> Branch:  # fmt: skip
     """Return the branch of an orbit along a parameter.
 
@@ -53,6 +103,8 @@ def branch_case(
         An orbit on the branch.
     seen : callable
         Called with the parameter of each orbit as it is found.
+    how : Expansion
+        What is solved beside each orbit, from its times.
 
     Raises
     ------
@@ -92,12 +144,17 @@ def branch_case(
     except KeyboardInterrupt:
         if not found.points():
             raise
-        raise BranchInterrupted([_result(case, parameter, found)]) from None
-    return _result(case, parameter, found)
+        raise BranchInterrupted([_result(case, parameter, found, how)]) from None
+    return _result(case, parameter, found, how)
 
 
 def every_branch(
-    case: Case, parameter: str, first: float, last: float, seen: Seen = lambda value: None
+    case: Case,
+    parameter: str,
+    first: float,
+    last: float,
+    seen: Seen = lambda value: None,
+    how: Expansion = Expansion(),
 ) -> list[Branch]:
     """Return the branches of all orbits that are found at a few values of a parameter.
 
@@ -105,7 +162,7 @@ def every_branch(
 
     Parameters
     ----------
-    case, parameter, first, last, seen
+    case, parameter, first, last, seen, how
         See `branch_case`.
 
     Raises
@@ -118,7 +175,7 @@ def every_branch(
     bounds = _bounds(case, parameter, first, last)
     branches: list[Branch] = []
     try:
-        for branch in _each_branch(case, parameter, bounds, seen):
+        for branch in _each_branch(case, parameter, bounds, seen, how):
             branches.append(branch)
     except KeyboardInterrupt:
         if not branches:
@@ -129,11 +186,13 @@ def every_branch(
     return branches
 
 
-def _each_branch(case: Case, parameter: str, bounds: Bounds, seen: Seen) -> Iterator[Branch]:
+def _each_branch(
+    case: Case, parameter: str, bounds: Bounds, seen: Seen, how: Expansion
+) -> Iterator[Branch]:
     """Yield the branches of all orbits that are found, then those at their flips."""
     for both in every_way(case, parameter, bounds, VALUES, DOUBLED, seen):
         own = case if both.course is None else both.course.case(case)
-        yield _result(own, parameter, both)
+        yield _result(own, parameter, both, how)
 
 
 def every_way(
@@ -223,11 +282,14 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
     raise NoOrbit(words, False, tuple(tried))
 
 
-def _result(case: Case, parameter: str, found: Both) -> Branch:
+def _result(case: Case, parameter: str, found: Both, how: Expansion) -> Branch:
     """Return what is found of a branch as users hold it."""
     happened = found.events()
     events = tuple(map(event_of, happened))
     ends = {id(event.place) for event in happened if event.changes}  # of an order of phases
-    rows = tuple(row_of(piece, place, id(place) not in ends) for piece, place in found.points())
+    rows = tuple(
+        replace(row_of(piece, place, id(place) not in ends), beside=how.beside(piece, place))
+        for piece, place in found.points()
+    )
     why = found.back.why or RANGE, found.forth.why or RANGE
-    return Branch(case, parameter, "exact", 0, None, rows, events, why)
+    return Branch(case, parameter, how.method, how.order, how.functions, rows, events, why)

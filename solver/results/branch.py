@@ -84,11 +84,14 @@ class Branch(Family):
         """Return the branch as the document that ``branch --json`` writes."""
         times = "motion", "period", "forcing_phase", "durations"
         keys = (*times, "extremes", "multipliers", "stable", "strobe")
-        rows = (row.as_dict() for row in self.rows)
-        return self.head() | {
+        rows = [row.as_dict() for row in self.rows]
+        how = {"method": self.method, "order": self.order} if self.order else {}
+        more = ["beside"] if how else []
+        return self.head(how) | {
             "vary": self.parameter,
             "points": [
-                {"parameter": row["value"], **{key: row[key] for key in keys}} for row in rows
+                {"parameter": row["value"], **{key: row.get(key) for key in (*keys, *more)}}
+                for row in rows
             ],
             "events": [asdict(event) for event in self.events],
             "why_it_ended": dict(zip(("start", "end"), self.why_it_ended, strict=True)),

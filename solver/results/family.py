@@ -17,6 +17,33 @@ from .of_rows import OfRows
 
 
 @dataclass(frozen=True)
+class Beside:
+    """The orbit of an expansion next to an exact one.
+
+    Parameters
+    ----------
+    period, forcing_phase : float, float or None
+        In s and rad; the second None where nothing forces.
+    durations : tuple of float
+        Of the phases of one period, in s.
+    errors : Errors
+        Against the exact orbit.
+    """
+
+    period: float
+    forcing_phase: float | None
+    durations: tuple[float, ...]
+    errors: Errors
+
+    @property
+    def numbers(self) -> dict[str, float | None]:
+        """What tables have of it."""
+        errors = {f"beside_error_{name}": value for name, value in asdict(self.errors).items()}
+        times = {"beside_period": self.period, "beside_forcing_phase": self.forcing_phase}
+        return times | errors
+
+
+@dataclass(frozen=True)
 class FamilyRow:
     """The orbit at one value of the parameter, or why there is none.
 
@@ -48,6 +75,8 @@ class FamilyRow:
     strobe : (float, float) or None
         Displacement and velocity where the phase of the forcing is 0, as a diagram has them;
         None where nothing forces.
+    beside : Beside or None
+        On a branch: the orbit of an expansion next to it, if one was asked for and has one.
     """
 
     value: float
@@ -64,6 +93,7 @@ class FamilyRow:
     multipliers: tuple[complex, ...] | None = None
     stable: bool | None = None
     strobe: tuple[float, float] | None = None
+    beside: Beside | None = None
 
     @property
     def largest_multiplier(self) -> float | None:
@@ -77,6 +107,8 @@ class FamilyRow:
         estimate = without_errors() if self.estimate is None else asdict(self.estimate)
         ends = self.extremes or dict.fromkeys(("displacement", "velocity"))
         found = asdict(self) | {"estimate": estimate, "extremes": ends}
+        if self.beside is None:
+            del found["beside"]
         if self.multipliers is not None:
             found["multipliers"] = [{"re": q.real, "im": q.imag} for q in self.multipliers]
         return found
@@ -204,6 +236,9 @@ class Family(OfRows):
     def table(self) -> Table:
         """Return the rows; the value has the name of the parameter."""
         rows = [row.as_dict() | {"multipliers": row.largest_multiplier} for row in self.rows]
+        for each, row in zip(rows, self.rows, strict=True):
+            each.pop("beside", None)
+            each.update({} if row.beside is None else row.beside.numbers)
         columns = flat(rows)
         columns["largest_multiplier"] = columns.pop("multipliers")
         columns = {self.parameter: columns.pop("value")} | columns

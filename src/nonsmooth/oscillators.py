@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .solver.branches import branch_case, every_branch
+from .solver.branches import Expansion, branch_case, every_branch
 from .solver.exact import ExactOrbit, exact_orbit
 from .solver.family import family_case
 from .solver.scenes.case import Case
@@ -251,6 +251,9 @@ def branch(
     last: float,
     *,
     start: "Orbit | ExactOrbit | None" = None,
+    method: str | None = None,
+    order: int | None = None,
+    functions: int | None = None,
     progress: Callable[[float], None] = lambda value: None,
 ) -> "Branch":
     """Return the orbit of an oscillator followed along a parameter, stable or not.
@@ -269,6 +272,10 @@ def branch(
         The range of the parameter, in SI units.
     start : Orbit or ExactOrbit, optional
         An orbit on the branch, of any parameters.
+    method, order, functions : str, int, int, optional
+        An expansion that is solved beside each orbit, from its times, as `solve` takes it;
+        with one of the first two the other has its default.  Each row has it as ``beside``,
+        with its errors.
     progress : callable, optional
         Called with the parameter of each orbit when it is found.
 
@@ -297,7 +304,8 @@ def branch(
     if near is None and start is not None:
         raise ValueError(f"start: got {start!r:.80}, expected an orbit near an exact one")
     own = case if near is None else near.case
-    return branch_case(own, parameter, *_range(first, last), near, progress)
+    how = Expansion.checked(case, method, order, _whole(functions))
+    return branch_case(own, parameter, *_range(first, last), near, progress, how)
 
 
 def branches(

@@ -7,6 +7,8 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.solver.orbit.errors import Errors
+from nonsmooth.solver.results.family import Beside
 from nonsmooth.solver.scenes.method_names import shown
 
 if TYPE_CHECKING:
@@ -70,11 +72,13 @@ def of_family(result: "Family") -> list[dict[str, Any]]:
     constants: dict[str, Any] = {"scene": result.case.scene.name, "method": result.method}
     constants |= {"order": result.order, "functions": result.functions}
     constants |= {n: value for n, value in result.case.values.items() if n != result.parameter}
-    found = []
+    found, none = [], Beside(0.0, None, (), Errors(0.0, 0.0, 0.0))
+    beside = none.numbers if any(row.beside for row in result.rows) else {}
     for row in result.rows:
         values = row.as_dict()
         values[result.parameter] = values.pop("value")
-        found.append(_flat(values) | constants)
+        more = dict.fromkeys(beside) if row.beside is None else row.beside.numbers
+        found.append(_flat(values) | more | constants)
     return found
 
 

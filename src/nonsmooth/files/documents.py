@@ -74,7 +74,8 @@ def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
     if kind == "sweep":
         return dict(first.as_dict() | origin(first.case, first.rates()))
     if kind in {"branch", "map"}:
-        return dict(first.as_dict() | origin(first.case, ()))
+        used = [first.method] if kind == "branch" and first.order else ()
+        return dict(first.as_dict() | origin(first.case, used))
     found = [result.as_dict() | origin(result.case, [result.method]) for result in several]
     return found[0] if len(found) == 1 else {"scene": first.case.scene.name, "orbits": found}
 

@@ -14,7 +14,7 @@ from nonsmooth.solver.kernels.registry import generic_method, kernel, mathematic
 from nonsmooth.solver.orbit.errors import Errors
 from nonsmooth.solver.results.branch import Branch, BranchEvent
 from nonsmooth.solver.results.chart import Chart, EventCurve
-from nonsmooth.solver.results.family import Family, FamilyRow
+from nonsmooth.solver.results.family import Beside, Family, FamilyRow
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.sweep import Sweep, SweepRow
 from nonsmooth.solver.scenes.case import Case
@@ -51,7 +51,7 @@ def result_in(path: Path, document: Mapping[str, Any], scene: object = None) -> 
         A `ValueError`: if a number in it cannot be right.
     """
     if "axes" in document:
-        return _map(document, _case(path, document, scene))
+        return _map(document, _case(path, {**document, "motion": None}, scene))
     if "why_it_ended" in document:
         return _branch(document, _case(path, document, scene))
     if "vary" in document:
@@ -176,11 +176,23 @@ def _branch(document: Mapping[str, Any], case: Case) -> Branch:
         ends = {name: tuple(pair) for name, pair in point["extremes"].items()}
         times = point["period"], point["forcing_phase"], tuple(point["durations"])
         how = {"motion": point["motion"], "stable": point["stable"]} | _multipliers(point)
+        how["beside"] = _beside(point.get("beside"))
         rows.append(FamilyRow(point["parameter"], "ok", *times, ends, None, 0, True, **how))
     events = tuple(BranchEvent(**event) for event in document["events"])
     why = document["why_it_ended"]
     found = tuple(rows), events, (why["start"], why["end"])
-    return Branch(case, parameter, "exact", 0, None, *found)
+    method, order = document.get("method", "exact"), document.get("order", 0)
+    return Branch(case, parameter, method, order, document.get("functions"), *found)
+
+
+def _beside(given: Mapping[str, Any] | None) -> Beside | None:
+    """Return the orbit of an expansion next to an exact one."""
+    if given is None:
+        return None
+    checks.times(given, given["durations"])
+    errors = Errors(**given["errors"])
+    times = given["period"], given["forcing_phase"], tuple(given["durations"])
+    return Beside(*times, errors)
 
 
 def _map(document: Mapping[str, Any], case: Case) -> Chart:

@@ -6,14 +6,17 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..about import Given, Output
+from ..aliases import Aliased
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
 from ..progress import busy
 from ..values.vary import parse_vary
-from .options import case_from, command_of, motion_options
+from .options import case_from, command_of, method_names, motion_options
+from .solve import FUNCTIONS
 from .wanted import tell
 
 if TYPE_CHECKING:
+    from nonsmooth.solver.branches import Expansion
     from nonsmooth.solver.orbit.exact_orbit import ExactOrbit
     from nonsmooth.solver.results.branch import Branch
     from nonsmooth.solver.results.strobe import Diagram
@@ -61,16 +64,23 @@ def command(scene: "LoadedScene", said: str) -> click.Command:
             help="Follow every orbit that is found at a few values, and those at their flips.",
         ),
         *(attractors if scene.frequency else ()),
+        Aliased(
+            ["--method"], alias="--methods",
+            help=f"Solve it beside each orbit: {', '.join(method_names(scene))}.",
+        ),
+        Aliased(["--order"], alias="--orders", type=int, help="Its order.  [default: 10]"),
+        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
     ]  # fmt: skip
     return command_of(scene, said, run, options, OUTPUT, HELP, EPILOG)
 
 
 def run(
     given: "Given[LoadedScene]", vary: str, from_orbit: Path | None, every: bool, json_: bool,
-    output: Path | None, attractors: bool = False,
+    output: Path | None, attractors: bool = False, **expansion: Any,
 ) -> int:  # fmt: skip
     """Follow the branch, show it, write it; the exit status."""
     from nonsmooth.files import documents
+    from nonsmooth.solver.branches import Expansion
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.results.branch import BranchInterrupted
 
@@ -87,20 +97,23 @@ def run(
         raise Problem("--attractors: expected beside --output and a picture")
     case, start = _start(given, from_orbit)
     interrupted, found = False, []
+    with as_problems():
+        how = Expansion.checked(case, **expansion)
     try:
         with as_problems(), busy(f"following {case.scene.name}") as say:
 
             def seen(value: float) -> None:
                 say(f"{along.flag} = {value:g}")
 
-            found = _followed(case, along, every, start, seen)
+            found = _followed(case, along, every, start, seen, how)
     except NoOrbit as finding:
         tell(finding)
         return 1
     except BranchInterrupted as interrupt:
         interrupted, found = True, interrupt.done
     whole = {"branches": [q.as_dict() for q in found]} if every else found[0].as_dict()
-    text = documents.text(case, {"scene": case.scene.name} | whole, ())
+    used = [how.method] if how.order else []
+    text = documents.text(case, {"scene": case.scene.name} | whole, used)
     if json_:
         click.echo(text, nl=False)
     else:
@@ -147,12 +160,15 @@ def _start(
 
 
 def _followed(
-    case: "Case", along: Any, every: bool, start: "ExactOrbit | None", seen: Any
-) -> "list[Branch]":
+    case: "Case", along: Any, every: bool, start: "ExactOrbit | None", seen: Any,
+    how: "Expansion",
+) -> "list[Branch]":  # fmt: skip
     from nonsmooth.solver.branches import branch_case, every_branch
 
-    how = case, along.parameter, along.first, along.last
-    return every_branch(*how, seen) if every else [branch_case(*how, start, seen)]
+    what = case, along.parameter, along.first, along.last
+    if every:
+        return every_branch(*what, seen, how)
+    return [branch_case(*what, start, seen, how)]
 
 
 def _diagrams(case: "Case", found: "Branch", along: Any) -> "tuple[Diagram, ...]":
