@@ -18,9 +18,9 @@ from nonsmooth.solver.results.chart import ChartInterrupted
 
 RESTITUTION = 0.8
 STOP = ns.scene("impact")(damping=0, restitution=RESTITUTION)
-AXES = {"frequency": (1.55, 2.2, 6), "gap": (0.1, 0.8, 5)}
+AXES = {"frequency": (1.55, 2.6, 7), "gap": (0.1, 0.8, 5)}
 FLAGS = ("impact", "--damping", 0, "--restitution", RESTITUTION)
-VARY = ("--vary", "frequency=1.55:2.2:6", "--vary", "gap=0.1:0.8:5")
+VARY = ("--vary", "frequency=1.55:2.6:7", "--vary", "gap=0.1:0.8:5")
 
 
 def gap_at(kind: str, w: np.ndarray) -> np.ndarray:
@@ -66,7 +66,7 @@ def test_curves_are_their_closed_forms_to_rounding(found: ns.Chart) -> None:
         distance = (gap - gap_at(curve.kind, w)) / np.hypot(1, slope)
         assert np.abs(distance[regular]).max() < 1e-14
         assert np.count_nonzero(regular) > 10
-        inside = [(w >= 1.55) & (w <= 2.2), (gap >= 0.1) & (gap <= 0.8)]
+        inside = [(w >= 1.55) & (w <= 2.6), (gap >= 0.1) & (gap <= 0.8)]
         assert np.all(inside)
 
 
@@ -89,6 +89,7 @@ def test_regions_end_at_the_curves(found: ns.Chart) -> None:
     np.testing.assert_array_equal(found.index == 0, impacts)
     stable = np.where(impacts, np.where(w < 2, 1, gap < flip), -1)  # undamped: neutral
     np.testing.assert_array_equal(found.stable, stable)
+    assert set(stable.ravel()) == {1, 0, -1}
 
 
 @pytest.mark.parametrize(
@@ -156,10 +157,10 @@ def test_a_cluster_of_dask_is_an_executor(found: ns.Chart) -> None:
 def test_tables_have_a_row_a_point(found: ns.Chart) -> None:
     pytest.importorskip("pandas")
     array = pytest.importorskip("xarray") and found.to_xarray()
-    assert dict(array.sizes) == {"gap": 5, "frequency": 6}
+    assert dict(array.sizes) == {"gap": 5, "frequency": 7}
     assert array.motion.values.tolist() == found.motion
     frame = found.to_dataframe()
-    assert len(frame) == 30
+    assert len(frame) == 35
     assert frame.attrs["restitution"] == RESTITUTION
     assert "frequency" not in frame.attrs
 
