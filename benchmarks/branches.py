@@ -4,8 +4,9 @@
 
 Microseconds, the median of some rounds: of a step along a branch with all that is watched and
 its multipliers' map; of an orbit of a whole branch, with its events, rows and multipliers; of a
-phase of a simulation without records.  Behind them ten million additions of a loop in Python,
-by which machines can be compared.
+phase of a simulation without records.  Then of a point of a map of two parameters, filled in
+from orbits that are known on some lines of it.  Behind them ten million additions of a loop in
+Python, by which machines can be compared.
 """
 
 import statistics
@@ -18,6 +19,8 @@ import nonsmooth as ns
 from nonsmooth.solver.branch import walk
 from nonsmooth.solver.branch.branch import index_of, start_of
 from nonsmooth.solver.branch.walk import FAMILY
+from nonsmooth.solver.chart import LINES, planes_of
+from nonsmooth.solver.charts import block, filling, lines
 from nonsmooth.solver.simulation import machine
 from nonsmooth.solver.simulation import walk as walking
 from nonsmooth.solver.simulation.steps import run
@@ -69,6 +72,32 @@ def measured(scene: str) -> tuple[float, float, float]:
     return median(steps), median(branch), median(simulation)
 
 
+#: What varies beside the frequency, its range, and points of a map each way.
+MAPS = {
+    "impact": ((0.1, 0.8), "gap"),
+    "clearance": ((0.1, 0.6), "force"),
+    "dry-friction": ((0.5, 1.5), "normal_force"),
+}
+POINTS = 200
+
+
+def mapped(scene: str) -> float:
+    """Return what a point of a map costs."""
+    values, ends = RESPONSES[scene]
+    across, name = MAPS[scene]
+    names, bounds = ("frequency", name), (ends, across)
+    case = ns.scene(scene)(**values)
+    cases = (case.with_value(name, float(q)) for q in np.linspace(*across, LINES))
+    stretches = [q for each in cases for q in lines.line_of(each, names, bounds, 1)[0]]
+    planes, seeds = planes_of(case, names, bounds, stretches)
+    A = np.linspace(-1, 1, POINTS)
+
+    def points() -> int:
+        return block.block_of(planes, A, A, A[1] - A[0], seeds).size
+
+    return median(points)
+
+
 def additions() -> float:
     """Return the seconds of ten million additions."""
     begin, total = time.perf_counter(), 0.0
@@ -81,11 +110,15 @@ def main() -> None:
     """Measure and print."""
     FAMILY.compiled(walk.__name__)
     machine.FAMILY.compiled(run.__name__)
+    block.FAMILY.compiled(filling.__name__)
     print("us                    step   orbit of a branch   phase")
     for scene in RESPONSES:
         with np.errstate(all="ignore"):
             step, orbit, phase = measured(scene)
         print(f"{scene:20} {step:6.0f}   {orbit:17.0f}   {phase:5.1f}")
+    print("us            point of a map")
+    for scene in MAPS:
+        print(f"{scene:20} {mapped(scene):7.0f}")
     print(f"10 million additions: {additions():.2f} s")
 
 

@@ -112,7 +112,7 @@ def chart(
     for line in _run(executor, line_of, tasks):
         lines.append(line)
         seen(f"line {len(lines)} of {len(tasks)}")
-    planes, seeds = _planes(case, names, bounds, [each for line in lines for each in line[0]])
+    planes, seeds = planes_of(case, names, bounds, [each for line in lines for each in line[0]])
     A, B = (np.linspace(-1, 1, axis.count) for axis in (columns, rows))
     parts = [range(low, high + 1) for low, high in pairwise(_lines(rows.count))]
     blocks = _run(
@@ -158,7 +158,7 @@ def _run(executor: Any, work: Callable[..., Any], tasks: Sequence[Any]) -> Itera
     return (future.result() for future in futures)
 
 
-def _planes(
+def planes_of(
     case: Case, names: tuple[str, str], bounds: Bounds, stretches: Sequence[Stretch]
 ) -> tuple[list[Plane], list[Matrix]]:
     """Return the planes of all orders of phases that were found, and their orbits."""

@@ -159,6 +159,58 @@ def test_words_and_documents(found: ns.Branch) -> None:
     assert {*document["events"][0]} == {"kind", "parameter", "motion", "phase", "estimate"}
 
 
+@pytest.fixture(scope="module")
+def beside() -> ns.Branch:
+    return ns.branch(SPRING, "frequency", 0.8, 1.0, method="c2-tau", order=8)
+
+
+def test_an_expansion_is_solved_beside_each_orbit(beside: ns.Branch) -> None:
+    assert (beside.method, beside.order) == ("ck-tau", 8)
+    rows = [row for row in beside if row.motion is None and row.multipliers]
+    assert all(row.beside for row in rows)
+    assert {row.beside for row in beside if row.motion == "separated"} == {None}
+    for row in rows[:: len(rows) // 3]:
+        orbit = ns.solve(SPRING.with_value("frequency", row.value), "ck-tau", 8)
+        assert row.beside.durations == pytest.approx(orbit.durations, rel=1e-12)
+        assert row.beside.errors.times == pytest.approx(orbit.errors.times, rel=1e-3)
+        off = np.subtract(row.beside.durations, row.durations)
+        rounding = 1e-12 * row.period  # beside a grazing
+        assert np.abs(off).max() <= row.beside.errors.times * row.period + rounding
+
+
+@pytest.mark.parametrize("suffix", [".json", ".nc"])
+def test_a_branch_with_an_expansion_is_saved(
+    beside: ns.Branch, tmp_path: Path, suffix: str
+) -> None:
+    pytest.importorskip("xarray")
+    ns.save(beside, tmp_path / f"branch{suffix}")
+    assert ns.load(tmp_path / f"branch{suffix}") == beside
+
+
+def test_the_command_solves_an_expansion_beside(run, tmp_path: Path) -> None:
+    path, vary = tmp_path / "branch.csv", ("--vary", "frequency=0.9:1")
+    status, out, _ = run("branch", *FLAGS, *vary, "--order", 8, "--json", "-o", path)
+    document = json.loads(out)
+    assert (status, document["method"], document["order"]) == (0, "ck-tau", 8)
+    errors = [point["beside"]["errors"]["times"] for point in document["points"]]
+    assert 0 < max(errors) < 1e-4
+    with path.open(newline="") as file:
+        assert [float(row["beside_error_times"]) for row in csv.DictReader(file)] == errors
+
+
+@pytest.mark.parametrize(
+    ("how", "words"),
+    [
+        ({"method": "c9"}, "c9"),
+        ({"order": 0}, "order: got 0, expected a whole number from"),
+        ({"functions": 2}, "functions: got 2, expected beside a method"),
+    ],
+)
+def test_expansions_that_cannot_be_beside(how, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        ns.branch(SPRING, "frequency", 0.8, 1.0, **how)
+
+
 @pytest.mark.parametrize("suffix", [".json", ".nc"])
 def test_a_branch_is_saved_and_loaded(found: ns.Branch, tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("xarray")

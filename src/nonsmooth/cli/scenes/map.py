@@ -27,7 +27,8 @@ grazings and rests are followed in both parameters. It uses all cores."""
 EPILOG = """\b
 Examples:
   nonsmooth map {scene} --vary {vary}:60 --vary {other}:40
-  nonsmooth map {scene} --vary {vary}:400 --vary {other}:300 -o map.png
+  nonsmooth map {scene} --json -o map.png \\
+    --vary {vary}:60 --vary {other}:40
 """
 
 
