@@ -79,7 +79,11 @@ def block_of(
 def orbits_of(
     plane: Plane, A: Vector, B: Vector, wide: float, seeds: Matrix
 ) -> tuple[Integers, Integers]:
-    """Return the points of all orbits of an order of phases, and whether they are stable."""
+    """Return the points of all orbits of an order of phases, and whether they are stable.
+
+    A few are asked of the solver, which demands more than is watched: where it refuses one,
+    none of the order counts on these rows.
+    """
     n, size = seeds.shape[1] - 2, 2 + len(plane.series.setting)
     near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
     orbits = _room(4 * len(near) + ROOM, len(A) * len(B), n, size)
