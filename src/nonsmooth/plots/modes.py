@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from nonsmooth.solver.scenes.methods import about
-from nonsmooth.solver.space.expansions.methods import check_whole
 
 from ..style import EXACT
 from .axes import LEAST, axes_or_new, check_quantity, frame
@@ -55,7 +54,7 @@ def draw(
         If there is no such quantity or mode.
     """
     check_quantity(quantity, QUANTITIES)
-    check_whole("number", number, len(modes))
+    _check_number(modes, number)
     axes = axes_or_new(ax)
     draw_exact(modes, axes, quantity, number)
     _draw_mode(modes, axes, quantity, number, style)
@@ -63,6 +62,12 @@ def draw(
         axes.set_xlabel("x [m]")
         axes.legend(frameon=False)
     return axes
+
+
+def _check_number(modes: "Modes", number: object) -> None:
+    whole = isinstance(number, int) and not isinstance(number, bool)
+    if not (whole and 1 <= number <= len(modes)):  # type: ignore[operator]
+        raise ValueError(f"number: got {number!r}, expected that of a mode, 1 to {len(modes)}")
 
 
 def _draw_mode(

@@ -16,7 +16,7 @@ from ..problems import Problem
 from ..progress import progress
 from ..values.vary import Vary, parse_vary, values_of
 from . import mode_tables
-from .modes import ALL, compute
+from .wanted import ALL, compute
 
 #: Points of a family.
 MOST_POINTS = 10_000

@@ -20,9 +20,6 @@ OUTPUT = Output(
     "Write the modes: .json, .csv, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
 )
 
-#: What asks for every expansion.
-ALL = "all"
-
 EPILOG = """\b
 Examples:
   nonsmooth modes
@@ -112,39 +109,6 @@ def run(
     return _run_once(attached, wanted, json_, output)
 
 
-def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
-    """Return the modes by the method that is wanted, or by each.
-
-    Raises
-    ------
-    Problem
-        If there are none such; with status 1 if no order is within the tolerance.
-    """
-    from nonsmooth.solver.space.expansions.methods import METHODS
-    from nonsmooth.solver.space.modes import ToleranceNotMet
-    from nonsmooth.solver.space.modes import modes as modes_of
-
-    given = {name: value for name, value in wanted.items() if value is not None}
-    methods = METHODS if given.get("method") == ALL else (given.get("method"),)
-    given.pop("method", None)
-    forced = given.pop("forced", None)
-    found = []
-    for method in methods:
-        arguments = given | ({} if method is None else {"method": method})
-        if forced is not None and (len(methods) == 1 or method == "ritz-ck"):
-            arguments["forced"] = forced
-        try:
-            with as_problems():
-                found.append(modes_of(attached, **arguments))
-        except Problem as problem:
-            if isinstance(problem.__cause__, ToleranceNotMet):
-                raise Problem(str(problem), 1) from problem
-            if str(problem).startswith("--method"):
-                raise Problem(f"{problem}; or {ALL}") from problem
-            raise
-    return found
-
-
 def _run_once(
     attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path | None
 ) -> int:
@@ -152,6 +116,7 @@ def _run_once(
     from nonsmooth.files import documents
 
     from . import mode_tables
+    from .wanted import compute
 
     found = compute(attached, wanted)
     text = documents.text_of_modes(attached.structure, documents.of_modes(found))
