@@ -72,7 +72,7 @@ def of_family(result: "Family") -> list[dict[str, Any]]:
     constants: dict[str, Any] = {"scene": result.case.scene.name, "method": result.method}
     constants |= {"order": result.order, "functions": result.functions}
     constants |= {n: value for n, value in result.case.values.items() if n != result.parameter}
-    found, none = [], Beside(0.0, None, (), Errors(0.0, 0.0, 0.0))
+    found, none = [], Beside(0.0, None, (), Errors(0.0, 0.0, 0.0, 0.0))
     beside = none.numbers if any(row.beside for row in result.rows) else {}
     for row in result.rows:
         values = row.as_dict()

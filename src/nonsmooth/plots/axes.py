@@ -64,12 +64,12 @@ def _letters(name: str) -> str:
     return rf"\mathrm{{{name}}}" if len(name) > 1 else name
 
 
-def described(case: Any, but: str = "") -> str:
-    """Return the scene and the parameters of a case in a line, `but` for one of them."""
+def described(case: Any, *but: str) -> str:
+    """Return the scene and the parameters of a case in a line, `but` for some of them."""
     values = [
         f"{typeset(q.symbol)} = {case.values[q.name]:.4g} {q.unit}".rstrip()
         for q in case.scene.parameters
-        if q.name != but
+        if q.name not in but
     ]
     cycles = [f"{case.cycles} cycles of the forcing"] if case.cycles > 1 else []
     return f"{case.scene.name}: {', '.join([*values, *cycles])}"

@@ -7,7 +7,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from .axes import axes_or_new
+from .axes import axes_or_new, described
 from .families import name_of_parameter
 from .strobe import BASINS, NONE
 
@@ -106,10 +106,5 @@ def chart_figure(result: "Chart") -> Figure:
     """Draw a map, and say below what it is of."""
     figure = Figure(figsize=(7.5, 4.8), layout="constrained")
     draw(result, figure.subplots())
-    fixed = (
-        f"{q.symbol} = {result.case.values[q.name]:.4g} {q.unit}".rstrip()
-        for q in result.case.scene.parameters
-        if q.name not in result.parameters
-    )
-    figure.supxlabel(f"{result.case.scene.name}: {', '.join(fixed)}", fontsize=7, wrap=True)
+    figure.supxlabel(described(result.case, *result.parameters), fontsize=7, wrap=True)
     return figure

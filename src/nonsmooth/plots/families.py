@@ -199,7 +199,7 @@ def family_figure(result: "Family", log: bool = False) -> Figure:
     if log:
         panels[0].set_xscale("log")
     method = f"{shown(scene, result.method)}, N = {result.order}"
-    words = f"{described(result.case, but=result.parameter)}; {method}"
+    words = f"{described(result.case, result.parameter)}; {method}"
     figure.supxlabel(words, fontsize=7, wrap=True)
     return figure
 
@@ -219,5 +219,5 @@ def branch_figure(results: "Sequence[Branch]", diagrams: "Sequence[Diagram]" = (
     lower.axhline(1.0, color="0.7", linewidth=0.8, zorder=0)
     lower.set_ylim(0.0, 2.0)
     upper.set_xlabel("")
-    frame(figure, upper, described(results[0].case, but=results[0].parameter), columns=5)
+    frame(figure, upper, described(results[0].case, results[0].parameter), columns=5)
     return figure

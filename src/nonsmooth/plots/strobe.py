@@ -77,7 +77,7 @@ def diagram_figure(result: "Diagram") -> Figure:
     draw_diagram(result, upper)
     draw_diagram(result, lower, "velocity")
     upper.set_xlabel("")
-    words = described(result.case, but=result.parameter)
+    words = described(result.case, result.parameter)
     figure.supxlabel(f"once a period of the forcing; {words}", fontsize=7, wrap=True)
     return figure
 

@@ -10,8 +10,7 @@ from ..output import drawn_by, write_result
 from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
 from ..values.orders import is_whole
-from ..values.vary import Vary, parse_vary
-from ..values.vary import values_of as values_of  # noqa: PLC0414  (for simulate)
+from ..values.vary import Vary, parse_vary, values_of
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.family import FamilyRow

@@ -9,8 +9,7 @@ from ..about import Given, Output
 from ..output import PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
 from ..progress import busy, progress
-from ..values.vary import parse_vary
-from .family import values_of
+from ..values.vary import parse_vary, values_of
 from .options import case_from, command_of
 
 if TYPE_CHECKING:
