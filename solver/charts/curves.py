@@ -151,7 +151,10 @@ def _passes(curve: Curve, kind: str, at: Vector, across: int) -> bool:
         part = np.clip(-side[i] / change, 0, 1) if change else 0.0
         y = points[i] + part * (points[i + 1] - points[i])
         y[across - 2] = at[across]
-        if abs(y[along] - at[1 - across]) > MOST_SEEN:
+        off = abs(y[along] - at[1 - across])
+        if off <= ON:
+            return True
+        if off > MOST_SEEN:
             continue
         there, _ = _pinned(curve.plane, curve.gauge, y, _unit(len(y), across))
         if there is not None and abs(there[along] - at[1 - across]) <= ON:

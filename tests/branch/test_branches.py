@@ -324,7 +324,7 @@ def test_the_picture_tells_stable_from_unstable_without_colour(found: ns.Branch)
     assert {"fold", "grazing"} <= marks.keys()
     drawn = [x for line in upper.lines if len(line.get_xdata()) > 1 for x in line.get_xdata()]
     assert {*drawn} == {*found["value"]}
-    assert "frequency Omega [rad/s]" in lower.get_xlabel()
+    assert r"frequency $\Omega$ [rad/s]" in lower.get_xlabel()
     with pytest.raises(ValueError, match="quantity: got 'colour'"):
         found.plot(quantity="colour")
 

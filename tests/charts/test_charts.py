@@ -40,6 +40,13 @@ def gap_at(kind: str, w: np.ndarray) -> np.ndarray:
     }[kind]
 
 
+def test_a_curve_is_found_once_though_many_lines_cross_it() -> None:
+    """Where it ends on the border of the map an event is its last point."""
+    case = ns.scene("impact")(damping=0.05, gap=0.5)
+    found = ns.chart(case, {"frequency": (1.0, 3.0, 12), "restitution": (0.4, 0.9, 8)}).curves
+    assert sorted(curve.kind for curve in found) == ["flip", "fold", "grazing"]
+
+
 @pytest.fixture(scope="module")
 def found() -> ns.Chart:
     return ns.chart(STOP, AXES)
@@ -202,7 +209,7 @@ def test_a_picture_names_motions_and_curves(found: ns.Chart) -> None:
     assert said[:3] == ["1: flight", "2: only flight", "not stable"]
     assert sorted(said[3:]) == ["flip", "fold", "grazing"]
     assert {text.get_text() for text in axes.texts} == {"1", "2"}
-    assert axes.get_xlabel() == "frequency Omega [rad/s]"
+    assert axes.get_xlabel() == r"frequency $\Omega$ [rad/s]"
 
 
 @pytest.mark.parametrize(
