@@ -17,7 +17,7 @@ from nonsmooth.solver.orbit.errors import Errors
 from nonsmooth.solver.scenes.parameter_error import ParameterError
 from nonsmooth.solver.trade.choice import NotCertified, TooSlow, Trial
 
-TRIAL = Trial("ck", 4, Errors(1e-3, 1e-4, 1e-2), 0.1)
+TRIAL = Trial("ck", 4, Errors(1e-3, 1e-4, 1e-2, 1e-5), 0.1)
 
 #: What exceptions of the package are derived from.
 BASES = {"Exception", "ValueError", "ArithmeticError", "ImportError"}

@@ -43,16 +43,20 @@ def draw(result: "Sweep", ax: Any = None, quantity: str = "times", **style: Any)
         orders, errors = [order for order, _ in found], [errors for _, errors in found]
         look = about(method).look | {"label": shown(scene, method)} | style
         draw_errors(axes, orders, [getattr(each, quantity) for each in errors], **look)
-    axes.set_ylabel(f"error of {_name(scene, quantity)}")
+    axes.set_ylabel(f"error of {name_of_error(scene, quantity)}")
     if ax is None:
         axes.legend(frameon=False)
     return axes
 
 
-def _name(scene: "LoadedScene", quantity: str) -> str:
-    if quantity == "discontinuous":
-        return "$x" + "'" * (scene.k + 1) + "$"
-    return f"the {quantity}"
+def name_of_error(scene: "LoadedScene", quantity: str) -> str:
+    """Return what an error is of, as a label says it."""
+    return derivative(scene.k + 1) if quantity == "discontinuous" else f"the {quantity}"
+
+
+def derivative(order: int) -> str:
+    """Return a derivative of the displacement as a label has it: ``$x'$``."""
+    return "$x" + "'" * order + "$"
 
 
 def convergence_figure(result: "Sweep") -> Figure:

@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.plots.axes import LEAST
+from nonsmooth.plots.orbits import BEYOND, line
 from nonsmooth.plots.orbits import draw as draw_motion
-from nonsmooth.plots.orbits import line
+from nonsmooth.plots.sweeps import derivative as label_of
+from nonsmooth.plots.sweeps import name_of_error
 from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.orbit.errors import derivative
 from nonsmooth.solver.orbit.motion import Motion
@@ -53,8 +55,8 @@ def history(axes: Any, found: Collected) -> None:
     axes.legend(handles, ["displacement", "velocity"], ncols=2, **ABOVE)
 
 
-def _whole_period(motion: Motion, order: int) -> tuple[Vector, Vector]:
-    """Return ``t/T`` and a derivative in SI units over one period, gaps at the switches."""
+def _over_time(motion: Motion, order: int) -> tuple[Vector, Vector]:
+    """Return ``t/T`` and a derivative in SI units past one period, gaps at the switches."""
     cell, unit = motion.case.cell, motion.case.units
     u = np.linspace(0.0, 1.0, POINTS)
     ends = np.cumsum([0.0, *motion.durations]) / motion.period
@@ -65,18 +67,20 @@ def _whole_period(motion: Motion, order: int) -> tuple[Vector, Vector]:
         sign = cell.sign if turned else 1
         times.append(np.append(low + (high - low) * u, np.nan))
         values.append(np.append(sign * scale * derivative(motion, p, u, order), np.nan))
-    return np.concatenate(times), np.concatenate(values)
+    part, found = np.concatenate(times), np.concatenate(values)
+    again = part < BEYOND - 1
+    return np.append(part, 1 + part[again]), np.append(found, found[again])
 
 
 def jumping(axes: Any, found: Collected) -> None:
     """Draw the first derivative that jumps: a Fourier series rings there, the others do not."""
     order = found.case.cell.k + 1
-    axes.plot(*_whole_period(found.exact, order), label="exact", **EXACT | {"linewidth": 1.6})
+    axes.plot(*_over_time(found.exact, order), label="exact", **EXACT | {"linewidth": 1.6})
     for name, orbit in found.ringing.items():
         words = f"{name}, N = {orbit.order}"
-        axes.plot(*_whole_period(orbit, order), label=words, **line(orbit) | {"linewidth": 1})
+        axes.plot(*_over_time(orbit, order), label=words, **line(orbit) | {"linewidth": 1})
     unit = "m/s" if order == 1 else f"m/s$^{order}$"
-    axes.set(xlabel="t/T", ylabel=f"$x^{{({order})}}$ [{unit}]")
+    axes.set(xlabel="t/T", ylabel=f"{label_of(order)} [{unit}]")
     legend(axes, 2)
 
 
@@ -92,8 +96,8 @@ def convergence(name: str) -> Draw:
                 rate = theory(found, way, name)
                 slope = errors[0] * (np.array(orders) / orders[0]) ** -rate
                 axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
-        what = "times" if name == "times" else f"$x^{{({found.case.cell.k + 1})}}$"
-        axes.set(xlabel="order N", ylabel=f"error of the {what}".replace("the $", "$"))
+        what = name_of_error(found.case.scene, name)
+        axes.set(xlabel="order N", ylabel=f"error of {what}")
         axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
         axes.minorticks_off()
         legend(axes, 3)
