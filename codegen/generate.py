@@ -12,7 +12,7 @@ from pathlib import Path
 
 from . import expansions, scenes
 from .emission import method_table as methods
-from .emission import one_function, phase_maps, scene_numbers, whole_period
+from .emission import force_series, one_function, phase_maps, scene_numbers, whole_period
 from .scene import Scene
 from .space import emission as space
 
@@ -25,35 +25,46 @@ INIT = '"""Kernels, and scenes in numbers, written by ``nonsmooth generate``."""
 SCENE_INIT = '"""{name}: {title}; written by ``nonsmooth generate``."""\n'
 
 
-def sources() -> dict[str, str]:
-    """Derive everything and return the text of each generated file, by its place."""
-    files = {"__init__.py": INIT, "methods.py": methods.methods_source()}
+#: What a generated file holds: text, or the matrices of a body.
+Content = str | bytes
+
+
+def sources() -> dict[str, Content]:
+    """Derive everything and return the content of each generated file, by its place."""
+    files: dict[str, Content] = {"__init__.py": INIT, "methods.py": methods.methods_source()}
     files |= {"hb.py": whole_period.module_source(), "hb_c1.py": one_function.module_source()}
+    files["force_series.py"] = force_series.module_source()
     for name, expansion in expansions.modules().items():
         if expansions.kernel_name(expansion) == name and hasattr(expansion, "test"):
             files[f"{name}.py"] = phase_maps.module_source(expansion)
     for scene in map(scenes.load, scenes.names()):
         folder = scene.name.replace("-", "_")
-        files |= {f"{folder}/{name}": text for name, text in scene_sources(scene)}
+        files |= {f"{folder}/{name}": content for name, content in scene_sources(scene)}
     return files | space.sources()
 
 
-def scene_sources(scene: Scene) -> Iterator[tuple[str, str]]:
-    """Yield place and text of each file of the folder of a scene: what it is in numbers.
+def scene_sources(scene: Scene) -> Iterator[tuple[str, Content]]:
+    """Yield place and content of each file of the folder of a scene: what it is in numbers.
 
     Several motions have a folder each, as if each were a scene of its own.
     """
     yield "__init__.py", SCENE_INIT.format(name=scene.label, title=scene.title)
     yield "scene.py", scene_numbers.scene_source(scene)
+    if scene.body is not None:
+        yield "body.npz", scene_numbers.matrices(scene)
     for motion in scene.motions:
         folder = motion.replace("-", "_")
-        for name, text in scene_sources(scene.of_motion(motion)):
-            yield f"{folder}/{name}", text
+        for name, content in scene_sources(scene.of_motion(motion)):
+            yield f"{folder}/{name}", content
 
 
-def _present(folder: Path) -> dict[str, str]:
-    paths = sorted(folder.rglob("*.py"))
-    return {path.relative_to(folder).as_posix(): path.read_text("utf-8") for path in paths}
+def _present(folder: Path) -> dict[str, Content]:
+    found: dict[str, Content] = {}
+    for path in sorted(q for q in folder.rglob("*") if q.suffix in (".py", ".npz")):
+        text = path.suffix == ".py"
+        name = path.relative_to(folder).as_posix()
+        found[name] = path.read_text("utf-8") if text else path.read_bytes()
+    return found
 
 
 def differences(folder: Path = FOLDER) -> list[str]:
@@ -76,9 +87,9 @@ def write(folder: Path = FOLDER) -> list[str]:
     """
     fresh, present = sources(), _present(folder)
     changes = []
-    for name, text in fresh.items():
-        if present.get(name) != text:
-            _replace(folder / name, text)
+    for name, content in fresh.items():
+        if present.get(name) != content:
+            _replace(folder / name, content)
             changes.append(f"{name}: written")
     for name in sorted(present.keys() - fresh.keys()):
         (folder / name).unlink()
@@ -86,13 +97,13 @@ def write(folder: Path = FOLDER) -> list[str]:
     return changes
 
 
-def _replace(path: Path, text: str) -> None:
+def _replace(path: Path, content: Content) -> None:
     """Write `path` whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        with os.fdopen(handle, "wb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)
     except BaseException:

@@ -6,8 +6,10 @@ from typing import NamedTuple
 import sympy as sp
 
 from ..python_text import python
-from ..scene import Phase, Scene, linear_phase, state_row, v
+from ..scene import Phase, Scene, forcing, linear_phase, state_row, v, x
+from ..scene.body import Body, force
 from ..scene.extremes import at_extremes
+from ..scene.law import form, law_rows, place
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
 
@@ -17,7 +19,7 @@ def _linear(demands: Mapping[str, sp.Expr]) -> list[tuple[str, sp.Expr]]:
     return [
         (words, part)
         for words, demand in demands.items()
-        for part in without_modulus(sp.sympify(demand))
+        for part in without_modulus(sp.sympify(demand), (x, v, force, forcing))
     ]
 
 
@@ -81,27 +83,37 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     """Yield those on the phases of one motion."""
     phases, memory = scene.cell, [q.symbol for q in scene.memory]
 
+    def row(expression: sp.Expr, what: str) -> Row:
+        if scene.body is not None:
+            return form(expression, scene, what)
+        return state_row(expression, what, memory).coefficients
+
     def forms(demands: Mapping[str, sp.Expr], what: str) -> list[Row]:
-        return [state_row(part, what, memory).coefficients for _, part in _linear(demands)]
+        return [row(part, what) for _, part in _linear(demands)]
 
     sides = "m x'' + c x' + k x = f + g cos"
     more = "" if not memory else ", and of each memory on the right side"
-    yield _rows(
-        "coefficients",
-        f"Return m, c, k, f, g of each phase: {sides}{more}.",
-        [linear_phase(p, memory).coefficients for p in phases],
-    )
+    if scene.body is not None:
+        summary = "Return the linear forms that are zero in each phase: the laws of the contacts."
+        yield _nested("laws", summary, [law_rows(p, scene) for p in phases])
+        yield from _of_body(scene.body)
+    else:
+        yield _rows(
+            "coefficients",
+            f"Return m, c, k, f, g of each phase: {sides}{more}.",
+            [linear_phase(p, memory).coefficients for p in phases],
+        )
     held = [sp.sympify(p.held if p.held is not None else 0) for p in phases]
     yield _scalars("held", "Return the velocity at which each phase is held.", held)
     yield _rows(
         "events",
         "Return the linear form that is zero at the end of each phase, v before it.",
-        [state_row(p.ends.zero, p.name, memory).coefficients for p in phases],
+        [row(p.ends.zero, p.name) for p in phases],
     )
     yield _rows(
         "jumps",
         "Return rho and d at the end of each phase: v+ = rho v + d.",
-        [_jump(p) for p in phases],
+        [_jump(p, scene) for p in phases],
     )
     yield _nested(
         "demands",
@@ -116,8 +128,28 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     yield _rows(
         "memory",
         "Return the linear form that each memory is set to.",
-        [state_row(q.value, str(q.symbol)).coefficients for q in scene.memory],
+        [
+            form(q.value, scene, str(q.symbol), memory=False)
+            if scene.body is not None
+            else state_row(q.value, str(q.symbol)).coefficients
+            for q in scene.memory
+        ],
     )
+
+
+def _of_body(body: Body) -> Iterator[Function]:
+    """Yield the functions of a body: what of its matrices has parameters, and its modes."""
+    symbolic = {name: q for name, q in body.arrays.items() if not q.is_numeric}
+    each = (
+        zip([name] * len(q.rows), q.rows, q.columns, q.values, strict=True)
+        for name, q in symbolic.items()
+    )
+    rows = (f"({name!r}, {i}, {j}, {python(value)})" for all_ in each for name, i, j, value in all_)
+    yield Function("entries", "Return those entries of matrices that have parameters.", tuple(rows))
+    summary = "Return the damping ratio and the number of modes, if they are given."
+    given = (body.ratio, body.modes)
+    texts = tuple(python(q) if isinstance(q, sp.Symbol) else repr(q) for q in given)
+    yield Function("modal", summary, texts)
 
 
 def start(scene: Scene) -> Iterator[Function]:
@@ -136,6 +168,12 @@ def guess(scene: Scene) -> Function:
     return _scalars("guess", summary, scene.guess)
 
 
-def _jump(phase: Phase) -> tuple[sp.Expr, ...]:
-    row = state_row(phase.ends.jump.get(v, v), phase.name)
-    return row.v, row.constant
+def _jump(phase: Phase, scene: Scene) -> tuple[sp.Expr, ...]:
+    if scene.body is None:
+        row = state_row(phase.ends.jump.get(v, v), phase.name)
+        return row.v, row.constant
+    found: list[sp.Expr] = []
+    for contact in scene.body.at.values():
+        after = form(phase.ends.jump.get(contact.v, contact.v), scene, phase.name)
+        found += [after[place(scene.body, contact.v)], after[3]]
+    return tuple(found)

@@ -1,12 +1,15 @@
 """A scene as a module of plain Python: what solver and command line know without SymPy."""
 
+import io
 from collections.abc import Iterable, Iterator
 
+import numpy as np
 import sympy as sp
 
 from .. import expansions
 from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
+from ..scene.body import Body
 from ..scene.memory import power_of_time
 from ..scene.smoothness import classes_of
 from ..scene.units import dimension_of
@@ -22,6 +25,10 @@ equations balance, in any others.{forms}
 
 '''
 
+FORMS_OF_BODY = """  A linear form is of x, v, cos, 1,
+force and a of the contact, then of x, v, force and a of each other, then of each constant of
+`MEMORY`."""
+
 FORMS = """  A linear form in the state is (x, v, cos, constant), with
 the cosine of the forcing, and an entry more for each constant of `MEMORY`."""
 
@@ -35,7 +42,8 @@ def scene_source(scene: Scene) -> str:
     beside = _extremes(scene)
     names = math_names(functions + beside)
     imports = f"from math import {', '.join(names)}\n\n" if names else ""
-    forms = "" if scene.motions else FORMS
+    forms = FORMS if scene.body is None else FORMS_OF_BODY
+    forms = "" if scene.motions else forms
     head = HEADER.format(name=scene.label, title=scene.title, k=_class(scene), forms=forms)
     hashes = f'MATHEMATICS = "{mathematics(scene)}"  # of what fixes its motion\n'
     hashes += f'BODY = "{digest(body)}"  # of the text below\n\n'
@@ -52,7 +60,26 @@ def mathematics(scene: Scene) -> str:
     memory = [(q.symbol.name, q.at) for q in scene.memory]
     forms = [(function.name, function.entries) for function in _functions(scene)]
     motion = scene.half_period, str(scene.frequency), tuple(scene.motions), scene.motion
-    return digest(repr((parameters, phases, memory, forms, motion)))
+    own = () if scene.body is None else (_digests(scene.body),)
+    return digest(repr((parameters, phases, memory, forms, motion, *own)))
+
+
+def _digests(body: Body) -> dict[str, str]:
+    """Return the contacts of a body and hashes of its matrices."""
+    return {"contacts": repr([*body.at])} | {name: q.digest for name, q in body.arrays.items()}
+
+
+def matrices(scene: Scene) -> bytes:
+    """Return those matrices of a scene's body that have no parameters, as an ``.npz`` file."""
+    assert scene.body is not None
+    found: dict[str, np.ndarray] = {}
+    for name, q in scene.body.arrays.items():
+        found[f"{name}_shape"] = np.array(q.shape)
+        if q.is_numeric:
+            found |= {f"{name}_rows": q.rows, f"{name}_columns": q.columns, name: q.values}
+    file = io.BytesIO()
+    np.savez(file, **found)  # type: ignore[arg-type]
+    return file.getvalue()
 
 
 def _functions(scene: Scene) -> list[Function]:
@@ -85,6 +112,9 @@ def _data(scene: Scene) -> Iterator[str]:
     yield f"MOTIONS = {tuple(scene.motions)!r}  # orders of phases, a folder each, if several"
     yield f"MOTION = {scene.motion or None!r}  # which of them this is"
     yield f"ALONE = {_alone(scene)!r}  # methods made for some scenes alone, this among them"
+    if scene.body is not None:
+        yield f"CONTACTS = {tuple(scene.body.at)!r}  # of its body"
+        yield f"MATRICES = {_digests(scene.body)!r}  # hashes of what is beside"
     yield ""
     yield "#: Name, symbol, unit, default, what it is, bound, largest value."
     yield from _table("PARAMETERS", (repr(_parameter(q)) for q in scene.parameters))

@@ -7,6 +7,7 @@ class of continuity at each switch is deduced from the equations of motion.
 Nothing here knows an expansion, and nothing names an oscillator.
 """
 
+from .body import Body
 from .data import Event, Memory, Parameter, Phase, a, forcing, t, v, x
 from .error import SceneError
 from .linear import LinearPhase, State, linear_phase, state_row
@@ -15,6 +16,7 @@ from .scene import Scene
 from .smoothness import Switch, switches
 
 __all__ = [
+    "Body",
     "Event",
     "LinearPhase",
     "Memory",

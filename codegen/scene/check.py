@@ -4,10 +4,12 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
+from .body_check import check_body, check_contact_phase, units_of_contacts
 from .data import STATE_UNITS, Phase, SceneData, forcing, v, x
 from .entries import check_entries
 from .error import SceneError, named
 from .extremes import check_extremes
+from .law import laws
 from .memory import check_memory
 from .names import COMMANDS, check_called, check_name
 from .parameters import check_parameters
@@ -48,14 +50,21 @@ def _check_motion(scene: SceneData) -> None:
     _check_frequency(scene)
     units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
     units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
+    if scene.body is not None:
+        check_body(scene, units)
+        units |= units_of_contacts(scene.body)
     units |= check_memory(scene, units)
     memory = [q.symbol for q in scene.memory]
     for phase in scene.phases:
-        check_phase(phase, units, scene.frequency is not None, memory)
+        if scene.body is not None:
+            check_contact_phase(phase, scene, units)
+        else:
+            check_phase(phase, units, scene.frequency is not None, memory)
     for phase, after in zip(scene.phases, scene.phases[1:], strict=False):
         check_neighbours(phase, after, 1)
     check_neighbours(scene.phases[-1], scene.phases[0], scene.sign)
-    check_same_units(scene.phases, units)
+    if scene.body is None:
+        check_same_units(scene.phases, units)
     _check_whole(scene, units)
     _check_start(scene, units)
     scales(scene)
@@ -156,7 +165,8 @@ def _check_start(scene: SceneData, units: Units) -> None:
 
 def _check_used(scene: SceneData) -> None:
     phases = [phase for motion in scene.each_motion for phase in motion.phases]
-    driven = [e for phase in phases for e in (phase.equation, phase.ends.zero)]
+    driven = [e for phase in phases for e in (*laws(phase), phase.ends.zero)]
+    driven += [forcing] if scene.body is not None and "forcing" in scene.body.arrays else []
     if scene.frequency is not None and not any(sp.sympify(e).has(forcing) for e in driven):
         raise SceneError("frequency: no equation and no event has forcing")
     states = [e for phase in phases for e in _expressions(phase)]
@@ -164,6 +174,7 @@ def _check_used(scene: SceneData) -> None:
     for memory in scene.memory:
         if memory.symbol not in used:
             raise SceneError(f"memory {memory.symbol}: no equation, event or demand has it")
+    used |= set() if scene.body is None else scene.body.symbols
     used |= _symbols(scene.requires.values()) | {scene.frequency}
     used |= _symbols(memory.value for memory in scene.memory)
     idle = [q.name for q in scene.parameters if q.symbol not in used]
@@ -178,7 +189,7 @@ def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
 def _expressions(phase: Phase) -> list[sp.Expr]:
     held = [] if phase.held is None else [phase.held]
     ends = [phase.ends.zero, *phase.ends.jump.values(), *phase.ends.demands.values()]
-    return [phase.equation, *ends, *phase.demands.values(), *held]
+    return [*laws(phase), *ends, *phase.demands.values(), *held]
 
 
 def _check_free(expression: sp.Expr, known: set[sp.Symbol]) -> None:

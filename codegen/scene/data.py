@@ -3,9 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Self
+from typing import TYPE_CHECKING, Any, Self
 
 import sympy as sp
+
+if TYPE_CHECKING:
+    from .body import Body
 
 t, x, v, a = sp.symbols("t x v a", real=True)
 
@@ -74,7 +77,8 @@ class Phase:
     name : str
         ``"slip"``.
     equation : Expr
-        The equation of motion, zero: linear in `x`, `v`, `a` and `forcing`.
+        The equation of motion, zero: linear in `x`, `v`, `a` and `forcing`.  Of a `Body` the
+        law of its contact, linear in its `force` as well; of several, a tuple of laws.
     ends : Event
         What ends it.
     demands : mapping of str to Expr
@@ -134,6 +138,7 @@ class SceneData:
     start: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     extremes: Mapping[str, Mapping[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     motion: str = ""
+    body: "Body | None" = None
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -186,7 +191,9 @@ def _with_memory(phase: Phase, values: Mapping[sp.Symbol, sp.Expr]) -> Phase:
     if all(symbol == value for symbol, value in values.items()):
         return phase
 
-    def put(expression: sp.Expr) -> sp.Expr:
+    def put(expression: Any) -> Any:
+        if isinstance(expression, tuple | list):  # a law for each of several contacts
+            return tuple(map(put, expression))
         return sp.sympify(expression).subs(values)
 
     def all_of(demands: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:

@@ -9,6 +9,7 @@ from sympy.core.function import AppliedUndef
 
 from .data import Event, Memory, Parameter, Phase, SceneData
 from .error import INSTEAD, SceneError, named
+from .law import laws
 
 #: What a number must not be, anywhere in an expression.
 _NO_NUMBERS = (sp.I, sp.nan, sp.oo, -sp.oo, sp.zoo)
@@ -42,7 +43,7 @@ def check_entries(scene: SceneData) -> None:
     for parameter in scene.parameters:
         _check_parameter(parameter)
     for phase in (*scene.phases, *chain.from_iterable(scene.motions.values())):
-        _check_phase(phase)
+        _check_phase(phase, scene.body is not None)
     for memory in scene.memory:
         _check_memory(memory)
     for name in ("requires", "scales"):
@@ -89,10 +90,11 @@ def _check_parameter(q: Parameter) -> None:
             raise SceneError(f"{field}: {name}: got {_shown(value)}, expected a number")
 
 
-def _check_phase(phase: Phase) -> None:
+def _check_phase(phase: Phase, of_body: bool) -> None:
     _expect("phase: name", phase.name, str, "text")
     field = f"phase {phase.name}"
-    _check_expression(f"{field}: equation", phase.equation)
+    for equation in laws(phase) if of_body else (phase.equation,):
+        _check_expression(f"{field}: equation", equation)
     _expect(f"{field}: ends", phase.ends, Event, "an Event")
     _check_expression(f"{field}: ends", phase.ends.zero)
     _check_mapping(f"{field}: jump", phase.ends.jump, texts=False)

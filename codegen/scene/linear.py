@@ -101,8 +101,12 @@ def fixed(phase: Phase, symbol: sp.Symbol) -> sp.Expr | None:
     return -zero.subs(symbol, 0) / sp.diff(zero, symbol)
 
 
-def without_modulus(expression: sp.Expr) -> tuple[sp.Expr, ...]:
+def without_modulus(
+    expression: sp.Expr, states: Sequence[sp.Symbol] = (x, v, forcing)
+) -> tuple[sp.Expr, ...]:
     """Return what must not be negative for ``bound - Abs(...)``: both signs.
+
+    `states` are what may stand in the modulus beside parameters.
 
     Raises
     ------
@@ -110,17 +114,19 @@ def without_modulus(expression: sp.Expr) -> tuple[sp.Expr, ...]:
         If a modulus of the state stands there in another way: then both signs are not what
         is demanded.
     """
-    found = [q for q in expression.atoms(sp.Abs) if q.has(x, v, forcing)]
+    found = [q for q in expression.atoms(sp.Abs) if q.has(*states)]
     if not found:
         return (expression,)
     modulus = min(found, key=sp.default_sort_key)
     stand_in = sp.Dummy()
     expanded = sp.expand(expression.xreplace({modulus: stand_in}))
     weight = sp.diff(expanded, stand_in)
-    if weight.has(stand_in, x, v, forcing) or not weight.is_nonpositive:
+    if weight.has(stand_in, *states) or not weight.is_nonpositive:
         raise SceneError(f"got {expression}, expected a bound - Abs(...)")
     return tuple(
         part
         for sign in (1, -1)
-        for part in without_modulus(expanded.xreplace({stand_in: sign * modulus.args[0]}))
+        for part in without_modulus(
+            expanded.xreplace({stand_in: sign * modulus.args[0]}), states
+        )
     )

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from .body_check import scales_of_body
 from .data import SceneData
 from .error import SceneError
 from .linear import LinearPhase, linear_phase
@@ -19,6 +20,8 @@ def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     SceneError
         If one of them cannot be worked out.
     """
+    if scene.body is not None:
+        return scales_of_body(scene)
     memory = [q.symbol for q in scene.memory]
     free = [linear_phase(phase, memory) for phase in scene.phases if phase.held is None]
     given = {name: sp.sympify(value) for name, value in scene.scales.items()}

@@ -45,6 +45,9 @@ class Scene(SceneData):
         a case, in its parameters or as numbers in SI units.  ``nonsmooth digits`` goes there.
     motion : str
         Which of several motions these `phases` are; see `of_motion`.
+    body : Body, optional
+        What moves, if it is not one mass: the equations of the phases are then the laws of
+        its contact.
 
     Raises
     ------

@@ -16,6 +16,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from .data import Phase, SceneData, v, x
 from .error import SceneError
+from .law import contact_class
 from .linear import fixed, linear_phase, state_row
 
 #: Derivatives that are looked at; a phase that differs from the next differs in these.
@@ -138,6 +139,8 @@ def _order(
     scene: SceneData, left: Phase, right: Phase, sign: int, values: Mapping[sp.Symbol, sp.Expr]
 ) -> int | None:
     """Return the k of a switch for values of some parameters; None where nothing changes."""
+    if scene.body is not None:
+        return contact_class(scene, left, right, sign, values)
     jump = dict(left.ends.jump)
     if jump and sp.simplify((jump.get(v, v) - v).subs(values)) != 0:
         return 0

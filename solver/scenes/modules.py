@@ -35,10 +35,11 @@ def module_of(path: Path, kept: Kept | None = None) -> types.ModuleType:
 
 
 def with_code(files: Kept, folder: Path) -> Kept:
-    """Return the texts of modules, and beside each what Python compiles of it in `folder`."""
+    """Return files, and beside each module what Python compiles of it in `folder`."""
     codes = {
         place.removesuffix(".py") + CODE: MAGIC + marshal.dumps(_compiled(folder / place, text))
         for place, text in files.items()
+        if place.endswith(".py")
     }
     return {**files, **codes}
 

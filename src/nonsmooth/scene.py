@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .codegen.scene import (
+        Body,
         Event,
         Memory,
         Parameter,
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from .solver.scenes.loaded import LoadedScene
 
 __all__ = [
-    "Event", "Memory", "Parameter", "Phase", "Scene", "SceneError",
+    "Body", "Event", "Memory", "Parameter", "Phase", "Scene", "SceneError",
     "a", "find", "forcing", "t", "v", "x",
 ]  # fmt: skip
 

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 PATIENCE = 2.0
 
 
-def derive(scene: "Scene", where: str, say: Say) -> dict[str, str]:
-    """Return the text of each generated file of a scene, by name.
+def derive(scene: "Scene", where: str, say: Say) -> dict[str, str | bytes]:
+    """Return the content of each generated file of a scene, by name.
 
     Parameters
     ----------
@@ -34,11 +34,11 @@ def derive(scene: "Scene", where: str, say: Say) -> dict[str, str]:
 
     check_name(scene.name, where)
     say(f"deriving the equations of {scene.name}, this once")
-    files: dict[str, str] = {}
+    files: dict[str, str | bytes] = {}
     last = time.monotonic()
     try:
-        for name, text in scene_sources(scene):
-            files[name] = text
+        for name, content in scene_sources(scene):
+            files[name] = content
             if time.monotonic() - last > PATIENCE:
                 last = time.monotonic()
                 say(f"deriving {scene.name}: {name.removesuffix('.py')} done")

@@ -43,7 +43,7 @@ def stored(key: str) -> Path | None:
         return None  # `keep` says why
 
 
-def keep(key: str, files: Mapping[str, str], say: Say) -> Path:
+def keep(key: str, files: Mapping[str, str | bytes], say: Say) -> Path:
     """Write the kernels of a scene and return their folder.
 
     Where the cache cannot be written, or others could, they go into a temporary folder, for
@@ -54,7 +54,7 @@ def keep(key: str, files: Mapping[str, str], say: Say) -> Path:
     key : str
         Of the scene; the name of the folder.
     files : mapping of str to str
-        Text by name of file.
+        Content by name of file.
     say : callable
         Told where the cache cannot be written, and what is replaced there.
     """
@@ -92,7 +92,7 @@ def _is_whole(folder: Path) -> bool:
     return True
 
 
-def _put(files: Mapping[str, str], target: Path, say: Say) -> None:
+def _put(files: Mapping[str, str | bytes], target: Path, say: Say) -> None:
     """Write a folder beside its place and put it there, unless another's is there already."""
     temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=".making-"))
     try:
@@ -112,7 +112,7 @@ def _put(files: Mapping[str, str], target: Path, say: Say) -> None:
         shutil.rmtree(temporary, ignore_errors=True)
 
 
-def _for_now(key: str, files: Mapping[str, str]) -> Path:
+def _for_now(key: str, files: Mapping[str, str | bytes]) -> Path:
     try:
         temporary = Path(tempfile.mkdtemp(prefix="nonsmooth-scene-"))
         atexit.register(shutil.rmtree, temporary, ignore_errors=True)
@@ -125,8 +125,11 @@ def _for_now(key: str, files: Mapping[str, str]) -> Path:
     return temporary / key
 
 
-def _write(files: Mapping[str, str], folder: Path, target: Path) -> None:
+def _write(files: Mapping[str, str | bytes], folder: Path, target: Path) -> None:
     """Write a folder that is to become `target`."""
     folder.mkdir(mode=0o700)
-    texts = {name: text.encode() for name, text in files.items()}
-    sealed.write(with_code(texts, target.resolve()), folder)
+    contents = {
+        name: content.encode() if isinstance(content, str) else content
+        for name, content in files.items()
+    }
+    sealed.write(with_code(contents, target.resolve()), folder)

@@ -1,0 +1,243 @@
+"""A body: a linear structure of several degrees of freedom, and the contacts on it, as data."""
+
+import hashlib
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from .data import a, v, x
+from .error import SceneError, named
+
+#: The force that a contact exerts on the body along its displacement, in N.
+force = sp.Symbol("force", real=True)
+
+#: What the symbols of a contact are in, in the order of `Contact.symbols`.
+UNITS = ("m", "m/s", "N", "m/s^2")
+
+
+@dataclass(frozen=True)
+class Contact:
+    """What laws, events and demands know of one contact of a body.
+
+    Parameters
+    ----------
+    name : str
+    x, v, a : Symbol
+        The displacement ``w^T q``, its velocity and acceleration.
+    force : Symbol
+        What acts on the body along ``w``: ``M q'' + C q' + K q = f cos + w force``.
+    """
+
+    name: str
+    x: sp.Symbol
+    v: sp.Symbol
+    a: sp.Symbol
+    force: sp.Symbol
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """All of them, in the order of linear forms."""
+        return self.x, self.v, self.force, self.a
+
+
+@dataclass(frozen=True, eq=False)
+class Entries:
+    """The entries of a matrix that are not zero.
+
+    Parameters
+    ----------
+    shape : (int, int)
+    rows, columns : ndarray of int
+    values : ndarray of float, or tuple of Expr
+        Numbers, or expressions in the parameters.
+    """
+
+    shape: tuple[int, int]
+    rows: npt.NDArray[np.int64]
+    columns: npt.NDArray[np.int64]
+    values: Any
+
+    @property
+    def is_numeric(self) -> bool:
+        """Whether no parameter is in it."""
+        return isinstance(self.values, np.ndarray)
+
+    @property
+    def digest(self) -> str:
+        """A hash of what it is."""
+        numbers = self.values.tobytes() if self.is_numeric else sp.srepr(self.values).encode()
+        parts = repr(self.shape).encode(), self.rows.tobytes(), self.columns.tobytes(), numbers
+        return hashlib.sha256(b"\0".join(parts)).hexdigest()
+
+    def dense(self) -> npt.NDArray[Any]:
+        """Return the matrix in full, of numbers or of expressions."""
+        found = np.zeros(self.shape, dtype=float if self.is_numeric else object)
+        found[self.rows, self.columns] = self.values
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A linear body: ``M q'' + C q' + K q = forcing * cos(Omega t + phi) + w force``.
+
+    Parameters
+    ----------
+    M, K : array_like, sparse array or Matrix, shape (n, n)
+        Mass in kg and stiffness in N/m, symmetric; M positive definite.  Numbers, or a
+        `sympy.Matrix` with the parameters of the scene.
+    at : mapping of str to array_like, shape (n,)
+        The contacts: ``w`` of each, which picks its displacement.  Then ``body.at["tip"]`` has
+        the symbols ``x``, ``v``, ``a`` and ``force`` for laws, events and demands.
+    forcing : array_like, shape (n,), optional
+        Amplitudes of the force on each degree of freedom in N.
+    C : array_like, shape (n, n), optional
+        Damping in N s/m, of any form; or
+    ratio : float or Symbol, optional
+        the damping ratio of every mode.  Without both the body is not damped.
+    modes : int or Symbol, optional
+        How many modes are kept, the lowest; without it all.
+
+    Raises
+    ------
+    SceneError
+        Naming the argument that is wrong, what was found and what was expected.
+
+    Examples
+    --------
+    >>> chain = Body(M=[[1, 0], [0, 1]], K=[[2, -1], [-1, 1]], ratio=0.02, at={"end": [0, 1]})
+    >>> chain.at["end"].x, chain.size
+    (x, 2)
+    """
+
+    M: Any
+    K: Any
+    at: Mapping[str, Any] = field(kw_only=True)
+    forcing: Any = field(default=None, kw_only=True)
+    C: Any = field(default=None, kw_only=True)
+    ratio: Any = field(default=None, kw_only=True)
+    modes: Any = field(default=None, kw_only=True)
+
+    def __post_init__(self) -> None:
+        arrays: dict[str, Entries] = {}
+        size = np.shape(self.M)[0] if np.ndim(self.M) == 2 or hasattr(self.M, "tocoo") else 0
+        for name in ("M", "C", "K"):
+            if getattr(self, name) is not None:
+                arrays[name] = entries(f"body: {name}", getattr(self, name), (size, size))
+        if self.C is not None and self.ratio is not None:
+            raise SceneError("body: got C and ratio, expected one of them")
+        if self.forcing is not None:
+            arrays["forcing"] = entries("body: forcing", self.forcing, (size, 1))
+            if not len(arrays["forcing"].rows):
+                raise SceneError("body: forcing: got only zeros, on no degree of freedom")
+        if not isinstance(self.at, Mapping) or not self.at:
+            raise SceneError('body: at: expected a mapping {"name": vector}, one at least')
+        columns = [entries(f"body: at {name!r}", w, (size, 1)) for name, w in self.at.items()]
+        for name, column in zip(self.at, columns, strict=True):
+            if not len(column.rows) or not column.is_numeric:
+                raise SceneError(f"body: at {name!r}: expected numbers, not all zero")
+        arrays["at"] = _beside_each_other(columns)
+        contacts = {name: _contact(i, name) for i, name in enumerate(self.at)}
+        object.__setattr__(self, "at", contacts)
+        object.__setattr__(self, "_arrays", arrays)
+        _check_number("ratio", self.ratio, 0.0, math.inf)
+        _check_number("modes", self.modes, 1, size)
+
+    @property
+    def arrays(self) -> Mapping[str, Entries]:
+        """M, K, C, forcing as far as they are given, and ``at``, a column a contact."""
+        found: Mapping[str, Entries] = self.__dict__["_arrays"]
+        return found
+
+    @property
+    def size(self) -> int:
+        """Degrees of freedom."""
+        return self.arrays["M"].shape[0]
+
+    @cached_property
+    def symbols(self) -> set[sp.Symbol]:
+        """The parameters in it."""
+        found: set[sp.Symbol] = set()
+        for values in (q.values for q in self.arrays.values() if not q.is_numeric):
+            found |= set().union(*(value.free_symbols for value in values))
+        return found | {q for q in (self.ratio, self.modes) if isinstance(q, sp.Symbol)}
+
+
+def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
+    """Return the entries of a matrix or of a vector that are not zero.
+
+    Raises
+    ------
+    SceneError
+        If it is not of this shape, or has what is neither a finite number nor an expression.
+    """
+    if hasattr(value, "tocoo"):
+        sparse = value.tocoo()
+        rows, columns = (sparse.coords if len(sparse.shape) == 2 else (sparse.coords[0], [0]))
+        values, found = sparse.data, sparse.shape
+    else:
+        full = np.asarray(value.tolist() if isinstance(value, sp.MatrixBase) else value)
+        full = full[:, None] if full.ndim == 1 else full
+        found = full.shape
+        places = np.nonzero(full) if full.ndim == 2 else ([], [])
+        (rows, columns), values = places, full[places] if full.ndim == 2 else []
+    if tuple(found) != shape or not shape[0]:
+        size = " x ".join(map(str, found))
+        raise SceneError(f"{field_}: got {size} entries, expected {shape[0]} x {shape[1]}")
+    kept = [np.asarray(q, dtype=np.int64) for q in (rows, columns)]
+    return Entries(shape, *kept, _values(field_, np.asarray(values)))
+
+
+def _values(field_: str, values: npt.NDArray[Any]) -> Any:
+    """Return the values of entries: as floats, or as expressions if one has a symbol."""
+    with named(field_):
+        if values.dtype == object:
+            found = tuple(sp.sympify(value) for value in values)
+            if any(value.free_symbols for value in found):
+                if any(value.has(sp.I, sp.nan, sp.oo, sp.zoo) for value in found):
+                    raise SceneError("expected real and finite entries")
+                return found
+            values = np.array([complex(value) for value in found])
+        if np.iscomplexobj(values) and not values.imag.any():
+            values = values.real
+        real = np.isrealobj(values) and np.issubdtype(values.dtype, np.number)
+        if not real or not np.isfinite(values).all():
+            raise SceneError("expected real and finite numbers")
+    return np.asarray(values, dtype=float)
+
+
+def _beside_each_other(columns: list[Entries]) -> Entries:
+    """Return columns as one matrix."""
+    rows = np.concatenate([q.rows for q in columns])
+    places = np.concatenate([np.full(len(q.rows), i) for i, q in enumerate(columns)])
+    values = np.concatenate([q.values for q in columns])
+    return Entries((columns[0].shape[0], len(columns)), rows, places, values)
+
+
+def _contact(index: int, name: str) -> Contact:
+    """Return the symbols of a contact; the first has those of a scene of one mass."""
+    if not (isinstance(name, str) and name.isidentifier()):
+        raise SceneError(f"body: at: got {name!r}, expected the name of a contact")
+    if index == 0:
+        return Contact(name, x, v, a, force)
+    return Contact(name, *(sp.Symbol(f"{q}_{name}", real=True) for q in (x, v, a, force)))
+
+
+def _check_number(name: str, value: Any, least: float, most: float) -> None:
+    """Check the number of modes, or the damping ratio."""
+    if value is None or isinstance(value, sp.Symbol):
+        return
+    whole = name != "modes" or float(value) == int(value) if _is_number(value) else False
+    if not whole or not least <= value <= most:
+        kind = "a number not below 0" if name == "ratio" else f"a whole number, 1 to {most}"
+        raise SceneError(f"body: {name}: got {value!r:.40}, expected {kind}, or a parameter")
+
+
+def _is_number(value: Any) -> bool:
+    number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
+    return number and math.isfinite(value)

@@ -1,0 +1,210 @@
+"""What is checked of a scene with a body: its matrices, the laws of its contacts."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from .body import UNITS, Body, Entries
+from .data import Phase, SceneData, forcing
+from .error import SceneError, check_kind, named
+from .law import form, law_rows, laws, place
+from .linear import without_modulus
+from .units import Dimension, balance, dimension_of, spelled
+
+Units = Mapping[sp.Symbol, Dimension]
+
+#: What a difference of two entries may be, as a part of the largest entry.
+ROUNDING = 1e-12
+
+#: Degrees of freedom up to which matrices are looked at in full.
+DENSE = 2000
+
+
+def units_of_contacts(body: Body) -> dict[sp.Symbol, Dimension]:
+    """Return the units of the symbols of the contacts of a body."""
+    each = (zip(q.symbols, UNITS, strict=True) for q in body.at.values())
+    return {symbol: dimension_of(unit) for pairs in each for symbol, unit in pairs}
+
+
+def check_body(scene: SceneData, units: Units) -> None:
+    """Check the body of a scene, with the defaults of its parameters.
+
+    Raises
+    ------
+    SceneError
+        Naming the matrix that is wrong, and how.
+    """
+    body = scene.body
+    if not isinstance(body, Body):
+        raise SceneError(f"body: got {body!r:.60}, expected a Body")
+    known = {q.symbol: q.default for q in scene.parameters}
+    strange = sorted(body.symbols - set(known), key=str)
+    if strange:
+        raise SceneError(f"body: {strange[0]} is not a parameter of the scene")
+    for name, number in (("ratio", body.ratio), ("modes", body.modes)):
+        if isinstance(number, sp.Symbol) and units[number] != dimension_of(""):
+            raise SceneError(f"body: {name}: {number} has a unit, expected a pure number")
+    if ("forcing" in body.arrays) and scene.frequency is None:
+        raise SceneError("body: it has forcing, but the scene has no frequency")
+    with named("body"):
+        _check_units(body, units)
+    found = {name: at_defaults(q, known) for name, q in body.arrays.items()}
+    for name in ("M", "K"):
+        _check_symmetric(name, found[name])
+    _check_positive(found["M"])
+
+
+def at_defaults(matrix: Entries, known: Mapping[sp.Symbol, float]) -> Entries:
+    """Return a matrix with the default parameters put in."""
+    if matrix.is_numeric:
+        return matrix
+    values = np.array([float(q.subs(known)) for q in matrix.values])
+    return Entries(matrix.shape, matrix.rows, matrix.columns, values)
+
+
+def _check_symmetric(name: str, matrix: Entries) -> None:
+    import scipy.sparse as sparse  # noqa: PLC0415  (a scene of one mass needs none)
+
+    full = sparse.coo_array((matrix.values, (matrix.rows, matrix.columns)), matrix.shape)
+    off = np.abs((full - full.T).data).max(initial=0.0)
+    if off > ROUNDING * np.abs(matrix.values).max(initial=0.0):
+        raise SceneError(f"body: {name}: it is not symmetric, by {off:.3g}")
+
+
+def _check_positive(matrix: Entries) -> None:
+    """Check that the mass matrix is positive definite, by its factors."""
+    if matrix.shape[0] <= DENSE:
+        try:
+            np.linalg.cholesky(matrix.dense())
+        except np.linalg.LinAlgError:
+            raise SceneError("body: M: it is not positive definite") from None
+        return
+    from scipy.sparse import csc_array, linalg  # noqa: PLC0415
+
+    full = csc_array((matrix.values, (matrix.rows, matrix.columns)), shape=matrix.shape)
+    how: dict[str, Any] = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
+    try:
+        factors = linalg.splu(full, permc_spec="MMD_AT_PLUS_A", **how)
+    except RuntimeError:
+        raise SceneError("body: M: it is singular, expected a positive definite one") from None
+    if not (factors.U.diagonal() > 0).all():
+        raise SceneError("body: M: it is not positive definite")
+
+
+def _check_units(body: Body, units: Units) -> None:
+    """Check that M, C, K are a power of time apart wherever parameters stand in two of them."""
+    found: dict[tuple[int, int], Dimension] = {}
+    for power, name in enumerate(("M", "C", "K")):
+        matrix = body.arrays.get(name)
+        if matrix is None or matrix.is_numeric:
+            continue
+        for i, j, value in zip(matrix.rows, matrix.columns, matrix.values, strict=True):
+            if not value.free_symbols:
+                continue
+            with named(f"{name}[{i}, {j}]"):
+                mass, length, time = balance(sp.expand(value), units)
+            unit = mass, length, time + power
+            first = found.setdefault((int(i), int(j)), unit)
+            if first != unit:
+                raise SceneError(
+                    f"{name}[{i}, {j}] is in {spelled((mass, length, time))}, which is not "
+                    "that of M, N s/m for kg in C and N/m in K"
+                )
+
+
+def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
+    """Check one phase of a body by itself.
+
+    Raises
+    ------
+    SceneError
+        Naming the field that is wrong.
+    """
+    field, memory = f"phase {phase.name}", [q.symbol for q in scene.memory]
+    contacts = list(scene.body.at.values())
+    fields = [
+        *(("equation", law) for law in laws(phase)),
+        ("ends", phase.ends.zero),
+        *((f"demand {words!r}", q) for words, q in phase.demands.items()),
+        *((f"ends: demand {words!r}", q) for words, q in phase.ends.demands.items()),
+    ]
+    for name, expression in fields:
+        with named(f"{field}: {name}"):
+            value = sp.sympify(expression)
+            check_kind(value, memory, modulus="demand" in name)
+            if value.has(forcing) and scene.frequency is None:
+                raise SceneError("it has forcing, but the scene has no frequency")
+            balance(sp.expand(value), units)
+            for part in without_modulus(value, _states(scene)):
+                row = form(part, scene, f"{field}: {name}")
+            if name == "ends" and not any(c != 0 for i, c in enumerate(row) if i != 3):
+                raise SceneError(f"{expression} depends on no displacement, velocity or force")
+    rows = law_rows(phase, scene)
+    for symbol, value in phase.ends.jump.items():
+        with named(f"{field}: jump"):
+            if symbol not in [q.v for q in contacts]:
+                raise SceneError(f"got a jump of {symbol}, expected one of {contacts[0].v}")
+            row = form(value, scene, f"{field}: jump")
+            kept = {3, place(scene.body, symbol)}
+            if any(c != 0 for i, c in enumerate(row) if i not in kept):
+                raise SceneError(f"got {value}, expected the velocity {symbol} alone in it")
+    if phase.held is not None:
+        with named(f"{field}: held"):
+            speed = sp.sympify(phase.held)
+            if len(contacts) > 1:
+                raise SceneError("a body with several contacts cannot be held yet")
+            alone = place(scene.body, contacts[0].a)
+            if any(c != 0 for i, c in enumerate(rows[0]) if i != alone):
+                raise SceneError(f"got the equation {phase.equation}, expected {contacts[0].a}")
+            if speed != 0 and balance(speed, units) != dimension_of("m/s"):
+                raise SceneError(f"{speed} is not a velocity")
+    elif any(row[place(scene.body, q.force)] == 0 for q, row in zip(contacts, rows, strict=True)):
+        raise SceneError(f"{field}: equation: it has no force: say the speed at which it is held")
+
+
+def _states(scene: SceneData) -> tuple[sp.Symbol, ...]:
+    """Return the symbols in which demands are linear."""
+    each = (q.symbols for q in scene.body.at.values())
+    return (*(symbol for symbols in each for symbol in symbols), forcing)
+
+
+def scales_of_body(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Return the units of mass, time and length of a body, in the parameters and SI numbers.
+
+    The mass that its first contact picks; ``1/Omega``, or what the stiffness there gives; what
+    the forcing amounts to in that time, or the distance that a held contact travels.
+
+    Raises
+    ------
+    SceneError
+        If one cannot be worked out.
+    """
+    given = {name: sp.sympify(value) for name, value in scene.scales.items()}
+    mass = given.get("mass", _at_contact(scene.body, "M"))
+    time = given.get("time") or (1 / scene.frequency if scene.frequency else None)
+    time = time or sp.sqrt(mass / _at_contact(scene.body, "K"))
+    length = given.get("length")
+    if length is None and "forcing" in scene.body.arrays:
+        size = sp.sqrt(sp.Add(*(sp.sympify(q) ** 2 for q in scene.body.arrays["forcing"].values)))
+        length = sp.simplify(size) * time**2 / mass
+    speeds = [p.held for p in scene.phases if p.held is not None and p.held != 0]
+    if length is None and speeds:
+        length = sp.Abs(speeds[0]) * time
+    if length is None:
+        raise SceneError("scales: no length can be worked out (no forcing, no held speed): give it")
+    return mass, time, length
+
+
+def _at_contact(body: Body, name: str) -> sp.Expr:
+    """Return ``w^T M w`` or ``w^T K w`` of the first contact."""
+    column = body.arrays["at"].dense()[:, 0]
+    matrix = body.arrays[name]
+    return sp.Add(
+        *(
+            sp.sympify(value) * column[i] * column[j]
+            for i, j, value in zip(matrix.rows, matrix.columns, matrix.values, strict=True)
+            if column[i] and column[j]
+        )
+    )

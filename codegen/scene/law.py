@@ -1,0 +1,183 @@
+"""The laws of contacts: what the phases of a body say of its contact forces, as linear forms.
+
+A form is of ``x, v, cos, 1, force, a`` of the first contact, then of ``x, v, force, a`` of each
+other, then of each memory.  The class of continuity follows from the laws alone: the first
+derivative of a contact force that jumps, two orders below that of its displacement.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from .body import Body
+from .data import Phase, SceneData, forcing
+from .error import SceneError, check_linear, named
+
+#: Derivatives of the force that are looked at.
+HIGHEST = 6
+
+
+def signals(body: Body) -> tuple[sp.Symbol | sp.Integer, ...]:
+    """Return what forms are of, in their order, without the memory."""
+    first, *others = body.at.values()
+    more = (symbol for contact in others for symbol in contact.symbols)
+    return (first.x, first.v, forcing, sp.Integer(1), first.force, first.a, *more)
+
+
+def form(
+    expression: sp.Expr, scene: SceneData, what: str, memory: bool = True
+) -> tuple[sp.Expr, ...]:
+    """Return a linear form in the signals of a scene's body and, with it, in its memory.
+
+    Raises
+    ------
+    SceneError
+        If `expression` is not one; the message begins with `what`.
+    """
+    own = [q.symbol for q in scene.memory] if memory else []
+    known = [*signals(scene.body), *own]
+    symbols = [q for q in known if q != 1]
+    expanded = sp.expand(sp.sympify(expression))
+    with named(what):
+        check_linear(expanded, symbols)
+    found = {q: sp.diff(expanded, q) for q in symbols}
+    rest = sp.expand(expanded - sum(c * q for q, c in found.items()))
+    return tuple(sp.factor_terms(found.get(q, rest)) for q in known)
+
+
+def laws(phase: Phase) -> tuple[sp.Expr, ...]:
+    """Return the laws of a phase, one a contact."""
+    found = phase.equation
+    return tuple(found) if isinstance(found, tuple | list) else (found,)
+
+
+def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
+    """Return the laws of a phase as linear forms, one a contact.
+
+    Raises
+    ------
+    SceneError
+        If there are not as many as contacts, or one does not say what the force is.
+    """
+    field, found = f"phase {phase.name}: equation", laws(phase)
+    contacts = list(scene.body.at.values())
+    if len(found) != len(contacts):
+        raise SceneError(f"{field}: got {len(found)} laws for {len(contacts)} contacts")
+    rows = [form(law, scene, field) for law in found]
+    for contact, row in zip(contacts, rows, strict=True):
+        f, a = (place(scene.body, q) for q in (contact.force, contact.a))
+        if row[f] == 0 and row[a] == 0:
+            raise SceneError(
+                f"{field}: it says nothing of the force at {contact.name}: expected a law with "
+                f"{contact.force}, or {contact.a} of a held contact"
+            )
+    return rows
+
+
+def place(body: Body, symbol: sp.Symbol) -> int:
+    """Return the place of a symbol in forms."""
+    return signals(body).index(symbol)
+
+
+def contact_class(
+    scene: SceneData, left: Phase, right: Phase, sign: int, values: Mapping[sp.Symbol, sp.Expr]
+) -> int | None:
+    """Return the k of a switch between two phases of ``scene.cell``; None if nothing changes.
+
+    Parameters
+    ----------
+    scene : SceneData
+    left, right : Phase
+    sign : int
+        What the motion is multiplied by there.
+    values : mapping of Symbol to Expr
+        Of some parameters.
+    """
+    jump = dict(left.ends.jump)
+    if any(sp.simplify((after - q).subs(values)) != 0 for q, after in jump.items()):
+        return 0
+    known = sp.Matrix(list(_known(scene, left, right, sign))).subs(values)
+    for order in range(HIGHEST):
+        before = _forces(scene, left, order, sign, "before")
+        after = _forces(scene, right, order, 1, "after")
+        jumps = sp.Matrix(after).subs(values) - sp.Matrix(before).subs(values)
+        both = DomainMatrix.from_Matrix(sp.Matrix.vstack(known, jumps)).to_field()
+        rows = both[: known.rows, :]
+        if both.rank() > rows.rank():
+            return order + 1
+    return None
+
+
+def _width(scene: SceneData) -> int:
+    """Return how many columns rows have: derivatives, held forces, cos, sin, 1, memory."""
+    return len(scene.body.at) * 3 * (HIGHEST + 3) + 3 + len(scene.memory)
+
+
+def _row(
+    scene: SceneData, given: Sequence[sp.Expr], order: int, sign: int, side: str
+) -> list[sp.Expr]:
+    """Return the derivative of a form by time, its forces as unknowns of their side."""
+    found = [sp.Integer(0)] * _width(scene)
+    body, omega = scene.body, scene.frequency or sp.Integer(0)
+    for i, contact in enumerate(body.at.values()):
+        base = 3 * (HIGHEST + 3) * i
+        for shift, symbol in ((0, contact.x), (1, contact.v), (2, contact.a)):
+            found[base + order + shift] += given[place(body, symbol)]
+        free = base + (HIGHEST + 3) * (1 if side == "before" else 2)
+        found[free + order] += given[place(body, contact.force)]
+    tail = len(body.at) * 3 * (HIGHEST + 3)
+    turned = order % 4
+    found[tail + turned % 2] = given[2] * omega**order * (1, -1, -1, 1)[turned]
+    if order == 0:
+        found[tail + 2] = sign * given[3]
+        for i, factor in enumerate(given[len(signals(body)) :]):
+            found[tail + 3 + i] = sign * factor
+    return found
+
+
+def _forces(
+    scene: SceneData, phase: Phase, order: int, sign: int, side: str
+) -> list[list[sp.Expr]]:
+    """Return a derivative of each contact force of a phase; of a held one it is an unknown."""
+    found = []
+    for contact, row in zip(scene.body.at.values(), law_rows(phase, scene), strict=True):
+        at = place(scene.body, contact.force)
+        factor = row[at]
+        if factor == 0:
+            own = [sp.Integer(q == at) for q in range(len(row))]
+        else:
+            own = [sp.Integer(0) if q == at else -c / factor for q, c in enumerate(row)]
+        found.append(_row(scene, own, order, sign, side))
+    return found
+
+
+def _known(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[sp.Expr]]:
+    """Return the rows that vanish at a switch, in the frame of its right side."""
+    event = form(left.ends.zero, scene, f"phase {left.name}: ends")
+    known = [[sign * q for q in _row(scene, event, 0, sign, "before")]]
+    for q, force_row in zip(laws(left), _forces(scene, left, 0, sign, "before"), strict=True):
+        own = form(q, scene, "law")
+        if all(own[place(scene.body, c.force)] == 0 for c in scene.body.at.values()):
+            continue  # held: its force is an unknown
+        contact = list(scene.body.at.values())[laws(left).index(q)]
+        unit = [sp.Integer(i == place(scene.body, contact.force)) for i in range(len(own))]
+        free = _row(scene, unit, 0, 1, "before")
+        known.append([f - r for f, r in zip(free, force_row, strict=True)])
+    tail = len(scene.body.at) * 3 * (HIGHEST + 3)
+    for phase, side in ((left, sign), (right, 1)):
+        if phase.held is not None:
+            speed = [sp.Integer(0)] * _width(scene)
+            speed[1], speed[tail + 2] = sp.Integer(1), -side * sp.sympify(phase.held)
+            known.append(speed)
+    if left.held is not None:
+        for order in range(2, HIGHEST + 3):
+            still = [sp.Integer(0)] * _width(scene)
+            still[order] = sp.Integer(1)
+            known.append(still)
+    for i, q in enumerate(scene.memory):
+        if q.at == right.name:
+            row = form(q.value, scene, f"memory {q.symbol}", memory=False)
+            known.append(_row(scene, (*row, *[sp.Integer(0)] * len(scene.memory)), 0, 1, "x"))
+            known[-1][tail + 3 + i] = sp.Integer(-1)
+    return known
