@@ -52,7 +52,9 @@ def units_of(
     UnitsError
         Naming the unit or the parameter, and its value.
     """
-    rough = _powers_of_four(scene.powers, values)
+    rough: Powers = (1.0, 1.0, 1.0)  # matrices in SI units are in the formulas of a body
+    if not scene.has_body:
+        rough = _powers_of_four(scene.powers, values)
     near = tuple(map(lambda v, p: _in_units(v, p, rough), values, scene.powers))
     try:
         mass, time, length = map(float, scene.numbers("scales", near))

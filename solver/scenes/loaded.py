@@ -174,6 +174,11 @@ class LoadedScene:
         return bool(self.module.HALF_PERIOD)
 
     @property
+    def has_body(self) -> bool:
+        """Whether what moves is a body of several degrees of freedom, and not one mass."""
+        return hasattr(self.module, "CONTACTS")
+
+    @property
     def has_start(self) -> bool:
         """Whether it says in which state its first phase begins."""
         return hasattr(self.module, "start")

@@ -1,0 +1,104 @@
+"""The flow of a body in one phase, in the eigenbasis of that phase."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from .laws import Lawful
+from .modal import BodyError, Complex
+
+#: Condition of an eigenbasis beyond which it keeps too few digits.
+WORST = 1e9
+
+
+@dataclass(frozen=True, eq=False)
+class Flow:
+    """``y' = A y + inputs (cos, sin, 1, memory)`` in the eigenbasis of A.
+
+    Parameters
+    ----------
+    poles : ndarray of complex, shape (n,)
+    basis, inverse : ndarray of complex, shape (n, n)
+    inputs : ndarray of complex, shape (n, 3 + M)
+        In the basis.
+    omega : float
+        Angular frequency of cos and sin.
+    """
+
+    poles: Complex
+    basis: Complex
+    inverse: Complex
+    inputs: Complex
+    omega: float
+
+    def matrix(self, t: float) -> Matrix:
+        """Return ``exp(A t)``."""
+        return np.asarray(((self.basis * np.exp(self.poles * t)) @ self.inverse).real)
+
+    def driven(self, t: float) -> Matrix:
+        """Return what the inputs make of rest in a time; shape (n, 3 + M), by input.
+
+        The first two columns are by the cosine and the sine of the angle that the forcing has
+        at the beginning: their sum with these as factors is the answer to the forcing.
+        """
+        return np.asarray((self.basis @ self._driven(t)).real)
+
+    def _driven(self, t: float) -> Complex:
+        found = self.inputs * steady(self.poles, 0.0, t)[:, None]
+        up, down = (steady(self.poles, sign * self.omega, t) for sign in (1.0, -1.0))
+        half, other = (up + down) / 2, (up - down) / 2j  # answers to cos and sin of Omega t
+        cos, sin = self.inputs[:, 0], self.inputs[:, 1]
+        found[:, 0], found[:, 1] = cos * half + sin * other, sin * half - cos * other
+        return np.asarray(found)
+
+    def at(self, y: Vector, inputs: Vector, t: Vector) -> Matrix:
+        """Return the state at times from its start; shape (n, len(t)).
+
+        `inputs` are the cosine and the sine at the start, 1 and the memory.
+        """
+        start = (self.inverse @ y)[:, None]
+        turns = [steady(self.poles[:, None], q * self.omega, t[None, :]) for q in (1, -1, 0)]
+        half, other = (turns[0] + turns[1]) / 2, (turns[0] - turns[1]) / 2j
+        cos, sin = self.inputs[:, 0], self.inputs[:, 1]
+        by_cos, by_sin = cos * inputs[0] + sin * inputs[1], sin * inputs[0] - cos * inputs[1]
+        constant = self.inputs[:, 2:] @ inputs[2:]
+        moved = start * np.exp(self.poles[:, None] * t[None, :])
+        moved += by_cos[:, None] * half + by_sin[:, None] * other + constant[:, None] * turns[2]
+        return np.asarray((self.basis @ moved).real)
+
+
+def flow_of(lawful: Lawful, omega: float) -> Flow:
+    """Return the flow of a phase.
+
+    Raises
+    ------
+    BodyError
+        If its eigenvectors are too near to each other.
+    """
+    poles, basis = np.linalg.eig(lawful.A)
+    poles, basis = poles.astype(complex), basis.astype(complex)
+    if np.linalg.cond(basis) > WORST:
+        raise BodyError(
+            "two poles of the body are one (a mode without stiffness and damping, or with "
+            "exactly critical damping): change its damping a little"
+        )
+    inverse = np.linalg.inv(basis)
+    return Flow(poles, basis, inverse, inverse @ lawful.inputs, omega)
+
+
+def steady(poles: Complex, omega: float, t: float | Vector) -> Complex:
+    """Return ``int_0^t e^(s (t - r)) e^(i omega r) dr``, at a resonance as well."""
+    apart = 1j * omega - poles
+    turned = apart * t
+    small = np.abs(turned) < 1.0
+    with np.errstate(all="ignore"):
+        far = (np.exp(1j * omega * t) - np.exp(poles * t)) / apart
+        near = np.exp(poles * t) * t * _phi(np.where(small, turned, 1.0))
+    return np.asarray(np.where(small, near, far))
+
+
+def _phi(z: Complex) -> Complex:
+    """Return ``(e^z - 1)/z`` for moderate z."""
+    safe = np.where(z == 0, 1.0, z)
+    return np.where(z == 0, 1.0, np.expm1(safe) / safe)

@@ -1,0 +1,157 @@
+"""A body under the laws of its contacts in one phase: what is seen of its state.
+
+The state is ``y = (w eta, eta')`` of each mode, scaled so that both parts are velocities; w is
+the mode's frequency.  What a linear form is of, and the contact forces that the laws give, are
+rows over ``Y = (y, cos, sin, 1, memory)``.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from .modal import BodyError, Modal
+
+if TYPE_CHECKING:
+    from ..scenes.body_cell import BodyCell, BodyPhase
+
+#: The rate at which a held contact returns to its speed, over the frequency of the forcing: on
+#: an orbit it begins at that speed, and the rate only keeps two poles of it apart.
+RETURN = 1.0
+
+#: By what a mode that moves freely is scaled where nothing forces, as a part of the fastest.
+SLOWEST = 1e-3
+
+#: What the determinant of the laws may be, as a part of its size, where they give no force.
+SINGULAR = 1e-13
+
+
+@dataclass(frozen=True, eq=False)
+class Free:
+    """A body without its contact forces.
+
+    Parameters
+    ----------
+    A : ndarray, shape (2 m, 2 m)
+        ``y' = A y + F cos + B force``.
+    B : ndarray, shape (2 m, c)
+    rows : ndarray, shape (S, 2 m + 3 + M)
+        What forms are of, the forces left out.
+    by_force : ndarray, shape (S, c)
+        What the forces add to that.
+    inputs : ndarray, shape (2 m, 3 + M)
+        ``F cos``, by cos, sin, 1, memory.
+    """
+
+    A: Matrix
+    B: Matrix
+    rows: Matrix
+    by_force: Matrix
+    inputs: Matrix
+
+
+@dataclass(frozen=True, eq=False)
+class Lawful:
+    """A body in one phase, its contact forces by their laws.
+
+    Parameters
+    ----------
+    A : ndarray, shape (2 m, 2 m)
+        ``y' = A y + inputs (cos, sin, 1, memory)``.
+    inputs : ndarray, shape (2 m, 3 + M)
+    rows : ndarray, shape (S + M, 2 m + 3 + M)
+        What forms are of, the memory included.
+    force : ndarray, shape (c, 2 m + 3 + M)
+        The contact forces.
+    """
+
+    A: Matrix
+    inputs: Matrix
+    rows: Matrix
+    force: Matrix
+
+
+def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
+    """Return where x, v, force and a of each contact are in a form.
+
+    Examples
+    --------
+    >>> places(2)
+    ([0, 6], [1, 7], [4, 8], [5, 9])
+    """
+    more = [6 + 4 * i for i in range(contacts - 1)]
+    return (
+        [0, *more],
+        [1, *(q + 1 for q in more)],
+        [4, *(q + 2 for q in more)],
+        [5, *(q + 3 for q in more)],
+    )
+
+
+def scales(body: Modal, omega: float) -> Vector:
+    """Return the frequency by which each mode is scaled."""
+    own = np.sqrt(np.abs(body.squares))
+    return np.maximum(own, omega or SLOWEST * float(own.max()))
+
+
+@lru_cache(maxsize=64)
+def free(body: Modal, omega: float, memory: int) -> Free:
+    """Return a body without its contact forces, with so many constants of memory."""
+    count, contacts = body.at.shape
+    w, zero = scales(body, omega), np.zeros((count, count))
+    A = np.block([[zero, np.diag(w)], [-np.diag(body.squares / w), -body.damping]])
+    B = np.vstack([np.zeros((count, contacts)), body.at])
+    inputs = np.zeros((2 * count, 3 + memory))
+    inputs[count:, 0] = body.forcing
+    x, v, f, a = places(contacts)
+    size = 2 + 4 * contacts
+    rows = np.zeros((size, 2 * count + 3 + memory))
+    by_force = np.zeros((size, contacts))
+    turn = 2 * count
+    rows[2, turn] = rows[3, turn + 2] = 1.0
+    rows[x, :count], rows[v, count:turn] = (body.at / w[:, None]).T, body.at.T
+    rows[a, :turn], rows[a, turn] = body.at.T @ A[count:], body.at.T @ body.forcing
+    for order, places_ in enumerate((x, v, a)):  # Re(h (i Omega)^j e^(i theta))
+        h = body.beyond * (1j * omega) ** order
+        rows[places_, turn] += h.real
+        rows[places_, turn + 1] -= h.imag
+    by_force[x], by_force[a], by_force[f] = body.residual, body.kept_mobility, np.eye(contacts)
+    return Free(A, B, rows, by_force, inputs)
+
+
+def lawful(cell: "BodyCell", p: int) -> Lawful:
+    """Return the body in a phase of a cell.
+
+    Raises
+    ------
+    BodyError
+        If the laws of the phase do not fix the contact forces.
+    """
+    assert cell.body is not None
+    memory, phase = len(cell.memory), cell.carrying(p)
+    own = free(cell.body, cell.omega, memory)
+    laws = law_matrix(cell, phase)
+    size = len(own.rows)
+    known = laws[:, :size] @ own.rows
+    known[:, known.shape[1] - memory :] += laws[:, size:]
+    left = laws[:, :size] @ own.by_force
+    if abs(np.linalg.det(left)) <= SINGULAR * np.prod(np.abs(laws).max(axis=1)):
+        raise BodyError(f"{phase.name}: its law does not fix the contact force")
+    force = -np.linalg.solve(left, known)
+    rows = own.rows + own.by_force @ force
+    rows = np.vstack([rows, np.eye(rows.shape[1])[rows.shape[1] - memory :]])
+    states = own.A.shape[0]
+    A = own.A + own.B @ force[:, :states]
+    return Lawful(A, own.inputs + own.B @ force[:, states:], rows, force)
+
+
+def law_matrix(cell: "BodyCell", phase: "BodyPhase") -> Matrix:
+    """Return the laws of a phase, one a row; of a held contact, that it returns to its speed."""
+    found = np.array(phase.laws)
+    if phase.held:
+        found[0] /= found[0, 5]
+        found[0, 1] += RETURN * (cell.omega or 1.0)
+        found[0, 3] -= RETURN * (cell.omega or 1.0) * phase.speed
+    return found

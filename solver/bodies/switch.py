@@ -1,0 +1,86 @@
+"""What a switch makes of the state of a body: impulses, and the memory that it sets."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arrays import Matrix
+from .laws import free, places
+
+if TYPE_CHECKING:
+    from ..scenes.body_cell import BodyCell
+
+
+@dataclass(frozen=True, eq=False)
+class Switch:
+    """The affine map of ``X = (y, memory)`` at the end of a phase.
+
+    Parameters
+    ----------
+    state : ndarray, shape (n, n)
+    inputs : ndarray, shape (n, 3)
+        Of cos, sin, 1 there.
+    event : ndarray, shape (n + 3,)
+        The event that ends the phase, over ``(y, cos, sin, 1, memory)``.
+    """
+
+    state: Matrix
+    inputs: Matrix
+    event: Matrix
+
+
+def impulses(cell: "BodyCell", p: int) -> tuple[Matrix, Matrix]:
+    """Return ``J = N v + d``, the impulses of the contacts at the end of a phase.
+
+    ``mobility J = (rho - 1) v + d`` at each contact whose velocity jumps.  Where the next phase
+    is held, what is left of its velocity is taken away too: nothing on an orbit.
+
+    Returns
+    -------
+    by_velocity : ndarray, shape (c, c)
+    constant : ndarray, shape (c,)
+    """
+    assert cell.body is not None
+    phase, contacts = cell.phases[p], cell.body.at.shape[1]
+    last = p == len(cell.phases) - 1
+    after = cell.phases[0 if last else p + 1]
+    by_velocity, constant = np.zeros((contacts, contacts)), np.zeros(contacts)
+    mobility = cell.body.kept_mobility if after.held else cell.body.mobility
+    jumps = list(phase.jumps)
+    if after.held:
+        jumps[0] = (0.0, (cell.sign if last else 1) * after.speed)
+    hit = [i for i, jump in enumerate(jumps) if jump != (1.0, 0.0)]
+    if hit:
+        inverse = np.linalg.inv(mobility[np.ix_(hit, hit)])
+        rho, d = np.array([jumps[i] for i in hit]).T
+        by_velocity[np.ix_(hit, hit)] = inverse * (rho - 1)
+        constant[hit] = inverse @ d
+    return by_velocity, constant
+
+
+def switch(cell: "BodyCell", p: int, rows: Matrix) -> Switch:
+    """Return the switch at the end of a phase, in which forms are of these `rows`."""
+    assert cell.body is not None
+    memory, contacts = len(cell.memory), cell.body.at.shape[1]
+    own = free(cell.body, cell.omega, memory)
+    states, width = own.A.shape[0], own.rows.shape[1]
+    event = np.array(cell.carrying(p).event) @ rows
+    after = np.eye(states + memory, width)  # over (y, cos, sin, 1, memory)
+    after[states:] = np.eye(width)[width - memory :]
+    by_velocity, constant = impulses(cell, p)
+    velocity = own.rows[places(contacts)[1]]
+    after[:states] += own.B @ by_velocity @ velocity
+    after[:states, states + 2] += own.B @ constant
+    following = (p + 1) % len(cell.phases)
+    for i, each in enumerate(cell.memory):
+        if each.phase == following:
+            size = len(own.rows)
+            seen = own.rows.copy()
+            form, sign = np.array(each.value[:size]), cell.sign if following == 0 else 1
+            form = form * np.where(np.arange(size) == 3, sign, 1)  # of the mirrored state
+            seen[:, :states] = seen[:, :states] @ after[:states, :states]
+            seen[:, states:] += own.rows[:, :states] @ after[:states, states:]
+            after[states + i] = form @ seen
+    kept = [*range(states), *range(states + 3, width)]
+    return Switch(after[:, kept], after[:, states : states + 3], event)

@@ -1,0 +1,186 @@
+"""The cell of a body: the laws of its contacts, and the body in its modes, without units."""
+
+import io
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy import sparse
+
+from ..bodies.modal import BodyError, Modal, modal
+from .cell import Cell, Form, Memory, Phase
+from .dimensionless import Units
+from .parameter_error import ParameterError
+
+if TYPE_CHECKING:
+    from .case import Case
+    from .loaded import LoadedScene
+
+#: The file of a body's matrices, in the folder of its scene.
+MATRICES = "body.npz"
+
+#: Entries of a form for the first contact, the forcing and 1; and for each other contact.
+FIRST, OTHER = 6, 4
+
+
+@dataclass(frozen=True, eq=False)
+class BodyPhase(Phase):
+    """One phase of a body: the laws of its contacts in place of an equation of motion.
+
+    A form is of ``x, v, cos, 1, force, a`` of the first contact, then of ``x, v, force, a`` of
+    each other, then of each memory.
+
+    Parameters
+    ----------
+    laws : tuple of Form
+        Zero in the phase; one a contact.
+    jumps : tuple of (float, float)
+        Velocity of each contact after the switch at the end: ``rho v + d``.
+    """
+
+    laws: tuple[Form, ...] = ()
+    jumps: tuple[tuple[float, float], ...] = ()
+
+    def remembering(self, values: Sequence[float]) -> "BodyPhase":
+        """Return the phase with numbers for the memory: forms without its entries."""
+        if not self.memory:
+            return self
+        width = self.width
+
+        def put(form: Form) -> Form:
+            more = float(np.dot(form[width:], values))
+            return (*form[:3], form[3] + more, *form[4:width])
+
+        return replace(self.with_forms(put), memory=())
+
+    @property
+    def width(self) -> int:
+        """Entries of a form, those of the memory left out."""
+        return FIRST + OTHER * (len(self.laws) - 1)
+
+    def with_forms(self, put: Callable[[Form], Form]) -> "BodyPhase":
+        """Return the phase with another form in the place of each."""
+        found = super().with_forms(put)
+        assert isinstance(found, BodyPhase)
+        return replace(found, laws=tuple(map(put, self.laws)))
+
+
+@dataclass(frozen=True, eq=False)
+class BodyCell(Cell):
+    """A cell whose phases are those of a body, and the body itself."""
+
+    body: Modal | None = None
+
+    def carrying(self, p: int) -> BodyPhase:
+        """Return a phase whose factors of the memory are for its values as a motion has them."""
+        phase = self.phases[p]
+        assert isinstance(phase, BodyPhase)
+        signs = np.array([self.sign if p < each.phase else 1 for each in self.memory])
+        width = phase.width
+        return phase.with_forms(lambda form: (*form[:width], *(form[width:] * signs)))
+
+    def place(self, p: int) -> float | None:
+        """Return None: a body is at no one place."""
+        return None
+
+
+def body_cell(case: "Case") -> BodyCell:
+    """Return the cell of a case of a body, of one motion, in the units of the case.
+
+    Raises
+    ------
+    ParameterError
+        If its parameters make no body.
+    """
+    scene, numbers = case.scene, case.numbers
+    module, width = scene.module, len(scene.module.CONTACTS)
+    rows = zip(
+        scene.kinds,
+        scene.numbers("laws", numbers),
+        scene.numbers("held", numbers),
+        scene.numbers("events", numbers),
+        scene.numbers("jumps", numbers),
+        zip(module.DEMANDS, scene.numbers("demands", numbers), strict=True),
+        zip(module.SWITCH_DEMANDS, scene.numbers("switch_demands", numbers), strict=True),
+        strict=True,
+    )
+    phases = tuple(
+        BodyPhase(
+            name,
+            *(1.0, 0.0, 0.0, 0.0, 0.0),
+            held=held,
+            speed=float(speed),
+            event=_form(event),
+            rho=float(jump[0]),
+            d=float(jump[1]),
+            demands=tuple(zip(words, map(_form, demands), strict=True)),
+            switch_demands=tuple(zip(at_switch, map(_form, there), strict=True)),
+            memory=(0.0,) * len(scene.memory),
+            laws=tuple(map(_form, laws)),
+            jumps=tuple((float(jump[2 * i]), float(jump[2 * i + 1])) for i in range(width)),
+        )
+        for (name, held), laws, speed, event, jump, (words, demands), (at_switch, there) in rows
+    )
+    values = scene.numbers("memory", numbers)
+    memory = tuple(
+        Memory(name, phase, power, _form(value))
+        for (name, phase, power, _), value in zip(scene.memory, values, strict=True)
+    )
+    names = [parameter.name for parameter in scene.parameters]
+    frequency = None if scene.frequency is None else numbers[names.index(scene.frequency)]
+    guess, sign = tuple(map(float, scene.numbers("guess", numbers))), -1 if scene.half_period else 1
+    body = _body(scene, tuple(case.values.values()), case.units, frequency or 0.0)
+    return BodyCell(
+        phases, frequency, sign, scene.k, guess, case.cycles, memory, scene.classes, body=body
+    )
+
+
+@lru_cache(maxsize=64)
+def _body(
+    scene: "LoadedScene", values: tuple[float, ...], units: Units, frequency: float
+) -> Modal:
+    """Return the body for parameters in SI units, in the units of a case."""
+    ratio, modes = scene.numbers("modal", values)
+    try:
+        if modes is not None and (modes != int(modes) or modes < 1):
+            raise BodyError(f"modes: got {modes!r}, expected a whole number from 1")
+        matrices = _matrices(scene, values, units)
+        size = matrices["M"].shape[0]
+        if modes is not None and modes > size:
+            raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
+        return modal(matrices, ratio, None if modes is None else int(modes), frequency)
+    except BodyError as error:
+        raise ParameterError([f"body: {error}"]) from None
+
+
+def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> dict[str, Any]:
+    """Return the matrices of a body as sparse arrays without units."""
+    kept = None if scene.kept is None else scene.kept[MATRICES]
+    source: Any = scene.folder / MATRICES if kept is None else io.BytesIO(kept)
+    given: dict[str, list[tuple[int, int, float]]] = {}
+    for name, i, j, value in scene.numbers("entries", values):
+        given.setdefault(name, []).append((i, j, float(value)))
+    sizes = {
+        "M": units.mass,
+        "C": units.mass / units.time,
+        "K": units.mass / units.time**2,
+        "forcing": units.mass * units.length / units.time**2,
+        "at": 1.0,
+    }
+    found = {}
+    with np.load(source) as file:
+        for name in (q.removesuffix("_shape") for q in file.files if q.endswith("_shape")):
+            shape = tuple(map(int, file[f"{name}_shape"]))
+            if name in given:
+                rows, columns, entries = map(np.array, zip(*given[name], strict=True))
+            else:
+                rows, columns, entries = file[f"{name}_rows"], file[f"{name}_columns"], file[name]
+            scaled = np.asarray(entries, dtype=float) / sizes[name]
+            found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
+    return found
+
+
+def _form(row: Sequence[float]) -> Form:
+    return tuple(map(float, row))
