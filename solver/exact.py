@@ -60,7 +60,7 @@ def settled_orbit(case: Case) -> ExactOrbit | None:
 
     None if there is none, or a motion is asked for.
     """
-    if case.scene.motion is not None:
+    if case.scene.motion is not None or case.scene.has_body:
         return None
     found = (from_times(each, times) for each, times in settled_cases(case))
     return next((q for q in found if q.outcome.converged and q.admissible), None)
@@ -96,6 +96,8 @@ def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
     Of an order that is not declared, those of a simulation come first.  Where it is shown that
     there is no orbit, a simulation says what there is instead.
     """
+    if case.scene.has_body:
+        return  # all that is known was looked at
     found, undeclared = known(case), isinstance(case.scene, OrderedScene)
     rough = islice(rough_times(case.cell), PATIENCE if found.listed else None)
     if not (undeclared or found.none):

@@ -34,6 +34,7 @@ def condition(motion: Motion) -> float:
     """
     cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
     z = unknowns_of(motion)
+    z = kernel.times(z) if kernel.condensed else z
     J = np.empty((len(z), len(z)))
     kernel.jacobian(cell, z, J)
     J /= np.abs(J).max(axis=1, keepdims=True)

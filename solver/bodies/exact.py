@@ -100,19 +100,52 @@ def rates(part: Part, X: Vector, angle: float) -> Vector:
     return found
 
 
+def later(angle: float) -> Matrix:
+    """Return the matrix that turns `wave` on by an angle."""
+    cos, sin = np.cos(angle), np.sin(angle)
+    return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
+
+
+Maps = list[tuple[Matrix, Matrix]]
+
+
+def _closed(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix]:
+    """Return the inverse that closes the cell, and where it begins by the first `wave`."""
+    size = len(maps[0][0])
+    closed, offset = np.eye(size), np.zeros((size, 3))
+    for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
+        across = part.switch.state
+        offset = along @ offset + by_wave @ later(turns[p])
+        offset = across @ offset + part.switch.inputs @ later(turns[p + 1])
+        closed = across @ (along @ closed)
+    back = np.linalg.inv(np.eye(size) - cell.sign * closed) * cell.sign
+    return back, back @ offset
+
+
+def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
+    """Return the events at given durations as ``A cos(phi) + B sin(phi) + C``; shape (P, 3)."""
+    parts = parts_of(cell)
+    turns = cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
+    maps = [phase_map(part, float(s)) for part, s in zip(parts, durations, strict=True)]
+    _, X = _closed(cell, maps, turns)
+    found = np.empty((len(parts), 3))
+    for p, (part, (along, by_wave)) in enumerate(zip(parts, maps, strict=True)):
+        states = part.lawful.A.shape[0]
+        X = along @ X + by_wave @ later(turns[p])
+        there, event = later(turns[p + 1]), part.switch.event
+        found[p] = event[:states] @ X[:states] + event[states + 3 :] @ X[states:]
+        found[p] += event[states : states + 3] @ there
+        X = part.switch.state @ X + part.switch.inputs @ there
+    return found
+
+
 def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     parts, count = parts_of(cell), len(cell.phases)
     theta = angles_of(cell, times)
     maps = [phase_map(part, float(s)) for part, s in zip(parts, times, strict=False)]
     size = len(maps[0][0])
-    closed, offset = np.eye(size), np.zeros(size)
-    for p, (part, (along, by_wave)) in enumerate(zip(parts, maps, strict=True)):
-        across = part.switch.state
-        offset = along @ offset + by_wave @ wave(theta[p])
-        offset = across @ offset + part.switch.inputs @ wave(theta[p + 1])
-        closed = across @ (along @ closed)
-    back = np.linalg.inv(np.eye(size) - cell.sign * closed) * cell.sign
-    X = back @ offset
+    back, begins = _closed(cell, maps, theta - theta[0])
+    X = begins @ wave(theta[0])
     starts, residual = np.empty((count, size)), np.empty(count)
     turns = _turns(cell, count, len(times))
     moving, by_times = np.zeros((size, len(times))), []

@@ -147,6 +147,29 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
     return Lawful(A, own.inputs + own.B @ force[:, states:], rows, force)
 
 
+def under(cell: "BodyCell", p: int, seen: Vector, sign: int) -> Vector:
+    """Return what forms are of behind a switch, by the laws of phase `p`.
+
+    Parameters
+    ----------
+    cell : BodyCell
+        With numbers for its memory.
+    p : int
+    seen : ndarray, shape (S,)
+        What they are of before it.
+    sign : int
+        What the motion is multiplied by there.
+    """
+    assert cell.body is not None
+    phase = cell.phases[p]
+    own = free(cell.body, cell.omega, 0)
+    mirrored = np.where(np.arange(len(seen)) == 3, seen, sign * seen)
+    forces = places(cell.body.at.shape[1])[2]
+    rest = mirrored - own.by_force @ mirrored[forces]
+    laws = law_matrix(cell, phase)
+    return np.asarray(rest - own.by_force @ np.linalg.solve(laws @ own.by_force, laws @ rest))
+
+
 def law_matrix(cell: "BodyCell", phase: "BodyPhase") -> Matrix:
     """Return the laws of a phase, one a row; of a held contact, that it returns to its speed."""
     found = np.array(phase.laws)

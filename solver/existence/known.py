@@ -18,9 +18,10 @@ from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..orbit.motion import Motion
+from ..scenes.body_cell import BodyCell
 from ..scenes.case import Case
 from ..stability.monodromy import NoMultipliersError
-from . import one_phase, two_phases
+from . import bodies, one_phase, two_phases
 
 #: Differences of times, as parts of a cell, below which two solutions are one.
 SAME = 1e-11
@@ -71,6 +72,9 @@ def known(case: Case) -> Known:
     (1, 1, True)
     """
     cell = case.cell
+    if isinstance(cell, BodyCell):
+        found = list(bodies.solutions(case))
+        return replace(_sorted(found, bodies.complete(cell)), listed=True)
     if one_phase.applies(cell):
         closed = one_phase.solutions(cell)
         infinite = not (closed.none or closed.found)

@@ -74,7 +74,9 @@ def _refusals(found: Known) -> tuple[str, ...]:
 def not_decided(case: Case) -> Iterator[str]:
     """Yield why the solutions of the exact equations are not all known, where they may be."""
     found = known(case)
-    if found.infinite:
+    if case.scene.has_body:
+        yield from _refusals(found) if found.refused else ("no solution was found",)
+    elif found.infinite:
         why = _resonance(case, case.cell.phases[0])
         words = "the equations have infinitely many solutions, none isolated"
         yield f"{words}{why and f': {why}'}"

@@ -19,10 +19,11 @@ from ...generated import ck
 from ...generated.ck import FREE, MEMORY, C, F, G, K, M, angles, joint_rates, joints
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import iterate_scene
-from ..kernels import linking
+from ..kernels import bodies, linking
 from ..kernels.family import Family
 from ..kernels.kernel import Kernel, pays
 from ..scenes.arrays import Arrays, arrays_of
+from ..scenes.body_cell import BodyCell
 from ..scenes.cell import Cell
 from . import divided, flow, responses
 from .responses import by_force, by_forcing, by_start
@@ -127,6 +128,8 @@ def arrays(cell: Cell) -> Arrays:
 
 def exact_kernel(cell: Cell) -> Kernel:
     """Return the exact equations of a cell; the case of its functions is the cell."""
+    if isinstance(cell, BodyCell):
+        return bodies.exact_kernel(cell)
     count, account = len(cell.phases), FAMILY.account_of(__name__)
     of = FAMILY.compiled(__name__) if pays(account, 1) else FAMILY.plain(__name__)
     return Kernel(

@@ -48,6 +48,8 @@ class Kernel:
         What it has cost as plain Python; None of what is compiled, or has no other form.
     starts : bool
         Whether the scene's start is imposed in place of the event that ends the first phase.
+    signals : callable, optional
+        Of a body, ``signals(given, z, p, u)``: all that linear forms are of.
     """
 
     method: str
@@ -64,6 +66,7 @@ class Kernel:
     condensed: bool = False
     account: Account | None = None
     starts: bool = False
+    signals: Callable[[Any, Vector, int, Vector], Matrix] | None = None
 
     def times(self, z: Vector) -> Vector:
         """Return the durations and, if the scene is forced, the phase of the forcing."""

@@ -77,7 +77,7 @@ def class_one(scene: LoadedScene, method: str) -> str | None:
     None where it has no such conditions of its own, or the scene is not smoother.
     """
     found = about(method)
-    smoother = not found.is_series and not found.unseen and scene.k > 1
+    smoother = not found.is_series and not found.unseen and scene.k > 1 and not scene.has_body
     return with_class_one(method) if smoother else None
 
 
@@ -131,6 +131,10 @@ def _kernel(
     from . import polynomials, series  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
     wanted = generic_method(scene, method)
+    if scene.has_body:
+        from . import bodies  # noqa: PLC0415  (SciPy)
+
+        return bodies.series_kernel(scene, wanted)
     name, found = without_class(wanted), about(wanted)
     known = found.functions or (None,)
     if number not in known:

@@ -17,7 +17,7 @@ import numpy as np
 from ..arrays import Vector
 from ..scenes.cell import Form
 from . import chebyshev
-from .admissible import ROUNDING, Allowance
+from .admissible import ROUNDING, Allowance, only_rounding
 from .extremes import LOOK
 from .forms import scale_of
 from .motion import Motion
@@ -75,5 +75,29 @@ def by_residual(orbit: Motion) -> Allowance:
         velocity, displacement = errors()
         error = abs(form[0]) * displacement + abs(form[1]) * velocity
         return min(MOST, max(ROUNDING, FACTOR * error / scale)) if scale else ROUNDING
+
+    return allowed
+
+
+def by_neighbour(orbit: Motion, near: Motion | None) -> Allowance:
+    """Return what demands of a body's orbit may fall below 0: twice what it differs by there.
+
+    Parameters
+    ----------
+    orbit : Motion
+    near : Motion, optional
+        The exact solution next to it.
+    """
+    if near is None:
+        return only_rounding
+
+    @cache
+    def apart(p: int) -> Vector:
+        return np.abs(orbit.signals(p, LOOK) - near.signals(p, LOOK)).max(axis=1)
+
+    def allowed(p: int, form: Form) -> float:
+        scale = scale_of(orbit, p, form)
+        off = float(np.abs(form) @ apart(p))
+        return min(MOST, max(ROUNDING, FACTOR * off / scale)) if scale else ROUNDING
 
     return allowed

@@ -9,6 +9,8 @@ is crossed from beyond, as by a mass that comes back through the place where it 
 import numpy as np
 
 from ..arrays import Vector
+from ..bodies.laws import places, under
+from ..scenes.body_cell import BodyCell
 from ..scenes.cell import Form
 from . import chebyshev
 from .forms import scale_of, terms
@@ -81,6 +83,8 @@ def _is_a_switch(orbit: Motion, p: int, u: float, allowed: float) -> bool:
         return True
     last = p == len(cell.phases) - 1
     sign, following = (cell.sign if last else 1), cell.phases[0 if last else p + 1]
+    if isinstance(cell, BodyCell):
+        return _begins(orbit, p, u, allowed)
     begun = np.sum(orbit.cell_durations[:p]) + u * orbit.cell_durations[p]
     angle = orbit.angle + cell.omega * float(begun)
     x, v = (sign * float(orbit.part(p, at, j)[0]) for j in (0, 1))
@@ -91,5 +95,30 @@ def _is_a_switch(orbit: Motion, p: int, u: float, allowed: float) -> bool:
         near = abs(value) <= allowed * scale_of(orbit, p, form)
         rate = float(np.dot(form[:3], (v, a, turned)))
         if (rate if near else value) < 0:
+            return False
+    return True
+
+
+def _begins(orbit: Motion, p: int, u: float, allowed: float) -> bool:
+    """Return whether the phase that follows in a body can begin at a local time of phase `p`.
+
+    What it demands of its force is looked at where it is not near its limit alone.
+    """
+    cell, count = orbit.cell, len(orbit.cell.phases)
+    assert isinstance(cell, BodyCell) and cell.body is not None
+    q, sign = (p + 1, 1) if p + 1 < count else (0, cell.sign)
+    seen = under(cell, q, orbit.signals(p, np.array([u]))[:, 0], sign)
+    x, v, force, a = places(cell.body.at.shape[1])
+    rates, angle = np.zeros(len(seen)), orbit.angle + cell.omega * float(
+        np.sum(orbit.cell_durations[:p]) + u * orbit.cell_durations[p]
+    )
+    rates[x], rates[v], rates[2] = seen[v], seen[a], -sign * cell.omega * np.sin(angle)
+    for _, form in cell.phases[q].demands:
+        value, size = float(np.dot(form, seen)), float(np.abs(form) @ orbit.sizes[q])
+        near = abs(value) <= allowed * size
+        unknown = any(form[place] for place in (*force, *a))
+        if value < 0 and not near:
+            return False
+        if near and not unknown and float(np.dot(form, rates)) < 0:
             return False
     return True

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..arrays import Vector
+from ..arrays import Matrix, Vector
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome, newton
 from ..kernels.kernel import Kernel
@@ -62,6 +62,11 @@ class ExactOrbit(Motion):
         """Return a derivative of the displacement on phase `p` of the cell, without units."""
         return self._kernel.motion(self.case.cell, self.outcome.unknowns, p, u, derivative)
 
+    def signals(self, p: int, u: Vector) -> Matrix:
+        """Return what linear forms are of on phase `p`, of a body; shape (S, len(u))."""
+        assert self._kernel.signals is not None
+        return self._kernel.signals(self.case.cell, self.outcome.unknowns, p, u)
+
     @cached_property
     def violations(self) -> tuple[str, ...]:
         """What keeps the solution from being an orbit, in words."""
@@ -100,6 +105,8 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     """Return where Newton's method leads from rough times: an orbit only if it says so."""
     kernel = exact_kernel(case.cell)
     times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
+    if kernel.condensed:
+        return of_unknowns(case, np.append(np.zeros(kernel.size(1) - len(times)), times))
     with nullcontext() if kernel.account is None else kernel.account.spending():
         z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
     return of_unknowns(case, z)

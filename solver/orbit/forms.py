@@ -10,6 +10,8 @@ from .motion import Motion
 def terms(orbit: Motion, p: int, form: Form, u: Vector) -> Vector:
     """Return the terms of a linear form in the state, at local times of a phase."""
     cell, durations = orbit.cell, orbit.cell_durations
+    if orbit.case.scene.has_body:
+        return np.asarray(np.array(form)[:, None] * orbit.signals(p, u))
     angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
     cosine = np.cos(angle + cell.omega * durations[p] * u)
     x, v, cos, constant = form

@@ -133,6 +133,10 @@ class Motion(Shown):
         """Return what `part` does, computed anew."""
         raise NotImplementedError
 
+    def signals(self, p: int, u: Vector) -> Matrix:
+        """Return what linear forms are of on phase `p`, of a body; shape (S, len(u))."""
+        raise NotImplementedError
+
     @cached_property
     def _parts(self) -> dict[tuple[int, int, bytes], Vector]:
         return {}
@@ -175,9 +179,13 @@ class Motion(Shown):
     def sizes(self) -> Matrix:
         """Sizes of x, x', the cosine of the forcing and 1 on each phase, without units.
 
+        Of a body those of all `signals`.
+
         The largest of 65 values on each, enough for a scale.
         """
         cell, durations = self.case.cell, self.cell_durations
+        if self.case.scene.has_body:
+            return np.array([np.abs(self.signals(p, LOOK)).max(axis=1) for p in self._of_cell])
         found = np.ones((len(cell.phases), 4))
         for p, s in enumerate(durations):
             angle = self.angle + cell.omega * float(np.sum(durations[:p]))

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Vector
+from ..arrays import Matrix, Vector
 from ..iteration.newton import Outcome
 from ..kernels import registry
 from ..kernels.kernel import Kernel
@@ -14,7 +14,7 @@ from ..kernels.start import RoughTimes
 from ..scaling import product_of_powers
 from ..scenes.case import Case
 from . import admissible
-from .allowance import by_residual
+from .allowance import by_neighbour, by_residual
 from .errors import Errors, difference
 from .exact_orbit import ExactOrbit, from_times
 from .motion import Motion
@@ -80,6 +80,11 @@ class Solution(Motion):
         values = self._kernel.motion(self._given, self.unknowns, p, u, derivative)
         return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
 
+    def signals(self, p: int, u: Vector) -> Matrix:
+        """Return what linear forms are of on phase `p`, of a body; shape (S, len(u))."""
+        assert self._kernel.signals is not None
+        return self._kernel.signals(self._given, self.unknowns, p, u)
+
     @property
     def memory_values(self) -> tuple[float, ...]:
         """What the switches set, without units, in the order of the cell's memory."""
@@ -122,13 +127,25 @@ class Solution(Motion):
         is not an orbit, neither is this.  Functions that begin at switches resolve the end of a
         phase to about one part in 2 N where its event is not imposed.
         """
+        if self.case.scene.has_body:
+            return self._far or self.own_violations or self._disproof
         return self.own_violations or self._disproof
 
     @cached_property
     def own_violations(self) -> tuple[str, ...]:
         """What keeps it from being one by its own motion; the exact one is not asked."""
+        if self.case.scene.has_body:
+            return admissible.violations(self, by_neighbour(self, self._exact_solution))
         unmet = 1 / (2 * self.order) if self._kernel.starts else 0.0
         return admissible.violations(self, by_residual(self), unmet)
+
+    @cached_property
+    def _far(self) -> tuple[str, ...]:
+        """What keeps a solution of a body from being judged: no exact one is next to it."""
+        near = self._exact_solution
+        if near is not None and difference(self, near, self.order).times <= FAR:
+            return ()
+        return ("no exact solution is next to it: the order does not resolve the contact",)
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:

@@ -25,7 +25,7 @@ MATRICES = "body.npz"
 FIRST, OTHER = 6, 4
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class BodyPhase(Phase):
     """One phase of a body: the laws of its contacts in place of an equation of motion.
 
@@ -67,7 +67,7 @@ class BodyPhase(Phase):
         return replace(found, laws=tuple(map(put, self.laws)))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class BodyCell(Cell):
     """A cell whose phases are those of a body, and the body itself."""
 

@@ -7,6 +7,7 @@ unless its jump is a combination of the forms known to vanish there.
 import numpy as np
 
 from ..arrays import Matrix, Vector
+from .body_cell import BodyCell
 from .cell import Cell, Phase
 
 #: Derivatives that are looked at: one that is smoother is not told from one without switch.
@@ -18,6 +19,8 @@ ROUNDING = 1e-10
 
 def classes(cell: Cell) -> tuple[int, ...]:
     """Return the k of the class C^k at the switch that begins each phase of a cell."""
+    if isinstance(cell, BodyCell):
+        return cell.classes
     return tuple(_class(cell, p) for p in range(len(cell.phases)))
 
 

@@ -9,6 +9,7 @@ from typing import Any
 from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
+from ..scenes.body_cell import BodyCell
 from ..scenes.cell import Cell
 from ..scenes.orders import Step
 from .nodes import Node, nodes
@@ -62,7 +63,15 @@ class Machine:
 
     @classmethod
     def of(cls, cell: Cell) -> "Machine":
-        """Return the machine of a cell."""
+        """Return the machine of a cell.
+
+        Raises
+        ------
+        ValueError
+            If it is that of a body.
+        """
+        if isinstance(cell, BodyCell):
+            raise ValueError("scene: a body is not simulated yet: `solve` finds its orbits")
         return cls(cell, nodes(cell))
 
     @cached_property

@@ -32,6 +32,8 @@ def is_one_of_a_continuum(motion: "Motion") -> bool:
     motion : Motion
         An orbit: exact, or near an exact one.
     """
+    if motion.case.scene.has_body:
+        return False  # not looked for
     cell = whole_period(motion.case.cell)
     found = _nearest(cell, _unknowns(motion))
     if found is None:

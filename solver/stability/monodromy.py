@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix
+from ..bodies import perturbed
 from ..flow.exact_system import arrays, unknowns_of
+from ..scenes.body_cell import BodyCell
 from ..scenes.cell import Cell
 from .cell_map import cell_map
 
@@ -56,8 +58,13 @@ def monodromy(motion: "Motion") -> Monodromy:
     phases = range(len(cell.phases))
     speed = max(float(np.abs(motion.part(p, LOOK, 1)).max()) for p in phases)
     with np.errstate(all="ignore"):  # an event that is touched is found below
-        given = arrays(cell), unknowns_of(motion), _reached(motion), speed
-        matrix, size, crossed = cell_map(*given)
+        if isinstance(cell, BodyCell):
+            angle = [motion.angle] if cell.forced else []
+            times = np.array([*motion.cell_durations, *angle])
+            matrix, size, crossed = perturbed.cell_map(cell, times)
+        else:
+            given = arrays(cell), unknowns_of(motion), _reached(motion), speed
+            matrix, size, crossed = cell_map(*given)
     for phase, rate in zip(cell.phases, crossed, strict=True):
         if not rate > TOUCH:
             raise NoMultipliersError(

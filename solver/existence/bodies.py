@@ -1,0 +1,166 @@
+"""Solutions of the exact equations of a body, listed as far as its cell allows.
+
+At given durations every event is linear in the cosine and the sine of the forcing's phase.  So
+one phase has a closed form: two solutions or none.  Two phases leave one function of one
+duration, whose sign changes are scanned.  The scan is made on the slow modes alone, where the
+others answer statically; Newton's method takes each root to the whole body.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ..arrays import Matrix
+from ..bodies.exact import events_by_wave
+from ..bodies.modal import Modal
+from ..kernels.start import RoughTimes, rough_times
+from ..orbit.exact_orbit import ExactOrbit, from_times
+
+if TYPE_CHECKING:
+    from ..scenes.body_cell import BodyCell
+    from ..scenes.case import Case
+
+#: Modes that are scanned with: so many, and all below so many times the forcing's frequency.
+SLOW, BELOW = 6, 6.0
+
+#: Durations of the first phase that are looked at: evenly, and closer at both ends.
+EVENLY, AT_ENDS = 160, 40
+
+#: Durations of phases where nothing forces, as parts of the slowest period of the body.
+PARTS = (1.0, 0.7, 0.4, 0.2, 0.1)
+
+#: Shortest duration that is looked at, as a part of the cell.
+SHORTEST = 1e-6
+
+#: Differences of times, as parts of the cell, below which two solutions are one.
+SAME = 1e-7
+
+
+def solutions(case: "Case") -> Iterator[ExactOrbit]:
+    """Yield solutions of the exact equations of a body, orbits or not, each once.
+
+    Parameters
+    ----------
+    case : Case
+        Of a body, of one motion.
+    """
+    found: list[ExactOrbit] = []
+    for start in _starts(case.cell):  # type: ignore[arg-type]
+        solution = from_times(case, start)
+        if not solution.outcome.converged or any(_same(solution, q) for q in found):
+            continue
+        found.append(solution)
+        yield solution
+
+
+def complete(cell: "BodyCell") -> bool:
+    """Whether all solutions of a cell are listed: those of one phase under a forcing."""
+    return cell.forced and len(cell.phases) == 1
+
+
+def slow(cell: "BodyCell") -> "BodyCell":
+    """Return a cell with the slow modes of its body; the others answer statically.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    """
+    body = cell.body
+    assert body is not None
+    speed = np.sqrt(np.abs(body.squares))
+    count = max(SLOW, int((speed <= BELOW * cell.omega).sum()))
+    if count >= len(speed) or not (body.squares[count:] > 0).all():
+        return cell
+    kept, gone = slice(count), slice(count, None)
+    at, square = body.at[gone], body.squares[gone, None]
+    own = Modal(
+        body.squares[kept],
+        body.damping[kept, kept],
+        body.at[kept],
+        body.forcing[kept],
+        body.mobility,
+        body.residual + at.T @ (at / square),
+        body.beyond + (at / square).T @ body.forcing[gone],
+    )
+    return replace(cell, body=own)
+
+
+def _starts(cell: "BodyCell") -> Iterator[RoughTimes]:
+    if not cell.forced:
+        yield from _everywhere(cell)
+    elif len(cell.phases) > 2:
+        yield from rough_times(cell)
+    elif len(cell.phases) == 1:
+        for angle in _angles(*events_by_wave(cell, np.array([cell.duration]))[0]):
+            yield RoughTimes((cell.duration,), angle, "the closed form")
+    else:
+        yield from _scanned(cell)
+
+
+def _everywhere(cell: "BodyCell") -> Iterator[RoughTimes]:
+    """Yield rough durations where nothing forces: long and short against the slowest mode."""
+    assert cell.body is not None
+    slowest = 2 * np.pi / float(np.sqrt(np.abs(cell.body.squares).min() or 1.0))
+    for durations in product(PARTS, repeat=min(len(cell.phases), 2)):
+        more = durations + (PARTS[-1],) * (len(cell.phases) - 2)
+        yield RoughTimes(tuple(slowest * q for q in more), 0.0, "durations all around")
+
+
+def _angles(a: float, b: float, c: float) -> list[float]:
+    """Return the two angles at which ``a cos + b sin + c`` vanishes, or none."""
+    size = float(np.hypot(a, b))
+    if size <= abs(c):
+        return []
+    middle, half = float(np.arctan2(b, a)), float(np.arccos(-c / size))
+    return [(middle - half) % (2 * np.pi), (middle + half) % (2 * np.pi)]
+
+
+def _scanned(cell: "BodyCell") -> Iterator[RoughTimes]:
+    """Yield the times at which both events of two phases vanish, of the slow modes."""
+    quick = slow(cell)
+    even = np.linspace(0, 1, EVENLY + 2)[1:-1]
+    close = np.geomspace(SHORTEST, even[0], AT_ENDS, endpoint=False)
+    parts = np.concatenate([close, even, 1 - close[::-1]])
+
+    def defect(part: float) -> float:
+        (a, b, c), (d, e, f) = _both(quick, part)
+        determinant = a * e - b * d
+        cos, sin = b * f - c * e, c * d - a * f  # times the determinant
+        size = abs(a * e) + abs(b * d) + abs(cos) + abs(sin)
+        return float((cos**2 + sin**2 - determinant**2) / size**2) if size else 0.0
+
+    yield from _symmetric(quick)
+    values = [defect(part) for part in parts]
+    for i in np.flatnonzero(np.diff(np.sign(values))):
+        root = float(brentq(defect, parts[i], parts[i + 1], xtol=1e-12))
+        (a, b, c), (d, e, f) = _both(quick, root)
+        determinant = a * e - b * d
+        angle = np.arctan2((c * d - a * f) / determinant, (b * f - c * e) / determinant)
+        durations = (root * cell.duration, (1 - root) * cell.duration)
+        yield RoughTimes(durations, float(angle) % (2 * np.pi), "a scan of the exact equations")
+
+
+def _symmetric(cell: "BodyCell") -> Iterator[RoughTimes]:
+    """Yield the times of two equal phases whose events are the same condition."""
+    first, second = _both(cell, 0.5)
+    apart = min(np.abs(first - second).max(), np.abs(first + second).max())
+    for angle in _angles(*first) if apart <= SAME else ():
+        yield RoughTimes((cell.duration / 2,) * 2, angle, "two equal phases")
+
+
+def _both(cell: "BodyCell", part: float) -> Matrix:
+    """Return both events at a duration of the first phase, each divided by its size."""
+    found = events_by_wave(cell, cell.duration * np.array([part, 1 - part]))
+    return np.asarray(found / np.maximum(np.abs(found).max(axis=1, keepdims=True), 1e-300))
+
+
+def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
+    """Whether two solutions have the same times."""
+    turn = np.remainder(one.angle - other.angle + np.pi, 2 * np.pi) - np.pi
+    total = float(np.sum(one.cell_durations))
+    off = float(np.abs(one.cell_durations - other.cell_durations).max()) / total
+    return max(off, abs(turn) / (2 * np.pi)) <= SAME
