@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from . import expansions, scenes
-from .emission import method_table as methods
 from .emission import force_series, one_function, phase_maps, scene_numbers, whole_period
+from .emission import method_table as methods
 from .scene import Scene
 from .space import emission as space
 
@@ -56,6 +56,11 @@ def scene_sources(scene: Scene) -> Iterator[tuple[str, Content]]:
         folder = motion.replace("-", "_")
         for name, content in scene_sources(scene.of_motion(motion)):
             yield f"{folder}/{name}", content
+
+
+def encoded(content: Content) -> bytes:
+    """Return the bytes of a generated file."""
+    return content.encode() if isinstance(content, str) else content
 
 
 def _present(folder: Path) -> dict[str, Content]:
@@ -103,7 +108,7 @@ def _replace(path: Path, content: Content) -> None:
     handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(content.encode() if isinstance(content, str) else content)
+            file.write(encoded(content))
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)
     except BaseException:

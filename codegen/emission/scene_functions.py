@@ -7,9 +7,9 @@ import sympy as sp
 
 from ..python_text import python
 from ..scene import Phase, Scene, forcing, linear_phase, state_row, v, x
-from ..scene.body import Body, force
+from ..scene.bodies.body import Body, force
+from ..scene.bodies.law import form, law_rows, place
 from ..scene.extremes import at_extremes
-from ..scene.law import form, law_rows, place
 from ..scene.linear import without_modulus
 from ..scene.scales import scales
 
@@ -94,7 +94,9 @@ def of_phases(scene: Scene) -> Iterator[Function]:
     sides = "m x'' + c x' + k x = f + g cos"
     more = "" if not memory else ", and of each memory on the right side"
     if scene.body is not None:
-        summary = "Return the linear forms that are zero in each phase: the laws of the contacts."
+        summary = (
+            "Return the linear forms that are zero in each phase: the laws of the contacts."
+        )
         yield _nested("laws", summary, [law_rows(p, scene) for p in phases])
         yield from _of_body(scene.body)
     else:
@@ -144,8 +146,12 @@ def _of_body(body: Body) -> Iterator[Function]:
         zip([name] * len(q.rows), q.rows, q.columns, q.values, strict=True)
         for name, q in symbolic.items()
     )
-    rows = (f"({name!r}, {i}, {j}, {python(value)})" for all_ in each for name, i, j, value in all_)
-    yield Function("entries", "Return those entries of matrices that have parameters.", tuple(rows))
+    rows = (
+        f"({name!r}, {i}, {j}, {python(value)})" for all_ in each for name, i, j, value in all_
+    )
+    yield Function(
+        "entries", "Return those entries of matrices that have parameters.", tuple(rows)
+    )
     summary = "Return the damping ratio and the number of modes, if they are given."
     given = (body.ratio, body.modes)
     texts = tuple(python(q) if isinstance(q, sp.Symbol) else repr(q) for q in given)

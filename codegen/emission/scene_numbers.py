@@ -9,7 +9,7 @@ import sympy as sp
 from .. import expansions
 from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
-from ..scene.body import Body
+from ..scene.bodies.body import Body
 from ..scene.memory import power_of_time
 from ..scene.smoothness import classes_of
 from ..scene.units import dimension_of

@@ -56,7 +56,9 @@ def formulas() -> Iterator[Formula]:
     by_parts = 2 * (2 * m + 1) * here + kappa * (unknown - before)
     (up,) = sp.solve(by_parts, unknown)
     words = "``a_(m+1)`` from ``a_(m-1)`` and ``a_m``"
-    yield Formula("next_moment", (m, kappa, before, here), words, before + sp.factor(up - before))
+    yield Formula(
+        "next_moment", (m, kappa, before, here), words, before + sp.factor(up - before)
+    )
     rate = (here + _shifted(m, before, after)) / 2
     words = "the derivative of ``a_m`` by kappa, from its neighbours"
     yield Formula("moment_rate", (m, before, here, after), words, rate)

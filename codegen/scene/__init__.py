@@ -7,7 +7,7 @@ class of continuity at each switch is deduced from the equations of motion.
 Nothing here knows an expansion, and nothing names an oscillator.
 """
 
-from .body import Body
+from .bodies.body import Body
 from .data import Event, Memory, Parameter, Phase, a, forcing, t, v, x
 from .error import SceneError
 from .linear import LinearPhase, State, linear_phase, state_row

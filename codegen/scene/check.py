@@ -4,12 +4,12 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
-from .body_check import check_body, check_contact_phase, units_of_contacts
+from .bodies.check import check_body, check_contact_phase, units_of_contacts
+from .bodies.law import laws
 from .data import STATE_UNITS, Phase, SceneData, forcing, v, x
 from .entries import check_entries
 from .error import SceneError, named
 from .extremes import check_extremes
-from .law import laws
 from .memory import check_memory
 from .names import COMMANDS, check_called, check_name
 from .parameters import check_parameters

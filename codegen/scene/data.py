@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Self
 import sympy as sp
 
 if TYPE_CHECKING:
-    from .body import Body
+    from .bodies.body import Body
 
 t, x, v, a = sp.symbols("t x v a", real=True)
 

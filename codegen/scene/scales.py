@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from .body_check import scales_of_body
+from .bodies.check import scales_of_body
 from .data import SceneData
 from .error import SceneError
 from .linear import LinearPhase, linear_phase

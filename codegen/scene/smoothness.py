@@ -14,9 +14,9 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from .bodies.law import contact_class
 from .data import Phase, SceneData, v, x
 from .error import SceneError
-from .law import contact_class
 from .linear import fixed, linear_phase, state_row
 
 #: Derivatives that are looked at; a phase that differs from the next differs in these.

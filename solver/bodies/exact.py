@@ -1,8 +1,8 @@
 """The exact equations of a cell of a body: unknown are the durations and the forcing's phase.
 
-At given times everything else is linear: the flow of each phase in its eigenbasis, the switches,
-and periodicity, ``X(0) = sigma X(T)`` for the state with its memory.  What is left is one
-equation an event, and the length of the cell.
+At given times everything else is linear: the flow of each phase in its eigenbasis, the
+switches, and periodicity, ``X(0) = sigma X(T)`` for the state with its memory.  What is left is
+one equation an event, and the length of the cell.
 """
 
 from dataclasses import dataclass
@@ -118,8 +118,8 @@ def _closed(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix
         offset = along @ offset + by_wave @ later(turns[p])
         offset = across @ offset + part.switch.inputs @ later(turns[p + 1])
         closed = across @ (along @ closed)
-    back = np.linalg.inv(np.eye(size) - cell.sign * closed) * cell.sign
-    return back, back @ offset
+    back = np.linalg.inv(np.eye(size) - cell.sign * closed) * float(cell.sign)
+    return np.asarray(back, dtype=float), np.asarray(back @ offset, dtype=float)
 
 
 def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:

@@ -84,7 +84,7 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
             "exactly critical damping): change its damping a little"
         )
     inverse = np.linalg.inv(basis)
-    return Flow(poles, basis, inverse, inverse @ lawful.inputs, omega)
+    return Flow(poles, basis, inverse, inverse @ lawful.inputs.astype(complex), omega)
 
 
 def steady(poles: Complex, omega: float, t: float | Vector) -> Complex:

@@ -68,7 +68,7 @@ def _downwards(k: Complex, count: int) -> Complex:
 
 
 def responses(kappa: Complex, count: int) -> Complex:
-    """Return ``Z_mn(kappa)`` for m and n below `count`; shape ``(len(kappa), count, count)``."""
+    """Return ``Z_mn(kappa)`` for m, n below `count`; shape ``(len(kappa), count, count)``."""
     found = np.empty((len(kappa), count, count), dtype=complex)
     up = np.abs(kappa) > 2 * (count + 1)
     found[up] = _responses_upwards(kappa[up], count)

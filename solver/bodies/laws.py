@@ -129,7 +129,6 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
     BodyError
         If the laws of the phase do not fix the contact forces.
     """
-    assert cell.body is not None
     memory, phase = len(cell.memory), cell.carrying(p)
     own = free(cell.body, cell.omega, memory)
     laws = law_matrix(cell, phase)
@@ -144,7 +143,8 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
     rows = np.vstack([rows, np.eye(rows.shape[1])[rows.shape[1] - memory :]])
     states = own.A.shape[0]
     A = own.A + own.B @ force[:, :states]
-    return Lawful(A, own.inputs + own.B @ force[:, states:], rows, force)
+    inputs = np.asarray(own.inputs + own.B @ force[:, states:], dtype=float)
+    return Lawful(np.asarray(A, dtype=float), inputs, rows, np.asarray(force, dtype=float))
 
 
 def under(cell: "BodyCell", p: int, seen: Vector, sign: int) -> Vector:
@@ -160,7 +160,6 @@ def under(cell: "BodyCell", p: int, seen: Vector, sign: int) -> Vector:
     sign : int
         What the motion is multiplied by there.
     """
-    assert cell.body is not None
     phase = cell.phases[p]
     own = free(cell.body, cell.omega, 0)
     mirrored = np.where(np.arange(len(seen)) == 3, seen, sign * seen)
@@ -171,7 +170,7 @@ def under(cell: "BodyCell", p: int, seen: Vector, sign: int) -> Vector:
 
 
 def law_matrix(cell: "BodyCell", phase: "BodyPhase") -> Matrix:
-    """Return the laws of a phase, one a row; of a held contact, that it returns to its speed."""
+    """Return the laws of a phase by row; of a held contact, that it returns to its speed."""
     found = np.array(phase.laws)
     if phase.held:
         found[0] /= found[0, 5]

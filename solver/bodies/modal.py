@@ -57,7 +57,9 @@ class Modal:
     def is_proportional(self) -> bool:
         """Whether the damping does not couple the modes."""
         off = self.damping - np.diag(np.diag(self.damping))
-        return bool(np.abs(off).max(initial=0.0) <= 1e-13 * np.abs(self.damping).max(initial=0.0))
+        return bool(
+            np.abs(off).max(initial=0.0) <= 1e-13 * np.abs(self.damping).max(initial=0.0)
+        )
 
     @property
     def kept_mobility(self) -> Matrix:
@@ -128,7 +130,7 @@ def _modes(M: Any, K: Any, count: int) -> tuple[Vector, Matrix]:
 
 
 def _solve(matrix: Any, right: Any) -> Any:
-    """Return the solutions of a system with a sparse matrix; a singular one has no modes left."""
+    """Return the solutions of a system with a sparse matrix."""
     try:
         return sparse.linalg.splu(matrix.tocsc()).solve(right.astype(matrix.dtype))
     except RuntimeError:

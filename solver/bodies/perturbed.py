@@ -39,7 +39,9 @@ def cell_map(cell: "BodyCell", times: Vector) -> tuple[Matrix, Matrix, Vector]:
         gradient = np.delete(part.switch.event, slice(states, states + 3))
         waves = part.switch.event[states : states + 3]
         approach = cell.omega * float(waves @ turned(theta[p + 1]))
-        scale = float(np.abs(gradient) @ np.abs(before)) + cell.omega * float(np.abs(waves).sum())
+        scale = float(np.abs(gradient) @ np.abs(before)) + cell.omega * float(
+            np.abs(waves).sum()
+        )
         rate = approach + float(gradient @ before)
         crossed[p] = abs(rate) / scale if scale > 0 else 0.0
         jump = behind - part.switch.state @ before

@@ -99,7 +99,7 @@ def _of_modes(body: Modal) -> tuple[Complex, Complex, Complex]:
     pair = root.imag != 0
     s = np.concatenate([-half + root, (-half - root)[~pair]])
     b = np.concatenate([body.at, body.at[~pair]]).astype(complex)
-    # x'' + 2 half x' + square x = force: (e^(s1 t) - e^(s2 t))/(s1 - s2), of a pair the real part
+    # an impulse gives (e^(s1 t) - e^(s2 t))/(s1 - s2), of a pair a real part
     residues = np.concatenate([np.where(pair, 1.0, 0.5) / root, -0.5 / root[~pair]])
     return s, b, b * residues[:, None]
 
@@ -114,7 +114,11 @@ def _of_states(body: Modal, omega: float) -> tuple[Complex, Complex, Complex]:
     c = (own.rows[places(body.at.shape[1])[0], : len(own.A)] @ basis).T
     kept = s.imag >= 0
     double = np.where(s.imag > 0, 2.0, 1.0)[kept]
-    return s[kept].astype(complex), b[kept], np.asarray(c[kept] * double[:, None], dtype=complex)
+    return (
+        s[kept].astype(complex),
+        b[kept],
+        np.asarray(c[kept] * double[:, None], dtype=complex),
+    )
 
 
 def _too_near() -> None:

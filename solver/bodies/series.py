@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Indices, Matrix, Vector
 from .exact import angles_of
 from .integrals import moment_rates, moments, response_rates, responses
 from .laws import free, law_matrix, places
@@ -53,7 +53,7 @@ class Phase:
     seen: Forms
     direct: Matrix
     velocity: Forms
-    hit: Vector
+    hit: Indices
     impulse: Matrix
     degree: int
     pieces: int
@@ -87,7 +87,6 @@ class Layout:
 @lru_cache(maxsize=64)
 def layout(cell: "BodyCell", order: int) -> Layout:
     """Return the equations of a cell at an order N, N + 1 coefficients an unknown force."""
-    assert cell.body is not None
     poles = poles_of(cell.body, cell.omega)
     phases = tuple(_phase(cell, poles, p, order) for p in range(len(cell.phases)))
     contacts, elements, at = cell.body.at.shape[1], [], 0
@@ -100,11 +99,12 @@ def layout(cell: "BodyCell", order: int) -> Layout:
     values = [each.value[:width] for each in cell.memory]
     rows = np.array(values).reshape(count, width)
     setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
-    return Layout(phases, poles, setting, tuple(elements), at, memory, memory + len(cell.memory))
+    return Layout(
+        phases, poles, setting, tuple(elements), at, memory, memory + len(cell.memory)
+    )
 
 
 def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
-    assert cell.body is not None
     own, memory = free(cell.body, cell.omega, len(cell.memory)), len(cell.memory)
     contacts, width = cell.body.at.shape[1], len(own.by_force)
     rows = law_matrix(cell, cell.phases[p])
@@ -205,8 +205,8 @@ def _element(phase: Phase, poles: Poles, s: float) -> Element:
     slope = a[:, :count] + kappa[:, None] * a_rate
     return Element(
         phase, s, slice(0), a[:, :count], a_rate, Z[:, :count, :count], response_rates(Z),
-        turn[:count], moment_rates(turn), np.exp(kappa), _spread(s * signs * a[:, :count], poles.b),
-        _spread(signs * slope, poles.b),
+        turn[:count], moment_rates(turn), np.exp(kappa),
+        _spread(s * signs * a[:, :count], poles.b), _spread(signs * slope, poles.b),
     )  # fmt: skip
 
 
@@ -221,10 +221,10 @@ def _evaluated(cell: "BodyCell", order: int, times: Vector) -> Evaluation:
     elements, begins = _elements(own, times, theta, cell.omega)
     states, ends = _states(own, elements, cell.sign)
     A, right, events, constant = _system(cell, own, elements, begins, states, ends, theta)
-    unknowns = np.linalg.solve(A, right)
-    residual = events @ unknowns + constant
+    unknowns = np.asarray(np.linalg.solve(A, right), dtype=float)
+    residual: Vector = events @ unknowns + constant
     moved, shifted = _rates(cell, own, elements, begins, states, unknowns, theta, len(times))
-    jacobian = shifted - events @ np.linalg.solve(A, moved)
+    jacobian: Matrix = shifted - events @ np.linalg.solve(A, moved)
     if cell.forced:
         residual = np.append(residual, times[:count].sum() - cell.duration)
         jacobian = np.vstack([jacobian, np.append(np.ones(count), 0.0)])
@@ -237,7 +237,8 @@ def _elements(
 ) -> tuple[list[Element], Vector]:
     """Return the pieces, and the angle of the forcing where each begins."""
     made: dict[int, Element] = {}
-    found, begins, contacts = [], [], own.poles.b.shape[1]
+    found: list[Element] = []
+    begins, contacts = [], own.poles.b.shape[1]
     for p, at in own.elements:
         phase = own.phases[p]
         s = float(times[p]) / phase.pieces
@@ -340,7 +341,7 @@ def _rates(
     cell: "BodyCell", own: Layout, elements: list[Element], begins: Vector,
     states: list[Complex], unknowns: Vector, theta: Vector, width: int,
 ) -> tuple[Matrix, Matrix]:  # fmt: skip
-    """Return the derivatives by the times of the system and of the events, at fixed unknowns."""
+    """Return the derivatives of system and events by the times, at fixed unknowns."""
     s, part = own.poles.s[:, None], [1.0 / own.phases[p].pieces for p, _ in own.elements]
     angles = np.zeros((len(elements) + 1, width))  # of where each piece begins
     angles[:, len(own.phases) :] = 1.0

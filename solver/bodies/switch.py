@@ -41,7 +41,6 @@ def impulses(cell: "BodyCell", p: int) -> tuple[Matrix, Matrix]:
     by_velocity : ndarray, shape (c, c)
     constant : ndarray, shape (c,)
     """
-    assert cell.body is not None
     phase, contacts = cell.phases[p], cell.body.at.shape[1]
     last = p == len(cell.phases) - 1
     after = cell.phases[0 if last else p + 1]
@@ -61,7 +60,6 @@ def impulses(cell: "BodyCell", p: int) -> tuple[Matrix, Matrix]:
 
 def switch(cell: "BodyCell", p: int, rows: Matrix) -> Switch:
     """Return the switch at the end of a phase, in which forms are of these `rows`."""
-    assert cell.body is not None
     memory, contacts = len(cell.memory), cell.body.at.shape[1]
     own = free(cell.body, cell.omega, memory)
     states, width = own.A.shape[0], own.rows.shape[1]

@@ -70,7 +70,6 @@ def slow(cell: "BodyCell") -> "BodyCell":
     cell : BodyCell
     """
     body = cell.body
-    assert body is not None
     speed = np.sqrt(np.abs(body.squares))
     count = max(SLOW, int((speed <= BELOW * cell.omega).sum()))
     if count >= len(speed) or not (body.squares[count:] > 0).all():
@@ -103,7 +102,6 @@ def _starts(cell: "BodyCell") -> Iterator[RoughTimes]:
 
 def _everywhere(cell: "BodyCell") -> Iterator[RoughTimes]:
     """Yield rough durations where nothing forces: long and short against the slowest mode."""
-    assert cell.body is not None
     slowest = 2 * np.pi / float(np.sqrt(np.abs(cell.body.squares).min() or 1.0))
     for durations in product(PARTS, repeat=min(len(cell.phases), 2)):
         more = durations + (PARTS[-1],) * (len(cell.phases) - 2)
@@ -163,4 +161,4 @@ def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
     turn = np.remainder(one.angle - other.angle + np.pi, 2 * np.pi) - np.pi
     total = float(np.sum(one.cell_durations))
     off = float(np.abs(one.cell_durations - other.cell_durations).max()) / total
-    return max(off, abs(turn) / (2 * np.pi)) <= SAME
+    return bool(max(off, abs(turn) / (2 * np.pi)) <= SAME)

@@ -139,9 +139,11 @@ def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> flo
     if not orbit.outcome.converged:
         return math.inf
     cell = orbit.case.cell
+    off = float(np.abs(orbit.cell_durations - durations).max())
+    if not cell.forced:
+        return off / float(np.sum(durations))
     turn = math.remainder(orbit.angle - angle, 2 * math.pi)
-    off = max(abs(turn) / cell.omega, *np.abs(orbit.cell_durations - durations))
-    return float(off / cell.duration)
+    return max(abs(turn) / cell.omega, off) / cell.duration
 
 
 def _same(one: ExactOrbit, other: ExactOrbit) -> bool:

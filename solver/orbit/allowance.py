@@ -93,7 +93,8 @@ def by_neighbour(orbit: Motion, near: Motion | None) -> Allowance:
 
     @cache
     def apart(p: int) -> Vector:
-        return np.abs(orbit.signals(p, LOOK) - near.signals(p, LOOK)).max(axis=1)
+        off: Vector = np.abs(orbit.signals(p, LOOK) - near.signals(p, LOOK)).max(axis=1)
+        return off
 
     def allowed(p: int, form: Form) -> float:
         scale = scale_of(orbit, p, form)

@@ -105,12 +105,14 @@ def _begins(orbit: Motion, p: int, u: float, allowed: float) -> bool:
     What it demands of its force is looked at where it is not near its limit alone.
     """
     cell, count = orbit.cell, len(orbit.cell.phases)
-    assert isinstance(cell, BodyCell) and cell.body is not None
+    assert isinstance(cell, BodyCell)
     q, sign = (p + 1, 1) if p + 1 < count else (0, cell.sign)
     seen = under(cell, q, orbit.signals(p, np.array([u]))[:, 0], sign)
     x, v, force, a = places(cell.body.at.shape[1])
-    rates, angle = np.zeros(len(seen)), orbit.angle + cell.omega * float(
-        np.sum(orbit.cell_durations[:p]) + u * orbit.cell_durations[p]
+    rates, angle = (
+        np.zeros(len(seen)),
+        orbit.angle
+        + cell.omega * float(np.sum(orbit.cell_durations[:p]) + u * orbit.cell_durations[p]),
     )
     rates[x], rates[v], rates[2] = seen[v], seen[a], -sign * cell.omega * np.sin(angle)
     for _, form in cell.phases[q].demands:

@@ -2,7 +2,7 @@
 
 import io
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -71,12 +71,12 @@ class BodyPhase(Phase):
 class BodyCell(Cell):
     """A cell whose phases are those of a body, and the body itself."""
 
-    body: Modal | None = None
+    phases: tuple[BodyPhase, ...]
+    body: Modal = field(kw_only=True)
 
     def carrying(self, p: int) -> BodyPhase:
-        """Return a phase whose factors of the memory are for its values as a motion has them."""
+        """Return a phase whose factors of the memory are for values as a motion has them."""
         phase = self.phases[p]
-        assert isinstance(phase, BodyPhase)
         signs = np.array([self.sign if p < each.phase else 1 for each in self.memory])
         width = phase.width
         return phase.with_forms(lambda form: (*form[:width], *(form[width:] * signs)))
@@ -130,7 +130,10 @@ def body_cell(case: "Case") -> BodyCell:
     )
     names = [parameter.name for parameter in scene.parameters]
     frequency = None if scene.frequency is None else numbers[names.index(scene.frequency)]
-    guess, sign = tuple(map(float, scene.numbers("guess", numbers))), -1 if scene.half_period else 1
+    guess, sign = (
+        tuple(map(float, scene.numbers("guess", numbers))),
+        -1 if scene.half_period else 1,
+    )
     body = _body(scene, tuple(case.values.values()), case.units, frequency or 0.0)
     return BodyCell(
         phases, frequency, sign, scene.k, guess, case.cycles, memory, scene.classes, body=body
@@ -176,7 +179,11 @@ def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> 
             if name in given:
                 rows, columns, entries = map(np.array, zip(*given[name], strict=True))
             else:
-                rows, columns, entries = file[f"{name}_rows"], file[f"{name}_columns"], file[name]
+                rows, columns, entries = (
+                    file[f"{name}_rows"],
+                    file[f"{name}_columns"],
+                    file[name],
+                )
             scaled = np.asarray(entries, dtype=float) / sizes[name]
             found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
     return found

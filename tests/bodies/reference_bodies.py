@@ -16,9 +16,6 @@ from nonsmooth.codegen.scene import Body, Event, Memory, Parameter, Phase, Scene
 from nonsmooth.scene import find
 from nonsmooth.solver.scenes.case import Case
 
-#: Laws that are Coulomb's: slip with a force against the velocity, stick.
-FRICTION = ("chain_friction", "absorber_coulomb", "belt_chain")
-
 Omega = sp.Symbol("Omega", positive=True)
 
 
@@ -145,102 +142,142 @@ def body(r: Reference) -> Body:
     return Body(**matrices, at=at, forcing=forcing)
 
 
-def phases(r: Reference, made: Body) -> tuple[tuple[Phase, ...], tuple[Memory, ...], list]:
-    """Return the phases of an orbit, each with a name of its own."""
-    p, contact = r.parameters, next(iter(made.at.values()))
-    x, v, f = contact.x, contact.v, contact.force
-    names = [f"{q.strip('+-')}_{i}" for i, q in enumerate(r.phases)]
-    found, parameters = [], []
+@dataclass
+class Maker:
+    """What the phases of an orbit are made with: its parameters, in their order of use."""
 
-    def positive(name: str, unit_: str, value: float) -> sp.Symbol:
+    r: Reference
+    body: Body
+    parameters: list[Parameter]
+    memory: list[Memory]
+
+    def positive(self, name: str, unit_: str, value: float) -> sp.Symbol:
         symbol = sp.Symbol(name, positive=True)
-        if symbol not in [q.symbol for q in parameters]:
-            parameters.append(Parameter(name, symbol, unit_, value, name))
+        if symbol not in [q.symbol for q in self.parameters]:
+            self.parameters.append(Parameter(name, symbol, unit_, value, name))
         return symbol
 
-    memory = []
-    for i, (name, kind) in enumerate(zip(names, r.phases, strict=True)):
-        before, after = r.phases[i - 1], r.phases[(i + 1) % len(r.phases)]
-        if r.half_period:  # the other half is the mirror image
-            before = {"slip+": "slip-", "slip-": "slip+"}.get(before, before) if i == 0 else before
-            after = {"slip+": "slip-", "slip-": "slip+"}.get(after, after) if i else after
-        if r.scene.endswith("impact") or r.scene == "impact_chain":
-            gap, ratio = positive("gap", "m", p["g"]), positive("restitution", "", p["r"])
-            event = Event(x - gap, jump={v: -ratio * v})
-            found.append(Phase(name, f, ends=event, demands={"before the stop": gap - x}))
-        elif r.scene in ("clearance_chain", "beam_spring"):
-            gap, k = positive("gap", "m", p["g"]), positive("kc", "N/m", p["kc"])
-            c = positive("cc", "N s/m", p["cc"]) if p.get("cc") else 0
-            if kind == "open":
-                demands = {} if p.get("cc") else {"before the stop": gap - x}
-                found.append(Phase(name, f, ends=Event(x - gap), demands=demands))
-            else:
-                push = k * (x - gap) + c * v
-                demands = {"it presses": push}
-                found.append(Phase(name, f + push, ends=Event(push), demands=demands))
-        elif r.scene in FRICTION:
-            kinetic = positive("kinetic", "N", p.get("R", p.get("Fk", 0)))
-            speed = positive("speed", "m/s", p["V"]) if "V" in p else sp.Integer(0)
-            if kind == "stick":
-                static = positive("static", "N", p.get("Rs", p.get("Fs", 0)))
-                sign = -1 if after == "slip+" else 1  # of the force that reaches the limit
-                demands = {"it sticks": static - sp.Abs(f)}
-                event = Event(f - sign * static)
-                found.append(Phase(name, contact.a, ends=event, demands=demands, held=speed))
-            else:
-                sign = 1 if kind == "slip+" else -1
-                demands = {"it slips": sign * (v - speed)}
-                found.append(
-                    Phase(name, f + sign * kinetic, ends=Event(v - speed), demands=demands)
-                )
-        elif r.scene == "absorber_jenkins":
-            kt, R = positive("kt", "N/m", p["kt"]), positive("limit", "N", p["R"])
-            if kind == "stick":
-                z = sp.Symbol(f"z_at_{i}", real=True)
-                sign = 1 if before == "slip+" else -1
-                memory.append(Memory(z, name, x - sign * R / kt, "where the slider is"))
-                end = 1 if after == "slip+" else -1
-                demands = {"it sticks": R - sp.Abs(kt * (x - z))}
-                event = Event(kt * (x - z) - end * R)
-                found.append(Phase(name, f + kt * (x - z), ends=event, demands=demands))
-            else:
-                sign = 1 if kind == "slip+" else -1
-                demands = {"it slips": sign * v}
-                found.append(Phase(name, f + sign * R, ends=Event(v), demands=demands))
-        elif r.scene == "two_stops":
-            found.append(_two_stops(r, made, name, kind, after, before, positive))
-    return tuple(found), tuple(memory), parameters
+    def beside(self, i: int) -> tuple[str, str]:
+        """Return the kinds of the phases before and after one; a half goes on mirrored."""
+        kinds = self.r.phases
+        before, after = kinds[i - 1], kinds[(i + 1) % len(kinds)]
+        if self.r.half_period:
+            before = MIRRORED.get(before, before) if i == 0 else before
+            after = MIRRORED.get(after, after) if i == len(kinds) - 1 else after
+        return before, after
 
 
-def _two_stops(r, made, name, kind, after, before, positive):  # type: ignore[no-untyped-def]
-    p = r.parameters
-    touching = {"open": (), "first": (0,), "second": (1,), "both": (0, 1)}
+#: What slips one way slips the other way in the mirror image.
+MIRRORED = {"slip+": "slip-", "slip-": "slip+"}
+
+
+def impact(make: Maker, name: str, i: int) -> Phase:
+    p, contact = make.r.parameters, next(iter(make.body.at.values()))
+    gap = make.positive("gap", "m", p["g"])
+    ratio = make.positive("restitution", "", p["r"])
+    event = Event(contact.x - gap, jump={contact.v: -ratio * contact.v})
+    demands = {"before the stop": gap - contact.x}
+    return Phase(name, contact.force, ends=event, demands=demands)
+
+
+def spring(make: Maker, name: str, i: int) -> Phase:
+    p, contact = make.r.parameters, next(iter(make.body.at.values()))
+    gap, k = make.positive("gap", "m", p["g"]), make.positive("kc", "N/m", p["kc"])
+    c = make.positive("cc", "N s/m", p["cc"]) if p.get("cc") else 0
+    if make.r.phases[i] == "open":  # with a damper it begins beyond the gap
+        demands = {} if c else {"before the stop": gap - contact.x}
+        return Phase(name, contact.force, ends=Event(contact.x - gap), demands=demands)
+    push = k * (contact.x - gap) + c * contact.v
+    return Phase(name, contact.force + push, ends=Event(push), demands={"it presses": push})
+
+
+def friction(make: Maker, name: str, i: int) -> Phase:
+    p, contact = make.r.parameters, next(iter(make.body.at.values()))
+    speed = make.positive("speed", "m/s", p["V"]) if "V" in p else sp.Integer(0)
+    kinetic = make.positive("kinetic", "N", p.get("R", p.get("Fk", 0)))
+    if make.r.phases[i] == "stick":
+        static = make.positive("static", "N", p.get("Rs", p.get("Fs", 0)))
+        limit = -static if make.beside(i)[1] == "slip+" else static
+        demands = {"it sticks": static - sp.Abs(contact.force)}
+        ends = Event(contact.force - limit)
+        return Phase(name, contact.a, ends=ends, demands=demands, held=speed)
+    sign = 1 if make.r.phases[i] == "slip+" else -1
+    demands = {"it slips": sign * (contact.v - speed)}
+    law = contact.force + sign * kinetic
+    return Phase(name, law, ends=Event(contact.v - speed), demands=demands)
+
+
+def jenkins(make: Maker, name: str, i: int) -> Phase:
+    p, contact = make.r.parameters, next(iter(make.body.at.values()))
+    k, limit = make.positive("kt", "N/m", p["kt"]), make.positive("limit", "N", p["R"])
+    if make.r.phases[i] != "stick":
+        sign = 1 if make.r.phases[i] == "slip+" else -1
+        law, demands = contact.force + sign * limit, {"it slips": sign * contact.v}
+        return Phase(name, law, ends=Event(contact.v), demands=demands)
+    before, after = make.beside(i)
+    z = sp.Symbol(f"z_at_{i}", real=True)
+    start = contact.x - (1 if before == "slip+" else -1) * limit / k
+    make.memory.append(Memory(z, name, start, "where the slider is"))
+    push = k * (contact.x - z)
+    demands = {"it sticks": limit - sp.Abs(push)}
+    ends = Event(push - (1 if after == "slip+" else -1) * limit)
+    return Phase(name, contact.force + push, ends=ends, demands=demands)
+
+
+def two_stops(make: Maker, name: str, i: int) -> Phase:
+    p, kind, after = make.r.parameters, make.r.phases[i], make.beside(i)[1]
+    touching = {"open": set(), "first": {0}, "second": {1}, "both": {0, 1}}
+    contacts = list(make.body.at.values())
+    gaps = [make.positive(f"gap{j}", "m", p[f"g{j}"]) for j in (0, 1)]
     laws, demands = [], {}
-    (changed,) = {*touching[kind]} ^ {*touching[after]}
-    contacts = list(made.at.values())
-    for i, contact in enumerate(contacts):
-        gap = positive(f"gap{i}", "m", p[f"g{i}"])
-        k = positive(f"kc{i}", "N/m", p[f"kc{i}"])
-        pressed = i in touching[kind]
-        laws.append(contact.force + (k * (contact.x - gap) if pressed else 0))
-        demands[f"stop {i}"] = (contact.x - gap) * (1 if pressed else -1)
-    gap = positive(f"gap{changed}", "m", p[f"g{changed}"])
-    return Phase(name, tuple(laws), ends=Event(contacts[changed].x - gap), demands=demands)
+    for j, contact in enumerate(contacts):
+        k = make.positive(f"kc{j}", "N/m", p[f"kc{j}"])
+        pressed = j in touching[kind]
+        laws.append(contact.force + (k * (contact.x - gaps[j]) if pressed else 0))
+        demands[f"stop {j}"] = (contact.x - gaps[j]) * (1 if pressed else -1)
+    (changed,) = touching[kind] ^ touching[after]
+    ends = Event(contacts[changed].x - gaps[changed])
+    return Phase(name, tuple(laws), ends=ends, demands=demands)
+
+
+#: The laws of each kind of scene of the file.
+LAWS = {
+    "impact_chain": impact,
+    "beam_impact": impact,
+    "clearance_chain": spring,
+    "beam_spring": spring,
+    "chain_friction": friction,
+    "absorber_coulomb": friction,
+    "belt_chain": friction,
+    "absorber_jenkins": jenkins,
+    "two_stops": two_stops,
+}
+
+
+def of(name: str) -> Reference:
+    """Return a reference by its name."""
+    return next(q for q in references() if q.name == name)
+
+
+@cache
+def scene(name: str) -> Scene:
+    """Return the scene of a reference by its name; each phase has a name of its own."""
+    r = of(name)
+    make = Maker(r, body(r), [], [])
+    names = [f"{kind.strip('+-')}_{i}" for i, kind in enumerate(r.phases)]
+    found = tuple(LAWS[r.scene](make, each, i) for i, each in enumerate(names))
+    frequency = None
+    if r.angle is not None:
+        frequency = Omega
+        omega = r.parameters["Omega"]
+        make.parameters.append(Parameter("frequency", Omega, "rad/s", omega, "of the forcing"))
+    return Scene(
+        f"of-{r.name}", r.name, tuple(make.parameters), found, body=make.body,
+        frequency=frequency, half_period=r.half_period, memory=tuple(make.memory),
+    )  # fmt: skip
 
 
 @cache
 def case(name: str) -> Case:
     """Return the case of a reference by its name."""
-    r = next(q for q in references() if q.name == name)
-    made = body(r)
-    found, memory, parameters = phases(r, made)
-    frequency = None
-    if r.angle is not None:
-        frequency = Omega
-        omega = r.parameters["Omega"]
-        parameters.append(Parameter("frequency", Omega, "rad/s", omega, "of the forcing"))
-    scene = Scene(
-        f"of-{r.name}", r.name, tuple(parameters), found, body=made, frequency=frequency,
-        half_period=r.half_period, memory=memory,
-    )  # fmt: skip
-    return find(scene)(cycles=r.cycles)
+    return find(scene(name))(cycles=of(name).cycles)

@@ -21,7 +21,18 @@ from nonsmooth.kim_perkins import SCENE
 
 #: What the generic interface itself speaks of; the rest is also what is left.
 GENERAL = frozenset(
-    {"mass", "damping", "stiffness", "force", "frequency", "speed", "damped", "two", "rest"}
+    {
+        "contact",
+        "mass",
+        "damping",
+        "stiffness",
+        "force",
+        "frequency",
+        "speed",
+        "damped",
+        "two",
+        "rest",
+    }
 )
 
 #: Names of the paper's oscillator that no record has.

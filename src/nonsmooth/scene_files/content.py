@@ -33,10 +33,9 @@ def _key(*parts: bytes) -> str:
 
 def _content(value: Any) -> str:
     """Return a text that says all of a scene or of a part of it."""
-    if hasattr(value, "digest"):  # the entries of a matrix
-        return str(value.digest)
-    if hasattr(value, "arrays"):  # a body
-        return _content([dict(value.arrays), [*value.at], value.ratio, value.modes])
+    if hasattr(value, "arrays"):  # a body: its matrices by their hashes
+        hashes = {name: matrix.digest for name, matrix in value.arrays.items()}
+        value = [hashes, [*value.at], value.ratio, value.modes]
     if is_dataclass(value):
         parts = (
             f"{field.name}={_content(getattr(value, field.name))}" for field in fields(value)

@@ -129,7 +129,7 @@ def _write(files: Mapping[str, str | bytes], folder: Path, target: Path) -> None
     """Write a folder that is to become `target`."""
     folder.mkdir(mode=0o700)
     contents = {
-        name: content.encode() if isinstance(content, str) else content
+        name: content if isinstance(content, bytes) else content.encode()
         for name, content in files.items()
     }
     sealed.write(with_code(contents, target.resolve()), folder)

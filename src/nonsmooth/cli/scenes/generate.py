@@ -111,9 +111,10 @@ def run(scene: "LoadedScene | NotGenerated", check: bool) -> int:
     with busy(f"deriving the equations of {scene.name}"):
         from nonsmooth.codegen import generate, scenes
 
-        fresh = dict(generate.scene_sources(scenes.load(scene.name)))
+        sources = generate.scene_sources(scenes.load(scene.name))
+        fresh = {name: generate.encoded(content) for name, content in sources}
     folder = generate.FOLDER / scene.folder.name
-    changed = [name for name, text in fresh.items() if _text(folder / name) != text]
+    changed = [name for name, content in fresh.items() if _content(folder / name) != content]
     if not changed:
         click.echo(f"{generate.FOLDER.name}/{folder.name}/ is up to date")
         return 0
@@ -133,14 +134,14 @@ def _writing(folder: Path) -> Iterator[None]:
         raise Problem(f"cannot write {folder}: {error.strerror}") from error
 
 
-def _text(path: Path) -> str | None:
-    return path.read_text("utf-8") if path.is_file() else None
+def _content(path: Path) -> bytes | None:
+    return path.read_bytes() if path.is_file() else None
 
 
-def _write(folder: Path, files: dict[str, str]) -> None:
+def _write(folder: Path, files: dict[str, bytes]) -> None:
     from nonsmooth.files.whole import whole
 
-    for name, text in files.items():
+    for name, content in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         with whole(folder / name) as temporary:
-            temporary.write_text(text, "utf-8", newline="\n")
+            temporary.write_bytes(content)

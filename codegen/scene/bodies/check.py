@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..data import Phase, SceneData, forcing
+from ..error import SceneError, check_kind, named
+from ..linear import without_modulus
+from ..units import Dimension, balance, dimension_of, spelled
 from .body import UNITS, Body, Entries
-from .data import Phase, SceneData, forcing
-from .error import SceneError, check_kind, named
-from .law import form, law_rows, laws, place
-from .linear import without_modulus
-from .units import Dimension, balance, dimension_of, spelled
+from .law import body_of, form, law_rows, laws, place
 
 Units = Mapping[sp.Symbol, Dimension]
 
@@ -65,7 +65,7 @@ def at_defaults(matrix: Entries, known: Mapping[sp.Symbol, float]) -> Entries:
 
 
 def _check_symmetric(name: str, matrix: Entries) -> None:
-    import scipy.sparse as sparse  # noqa: PLC0415  (a scene of one mass needs none)
+    from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     full = sparse.coo_array((matrix.values, (matrix.rows, matrix.columns)), matrix.shape)
     off = np.abs((full - full.T).data).max(initial=0.0)
@@ -123,7 +123,7 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
         Naming the field that is wrong.
     """
     field, memory = f"phase {phase.name}", [q.symbol for q in scene.memory]
-    contacts = list(scene.body.at.values())
+    contacts = list(body_of(scene).at.values())
     fields = [
         *(("equation", law) for law in laws(phase)),
         ("ends", phase.ends.zero),
@@ -147,7 +147,7 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
             if symbol not in [q.v for q in contacts]:
                 raise SceneError(f"got a jump of {symbol}, expected one of {contacts[0].v}")
             row = form(value, scene, f"{field}: jump")
-            kept = {3, place(scene.body, symbol)}
+            kept = {3, place(body_of(scene), symbol)}
             if any(c != 0 for i, c in enumerate(row) if i not in kept):
                 raise SceneError(f"got {value}, expected the velocity {symbol} alone in it")
     if phase.held is not None:
@@ -155,18 +155,22 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
             speed = sp.sympify(phase.held)
             if len(contacts) > 1:
                 raise SceneError("a body with several contacts cannot be held yet")
-            alone = place(scene.body, contacts[0].a)
+            alone = place(body_of(scene), contacts[0].a)
             if any(c != 0 for i, c in enumerate(rows[0]) if i != alone):
                 raise SceneError(f"got the equation {phase.equation}, expected {contacts[0].a}")
             if speed != 0 and balance(speed, units) != dimension_of("m/s"):
                 raise SceneError(f"{speed} is not a velocity")
-    elif any(row[place(scene.body, q.force)] == 0 for q, row in zip(contacts, rows, strict=True)):
-        raise SceneError(f"{field}: equation: it has no force: say the speed at which it is held")
+    elif any(
+        row[place(body_of(scene), q.force)] == 0 for q, row in zip(contacts, rows, strict=True)
+    ):
+        raise SceneError(
+            f"{field}: equation: it has no force: say the speed at which it is held"
+        )
 
 
 def _states(scene: SceneData) -> tuple[sp.Symbol, ...]:
     """Return the symbols in which demands are linear."""
-    each = (q.symbols for q in scene.body.at.values())
+    each = (q.symbols for q in body_of(scene).at.values())
     return (*(symbol for symbols in each for symbol in symbols), forcing)
 
 
@@ -182,18 +186,22 @@ def scales_of_body(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
         If one cannot be worked out.
     """
     given = {name: sp.sympify(value) for name, value in scene.scales.items()}
-    mass = given.get("mass", _at_contact(scene.body, "M"))
+    mass = given.get("mass", _at_contact(body_of(scene), "M"))
     time = given.get("time") or (1 / scene.frequency if scene.frequency else None)
-    time = time or sp.sqrt(mass / _at_contact(scene.body, "K"))
+    time = time or sp.sqrt(mass / _at_contact(body_of(scene), "K"))
     length = given.get("length")
-    if length is None and "forcing" in scene.body.arrays:
-        size = sp.sqrt(sp.Add(*(sp.sympify(q) ** 2 for q in scene.body.arrays["forcing"].values)))
+    if length is None and "forcing" in body_of(scene).arrays:
+        size = sp.sqrt(
+            sp.Add(*(sp.sympify(q) ** 2 for q in body_of(scene).arrays["forcing"].values))
+        )
         length = sp.simplify(size) * time**2 / mass
     speeds = [p.held for p in scene.phases if p.held is not None and p.held != 0]
     if length is None and speeds:
         length = sp.Abs(speeds[0]) * time
     if length is None:
-        raise SceneError("scales: no length can be worked out (no forcing, no held speed): give it")
+        raise SceneError(
+            "scales: no length can be worked out (no forcing, no held speed): give it"
+        )
     return mass, time, length
 
 

@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from .data import a, v, x
-from .error import SceneError, named
+from ..data import a, v, x
+from ..error import SceneError, named
 
 #: The force that a contact exerts on the body along its displacement, in N.
 force = sp.Symbol("force", real=True)
@@ -178,19 +178,19 @@ def entries(field_: str, value: Any, shape: tuple[int, int]) -> Entries:
     """
     if hasattr(value, "tocoo"):
         sparse = value.tocoo()
-        rows, columns = (sparse.coords if len(sparse.shape) == 2 else (sparse.coords[0], [0]))
+        rows, columns = sparse.coords if len(sparse.shape) == 2 else (sparse.coords[0], [0])
         values, found = sparse.data, sparse.shape
     else:
         full = np.asarray(value.tolist() if isinstance(value, sp.MatrixBase) else value)
-        full = full[:, None] if full.ndim == 1 else full
+        full = full.reshape(-1, 1) if full.ndim < 2 else full
         found = full.shape
-        places = np.nonzero(full) if full.ndim == 2 else ([], [])
-        (rows, columns), values = places, full[places] if full.ndim == 2 else []
+        rows, columns = np.nonzero(full.reshape(len(full), -1))
+        values = full.reshape(len(full), -1)[rows, columns]
     if tuple(found) != shape or not shape[0]:
         size = " x ".join(map(str, found))
         raise SceneError(f"{field_}: got {size} entries, expected {shape[0]} x {shape[1]}")
-    kept = [np.asarray(q, dtype=np.int64) for q in (rows, columns)]
-    return Entries(shape, *kept, _values(field_, np.asarray(values)))
+    places = np.asarray(rows, dtype=np.int64), np.asarray(columns, dtype=np.int64)
+    return Entries(shape, *places, _values(field_, np.asarray(values)))
 
 
 def _values(field_: str, values: npt.NDArray[Any]) -> Any:

@@ -10,12 +10,18 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from ..data import Phase, SceneData, forcing
+from ..error import SceneError, check_linear, named
 from .body import Body
-from .data import Phase, SceneData, forcing
-from .error import SceneError, check_linear, named
 
 #: Derivatives of the force that are looked at.
 HIGHEST = 6
+
+
+def body_of(scene: SceneData) -> Body:
+    """Return the body of a scene that has one."""
+    assert scene.body is not None
+    return scene.body
 
 
 def signals(body: Body) -> tuple[sp.Symbol | sp.Integer, ...]:
@@ -36,7 +42,7 @@ def form(
         If `expression` is not one; the message begins with `what`.
     """
     own = [q.symbol for q in scene.memory] if memory else []
-    known = [*signals(scene.body), *own]
+    known = [*signals(body_of(scene)), *own]
     symbols = [q for q in known if q != 1]
     expanded = sp.expand(sp.sympify(expression))
     with named(what):
@@ -61,12 +67,12 @@ def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
         If there are not as many as contacts, or one does not say what the force is.
     """
     field, found = f"phase {phase.name}: equation", laws(phase)
-    contacts = list(scene.body.at.values())
+    contacts = list(body_of(scene).at.values())
     if len(found) != len(contacts):
         raise SceneError(f"{field}: got {len(found)} laws for {len(contacts)} contacts")
     rows = [form(law, scene, field) for law in found]
     for contact, row in zip(contacts, rows, strict=True):
-        f, a = (place(scene.body, q) for q in (contact.force, contact.a))
+        f, a = (place(body_of(scene), q) for q in (contact.force, contact.a))
         if row[f] == 0 and row[a] == 0:
             raise SceneError(
                 f"{field}: it says nothing of the force at {contact.name}: expected a law with "
@@ -111,7 +117,7 @@ def contact_class(
 
 def _width(scene: SceneData) -> int:
     """Return how many columns rows have: derivatives, held forces, cos, sin, 1, memory."""
-    return len(scene.body.at) * 3 * (HIGHEST + 3) + 3 + len(scene.memory)
+    return len(body_of(scene).at) * 3 * (HIGHEST + 3) + 3 + len(scene.memory)
 
 
 def _row(
@@ -119,7 +125,7 @@ def _row(
 ) -> list[sp.Expr]:
     """Return the derivative of a form by time, its forces as unknowns of their side."""
     found = [sp.Integer(0)] * _width(scene)
-    body, omega = scene.body, scene.frequency or sp.Integer(0)
+    body, omega = body_of(scene), scene.frequency or sp.Integer(0)
     for i, contact in enumerate(body.at.values()):
         base = 3 * (HIGHEST + 3) * i
         for shift, symbol in ((0, contact.x), (1, contact.v), (2, contact.a)):
@@ -141,8 +147,8 @@ def _forces(
 ) -> list[list[sp.Expr]]:
     """Return a derivative of each contact force of a phase; of a held one it is an unknown."""
     found = []
-    for contact, row in zip(scene.body.at.values(), law_rows(phase, scene), strict=True):
-        at = place(scene.body, contact.force)
+    for contact, row in zip(body_of(scene).at.values(), law_rows(phase, scene), strict=True):
+        at = place(body_of(scene), contact.force)
         factor = row[at]
         if factor == 0:
             own = [sp.Integer(q == at) for q in range(len(row))]
@@ -158,13 +164,13 @@ def _known(scene: SceneData, left: Phase, right: Phase, sign: int) -> list[list[
     known = [[sign * q for q in _row(scene, event, 0, sign, "before")]]
     for q, force_row in zip(laws(left), _forces(scene, left, 0, sign, "before"), strict=True):
         own = form(q, scene, "law")
-        if all(own[place(scene.body, c.force)] == 0 for c in scene.body.at.values()):
+        if all(own[place(body_of(scene), c.force)] == 0 for c in body_of(scene).at.values()):
             continue  # held: its force is an unknown
-        contact = list(scene.body.at.values())[laws(left).index(q)]
-        unit = [sp.Integer(i == place(scene.body, contact.force)) for i in range(len(own))]
+        contact = list(body_of(scene).at.values())[laws(left).index(q)]
+        unit = [sp.Integer(i == place(body_of(scene), contact.force)) for i in range(len(own))]
         free = _row(scene, unit, 0, 1, "before")
         known.append([f - r for f, r in zip(free, force_row, strict=True)])
-    tail = len(scene.body.at) * 3 * (HIGHEST + 3)
+    tail = len(body_of(scene).at) * 3 * (HIGHEST + 3)
     for phase, side in ((left, sign), (right, 1)):
         if phase.held is not None:
             speed = [sp.Integer(0)] * _width(scene)
