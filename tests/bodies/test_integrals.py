@@ -1,0 +1,80 @@
+"""The integrals of the force series against quadrature in many digits, for all kappa."""
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from nonsmooth.codegen.galerkin import force_series
+from nonsmooth.solver.bodies.integrals import (
+    moment_rates,
+    moments,
+    response_rates,
+    responses,
+)
+
+#: Decaying, oscillating, neither, on both sides of the limits of the recurrences.
+KAPPAS = [
+    *(0, 1e-20, 1e-9, 1e-3, 1e-3j, -0.5 + 1j, 2j * np.pi, -12j, 3 + 2j, -15 + 2j, -24),
+    *(-20 + 30j, -5 + 36j, -70, -300 + 5j, -0.01 + 120j),
+]
+
+#: Rounding of sums of numbers of size 1.
+TOLERANCE = 4e-15
+
+
+def legendre(n: int, u: mp.mpf) -> mp.mpf:
+    return mp.legendre(n, 2 * u - 1)
+
+
+def panels(kappa: complex) -> list[mp.mpf]:
+    return mp.linspace(0, 1, 2 + int(abs(kappa) / 6))
+
+
+@pytest.mark.parametrize("kappa", KAPPAS, ids=str)
+def test_moments(kappa: complex) -> None:
+    found, k = moments(kappa, 12), mp.mpc(kappa)
+    with mp.workdps(30):
+        for m in (0, 1, 2, 5, 11):
+            exact = mp.quad(lambda u, m=m: legendre(m, u) * mp.exp(k * u), panels(kappa))
+            scale = max(1.0, float(np.exp(np.real(kappa))))
+            assert abs(complex(exact) - found[m]) <= TOLERANCE * scale
+
+
+@pytest.mark.parametrize("kappa", [q for q in KAPPAS if abs(q) < 80], ids=str)
+def test_responses(kappa: complex) -> None:
+    """By the lag ``w = u - y``: the inner integral is of a polynomial, exact by Gauss."""
+    found, k = responses(np.array([kappa], dtype=complex), 10)[0], mp.mpc(kappa)
+    with mp.workdps(25):
+        nodes = [(mp.mpf(x) + 1) / 2 for x in mp.polyroots(mp.taylor(
+            lambda x: mp.legendre(11, x), 0, 11)[::-1], maxsteps=200, extraprec=200)]  # fmt: skip
+        weights = [1 / (4 * x * (1 - x) * (mp.diff(lambda q: mp.legendre(11, q), 2 * x - 1)) ** 2)
+                   for x in nodes]  # fmt: skip
+        for m, n in ((0, 0), (1, 0), (3, 4), (9, 9), (2, 9)):
+
+            def inner(w: mp.mpf, m: int = m, n: int = n) -> mp.mpf:
+                rest = 1 - w
+                return rest * mp.fsum(
+                    q * legendre(m, w + rest * x) * legendre(n, rest * x)
+                    for x, q in zip(nodes, weights, strict=True)
+                )
+
+            exact = mp.quad(lambda w: mp.exp(k * w) * inner(w), panels(kappa))
+            scale = max(1.0, float(np.exp(np.real(kappa))))
+            assert abs(complex(exact) - found[m, n]) <= TOLERANCE * scale
+
+
+@pytest.mark.parametrize("kappa", [-3 + 2j, -40 + 20j, 0.2j], ids=str)
+def test_rates_against_differences(kappa: complex) -> None:
+    h, k = 1e-5, np.array([kappa])
+    ahead, behind = (moments(k + q, 8) for q in (h, -h))
+    assert moment_rates(moments(k, 9)) == pytest.approx((ahead - behind) / (2 * h), abs=1e-10)
+    ahead, behind = (responses(k + q, 8) for q in (h, -h))
+    rates = (ahead - behind) / (2 * h)
+    assert response_rates(responses(k, 9)) == pytest.approx(rates, abs=1e-10)
+
+
+def test_every_recurrence_is_emitted() -> None:
+    from nonsmooth.generated import force_series as emitted
+
+    names = {formula.name for formula in force_series.formulas()}
+    assert names <= vars(emitted).keys()

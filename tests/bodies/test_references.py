@@ -1,0 +1,121 @@
+"""Orbits of bodies against ball arithmetic: exact ones, those of the force series, ghosts."""
+
+import math
+
+import numpy as np
+import pytest
+from bodies.reference_bodies import Reference, body, case, references
+
+from nonsmooth.solver.bodies import exact, series
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import RoughTimes
+from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.exact_orbit import ExactOrbit, from_times
+from nonsmooth.solver.orbit.solution import Solution
+
+#: Errors of exact times, as parts of the period: rounding of an eigenbasis, which grows with
+#: the ratio of the fastest mode to the slowest.
+EXACT = {"beam-10": 2e-12, "beam-20": 2e-11}
+
+#: Errors of the force series at N = 10 of stiff beams, from the table of the measurement; all
+#: others are within 1e-10.
+STIFF = {
+    "beam-4-spring": 1.2e-5,
+    "beam-4-spring-ghost": 2e-3,
+    "beam-10-spring": 1e-5,
+    "beam-20-spring": 1e-5,
+    "beam-10-spring-unstable": 1e-8,
+    "clearance-2-ghost": 1e-9,
+}
+
+EVERY = pytest.mark.parametrize("r", references(), ids=lambda r: r.name)
+
+
+def start(r: Reference, off: float = 1e-3) -> np.ndarray:
+    """Return the times of a reference without units, a little off."""
+    rng = np.random.default_rng(7)
+    turns = 1 + off * rng.standard_normal(len(r.durations))
+    durations = np.array(r.durations) / case(r.name).units.time * turns
+    return np.append(durations, [] if r.angle is None else r.angle + off)
+
+
+def error(r: Reference, found: ExactOrbit | Solution) -> float:
+    """Return the largest error of a duration and of the phase, as a part of the period."""
+    own = np.array(found.durations[: len(r.durations)])
+    off = float(np.abs(own - r.durations).max()) / r.period
+    if r.angle is None:
+        return off
+    turn = math.remainder(found.angle - r.angle, 2 * math.pi)
+    return max(off, abs(turn) / (2 * math.pi) * r.cycles)
+
+
+def exact_orbit(r: Reference) -> ExactOrbit:
+    times, count = start(r), len(r.durations)
+    angle = 0.0 if r.angle is None else float(times[-1])
+    return from_times(case(r.name), RoughTimes(tuple(times[:count]), angle, "near"))
+
+
+@EVERY
+def test_exact_orbit(r: Reference) -> None:
+    found = exact_orbit(r)
+    assert found.outcome.converged
+    assert error(r, found) <= EXACT.get(r.name[:7], 5e-13)
+    column, count = body(r).arrays["at"].dense()[:, 0], body(r).size
+    for phase, state in zip(found.phases, r.states, strict=False):
+        x, v = (float(column @ state[i * count : (i + 1) * count]) for i in (0, 1))
+        assert phase.displacement == pytest.approx(x, abs=1e-10)
+        assert phase.velocity == pytest.approx(v, abs=1e-8)
+
+
+@EVERY
+def test_ghosts_are_refused_and_orbits_are_not(r: Reference) -> None:
+    found = exact_orbit(r)
+    assert found.admissible == r.admissible, found.violations
+    assert bool(found.violations) != r.admissible
+
+
+@EVERY
+def test_multipliers(r: Reference) -> None:
+    found = np.asarray(exact_orbit(r).multipliers)
+    assert np.abs(found).max() == pytest.approx(r.radius, rel=1e-8)
+    for value in r.multipliers:
+        assert np.abs(found - value).min() <= 1e-8 * max(1.0, r.radius)
+
+
+@EVERY
+def test_force_series(r: Reference) -> None:
+    own = case(r.name)
+    kernel = registry.kernel(own.scene, "ck-tau")
+    found = attempt(kernel, own, 10, start(r))
+    assert found.converged
+    assert error(r, found) <= STIFF.get(r.name, EXACT.get(r.name[:7], 1e-10))
+
+
+@pytest.mark.parametrize("name", ["beam-10-spring", "clearance-2", "two-stops-four-phases"])
+def test_pieces_of_a_phase(name: str) -> None:
+    """Beyond 32 polynomials a phase is cut into pieces, and converges on."""
+    r = next(q for q in references() if q.name == name)
+    own = case(name)
+    found = attempt(registry.kernel(own.scene, "ck-tau"), own, 40, start(r))
+    assert series._pieces(40)[1] == 2
+    assert found.converged and error(r, found) <= 1e-11
+
+
+@pytest.mark.parametrize("order", [0, 5, 40])
+@pytest.mark.parametrize("name", ["clearance-2", "jenkins-absorber", "belt-2", "impact-3-two-impacts",
+                                  "two-stops-six-phases", "impact-3-not-proportional"])  # fmt: skip
+def test_jacobian_against_differences(name: str, order: int) -> None:
+    r = next(q for q in references() if q.name == name)
+    cell, times = case(name).cell, start(r, 1e-2)
+
+    def evaluated(z: np.ndarray) -> exact.Evaluation | series.Evaluation:
+        return series.evaluated(cell, order, z) if order else exact.evaluated(cell, z)
+
+    step = 1e-6
+    columns = [
+        (evaluated(times + step * q).residual - evaluated(times - step * q).residual)
+        / (2 * step)
+        for q in np.eye(len(times))
+    ]
+    found = evaluated(times).jacobian
+    assert found == pytest.approx(np.array(columns).T, abs=1e-7 * np.abs(found).max())
