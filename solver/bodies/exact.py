@@ -209,8 +209,8 @@ def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     return _kept(cell, np.ascontiguousarray(times, dtype=float).tobytes())
 
 
-def signals(cell: "BodyCell", times: Vector, p: int, u: Vector) -> Matrix:
-    """Return what forms are of on phase `p`, at local times in [0, 1]; shape (S, len(u))."""
+def along(cell: "BodyCell", times: Vector, p: int, u: Vector) -> Matrix:
+    """Return ``(y, cos, sin, 1, memory)`` on phase `p` at local times in [0, 1], by column."""
     part, found = parts_of(cell)[p], evaluated(cell, times)
     states = part.lawful.A.shape[0]
     start, theta = found.starts[p], float(angles_of(cell, times)[p])
@@ -218,5 +218,4 @@ def signals(cell: "BodyCell", times: Vector, p: int, u: Vector) -> Matrix:
     y = part.flow.at(start[:states], np.concatenate([wave(theta), start[states:]]), t)
     there = theta + cell.omega * t
     constant = np.repeat(start[states:, None], len(t), axis=1)
-    Y = np.vstack([y, np.cos(there), np.sin(there), np.ones(len(t)), constant])
-    return np.asarray(part.lawful.rows[: len(part.lawful.rows) - len(constant)] @ Y)
+    return np.vstack([y, np.cos(there), np.sin(there), np.ones(len(t)), constant])

@@ -91,21 +91,68 @@ def _responses_upwards(k: Complex, count: int) -> Complex:
     return found[:, :, :count]
 
 
-def _responses_banded(k: complex, count: int) -> Complex:
-    rows = count + BEYOND + int(abs(k) / 2)
+def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
+    """Return ``int_0^u e^(kappa (u - y)) f(y) dy = E e^(kappa u) + sum B_m P_m*(u)``.
+
+    Parameters
+    ----------
+    kappa : ndarray of complex, shape (m,)
+    series : ndarray of complex, shape (m, N + 1)
+        The coefficients of f in Legendre polynomials, for each kappa its own.
+
+    Returns
+    -------
+    E : ndarray of complex, shape (m,)
+    B : ndarray of complex, shape (m, R)
+    """
+    count = series.shape[1]
+    rows = 2 * count + BEYOND + 2
+    E, B = np.zeros(len(kappa), dtype=complex), np.zeros((len(kappa), rows), dtype=complex)
+    up = np.abs(kappa) > 2 * (count + 1)
+    k = kappa[up]
+    # I_0 = (e^(kappa u) - 1)/kappa, I_1 = (2 I_0 - P_1* - e^(kappa u))/kappa, then by parts
+    e, b = np.zeros((2, len(k)), dtype=complex), np.zeros((2, len(k), rows), dtype=complex)
+    e[0], b[0, :, 0] = 1 / k, -1 / k
+    e[1], b[1, :, 0], b[1, :, 1] = (2 * e[0] - 1) / k, 2 * b[0, :, 0] / k, -1 / k
+    for n in range(count):
+        E[up] += series[up, n] * e[0]
+        B[up] += series[up, n, None] * b[0]
+        above = 2 * (2 * n + 3) / k
+        after, beyond = e[0] + above * e[1], b[0] + above[:, None] * b[1]
+        beyond[:, n + 2] -= 1 / k
+        beyond[:, n] += 1 / k
+        e, b = np.stack([e[1], after]), np.stack([b[1], beyond])
+    for i in np.flatnonzero(~up):
+        B[i] = _answer(complex(kappa[i]), rows, _integration(rows, count) @ series[i])
+    return E, B
+
+
+def _integration(rows: int, count: int) -> Complex:
+    """Return the matrix that integrates a series of `count` Legendre polynomials from 0."""
+    up = recurrence.integral(np.arange(1, rows + 1))
+    found = np.zeros((rows, count))
+    found[0, 0] = 0.5
+    for n in range(count):
+        found[n + 1, n] = up[n]
+        if n:
+            found[n - 1, n] = -up[n]
+    return found.astype(complex)
+
+
+def _answer(k: complex, rows: int, right: Complex) -> Complex:
+    """Return the solution of ``(I - kappa S) c = right``."""
     up = recurrence.integral(np.arange(1, rows + 1))  # of P_m* in the integral of P_(m-1)*
     bands = np.zeros((3, rows), dtype=complex)
     bands[0, 1:], bands[2, :-1] = k * up[1:rows], -k * up[: rows - 1]
     bands[1] = 1.0
     bands[1, 0] -= k / 2
-    right = np.zeros((rows, count))
-    right[0, 0] = 0.5
-    for n in range(count):
-        right[n + 1, n] = up[n]
-        if n:
-            right[n - 1, n] = -up[n]
-    answers = solve_banded((1, 1), bands, right)[:count]
-    return np.asarray(answers / (2 * np.arange(count)[:, None] + 1))
+    return np.asarray(solve_banded((1, 1), bands, right))
+
+
+def _responses_banded(k: complex, count: int) -> Complex:
+    rows = count + BEYOND + int(abs(k) / 2)
+    found = _answer(k, rows, _integration(rows, count))[:count]
+    return np.asarray(found / (2 * np.arange(count)[:, None] + 1))
 
 
 def moment_rates(a: Complex) -> Complex:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..bodies import exact, series
-from ..bodies.laws import places
+from ..bodies import motion as motions
 from . import linking
 from .kernel import Kernel
 
@@ -54,7 +54,7 @@ def _made(
     newton = linking.linked(residual, jacobian, count, forced)
 
     def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
-        case = case if isinstance(case, tuple) else (case, 0)
+        case = _given(case)
         times = z[len(z) - width :].copy()
         outcome = newton(case, times, limit)
         z[len(z) - width :] = times
@@ -65,15 +65,10 @@ def _made(
         return outcome
 
     def signals(case: Any, z: Vector, p: int, u: Vector) -> Matrix:
-        cell, order = case if isinstance(case, tuple) else (case, 0)
-        times = z[len(z) - width :]
-        if order == 0:
-            return exact.signals(cell, times, p, u)
-        return series.signals(cell, order, times, p, u)
+        return motions.signals(*_given(case), z[len(z) - width :], p, u)
 
     def motion(case: Any, z: Vector, p: int, u: Vector, derivative: int) -> Vector:
-        place = (0, 1, 5)[derivative]
-        return np.asarray(signals(case, z, p, u)[place])
+        return motions.derivative(*_given(case), z[len(z) - width :], p, u, derivative)
 
     return Kernel(
         method=method,
@@ -92,8 +87,13 @@ def _made(
     )
 
 
+def _given(case: Any) -> Given:
+    """Return a cell and an order; of the exact equations the cell alone is given."""
+    return case if isinstance(case, tuple) else (case, 0)
+
+
 def _evaluated(case: Any, times: Vector) -> Any:
-    cell, order = case if isinstance(case, tuple) else (case, 0)
+    cell, order = _given(case)
     return exact.evaluated(cell, times) if order == 0 else series.evaluated(cell, order, times)
 
 
@@ -121,9 +121,8 @@ def _fill(case: Given, z: Vector, times: Vector, states: int) -> None:
     if order == 0:
         first = exact.parts_of(cell)[0].lawful.A.shape[0]
         own = [found.starts[each.phase][first + i] for i, each in enumerate(cell.memory)]
-        velocity = places(1)[1]
         for p in range(len(cell.phases)) if states else ():
-            z[2 * p : 2 * p + 2] = exact.signals(cell, times, p, np.zeros(1))[[0, *velocity], 0]
+            z[2 * p : 2 * p + 2] = motions.signals(cell, 0, times, p, np.zeros(1))[:2, 0]
     else:
         own = list(found.unknowns[len(found.unknowns) - len(cell.memory) :])
     z[before : before + len(cell.memory)] = own

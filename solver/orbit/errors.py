@@ -99,7 +99,7 @@ def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
     order : int
         Of the derivative; of orders above 2 by interpolation of the acceleration.
     """
-    if order <= 2:
+    if order <= 2 or motion.case.scene.has_body:
         return motion.part(p, u, order)
     parts = chebyshev.pieces(lambda w: motion.part(p, w, 2))
     duration = float(motion.cell_durations[p])

@@ -1,5 +1,7 @@
 """The integrals of the force series against quadrature in many digits, for all kappa."""
 
+from functools import cache
+
 import mpmath as mp
 import numpy as np
 import pytest
@@ -40,15 +42,22 @@ def test_moments(kappa: complex) -> None:
             assert abs(complex(exact) - found[m]) <= TOLERANCE * scale
 
 
+@cache
+def gauss() -> tuple[list[mp.mpf], list[mp.mpf]]:
+    """Return nodes and weights on [0, 1], exact to degree 21."""
+    series = mp.taylor(lambda x: mp.legendre(11, x), 0, 11)[::-1]
+    roots = mp.polyroots(series, maxsteps=200, extraprec=200)
+    slopes = [mp.diff(lambda q: mp.legendre(11, q), x) for x in roots]
+    weights = [1 / ((1 - x * x) * q**2) for x, q in zip(roots, slopes, strict=True)]
+    return [(x + 1) / 2 for x in roots], weights
+
+
 @pytest.mark.parametrize("kappa", [q for q in KAPPAS if abs(q) < 80], ids=str)
 def test_responses(kappa: complex) -> None:
     """By the lag ``w = u - y``: the inner integral is of a polynomial, exact by Gauss."""
     found, k = responses(np.array([kappa], dtype=complex), 10)[0], mp.mpc(kappa)
     with mp.workdps(25):
-        nodes = [(mp.mpf(x) + 1) / 2 for x in mp.polyroots(mp.taylor(
-            lambda x: mp.legendre(11, x), 0, 11)[::-1], maxsteps=200, extraprec=200)]  # fmt: skip
-        weights = [1 / (4 * x * (1 - x) * (mp.diff(lambda q: mp.legendre(11, q), 2 * x - 1)) ** 2)
-                   for x in nodes]  # fmt: skip
+        nodes, weights = gauss()
         for m, n in ((0, 0), (1, 0), (3, 4), (9, 9), (2, 9)):
 
             def inner(w: mp.mpf, m: int = m, n: int = n) -> mp.mpf:

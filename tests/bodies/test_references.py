@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from bodies.reference_bodies import Reference, body, case, references
+from bodies.reference_bodies import Reference, body, case, of, references
 
-from nonsmooth.solver.bodies import exact, series
+from nonsmooth.solver.bodies import exact, layout, motion, series
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.orbit.attempt import attempt
@@ -94,18 +94,25 @@ def test_force_series(r: Reference) -> None:
 @pytest.mark.parametrize("name", ["beam-10-spring", "clearance-2", "two-stops-four-phases"])
 def test_pieces_of_a_phase(name: str) -> None:
     """Beyond 32 polynomials a phase is cut into pieces, and converges on."""
-    r = next(q for q in references() if q.name == name)
+    r = of(name)
     own = case(name)
     found = attempt(registry.kernel(own.scene, "ck-tau"), own, 40, start(r))
-    assert series._pieces(40)[1] == 2
-    assert found.converged and error(r, found) <= 1e-11
+    assert layout._pieces(40)[1] == 2
+    assert found.converged
+    assert error(r, found) <= 1e-11
+
+
+#: Of each kind of law: springs, a memory, nothing that forces, impulses, several contacts.
+KINDS = (
+    *("clearance-2", "jenkins-absorber", "belt-2", "impact-3-two-impacts"),
+    *("two-stops-six-phases", "impact-3-not-proportional"),
+)
 
 
 @pytest.mark.parametrize("order", [0, 5, 40])
-@pytest.mark.parametrize("name", ["clearance-2", "jenkins-absorber", "belt-2", "impact-3-two-impacts",
-                                  "two-stops-six-phases", "impact-3-not-proportional"])  # fmt: skip
+@pytest.mark.parametrize("name", KINDS)
 def test_jacobian_against_differences(name: str, order: int) -> None:
-    r = next(q for q in references() if q.name == name)
+    r = of(name)
     cell, times = case(name).cell, start(r, 1e-2)
 
     def evaluated(z: np.ndarray) -> exact.Evaluation | series.Evaluation:
@@ -119,3 +126,21 @@ def test_jacobian_against_differences(name: str, order: int) -> None:
     ]
     found = evaluated(times).jacobian
     assert found == pytest.approx(np.array(columns).T, abs=1e-7 * np.abs(found).max())
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_derivatives(name: str) -> None:
+    """Those of the exact motion against differences, those of the series against it."""
+    cell, times, step = case(name).cell, start(of(name), 0.0), 1e-4
+    u = np.linspace(0.1, 0.9, 5)
+    for p in range(len(cell.phases)):
+        h = step / times[p]
+        for number in (1, 2, 3, 4):
+            ahead, behind = (
+                motion.derivative(cell, 0, times, p, u + q, number - 1) for q in (h, -h)
+            )
+            found = motion.derivative(cell, 0, times, p, u, number)
+            size = 1e-5 * max(1.0, float(np.abs(found).max()))
+            assert found == pytest.approx((ahead - behind) / (2 * step), abs=size)
+            series_ = motion.derivative(cell, 24, times, p, u, number)
+            assert series_ == pytest.approx(found, abs=1e-7 * max(1.0, np.abs(found).max()))

@@ -1,0 +1,152 @@
+"""The equations of the force series for a cell: its phases, and where the unknowns are."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arrays import Indices, Matrix
+from .laws import free, law_matrix, places
+from .poles import Forms, Poles, poles_of
+from .switch import impulses
+
+if TYPE_CHECKING:
+    from ..scenes.body_cell import BodyCell
+
+#: Most polynomials of a piece: a phase of more is cut into equal pieces.
+MOST = 32
+
+
+@dataclass(frozen=True, eq=False)
+class Phase:
+    """What the equations know of a phase.
+
+    Parameters
+    ----------
+    rows : ndarray, shape (c, S + M)
+        The laws as linear forms.
+    law, event, seen : Forms
+        The laws; the event at its end and what forms are of, both by the law of the force.
+    direct : ndarray, shape (c, c)
+        What the forces add to the laws.
+    velocity : Forms
+        Of each contact.
+    hit : ndarray of int
+        The contacts that an impulse meets at its end.
+    impulse : ndarray, shape (c, c + 1)
+        Impulses by the velocities, and the constant.
+    degree : int
+        Of the series of a piece.
+    pieces : int
+    """
+
+    rows: Matrix
+    law: Forms
+    event: Forms
+    seen: Forms
+    direct: Matrix
+    velocity: Forms
+    hit: Indices
+    impulse: Matrix
+    degree: int
+    pieces: int
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """A cell in the force series of an order: phases, poles, and where unknowns are.
+
+    Parameters
+    ----------
+    phases : tuple of Phase
+    poles : Poles
+    setting : Forms
+        What each memory is set to.
+    elements : tuple of (int, int)
+        Of each piece its phase, and where its coefficients begin.
+    first_impulse, first_memory, size : int
+        Where these begin among the unknowns, and how many unknowns there are.
+    """
+
+    phases: tuple[Phase, ...]
+    poles: Poles
+    setting: Forms
+    elements: tuple[tuple[int, int], ...]
+    first_impulse: int
+    first_memory: int
+    size: int
+
+    @property
+    def memory(self) -> slice:
+        """Where the memory is among the unknowns."""
+        return slice(self.first_memory, self.size)
+
+    def is_last(self, e: int) -> bool:
+        """Whether a piece is the last of its phase."""
+        return e + 1 == len(self.elements) or self.elements[e + 1][0] != self.elements[e][0]
+
+    def first_of(self, p: int) -> int:
+        """Return the first piece of a phase."""
+        return next(e for e, (q, _) in enumerate(self.elements) if q == p)
+
+    def impulses(self, p: int) -> slice:
+        """Return where the impulses at the end of a phase are among the unknowns."""
+        first = self.first_impulse + sum(len(phase.hit) for phase in self.phases[:p])
+        return slice(first, first + len(self.phases[p].hit))
+
+
+@lru_cache(maxsize=64)
+def layout(cell: "BodyCell", order: int) -> Layout:
+    """Return the equations of a cell at an order N, N + 1 coefficients an unknown force."""
+    poles = poles_of(cell.body, cell.omega)
+    phases = tuple(_phase(cell, poles, p, order) for p in range(len(cell.phases)))
+    contacts, elements, at = cell.body.at.shape[1], [], 0
+    for p, phase in enumerate(phases):
+        for _ in range(phase.pieces):
+            elements.append((p, at))
+            at += (phase.degree + 1) * contacts
+    memory = at + sum(len(phase.hit) for phase in phases)
+    width, count = 2 + 4 * contacts, len(cell.memory)
+    values = [each.value[:width] for each in cell.memory]
+    rows = np.array(values).reshape(count, width)
+    setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
+    return Layout(
+        phases, poles, setting, tuple(elements), at, memory, memory + len(cell.memory)
+    )
+
+
+def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
+    own, memory = free(cell.body, cell.omega, len(cell.memory)), len(cell.memory)
+    contacts, width = cell.body.at.shape[1], len(own.by_force)
+    rows = law_matrix(cell, cell.phases[p])
+    by_force = np.vstack([own.by_force, np.zeros((memory, contacts))])
+    direct = rows @ by_force
+    closure = np.linalg.solve(direct, rows)  # the forces are less this of the rest
+    x, v, f, a = places(contacts)
+    unforced = np.eye(width + memory)
+    unforced[f] = 0.0
+    law = rows @ unforced
+    event = np.array([cell.phases[p].event])
+    seen = (np.eye(width + memory) - by_force @ closure) @ unforced
+    by_velocity, constant = impulses(cell, p)
+    hit = np.flatnonzero(np.abs(by_velocity).sum(axis=1) + np.abs(constant))
+    given = not (law[:, [*x, *v, *a]].any() or law[:, 2].any())
+    degree, pieces = (0, 1) if given else _pieces(order)
+    return Phase(
+        rows, poles.forms(law), poles.forms(event @ seen), poles.forms(seen[:width]), direct,
+        poles.forms(np.eye(width + memory)[v]), hit, np.column_stack([by_velocity, constant]),
+        degree, pieces,
+    )  # fmt: skip
+
+
+def _pieces(order: int) -> tuple[int, int]:
+    """Return the degree of each piece of a phase, and how many there are.
+
+    Examples
+    --------
+    >>> _pieces(10), _pieces(40)
+    ((10, 1), (20, 2))
+    """
+    pieces = -(-order // MOST)
+    return -(-order // pieces), pieces
