@@ -21,6 +21,7 @@ from .results.family import Beside
 from .scenes.case import Case
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
+from .scenes.one_mass import check_one_mass
 from .scenes.parameter_error import ParameterError
 from .solve import check_order, number_of_functions, orbit_beside
 
@@ -125,6 +126,7 @@ def branch_case(
     >>> [f"{event.kind} {event.parameter:.10f}" for event in found.events]
     ['fold 1.9338387822', 'grazing 1.7320508076']
     """
+    check_one_mass(case.scene, "branch")
     bounds = _bounds(case, parameter, first, last)
     orbit = _start(case, parameter, bounds) if start is None else start
     value = orbit.case.values[parameter]
@@ -172,6 +174,7 @@ def every_branch(
     BranchInterrupted
         A `KeyboardInterrupt`: with the branches that were followed before.
     """
+    check_one_mass(case.scene, "branch")
     bounds = _bounds(case, parameter, first, last)
     branches: list[Branch] = []
     try:

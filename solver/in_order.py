@@ -8,6 +8,7 @@ from .existence.known import known
 from .kernels.start import RoughTimes
 from .scenes.case import Case
 from .scenes.loaded import LoadedScene, UnknownScene
+from .scenes.one_mass import check_one_mass
 from .scenes.orders import (
     MIRRORED,
     Order,
@@ -59,6 +60,7 @@ def cases_in_order(
     >>> [each.scene.motion for each in cases_in_order(case, "slide,stop")]
     ['slide,stop,mirrored', 'slide,-stop']
     """
+    check_one_mass(case.scene, "phases")
     base = case.scene.fullest
     names = phases.split(",") if isinstance(phases, str) else list(phases)
     names = [name.strip() for name in names]

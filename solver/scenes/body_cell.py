@@ -1,6 +1,5 @@
 """The cell of a body: the laws of its contacts, and the body in its modes, without units."""
 
-import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
@@ -10,6 +9,7 @@ import numpy as np
 from scipy import sparse
 
 from ..bodies.modal import BodyError, Modal, modal
+from .body_files import matrices_of
 from .cell import Cell, Form, Memory, Phase
 from .dimensionless import Units
 from .parameter_error import ParameterError
@@ -17,9 +17,6 @@ from .parameter_error import ParameterError
 if TYPE_CHECKING:
     from .case import Case
     from .loaded import LoadedScene
-
-#: The file of a body's matrices, in the folder of its scene.
-MATRICES = "body.npz"
 
 #: Entries of a form for the first contact, the forcing and 1; and for each other contact.
 FIRST, OTHER = 6, 4
@@ -160,8 +157,6 @@ def _body(
 
 def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> dict[str, Any]:
     """Return the matrices of a body as sparse arrays without units."""
-    kept = None if scene.kept is None else scene.kept[MATRICES]
-    source: Any = scene.folder / MATRICES if kept is None else io.BytesIO(kept)
     given: dict[str, list[tuple[int, int, float]]] = {}
     for name, i, j, value in scene.numbers("entries", values):
         given.setdefault(name, []).append((i, j, float(value)))
@@ -173,19 +168,17 @@ def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> 
         "at": 1.0,
     }
     found = {}
-    with np.load(source) as file:
-        for name in (q.removesuffix("_shape") for q in file.files if q.endswith("_shape")):
-            shape = tuple(map(int, file[f"{name}_shape"]))
-            if name in given:
-                rows, columns, entries = map(np.array, zip(*given[name], strict=True))
-            else:
-                rows, columns, entries = (
-                    file[f"{name}_rows"],
-                    file[f"{name}_columns"],
-                    file[name],
-                )
-            scaled = np.asarray(entries, dtype=float) / sizes[name]
-            found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
+    file = matrices_of(scene)
+    for name in (q.removesuffix("_shape") for q in file if q.endswith("_shape")):
+        if name in given:
+            rows, columns, entries = map(np.array, zip(*given[name], strict=True))
+        else:
+            rows, columns, entries = (
+                file[q] for q in (f"{name}_rows", f"{name}_columns", name)
+            )
+        scaled = np.asarray(entries, dtype=float) / sizes[name]
+        shape = tuple(map(int, file[f"{name}_shape"]))
+        found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
     return found
 
 

@@ -11,6 +11,7 @@ from ..kernels import linking
 from ..kernels.family import Family
 from ..scenes.body_cell import BodyCell
 from ..scenes.cell import Cell
+from ..scenes.one_mass import NotOfBodies
 from ..scenes.orders import Step
 from .nodes import Node, nodes
 from .steps import (
@@ -67,11 +68,11 @@ class Machine:
 
         Raises
         ------
-        ValueError
-            If it is that of a body.
+        NotOfBodies
+            A `ValueError`: if it is that of a body.
         """
         if isinstance(cell, BodyCell):
-            raise ValueError("scene: a body is not simulated yet: `solve` finds its orbits")
+            raise NotOfBodies("simulate: not of a body of several degrees of freedom yet")
         return cls(cell, nodes(cell))
 
     @cached_property

@@ -2,11 +2,16 @@
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .continuum import is_one_of_a_continuum
 from .monodromy import NoMultipliersError
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
+
+#: Of many multipliers those are told that are larger than this, and so many at least.
+LARGE, FEW = 0.5, 8
 
 #: What `stable` means.
 VERDICTS = {True: "stable", False: "unstable", None: "neither stable nor unstable to rounding"}
@@ -33,11 +38,14 @@ def in_words(motion: "Motion") -> str:
     except NoMultipliersError as error:
         return f"no multipliers: {error}"
     name = "multiplier" if len(values) == 1 else "multipliers"
+    count = max(FEW, int((np.abs(values) > LARGE).sum()))
+    large, more = values[:count], len(values) - count
+    less = f" and {more} smaller ones" if more > 0 else ""
     verdict = VERDICTS[stable]
     if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
         many = is_one_of_a_continuum(motion)
         verdict += f"; a multiplier is 1: {CONTINUUM if many else FIRST_ORDER}"
-    return f"{name} {_numbers([complex(value) for value in values])}: {verdict}"
+    return f"{name} {_numbers([complex(value) for value in large])}{less}: {verdict}"
 
 
 def _numbers(values: list[complex]) -> str:

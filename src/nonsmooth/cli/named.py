@@ -8,10 +8,17 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
+from nonsmooth.solver.scenes.one_mass import NotOfBodies, check_one_mass
+
 from .about import completed
 from .case_files import said_first
+from .problems import Problem
 from .scenes import named as scenes
 from .space import named as structures
+
+
+#: Commands that take scenes of one mass alone.
+ONE_MASS = ("branch", "digits", "equations", "map", "simulate", "stability")
 
 
 @dataclass(frozen=True)
@@ -82,6 +89,11 @@ class NamedCommand(click.Command):
         kind = next((q for q in self.kinds if dashed in q.known()), self.kinds[0])
         module = import_module(f".{kind.package}.{self.name}", __package__)
         about = getattr(module, "named", kind.named)(name)
+        if self.name in ONE_MASS and getattr(about, "has_body", False):
+            try:
+                check_one_mass(about, str(self.name))
+            except NotOfBodies as error:
+                raise Problem(str(error)) from None
         command: click.Command = module.command(about, said or "")
         return command, said or "", rest
 

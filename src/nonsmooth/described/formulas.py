@@ -9,6 +9,21 @@ from typing import Any
 #: What a linear form is linear in.
 STATE = ("x", "x'", "cos(Omega t + phi)", "")
 
+#: The same of another contact of a body.
+CONTACT = ("x_{}", "x_{}'", "force_{}", "x_{}''")
+
+
+def state_of(contacts: tuple[str, ...]) -> tuple[str, ...]:
+    """Return what a linear form of a body is linear in.
+
+    Examples
+    --------
+    >>> state_of(("tip", "root"))[4:]
+    ('force', "x''", 'x_root', "x_root'", 'force_root', "x_root''")
+    """
+    more = (f"{q.format(name)}" for name in contacts[1:] for q in CONTACT)
+    return (*STATE, "force", "x''", *more)
+
 
 @cache
 def rows(module: ModuleType, function: str) -> tuple[Any, ...]:

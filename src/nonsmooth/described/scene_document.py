@@ -3,10 +3,11 @@
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.scenes.body_files import matrices_of
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import in_order
 
-from .formulas import STATE, linear, rows
+from .formulas import STATE, linear, rows, state_of
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -54,6 +55,7 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
             for q in scene.parameters
         ],
         "requires": list(module.REQUIRES),
+        **({"body": _body(scene)} if scene.has_body else {}),
         "phases": [] if scene.motions else _phases(scene),
         "motions": [
             {**order, "phases": _phases(each)}
@@ -69,6 +71,17 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
     }  # fmt: skip
 
 
+def _body(scene: "LoadedScene") -> dict[str, Any]:
+    """Return what the body of a scene is: degrees of freedom, contacts, modes, damping."""
+    ratio, modes = rows(scene.module, "modal")
+    return {
+        "degrees_of_freedom": int(matrices_of(scene)["M_shape"][0]),
+        "contacts": list(scene.module.CONTACTS),
+        "damping_ratio": None if ratio == ("None",) else ratio[0],
+        "modes": None if modes == ("None",) else modes[0],
+    }
+
+
 def _phases(scene: "LoadedScene") -> list[dict[str, Any]]:
     """Return the phases of a scene of one motion."""
     return [_phase(scene, p) for p in range(len(scene.phases))]
@@ -82,11 +95,16 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         return text.replace("cos(Omega", f"cos({frequency}")
 
     name, held = scene.kinds[p]
-    m, c, k, f, g, *memory = rows(module, "coefficients")[p]
     words = [word for word, *_ in scene.memory]
-    state = (*STATE, *words)
-    right = linear((f, g, *memory), (*RIGHT, *words))
-    equation = f"{linear((m, c, k), LEFT)} = {right}"
+    own = state_of(module.CONTACTS) if scene.has_body else STATE
+    state = (*own, *words)
+    if scene.has_body:
+        laws = (f"{linear(law, state)} = 0" for law in rows(module, "laws")[p])
+        equation = ", ".join(laws)
+    else:
+        m, c, k, f, g, *memory = rows(module, "coefficients")[p]
+        right = linear((f, g, *memory), (*RIGHT, *words))
+        equation = f"{linear((m, c, k), LEFT)} = {right}"
     at_switch = rows(module, "switch_demands")[p]
     k_of_switch, jumps = module.SWITCHES[p]
     forms = rows(module, "demands")[p]
@@ -95,7 +113,7 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         "equation": named(equation),
         "held": f"x' = {rows(module, 'held')[p][0]}" if held else None,
         "ends": named(f"{linear(rows(module, 'events')[p], state)} = 0"),
-        "jump": _jump(*rows(module, "jumps")[p]),
+        "jump": _jumps(rows(module, "jumps")[p]),
         "demands": [
             {"what": words, "expression": named(f"{linear(form, state)} >= 0")}
             for words, form in zip(module.DEMANDS[p], forms, strict=True)
@@ -105,7 +123,7 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
             for words, form in zip(module.SWITCH_DEMANDS[p], at_switch, strict=True)
         ],
         "sets": [
-            {"memory": name, "what": what, "expression": named(linear(form))}
+            {"memory": name, "what": what, "expression": named(linear(form, own))}
             for (name, phase, _, what), form in zip(
                 scene.memory, rows(module, "memory"), strict=True
             )
@@ -116,6 +134,12 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
             "class_of_defaults": f"C{module.CLASSES_OF_DEFAULTS[p]}",
         },
     }  # fmt: skip
+
+
+def _jumps(row: tuple[str, ...]) -> str | None:
+    """Return what the switch at the end of a phase makes of each velocity, if it does."""
+    found = (_jump(*row[i : i + 2]) for i in range(0, len(row), 2))
+    return ", ".join(filter(None, found)) or None
 
 
 def _jump(rho: str, d: str) -> str | None:

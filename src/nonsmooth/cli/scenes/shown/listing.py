@@ -83,6 +83,8 @@ def _describe(found: dict[str, Any]) -> None:
     click.echo(columns(("parameter", "symbol", "unit", "default", "what it is"), rows))
     for words in found["requires"]:
         click.echo(_wrapped(f"  expected: {words}", "  "))
+    if "body" in found:
+        click.echo("\n" + _wrapped(_body(found["body"]), "  "))
     for phase in found["phases"]:
         click.echo("\n" + _phase(phase))
     for motion in found["motions"]:
@@ -96,6 +98,17 @@ def _describe(found: dict[str, Any]) -> None:
         for q in found["methods"]
     )
     click.echo("\n" + _wrapped(f"methods: {', '.join(names)}", ""))
+
+
+def _body(body: dict[str, Any]) -> str:
+    """Return what moves: degrees of freedom, contacts, modes, damping."""
+    modes, ratio = body["modes"] or "all", body["damping_ratio"]
+    damped = f"damping ratio {ratio}" if ratio is not None else "damping by its matrix, if any"
+    return (
+        f"body: M q'' + C q' + K q = f cos(Omega t + phi) + w force, of "
+        f"{body['degrees_of_freedom']} degrees of freedom; x = w^T q at "
+        f"{', '.join(body['contacts'])}; modes kept: {modes}; {damped}"
+    )
 
 
 def _phase(phase: dict[str, Any]) -> str:
