@@ -18,10 +18,10 @@ from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
 from .results.branch import Branch, BranchInterrupted
 from .results.family import Beside
+from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
-from .scenes.one_mass import check_one_mass
 from .scenes.parameter_error import ParameterError
 from .solve import check_order, number_of_functions, orbit_beside
 

@@ -6,9 +6,9 @@ from itertools import product
 
 from .existence.known import known
 from .kernels.start import RoughTimes
+from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.loaded import LoadedScene, UnknownScene
-from .scenes.one_mass import check_one_mass
 from .scenes.orders import (
     MIRRORED,
     Order,

@@ -17,7 +17,7 @@ from .laws import Lawful, lawful
 from .switch import Switch, switch
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
 
 
 @dataclass(frozen=True, eq=False)

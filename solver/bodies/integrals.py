@@ -10,7 +10,6 @@ from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-from scipy.linalg import solve_banded
 
 from ...generated import force_series as recurrence
 
@@ -141,6 +140,8 @@ def _integration(rows: int, count: int) -> Complex:
 
 def _answer(k: complex, rows: int, right: Complex) -> Complex:
     """Return the solution of ``(I - kappa S) c = right``."""
+    from scipy.linalg import solve_banded  # noqa: PLC0415  (a scene of one mass needs none)
+
     up = recurrence.integral(np.arange(1, rows + 1))  # of P_m* in the integral of P_(m-1)*
     bands = np.zeros((3, rows), dtype=complex)
     bands[0, 1:], bands[2, :-1] = k * up[1:rows], -k * up[: rows - 1]

@@ -15,7 +15,7 @@ from ..arrays import Matrix, Vector
 from .modal import BodyError, Modal
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell, BodyPhase
+    from ..scenes.bodies.cell import BodyCell, BodyPhase
 
 #: The rate at which a held contact returns to its speed, over the frequency of the forcing: on
 #: an orbit it begins at that speed, and the rate only keeps two poles of it apart.

@@ -12,7 +12,7 @@ from .poles import Forms, Poles, poles_of
 from .switch import impulses
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
 
 #: Most polynomials of a piece: a phase of more is cut into equal pieces.
 MOST = 32

@@ -6,7 +6,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-from scipy import linalg, sparse
 
 from ..arrays import Matrix, Vector
 
@@ -117,6 +116,8 @@ def modal(
 
 def _modes(M: Any, K: Any, count: int) -> tuple[Vector, Matrix]:
     """Return the squares of the lowest natural frequencies, and the modes, with unit mass."""
+    from scipy import linalg, sparse  # noqa: PLC0415  (a scene of one mass needs none)
+
     n = M.shape[0]
     try:
         if n <= DENSE:
@@ -131,6 +132,8 @@ def _modes(M: Any, K: Any, count: int) -> tuple[Vector, Matrix]:
 
 def _solve(matrix: Any, right: Any) -> Any:
     """Return the solutions of a system with a sparse matrix."""
+    from scipy import sparse  # noqa: PLC0415
+
     try:
         return sparse.linalg.splu(matrix.tocsc()).solve(right.astype(matrix.dtype))
     except RuntimeError:

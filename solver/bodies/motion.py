@@ -15,7 +15,7 @@ from .modal import Complex
 from .series import evaluated
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
 
 #: The place of the acceleration of the first contact in a form.
 ACCELERATION = places(1)[3][0]

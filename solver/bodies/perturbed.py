@@ -8,7 +8,7 @@ from ..arrays import Matrix, Vector
 from .exact import angles_of, evaluated, parts_of, phase_map, rates, turned, wave
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
 
 
 def cell_map(cell: "BodyCell", times: Vector) -> tuple[Matrix, Matrix, Vector]:

@@ -21,7 +21,7 @@ from .modal import Complex
 from .poles import Forms
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
 
 
 @dataclass(frozen=True, eq=False)

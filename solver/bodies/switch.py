@@ -9,7 +9,7 @@ from ..arrays import Matrix
 from .laws import free, places
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,6 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ..arrays import Matrix
 from ..bodies.exact import events_by_wave
@@ -21,7 +20,7 @@ from ..kernels.start import RoughTimes, rough_times
 from ..orbit.exact_orbit import ExactOrbit, from_times
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
     from ..scenes.case import Case
 
 #: Modes that are scanned with: so many, and all below so many times the forcing's frequency.
@@ -119,6 +118,8 @@ def _angles(a: float, b: float, c: float) -> list[float]:
 
 def _scanned(cell: "BodyCell") -> Iterator[RoughTimes]:
     """Yield the times at which both events of two phases vanish, of the slow modes."""
+    from scipy.optimize import brentq  # noqa: PLC0415  (a scene of one mass needs none)
+
     quick = slow(cell)
     even = np.linspace(0, 1, EVENLY + 2)[1:-1]
     close = np.geomspace(SHORTEST, even[0], AT_ENDS, endpoint=False)

@@ -18,7 +18,7 @@ from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..orbit.motion import Motion
-from ..scenes.body_cell import BodyCell
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..stability.monodromy import NoMultipliersError
 from . import bodies, one_phase, two_phases

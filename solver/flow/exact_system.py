@@ -23,7 +23,7 @@ from ..kernels import bodies, linking
 from ..kernels.family import Family
 from ..kernels.kernel import Kernel, pays
 from ..scenes.arrays import Arrays, arrays_of
-from ..scenes.body_cell import BodyCell
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
 from . import divided, flow, responses
 from .responses import by_force, by_forcing, by_start

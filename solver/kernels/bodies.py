@@ -12,7 +12,7 @@ from . import linking
 from .kernel import Kernel
 
 if TYPE_CHECKING:
-    from ..scenes.body_cell import BodyCell
+    from ..scenes.bodies.cell import BodyCell
     from ..scenes.loaded import LoadedScene
 
 #: What is given to the functions of a kernel: a cell, and N; 0 of the exact equations.

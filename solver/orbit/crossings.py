@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arrays import Vector
 from ..bodies.laws import places, under
-from ..scenes.body_cell import BodyCell
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Form
 from . import chebyshev
 from .forms import scale_of, terms

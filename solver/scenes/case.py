@@ -171,7 +171,7 @@ class Case:
             known = ", ".join(self.scene.motions)
             raise ValueError(f"motion: got none, expected one of {known}")
         if self.scene.has_body:
-            from .body_cell import body_cell  # noqa: PLC0415  (SciPy)
+            from .bodies.cell import body_cell  # noqa: PLC0415  (SciPy)
 
             return body_cell(self)
         return self.scene.cell(self.numbers, self.cycles)

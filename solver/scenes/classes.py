@@ -7,7 +7,7 @@ unless its jump is a combination of the forms known to vanish there.
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from .body_cell import BodyCell
+from .bodies.cell import BodyCell
 from .cell import Cell, Phase
 
 #: Derivatives that are looked at: one that is smoother is not told from one without switch.

@@ -9,9 +9,9 @@ from typing import Any
 from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
-from ..scenes.body_cell import BodyCell
+from ..scenes.bodies.cell import BodyCell
+from ..scenes.bodies.only import NotOfBodies
 from ..scenes.cell import Cell
-from ..scenes.one_mass import NotOfBodies
 from ..scenes.orders import Step
 from .nodes import Node, nodes
 from .steps import (

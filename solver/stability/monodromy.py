@@ -8,7 +8,7 @@ import numpy as np
 from ..arrays import Matrix
 from ..bodies import perturbed
 from ..flow.exact_system import arrays, unknowns_of
-from ..scenes.body_cell import BodyCell
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
 from .cell_map import cell_map
 

@@ -22,7 +22,11 @@ from nonsmooth.kim_perkins import SCENE
 #: What the generic interface itself speaks of; the rest is also what is left.
 GENERAL = frozenset(
     {
+        "beam",
+        "chain",
         "contact",
+        "modes",
+        "ratio",
         "mass",
         "damping",
         "stiffness",

@@ -8,7 +8,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from nonsmooth.solver.scenes.one_mass import NotOfBodies, check_one_mass
+from nonsmooth.solver.scenes.bodies.only import NotOfBodies, check_one_mass
 
 from .about import completed
 from .case_files import said_first

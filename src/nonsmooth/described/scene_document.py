@@ -3,7 +3,6 @@
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.scenes.body_files import matrices_of
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import in_order
 
@@ -73,6 +72,8 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
 
 def _body(scene: "LoadedScene") -> dict[str, Any]:
     """Return what the body of a scene is: degrees of freedom, contacts, modes, damping."""
+    from nonsmooth.solver.scenes.bodies.files import matrices_of  # noqa: PLC0415  (NumPy)
+
     ratio, modes = rows(scene.module, "modal")
     return {
         "degrees_of_freedom": int(matrices_of(scene)["M_shape"][0]),

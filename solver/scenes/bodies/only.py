@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .loaded import LoadedScene
+    from ..loaded import LoadedScene
 
 
 class NotOfBodies(ValueError):  # noqa: N818  (named like the other errors of the package)

@@ -6,17 +6,16 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy import sparse
 
-from ..bodies.modal import BodyError, Modal, modal
-from .body_files import matrices_of
-from .cell import Cell, Form, Memory, Phase
-from .dimensionless import Units
-from .parameter_error import ParameterError
+from ...bodies.modal import BodyError, Modal, modal
+from ..cell import Cell, Form, Memory, Phase
+from ..dimensionless import Units
+from ..parameter_error import ParameterError
+from .files import matrices_of
 
 if TYPE_CHECKING:
-    from .case import Case
-    from .loaded import LoadedScene
+    from ..case import Case
+    from ..loaded import LoadedScene
 
 #: Entries of a form for the first contact, the forcing and 1; and for each other contact.
 FIRST, OTHER = 6, 4
@@ -157,6 +156,8 @@ def _body(
 
 def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> dict[str, Any]:
     """Return the matrices of a body as sparse arrays without units."""
+    from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
+
     given: dict[str, list[tuple[int, int, float]]] = {}
     for name, i, j, value in scene.numbers("entries", values):
         given.setdefault(name, []).append((i, j, float(value)))

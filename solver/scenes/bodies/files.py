@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from .loaded import LoadedScene
+    from ..loaded import LoadedScene
 
 #: Its name.
 MATRICES = "body.npz"

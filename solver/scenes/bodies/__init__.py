@@ -1,0 +1,1 @@
+"""Bodies as they are loaded: matrices, cells, and what takes none."""
