@@ -1,0 +1,55 @@
+"""A driven mass and an absorber joined to it by a spring and a slider in series (C2)."""
+
+import sympy as sp
+
+from ..scene import Body, Event, Memory, Parameter, Phase, Scene
+
+m1, m2, k1, k2, k_t, f_R, F, Omega = sp.symbols("m1 m2 k1 k2 k_t f_R F Omega", positive=True)
+c1, c2 = sp.symbols("c1 c2", nonnegative=True)
+w = sp.Symbol("w", real=True)
+
+PAIR = Body(
+    M=sp.diag(m1, m2),
+    K=sp.Matrix([[k1 + k2, -k2], [-k2, k2]]),
+    C=sp.Matrix([[c1 + c2, -c2], [-c2, c2]]),
+    forcing=sp.Matrix([F, 0]),
+    at={"joint": [-1, 1]},
+)
+JOINT = PAIR.at["joint"]
+PULL = k_t * (JOINT.x - w)
+
+SLIP = Phase(
+    "slip",
+    JOINT.force + f_R,
+    ends=Event(JOINT.v),
+    demands={"the joint slips forward": JOINT.v},
+)
+STICK = Phase(
+    "stick",
+    JOINT.force + PULL,
+    ends=Event(PULL + f_R),
+    demands={"the slider holds": f_R - sp.Abs(PULL)},
+)
+
+SCENE = Scene(
+    "jenkins-absorber",
+    "a driven mass and an absorber, joined by a spring and a slider in series",
+    source="textbook: the Jenkins element",
+    body=PAIR,
+    parameters=(
+        Parameter("mass", m1, "kg", 1.0, "the driven mass"),
+        Parameter("absorber_mass", m2, "kg", 0.1, "the absorber"),
+        Parameter("stiffness", k1, "N/m", 1.0, "spring to the ground"),
+        Parameter("absorber_stiffness", k2, "N/m", 0.05, "spring of the absorber"),
+        Parameter("joint_stiffness", k_t, "N/m", 0.1, "spring in series with the slider"),
+        Parameter("damping", c1, "N s/m", 0.02, "damper to the ground"),
+        Parameter("absorber_damping", c2, "N s/m", 0.002, "damper of the absorber"),
+        Parameter("friction", f_R, "N", 0.05, "force at which the slider gives way"),
+        Parameter("force", F, "N", 0.2, "amplitude of the force on the driven mass"),
+        Parameter("frequency", Omega, "rad/s", 1.0, "angular frequency of the force"),
+    ),
+    phases=(SLIP, STICK),
+    frequency=Omega,
+    half_period=True,
+    memory=(Memory(w, "stick", JOINT.x - f_R / k_t, "where the slider is"),),
+)

@@ -1,0 +1,1 @@
+"""absorber-friction: a driven mass and a tuned absorber, with dry friction between them; written by ``nonsmooth generate``."""

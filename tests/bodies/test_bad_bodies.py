@@ -1,0 +1,103 @@
+"""Mistakes in a body: one line each, which names the argument."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.codegen.scene import Body, Event, Parameter, Phase, Scene, SceneError
+from nonsmooth.solver.scenes.bodies.only import NotOfBodies
+from nonsmooth.solver.scenes.parameter_error import ParameterError
+
+g, k, Omega = sp.symbols("g k Omega", positive=True)
+
+GOOD = {
+    "M": np.eye(2),
+    "K": [[2, -1], [-1, 1]],
+    "ratio": 0.02,
+    "forcing": [1, 0],
+    "at": {"tip": [0, 1]},
+}
+
+
+def scene(**body: object) -> Scene:
+    made = Body(**(GOOD | body))  # type: ignore[arg-type]
+    tip = next(iter(made.at.values()))
+    law = tip.force + k * (tip.x - g)
+    touching = Phase("touching", law, ends=Event(tip.x - g), demands={"it presses": tip.x - g})
+    off = Phase("off", tip.force, ends=Event(tip.x - g), demands={"it is off": g - tip.x})
+    return Scene(
+        "bad-body", "a body", body=made, frequency=Omega, phases=(touching, off),
+        parameters=(
+            Parameter("spring", k, "N/m", 10.0, "spring"),
+            Parameter("gap", g, "m", 0.5, "gap"),
+            Parameter("frequency", Omega, "rad/s", 0.9, "frequency"),
+        ),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ({"M": np.diag([1.0, -1.0])}, "body: M: it is not positive definite"),
+        ({"M": np.diag([1.0, 0.0])}, "body: M: it is not positive definite"),
+        ({"M": [[1, 1], [0, 1]]}, "body: M: it is not symmetric"),
+        ({"K": [[2, -1], [0, 1]]}, "body: K: it is not symmetric, by 1"),
+        ({"K": np.eye(3)}, "body: K: got 3 x 3 entries, expected 2 x 2"),
+        ({"M": [1, 2]}, "body: M: got"),
+        ({"at": {"tip": [0, 1, 0]}}, "body: at 'tip': got 3 x 1 entries, expected 2 x 1"),
+        ({"at": {"tip": [0, 0]}}, "body: at 'tip': expected numbers, not all zero"),
+        ({"at": {}}, "body: at: expected a mapping"),
+        ({"forcing": [0, 0]}, "body: forcing: got only zeros, on no degree of freedom"),
+        ({"forcing": [1, 0, 0]}, "body: forcing: got 3 x 1 entries, expected 2 x 1"),
+        ({"modes": 3}, "body: modes: got 3, expected a whole number, 1 to 2"),
+        ({"modes": 1.5}, "body: modes: got 1.5"),
+        ({"ratio": -0.1}, "body: ratio: got -0.1, expected a number not below 0"),
+        ({"C": np.eye(2)}, "body: got C and ratio, expected one of them"),
+        ({"K": [[np.nan, 0], [0, 1]]}, "body: K: expected real and finite numbers"),
+        ({"K": np.array([[1j, 0], [0, 1]])}, "body: K: expected real and finite numbers"),
+        ({"K": k * sp.eye(2) * sp.Symbol("h")}, "body: h is not a parameter of the scene"),
+        ({"M": sp.eye(2) * k, "K": sp.eye(2) * k}, "which is not that of M"),
+    ],
+    ids=str,
+)
+def test_one_line_names_what_is_wrong(body: dict[str, object], words: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        scene(**body)
+    assert words in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_law_says_what_the_force_is() -> None:
+    good = scene()
+    law = good.body.at["tip"].x - g
+    with pytest.raises(SceneError, match="it says nothing of the force at tip"):
+        replace(good, phases=(Phase("p", law, Event(law)), good.phases[1]))
+
+
+def test_modes_are_checked_with_the_parameters() -> None:
+    beam = ns.scene("beam-clearance")
+    with pytest.raises(ParameterError, match=r"modes: got 2\.5, expected a whole number"):
+        ns.solve(beam(modes=2.5))
+
+
+@pytest.mark.parametrize("ask", [ns.simulate, lambda q: ns.branch(q, "gap", 0.1, 0.6)])
+def test_what_takes_no_bodies_says_so(ask) -> None:
+    with pytest.raises(NotOfBodies, match="several degrees of freedom"):
+        ask(ns.scene("chain-impact")())
+
+
+def test_a_scene_of_ones_own_is_solved_and_kept(monkeypatch, tmp_path) -> None:
+    """In SI units of steel: stiff, and displacements of micrometres."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    K = 1e8 * np.array([[2.0, -1.0], [-1.0, 1.0]])
+    own = ns.scene(scene(M=2 * np.eye(2), K=K, forcing=[50.0, 0.0]))
+    orbit = ns.solve(own(spring=5e8, gap=1e-6, frequency=4000.0), order=10)
+    assert orbit.admissible
+    assert orbit.estimate.times < 1e-9
+    again = ns.scene(scene(M=2 * np.eye(2), K=K, forcing=[50.0, 0.0]))
+    assert again.folder == own.folder
+    other = ns.scene(scene(M=2 * np.eye(2), K=1.001 * K, forcing=[50.0, 0.0]))
+    assert other.folder != own.folder
