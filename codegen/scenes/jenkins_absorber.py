@@ -41,7 +41,7 @@ SCENE = Scene(
         Parameter("absorber_mass", m2, "kg", 0.1, "the absorber"),
         Parameter("stiffness", k1, "N/m", 1.0, "spring to the ground"),
         Parameter("absorber_stiffness", k2, "N/m", 0.05, "spring of the absorber"),
-        Parameter("joint_stiffness", k_t, "N/m", 0.1, "spring in series with the slider"),
+        Parameter("tangential_stiffness", k_t, "N/m", 0.1, "spring in series with the slider"),
         Parameter("damping", c1, "N s/m", 0.02, "damper to the ground"),
         Parameter("absorber_damping", c2, "N s/m", 0.002, "damper of the absorber"),
         Parameter("friction", f_R, "N", 0.05, "force at which the slider gives way"),

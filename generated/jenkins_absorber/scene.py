@@ -18,8 +18,8 @@ def extremes(m1, m2, k1, k2, k_t, c1, c2, f_R, F, Omega):
     return ()
 
 
-MATHEMATICS = "580bf6aeb88be82a577df9bd1dafb93a0165d9747898889970fc26718a4eef60"  # of what fixes its motion
-BODY = "4b88541017b6c876f7a0900ee546346f868b9a7bbbd571127b4a4ad46eb39ae9"  # of the text below
+MATHEMATICS = "b6a7f8075a23e5c7c643792e92a766f43428ac4080a1827f00b0714e3f606108"  # of what fixes its motion
+BODY = "67bbfd05b1e8d6e3e091bd112ea31881015fb55408253653673dc7126216f7a8"  # of the text below
 
 NAME = 'jenkins-absorber'
 TITLE = 'a driven mass and an absorber, joined by a spring and a slider in series'
@@ -39,7 +39,7 @@ PARAMETERS = (
     ('absorber_mass', 'm2', 'kg', 0.1, 'the absorber', 'positive', None),
     ('stiffness', 'k1', 'N/m', 1.0, 'spring to the ground', 'positive', None),
     ('absorber_stiffness', 'k2', 'N/m', 0.05, 'spring of the absorber', 'positive', None),
-    ('joint_stiffness', 'k_t', 'N/m', 0.1, 'spring in series with the slider', 'positive', None),
+    ('tangential_stiffness', 'k_t', 'N/m', 0.1, 'spring in series with the slider', 'positive', None),
     ('damping', 'c1', 'N s/m', 0.02, 'damper to the ground', 'nonnegative', None),
     ('absorber_damping', 'c2', 'N s/m', 0.002, 'damper of the absorber', 'nonnegative', None),
     ('friction', 'f_R', 'N', 0.05, 'force at which the slider gives way', 'positive', None),
