@@ -56,13 +56,13 @@ def _made(
     def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
         case = _given(case)
         times = z[len(z) - width :].copy()
-        outcome = newton(case, times, limit)
+        status, iterations, correction, norm = newton(case, times, limit)
         z[len(z) - width :] = times
         try:
             _fill(case, z, times, states)
         except (np.linalg.LinAlgError, ValueError):
             z[: len(z) - width] = np.nan
-        return outcome
+        return status, iterations, float(correction), float(norm)
 
     def signals(case: Any, z: Vector, p: int, u: Vector) -> Matrix:
         return motions.signals(*_given(case), z[len(z) - width :], p, u)
