@@ -6,6 +6,7 @@ import signal
 from pathlib import Path
 
 import numpy as np
+import one_mass
 import pytest
 
 import nonsmooth as ns
@@ -23,7 +24,7 @@ from nonsmooth.solver.results.branch import BranchInterrupted
 
 SPRING = ns.scene("clearance")(force=0.3, damping=0.1, gap=1.0, frequency=1.0)
 FLAGS = ("clearance", "--force", 0.3, "--damping", 0.1, "--gap", 1, "--frequency", 1)
-MOTIONS = [motion for name in registry.names() for motion in registry.load(name).each_motion]
+MOTIONS = [motion for name in one_mass.NAMES for motion in registry.load(name).each_motion]
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ import types
 
 import numba
 import numpy as np
+import one_mass
 import pytest
 import sympy as sp
 from flint import arb
@@ -21,9 +22,7 @@ from nonsmooth.solver.scenes.arrays import Arrays, arrays_of
 STEPS = (1, 2, 3, 4)
 WEIGHTS = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
 
-MOTIONS = {
-    one.label: one for name in registry.names() for one in registry.load(name).each_motion
-}
+MOTIONS = {one.label: one for name in one_mass.NAMES for one in registry.load(name).each_motion}
 
 #: Phases, sign of the next cell, forced, memories, classes, functions at each switch.
 CELLS = {

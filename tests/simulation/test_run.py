@@ -5,6 +5,7 @@ from fractions import Fraction
 
 import mpmath
 import numpy as np
+import one_mass
 import pytest
 from test_chatter import resting
 
@@ -20,7 +21,7 @@ from nonsmooth.solver.simulation.steps.step import CHATTERS, REFUSED
 from nonsmooth.solver.simulation.walk import Place, follow, strobed, with_array
 
 #: Scenes, and one whose impacts accumulate before it rests.
-SCENES = (*registry.names(), "impacts and a rest")
+SCENES = (*one_mass.NAMES, "impacts and a rest")
 
 
 def drawn(name, count):

@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 
 import numpy as np
+import one_mass
 import pytest
 from every_run import tried
 from made_scenes import made
@@ -206,7 +207,7 @@ def some_motions(count: int, seed: int):
     """Yield cases of every scene with random parameters, and what was said of them."""
     rng = np.random.default_rng(seed)
     for _ in range(count):
-        for scene in map(registry.load, registry.names()):
+        for scene in map(registry.load, one_mass.NAMES):
             values = {q.name: q.default * rng.uniform(0.5, 1.7) for q in scene.parameters}
             for name, factors in (("gap", [1, 3]), ("damping", [2, 4, 8])):
                 if name in values:

@@ -4,6 +4,7 @@ import math
 import os
 
 import numpy as np
+import one_mass
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -234,7 +235,7 @@ def some_orbits(count: int, seed: int):
     """Yield orbits of every scene by every method, at random parameters and orders."""
     rng = np.random.default_rng(seed)
     for _ in range(count):
-        for scene in map(registry.load, registry.names()):
+        for scene in map(registry.load, one_mass.NAMES):
             values = {q.name: q.default * rng.uniform(0.7, 1.4) for q in scene.parameters}
             methods = registry.methods(scene)
             method = methods[rng.integers(len(methods))]
@@ -272,7 +273,7 @@ def test_what_an_event_that_is_touched_comes_to() -> None:
         monodromy(orbit)
 
 
-@pytest.mark.parametrize("scene", registry.names())
+@pytest.mark.parametrize("scene", one_mass.NAMES)
 def test_the_determinant_is_that_of_its_formula(scene: str) -> None:
     """``prod det S exp(-sum c s/m)``: of the saltations by the rates on both sides."""
     orbit = exact_orbit(registry.load(scene)())
