@@ -16,7 +16,6 @@ from .problems import Problem
 from .scenes import named as scenes
 from .space import named as structures
 
-
 #: Commands that take scenes of one mass alone.
 ONE_MASS = ("branch", "digits", "equations", "map", "simulate", "stability")
 
