@@ -209,13 +209,26 @@ def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     return _kept(cell, np.ascontiguousarray(times, dtype=float).tobytes())
 
 
-def along(cell: "BodyCell", times: Vector, p: int, u: Vector) -> Matrix:
-    """Return ``(y, cos, sin, 1, memory)`` on phase `p` at local times in [0, 1], by column."""
+def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Matrix:
+    """Return linear forms of ``(y, cos, sin, 1, memory)`` on phase `p`, at local times.
+
+    Parameters
+    ----------
+    u : ndarray
+        Local times in [0, 1].
+    rows : ndarray
+        The forms, a row each.
+
+    Returns
+    -------
+    ndarray, shape (len(rows), len(u))
+    """
     part, found = parts_of(cell)[p], evaluated(cell, times)
     states = part.lawful.A.shape[0]
     start, theta = found.starts[p], float(angles_of(cell, times)[p])
     t = float(times[p]) * np.asarray(u, dtype=float)
-    y = part.flow.at(start[:states], np.concatenate([wave(theta), start[states:]]), t)
+    inputs = np.concatenate([wave(theta), start[states:]])
     there = theta + cell.omega * t
-    constant = np.repeat(start[states:, None], len(t), axis=1)
-    return np.vstack([y, np.cos(there), np.sin(there), np.ones(len(t)), constant])
+    waves, others = np.array([np.cos(there), np.sin(there)]), rows[:, states + 2 :] @ inputs[2:]
+    found = part.flow.seen(rows[:, :states], start[:states], inputs, t)
+    return found + rows[:, states : states + 2] @ waves + others[:, None]

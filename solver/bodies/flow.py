@@ -55,14 +55,14 @@ class Flow:
         found[:, 0], found[:, 1] = cos * half + sin * other, sin * half - cos * other
         return np.asarray(found)
 
-    def at(self, y: Vector, inputs: Vector, t: Vector) -> Matrix:
-        """Return the state at times from its start; shape (n, len(t)).
+    def seen(self, rows: Matrix, y: Vector, inputs: Vector, t: Vector) -> Matrix:
+        """Return linear forms of the state at times from its start; shape (len(rows), len(t)).
 
         `inputs` are the cosine and the sine at the start, 1 and the memory.
         """
-        start = (self.inverse @ y)[:, None]
+        basis, start = rows @ self.basis, (self.inverse @ y)[:, None]
         if self.is_clear(float(np.abs(t).max(initial=0.0))):
-            return self._clear(start[:, 0], inputs, t)
+            return self._clear(basis, start[:, 0], inputs, t)
         turns = [steady(self.poles[:, None], q * self.omega, t[None, :]) for q in (1, -1, 0)]
         half, other = (turns[0] + turns[1]) / 2, (turns[0] - turns[1]) / 2j
         cos, sin = self.inputs[:, 0], self.inputs[:, 1]
@@ -70,15 +70,15 @@ class Flow:
         constant = self.inputs[:, 2:] @ inputs[2:]
         moved = start * np.exp(self.poles[:, None] * t[None, :])
         moved += by_cos[:, None] * half + by_sin[:, None] * other + constant[:, None] * turns[2]
-        return np.asarray((self.basis @ moved).real)
+        return np.asarray((basis @ moved).real)
 
     def is_clear(self, longest: float) -> bool:
         """Whether no pole is near what drives it: then steady answers keep their digits."""
         driven = np.array([0.0, self.omega, -self.omega])
         return bool(np.abs(1j * driven - self.poles[:, None]).min() * longest >= CLEAR)
 
-    def _clear(self, start: Complex, inputs: Vector, t: Vector) -> Matrix:
-        """Return the state by steady answers and what of the start decays."""
+    def _clear(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
+        """Return forms of the state by steady answers and what of the start decays."""
         half = (self.inputs[:, 0] - 1j * self.inputs[:, 1]) * (inputs[0] + 1j * inputs[1]) / 2
         other = (self.inputs[:, 0] + 1j * self.inputs[:, 1]) * (inputs[0] - 1j * inputs[1]) / 2
         up, down = (
@@ -88,8 +88,8 @@ class Flow:
         constant = -(self.inputs[:, 2:] @ inputs[2:]) / self.poles
         decaying = (start - up - down - constant)[:, None] * np.exp(self.poles[:, None] * t)
         waves = np.exp(1j * self.omega * t)
-        steady_ = np.outer(self.basis @ up, waves) + np.outer(self.basis @ down, waves.conj())
-        found = self.basis @ decaying + steady_ + (self.basis @ constant)[:, None]
+        steady_ = np.outer(basis @ up, waves) + np.outer(basis @ down, waves.conj())
+        found = basis @ decaying + steady_ + (basis @ constant)[:, None]
         return np.asarray(found.real)
 
 

@@ -30,7 +30,7 @@ def signals(cell: "BodyCell", order: int, times: Vector, p: int, u: Vector) -> M
     if order == 0:
         rows = exact.parts_of(cell)[p].lawful.rows
         kept = len(rows) - len(cell.memory)
-        return np.asarray(rows[:kept] @ exact.along(cell, times, p, u))
+        return exact.seen(cell, times, p, u, rows[:kept])
     own, found = layout(cell, order), evaluated(cell, order, times)
     theta = angles_of(cell, times)[p] + cell.omega * float(times[p]) * u
     z = _along(cell, order, times, p, u)
@@ -54,7 +54,7 @@ def derivative(
     row = part.lawful.rows[ACCELERATION]
     for _ in range(number - 2):
         row = row @ generator
-    return np.asarray(row @ exact.along(cell, times, p, u))
+    return exact.seen(cell, times, p, u, row[None])[0]
 
 
 def _derivative(
