@@ -230,5 +230,5 @@ def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Ma
     inputs = np.concatenate([wave(theta), start[states:]])
     there = theta + cell.omega * t
     waves, others = np.array([np.cos(there), np.sin(there)]), rows[:, states + 2 :] @ inputs[2:]
-    found = part.flow.seen(rows[:, :states], start[:states], inputs, t)
-    return found + rows[:, states : states + 2] @ waves + others[:, None]
+    free = part.flow.seen(rows[:, :states], start[:states], inputs, t)
+    return np.asarray(free + rows[:, states : states + 2] @ waves + others[:, None])

@@ -1,10 +1,12 @@
 """The flow of a body in one phase, in the eigenbasis of that phase."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
+from ..scenes.arrays import Integers
 from .laws import Lawful
 from .modal import BodyError, Complex
 
@@ -60,9 +62,28 @@ class Flow:
 
         `inputs` are the cosine and the sine at the start, 1 and the memory.
         """
-        basis, start = rows @ self.basis, (self.inverse @ y)[:, None]
+        half, start = self._upper, self.inverse @ y
+        basis = rows @ half.basis
+        start = start[self._kept][:, None]
         if self.is_clear(float(np.abs(t).max(initial=0.0))):
-            return self._clear(basis, start[:, 0], inputs, t)
+            return half._clear(basis, start[:, 0], inputs, t)
+        return half._near(basis, start, inputs, t)
+
+    @cached_property
+    def _kept(self) -> Integers:
+        """Which poles are kept where real parts are taken: one of each pair."""
+        return np.flatnonzero(self.poles.imag >= 0)
+
+    @cached_property
+    def _upper(self) -> "Flow":
+        """The poles of which real parts are taken, those of pairs twice."""
+        kept = self._kept
+        twice = np.where(self.poles[kept].imag > 0, 2.0, 1.0)
+        basis = self.basis[:, kept] * twice
+        return Flow(self.poles[kept], basis, self.inverse, self.inputs[kept], self.omega)
+
+    def _near(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
+        """Return forms of the state where a pole is near what drives it."""
         turns = [steady(self.poles[:, None], q * self.omega, t[None, :]) for q in (1, -1, 0)]
         half, other = (turns[0] + turns[1]) / 2, (turns[0] - turns[1]) / 2j
         cos, sin = self.inputs[:, 0], self.inputs[:, 1]

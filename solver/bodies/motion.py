@@ -54,7 +54,7 @@ def derivative(
     row = part.lawful.rows[ACCELERATION]
     for _ in range(number - 2):
         row = row @ generator
-    return exact.seen(cell, times, p, u, row[None])[0]
+    return np.asarray(exact.seen(cell, times, p, u, row[None])[0])
 
 
 def _derivative(

@@ -2,7 +2,7 @@
 
 from contextlib import nullcontext
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from ..scenes.case import Case
 from ..stability.in_words import in_words
 from . import admissible
 from .motion import Motion
+
+#: Differences of times, as a part of the largest, of the same solution.
+SAME = 1e-11
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -106,10 +109,32 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     kernel = exact_kernel(case.cell)
     times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
     if kernel.condensed:
-        return of_unknowns(case, np.append(np.zeros(kernel.size(1) - len(times)), times))
+        z = np.append(np.zeros(kernel.size(1) - len(times)), times)
+        return _kept(of_unknowns(case, z))
     with nullcontext() if kernel.account is None else kernel.account.spending():
         z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
     return of_unknowns(case, z)
+
+
+@lru_cache(maxsize=8)
+def _found(case: Case) -> list[ExactOrbit]:
+    """Return the solutions of a case to which Newton's method led before: filled by others."""
+    return []
+
+
+def _kept(orbit: ExactOrbit) -> ExactOrbit:
+    """Return the same solution as it was found before, with what was asked of it, if it was.
+
+    Of a body every judgement takes long, and all orders lead to the same solution.
+    """
+    if not orbit.outcome.converged:
+        return orbit
+    before, own = _found(orbit.case), orbit.times
+    for other in before:
+        if np.abs(other.times - own).max() <= SAME * np.abs(own).max():
+            return other
+    before.append(orbit)
+    return orbit
 
 
 def of_unknowns(case: Case, z: Vector) -> ExactOrbit:

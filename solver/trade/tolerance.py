@@ -9,6 +9,7 @@ import numpy as np
 from ..accuracy.estimate import ROUNDING
 from ..kernels import registry
 from ..no_orbit import NoOrbit
+from ..orbit.errors import Errors
 from ..results.orbit import Orbit
 from ..scenes.case import Case
 from ..scenes.method_names import shown
@@ -19,6 +20,9 @@ from .choice import MARGIN, Choice, NotCertified, Trial, size
 
 #: Up to here every order is tried; beyond, each is larger than the last by a part of it.
 EVERY, STEP = 24, 0.15
+
+#: The same of a body, each of whose orbits takes long to judge.
+EVERY_OF_BODIES, STEP_OF_BODIES = 3, 0.5
 
 #: Orders over which the errors must have fallen, or they will not, and the least fall.
 PATIENCE, LEAST_FALL = 8, 0.9
@@ -68,7 +72,7 @@ def choose_order(
     if MARGIN * tol <= ROUNDING:
         raise NotCertified(tol, (), math.nan)
     last = kernel.lowest
-    for order in _orders(kernel.lowest):
+    for order in _orders(kernel.lowest, case.scene.has_body):
         orbit = search.meets(order)
         if orbit is not None:
             orbit = search.lowest(last, order, orbit)
@@ -81,11 +85,12 @@ def choose_order(
     raise NotCertified(tol, tuple(search.trials), search.needed())
 
 
-def _orders(lowest: int) -> Iterator[int]:
+def _orders(lowest: int, of_body: bool) -> Iterator[int]:
+    every, step = (EVERY_OF_BODIES, STEP_OF_BODIES) if of_body else (EVERY, STEP)
     order = lowest
     while order < HIGHEST_ORDER:
         yield order
-        order += 1 if order < EVERY else math.ceil(STEP * order)
+        order += 1 if order < every else math.ceil(step * order)
     yield HIGHEST_ORDER
 
 
@@ -107,9 +112,14 @@ class _Search:
             self.finding = finding
             self.trials.append(Trial(name, order, None))
             return None
-        name = shown(self.case.scene, orbit.method)
-        self.trials.append(Trial(name, order, orbit.estimate))
-        return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
+        name, far = shown(self.case.scene, orbit.method), self._beyond(orbit)
+        self.trials.append(Trial(name, order, far or orbit.estimate))
+        return orbit if not far and size(orbit.estimate) <= MARGIN * self.tol else None
+
+    def _beyond(self, orbit: Orbit) -> Errors | None:
+        """Return the errors of a body's orbit if they are too large: these need no estimate."""
+        errors = orbit.errors if self.case.scene.has_body else None
+        return errors if errors is not None and size(errors) > self.tol else None
 
     def lowest(self, fails: int, meets: int, orbit: Orbit) -> Orbit:
         """Return the orbit of the lowest order between one that fails and one that meets."""

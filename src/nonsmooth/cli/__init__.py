@@ -102,7 +102,7 @@ def _verbs() -> Iterable[click.Command]:
         "solve": "Compute periodic orbits.",
         "sweep": "Compute them for many orders, or along a parameter.",
         "branch": "Follow an orbit along a parameter, through folds and flips.",
-        "map": "Map motions and their stability over two parameters.",
+        "map": "Map motions, stable or not, over two parameters.",
         "digits": "Measure the digits of float64 at the extremes.",
         "tradeoff": "Measure time against error.",
     }

@@ -79,7 +79,7 @@ class NamedCommand(click.Command):
             If there is no such scene or structure, or its file is not as it must be.
         """
         said, rest = said_first(arguments, lambda: {*self.names()} - {self.default})
-        name = said or self.default
+        name = self.default if said is None else said
         if name is None or (said is None and self.own):
             return self, "", rest
         dashed = name.replace("_", "-")
