@@ -23,6 +23,7 @@ from .charts.lines import Line, Stretch, line_of
 from .charts.plane import Bounds, Plane
 from .results.chart import Chart, ChartInterrupted, EventCurve
 from .scenes.arrays import Integers
+from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.parameter_error import is_number
 
@@ -104,6 +105,7 @@ def chart(
     ['flip', 'grazing']
     """
     columns, rows = _axes(case, axes)
+    check_one_mass(case.scene, "map")
     names, bounds = (columns.name, rows.name), (columns.ends, rows.ends)
     corner = _at(case, names, (columns.low, rows.low))
     tasks = [(corner.with_value(*each), names, bounds, 1) for each in rows.lines()]

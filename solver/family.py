@@ -144,7 +144,8 @@ class _Rows:
         """Follow the branch from an orbit through all values."""
         values = [each.values[self.parameter] for each in self.cases]
         bounds = min(values), max(values)
-        if bounds[0] == bounds[1]:
+        of_body = exact.case.scene.has_body  # of which there are no branches
+        if bounds[0] == bounds[1] or of_body:
             return
         found = Both(index_of(exact.case, self.parameter))
         try:

@@ -127,16 +127,24 @@ def scene_named(scene: str | Scene) -> Scene:
     Raises
     ------
     ValueError
-        Naming the nearest scene that there is.
+        Naming the nearest scene that there is; or if it is of a body, whose equations are not
+        printed.
     """
-    if isinstance(scene, Scene):
-        return scene
-    if is_path(scene):
-        return _from_file(Path(scene))
     known = scene_files()
-    if scene not in known:
+    if isinstance(scene, Scene):
+        found = scene
+    elif is_path(scene):
+        found = _from_file(Path(scene))
+    elif scene in known:
+        found = known[scene]
+    else:
         raise ValueError(f"scene: got {scene!r}, expected {one_of(scene, list(known))}")
-    return known[scene]
+    if found.body is not None:
+        raise ValueError(
+            f"scene: got {found.name}, a body of several degrees of freedom, expected a scene "
+            "of one mass"
+        )
+    return found
 
 
 def _from_file(path: Path) -> Scene:

@@ -1,0 +1,48 @@
+"""Commands on bodies: what they compute, and what they say of what is for one mass alone."""
+
+import json
+
+import pytest
+from refusals import refused
+
+import nonsmooth as ns
+
+#: What is computed for scenes of one mass alone.
+ONE_MASS = (
+    ("branch", "--vary", "gap=0.4:0.6"),
+    ("map", "--vary", "gap=0.4:0.6:2", "--vary", "mass=1:2:2"),
+    ("simulate",),
+    ("digits",),
+    ("equations",),
+    ("report", "-o", "page"),
+)
+
+
+@pytest.mark.parametrize("command", ONE_MASS, ids=lambda command: command[0])
+def test_what_there_is_not_for_a_body_is_said(run, command) -> None:
+    name, *flags = command
+    assert "a body of several degrees of freedom" in refused(run, name, "chain-impact", *flags)
+
+
+@pytest.mark.parametrize("call", ["branch", "branches", "chart", "simulate"])
+def test_functions_say_it_too(call: str) -> None:
+    case = ns.scene("chain-impact")()
+    arguments = {
+        "branch": ("gap", 0.4, 0.6), "branches": ("gap", 0.4, 0.6), "simulate": (),
+        "chart": ({"gap": (0.4, 0.6, 2), "mass": (1.0, 2.0, 2)},),
+    }  # fmt: skip
+    with pytest.raises(ValueError, match="a body of several degrees of freedom"):
+        getattr(ns, call)(case, *arguments[call])
+
+
+def test_documents_files_and_families_of_a_body(run, tmp_path) -> None:
+    _, out, _ = run("solve", "chain-impact", "--method", "ck-tau", "--order", 2, "--json")
+    document = json.loads(out)
+    assert document["admissible"]
+    orbit = ns.solve(ns.scene("chain-impact")(), order=2)
+    assert document["phases"][0]["duration"] == orbit.phases[0].duration
+    ns.save(orbit, tmp_path / "orbit.json")
+    assert ns.load(tmp_path / "orbit.json").durations == orbit.durations
+    rows = ns.family(orbit.case, "gap", [0.4, 0.5], order=2).rows
+    assert [row.status for row in rows] == ["ok", "ok"]
+    assert rows[1].forcing_phase == pytest.approx(orbit.forcing_phase, abs=1e-12)
