@@ -1,7 +1,7 @@
 """The equations of one cell, in dimensionless numbers: what every other module reads."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from operator import mul
 from typing import TYPE_CHECKING, Any
@@ -207,47 +207,66 @@ class Cell:
 
 def cell_of(scene: "LoadedScene", numbers: tuple[float, ...], cycles: int = 1) -> Cell:
     """Return the cell of a scene of one motion for dimensionless parameters."""
+    phases = []
+    equations = scene.numbers("coefficients", numbers)
+    for equation, fields in zip(equations, fields_of_phases(scene, numbers), strict=True):
+        m, c, k, f, g, *memory = map(float, equation)
+        phases.append(Phase(m=m, c=c, k=k, f=f, g=g, memory=tuple(memory), **fields))
+    found = Cell(phases=tuple(phases), **fields_of_cell(scene, numbers))
+    start = form_of(scene.numbers("start", numbers)) if scene.has_start else ()
+    return replace(found, cycles=cycles, start=start)
+
+
+def fields_of_phases(
+    scene: "LoadedScene", numbers: tuple[float, ...]
+) -> Iterator[dict[str, Any]]:
+    """Yield what a phase has beside its equation: name, event, jump, demands."""
     module = scene.module
     rows = zip(
         scene.kinds,
-        scene.numbers("coefficients", numbers),
         scene.numbers("held", numbers),
         scene.numbers("events", numbers),
         scene.numbers("jumps", numbers),
-        module.DEMANDS,
-        scene.numbers("demands", numbers),
-        module.SWITCH_DEMANDS,
-        scene.numbers("switch_demands", numbers),
+        zip(module.DEMANDS, scene.numbers("demands", numbers), strict=True),
+        zip(module.SWITCH_DEMANDS, scene.numbers("switch_demands", numbers), strict=True),
         strict=True,
     )
-    phases = tuple(
-        Phase(
-            name,
-            **dict(zip("mckfg", map(float, equation), strict=False)),
-            held=held,
-            speed=float(speed),
-            event=_form(event),
-            rho=float(jump[0]),
-            d=float(jump[1]),
-            demands=tuple(zip(words, map(_form, demands), strict=True)),
-            switch_demands=tuple(zip(at_switch, map(_form, switch_demands), strict=True)),
-            memory=tuple(map(float, equation[5:])),
-        )
-        for (name, held), equation, speed, event, jump, words, demands, at_switch,
-        switch_demands in rows
-    )  # fmt: skip
+    for (name, held), speed, event, jump, demands, at_switch in rows:
+        yield {
+            "name": name,
+            "held": held,
+            "speed": float(speed),
+            "event": form_of(event),
+            "rho": float(jump[0]),
+            "d": float(jump[1]),
+            "demands": _with_words(*demands),
+            "switch_demands": _with_words(*at_switch),
+        }
+
+
+def fields_of_cell(scene: "LoadedScene", numbers: tuple[float, ...]) -> dict[str, Any]:
+    """Return what a cell has beside its phases, of one cycle of the forcing."""
     names = [parameter.name for parameter in scene.parameters]
-    frequency = None if scene.frequency is None else numbers[names.index(scene.frequency)]
-    guess = tuple(map(float, scene.numbers("guess", numbers)))
     values = scene.numbers("memory", numbers)
-    memory = tuple(
-        Memory(name, phase, power, _form(value))
-        for (name, phase, power, _), value in zip(scene.memory, values, strict=True)
-    )
-    sign = -1 if scene.half_period else 1
-    start = _form(scene.numbers("start", numbers)) if scene.has_start else ()
-    return Cell(phases, frequency, sign, scene.k, guess, cycles, memory, scene.classes, start)
+    return {
+        "frequency": None if scene.frequency is None else numbers[names.index(scene.frequency)],
+        "sign": -1 if scene.half_period else 1,
+        "k": scene.k,
+        "guess": tuple(map(float, scene.numbers("guess", numbers))),
+        "memory": tuple(
+            Memory(name, phase, power, form_of(value))
+            for (name, phase, power, _), value in zip(scene.memory, values, strict=True)
+        ),
+        "classes": scene.classes,
+    }
 
 
-def _form(row: tuple[float, ...]) -> Form:
+def form_of(row: Sequence[float]) -> Form:
+    """Return a row of a generated module as a form."""
     return tuple(map(float, row))
+
+
+def _with_words(
+    words: Sequence[str], rows: Sequence[Sequence[float]]
+) -> tuple[tuple[str, Form], ...]:
+    return tuple(zip(words, map(form_of, rows), strict=True))

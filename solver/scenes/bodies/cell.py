@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...bodies.modal import BodyError, Modal, modal
-from ..cell import Cell, Form, Memory, Phase
+from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
 from ..parameter_error import ParameterError
 from .files import matrices_of
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 #: Entries of a form for the first contact, the forcing and 1; and for each other contact.
 FIRST, OTHER = 6, 4
+
+#: What a phase has in place of the equation of motion of one mass.
+NO_EQUATION: Any = {"m": 1.0, "c": 0.0, "k": 0.0, "f": 0.0, "g": 0.0}
 
 
 @dataclass(frozen=True)
@@ -91,49 +94,27 @@ def body_cell(case: "Case") -> BodyCell:
         If its parameters make no body.
     """
     scene, numbers = case.scene, case.numbers
-    module, width = scene.module, len(scene.module.CONTACTS)
     rows = zip(
-        scene.kinds,
         scene.numbers("laws", numbers),
-        scene.numbers("held", numbers),
-        scene.numbers("events", numbers),
         scene.numbers("jumps", numbers),
-        zip(module.DEMANDS, scene.numbers("demands", numbers), strict=True),
-        zip(module.SWITCH_DEMANDS, scene.numbers("switch_demands", numbers), strict=True),
+        fields_of_phases(scene, numbers),
         strict=True,
     )
     phases = tuple(
         BodyPhase(
-            name,
-            *(1.0, 0.0, 0.0, 0.0, 0.0),
-            held=held,
-            speed=float(speed),
-            event=_form(event),
-            rho=float(jump[0]),
-            d=float(jump[1]),
-            demands=tuple(zip(words, map(_form, demands), strict=True)),
-            switch_demands=tuple(zip(at_switch, map(_form, there), strict=True)),
+            **NO_EQUATION,
             memory=(0.0,) * len(scene.memory),
-            laws=tuple(map(_form, laws)),
-            jumps=tuple((float(jump[2 * i]), float(jump[2 * i + 1])) for i in range(width)),
+            laws=tuple(map(form_of, laws)),
+            jumps=tuple(
+                (float(rho), float(d)) for rho, d in zip(jumps[::2], jumps[1::2], strict=True)
+            ),
+            **fields,
         )
-        for (name, held), laws, speed, event, jump, (words, demands), (at_switch, there) in rows
+        for laws, jumps, fields in rows
     )
-    values = scene.numbers("memory", numbers)
-    memory = tuple(
-        Memory(name, phase, power, _form(value))
-        for (name, phase, power, _), value in zip(scene.memory, values, strict=True)
-    )
-    names = [parameter.name for parameter in scene.parameters]
-    frequency = None if scene.frequency is None else numbers[names.index(scene.frequency)]
-    guess, sign = (
-        tuple(map(float, scene.numbers("guess", numbers))),
-        -1 if scene.half_period else 1,
-    )
-    body = _body(scene, tuple(case.values.values()), case.units, frequency or 0.0)
-    return BodyCell(
-        phases, frequency, sign, scene.k, guess, case.cycles, memory, scene.classes, body=body
-    )
+    fields = fields_of_cell(scene, numbers)
+    body = _body(scene, tuple(case.values.values()), case.units, fields["frequency"] or 0.0)
+    return BodyCell(phases=phases, cycles=case.cycles, body=body, **fields)
 
 
 @lru_cache(maxsize=64)
@@ -181,7 +162,3 @@ def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> 
         shape = tuple(map(int, file[f"{name}_shape"]))
         found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
     return found
-
-
-def _form(row: Sequence[float]) -> Form:
-    return tuple(map(float, row))
