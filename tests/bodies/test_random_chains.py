@@ -1,0 +1,115 @@
+"""Chains of random parameters: their orbits close and keep their demands, by another way.
+
+The whole chain is moved on by matrix exponentials in physical coordinates, without modes, poles
+or the forces of the solver: from the periodic state that the times of the switches leave.
+"""
+
+import numpy as np
+import pytest
+import sympy as sp
+from every_run import tried
+from scipy.linalg import expm
+
+import nonsmooth as ns
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+
+#: Masses of a chain, points of a phase at which demands are looked at.
+COUNT, POINTS = 4, 2000
+
+SEEDS = {f"seed {seed}": seed for seed in range(50)}
+
+
+def chain(phases: str) -> Scene:
+    """Return the scene of a row of masses with an elastic or a rigid stop."""
+    m, k, stop, g, F, Omega = sp.symbols("m k stop g F Omega", positive=True)
+    c, r = sp.symbols("c r", nonnegative=True)
+    row = Body(
+        M=m * sp.eye(COUNT), K=k * sp.Matrix(LINKS), C=c * sp.Matrix(LINKS),
+        forcing=sp.Matrix([F, *[0] * (COUNT - 1)]), at={"end": [0] * (COUNT - 1) + [1]},
+    )  # fmt: skip
+    end = row.at["end"]
+    before = {"before the stop": g - end.x}
+    rigid = Phase("flight", end.force, Event(end.x - g, jump={end.v: -r * end.v}), before)
+    soft = (
+        Phase("touch", end.force + stop * (end.x - g), Event(end.x - g), {"in": end.x - g}),
+        Phase("free", end.force, Event(end.x - g), before),
+    )
+    own = ("restitution", r, "") if phases == "rigid" else ("stop", stop, "N/m")
+    names = (("mass", m, "kg"), ("stiffness", k, "N/m"), ("damping", c, "N s/m"))
+    names += (("force", F, "N"), ("frequency", Omega, "rad/s"), ("gap", g, "m"), own)
+    parameters = tuple(Parameter(name, q, unit, 0.5, name) for name, q, unit in names)
+    found = (rigid,) if phases == "rigid" else soft
+    return Scene(f"{phases}-stop", "a chain", parameters, found, frequency=Omega, body=row)
+
+
+LINKS = (2 * np.eye(COUNT) - np.eye(COUNT, k=1) - np.eye(COUNT, k=-1)).astype(int)
+LINKS[-1, -1] = 1
+
+
+@pytest.fixture(scope="module", params=["rigid", "elastic"])
+def scene(request, tmp_path_factory):
+    """Return a chain, derived once."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        return ns.scene(chain(request.param))
+
+
+def generator(values, stop: float) -> np.ndarray:
+    """Return A of ``X' = A X`` for q, q', cos, sin, 1."""
+    n = COUNT
+    A = np.zeros((2 * n + 3, 2 * n + 3))
+    A[:n, n : 2 * n] = np.eye(n)
+    A[n : 2 * n, :n] = -values["stiffness"] * LINKS / values["mass"]
+    A[n : 2 * n, n : 2 * n] = -values["damping"] * LINKS / values["mass"]
+    A[n, -3] = values["force"] / values["mass"]
+    A[2 * n - 1, n - 1] -= stop / values["mass"]
+    A[2 * n - 1, -1] = stop * values["gap"] / values["mass"]
+    A[-3, -2], A[-2, -3] = -values["frequency"], values["frequency"]
+    return A
+
+
+@pytest.mark.parametrize("seed", tried(SEEDS, every_run=("seed 0", "seed 1", "seed 2")))
+def test_an_orbit_closes_and_keeps_its_demands(scene, seed) -> None:
+    random = np.random.default_rng(SEEDS[seed])
+    rigid = scene.name == "rigid-stop"
+    found = 0
+    for _ in range(8):
+        values = {q.name: random.uniform(0.3, 1.5) for q in scene.parameters}
+        values["damping"] = random.uniform(0.02, 0.3)
+        if rigid:
+            values["restitution"] = random.uniform(0.2, 0.9)
+        case = scene(**values)
+        try:
+            orbit = ns.exact(case)
+        except ns.NoOrbit:
+            continue
+        found += 1
+        assert off(orbit, values, rigid) < 1e-9
+    assert found
+
+
+def off(orbit, values, rigid: bool) -> float:
+    """Return how far an orbit is from its switches and beyond its demands, in gaps."""
+    n, gap = COUNT, values["gap"]
+    turn = orbit.forcing_phase
+    jump = np.eye(2 * n + 3)
+    if rigid:
+        jump[2 * n - 1, 2 * n - 1] = -values["restitution"]
+    stops = [0.0] if rigid else [values["stop"], 0.0]
+    flows = [generator(values, stop) for stop in stops]
+    period = np.eye(2 * n + 3)
+    for A, phase in zip(flows, orbit.phases, strict=True):
+        period = jump @ expm(A * phase.duration) @ period
+    waves = np.array([np.cos(turn), np.sin(turn), 1.0])
+    own = slice(0, 2 * n)
+    start = np.linalg.solve(np.eye(2 * n) - period[own, own], period[own, 2 * n :] @ waves)
+    X, worst = np.concatenate([start, waves]), 0.0
+    for A, phase, stop in zip(flows, orbit.phases, stops, strict=True):
+        step = expm(A * phase.duration / POINTS)
+        side = -1.0 if stop else 1.0
+        for _ in range(POINTS):
+            worst = max(worst, side * (X[n - 1] - gap))
+            X = step @ X
+        worst = max(worst, abs(X[n - 1] - gap))
+        X = jump @ X
+    return float(worst / gap)
