@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from one_mass import NAMES
 from written import Elements
 
 import nonsmooth as ns
@@ -99,7 +100,7 @@ def test_the_derivative_that_jumps_is_drawn_with_its_jump(found: Collected) -> N
 def test_the_page_says_the_numbers(found: Collected) -> None:
     pictures = dict.fromkeys(figures.figures_of(found), '<svg viewBox="0 0 1 1"></svg>')
     assert set(pictures) == set(figures.FIGURES)
-    assert set(figures.SKETCHES) >= set(ns.scenes())
+    assert set(figures.SKETCHES) >= set(NAMES)
     text = page(found, pictures, "<h3>equations</h3>")
     assert Elements(text).open == []
     assert not re.search(r'(?:src|href)="(?!#)', text)

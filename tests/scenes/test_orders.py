@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from made_scenes import made
+from one_mass import NAMES
 
 import nonsmooth as ns
 from nonsmooth.solver import solve as solving
@@ -18,7 +19,7 @@ from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.orders import Order, Step, in_order
 from nonsmooth.solver.solve import solve_case, with_order
 
-MOTIONS = [motion for name in registry.names() for motion in registry.load(name).each_motion]
+MOTIONS = [motion for name in NAMES for motion in registry.load(name).each_motion]
 ODD = [motion for motion in MOTIONS if motion.half_period]
 
 #: Four stops a period: slide, stop, slide, stop, then mirrored.
