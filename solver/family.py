@@ -73,9 +73,8 @@ def family_case(
     Examples
     --------
     >>> from nonsmooth.solver.kernels import registry
-    >>> case = registry.load(registry.names()[0])()
-    >>> name = case.scene.parameters[0].name
-    >>> [row.status for row in family_case(case, name, [1.0, 1.1], order=8).rows]
+    >>> case = registry.load("impact")()
+    >>> [row.status for row in family_case(case, "mass", [1.0, 1.1], order=8).rows]
     ['ok', 'ok']
     """
     scene = case.scene

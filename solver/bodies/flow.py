@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import numpy.typing as npt
 
 from ..arrays import Matrix, Vector
-from ..scenes.arrays import Integers
 from .laws import Lawful
 from .modal import BodyError, Complex
 
@@ -70,7 +70,7 @@ class Flow:
         return half._near(basis, start, inputs, t)
 
     @cached_property
-    def _kept(self) -> Integers:
+    def _kept(self) -> npt.NDArray[np.int64]:
         """Which poles are kept where real parts are taken: one of each pair."""
         return np.flatnonzero(self.poles.imag >= 0)
 

@@ -2,6 +2,7 @@
 
 import click
 import pytest
+from one_mass import NAMES
 
 import nonsmooth as ns
 from nonsmooth.cli import cli
@@ -9,13 +10,16 @@ from nonsmooth.cli.about import PREFIX, CommandAbout
 from nonsmooth.codegen.scene.names import TAKEN
 from nonsmooth.nearest import nearest
 
+#: Commands of bodies, too.
+OF_BODIES = ("solve", "sweep", "tradeoff")
+
 #: Every command of every scene; of the default scene by themselves.
 COMMANDS = {
     f"{name} {scene}".strip(): cli.resolve_command(
         click.Context(cli), [name, scene] if scene else [name]
     )[1]
     for name in ("solve", "sweep", "simulate", "digits", "tradeoff", "report")
-    for scene in ("", *ns.scenes())
+    for scene in ("", *(ns.scenes() if name in OF_BODIES else NAMES))
 }
 
 

@@ -31,7 +31,7 @@ REFUSED = {
     ],
     "solve": [
         ("impakt", "did you mean impact?"),
-        ("42", "expected one of backlash"),
+        ("42", "expected one of absorber-friction, backlash"),
         ("impact --method c1-tau", "--method: got 'c1-tau', expected one of"),
         ("impact --method c0-tao", "did you mean ck-tau?"),
         ("impact --gab 1", "impact has no --gab. Did you mean --gap?"),

@@ -114,7 +114,7 @@ def test_numbers_of_c1_functions_are_where_a_motion_is_c1(
 @pytest.mark.parametrize(
     ("arguments", "named"),
     [
-        (("imapct",), "SCENE: got 'imapct', expected one of backlash, "),
+        (("imapct",), "SCENE: got 'imapct', expected one of absorber-friction, backlash, "),
         (("imapct",), "did you mean impact?"),
         (("impact", "--method", "c1"), "impact is C0"),
         (("impact", "--method", "hbc0"), "did you mean hb-c0?"),

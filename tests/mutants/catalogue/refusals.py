@@ -55,8 +55,8 @@ MUTANTS = (
     Mutant(
         "an expansion may violate its demands by any amount",
         "solver/orbit/allowance.py",
-        "return min(MOST, max(",
-        "return max(1e9, max(",
+        "return min(MOST, max(ROUNDING, FACTOR * error / scale))",
+        "return max(1e9, max(ROUNDING, FACTOR * error / scale))",
         ADMISSIBLE,
     ),
     Mutant(
@@ -76,8 +76,8 @@ MUTANTS = (
     Mutant(
         "an orbit is returned that the exact equations disprove",
         "solver/orbit/solution.py",
-        "or self._disproof",
-        "",
+        "        return self.own_violations or self._disproof",
+        "        return self.own_violations",
         WRONG,
     ),
     Mutant(
