@@ -170,11 +170,7 @@ class Case:
         if self.scene.motions:
             known = ", ".join(self.scene.motions)
             raise ValueError(f"motion: got none, expected one of {known}")
-        if self.scene.has_body:
-            from .bodies.cell import body_cell  # noqa: PLC0415  (SciPy)
-
-            return body_cell(self)
-        return self.scene.cell(self.numbers, self.cycles)
+        return self.scene.cell_of(self)
 
     @property
     def description(self) -> str:

@@ -53,6 +53,11 @@ class Phase:
     switch_demands: tuple[tuple[str, Form], ...] = ()
     memory: tuple[float, ...] = ()
 
+    @property
+    def width(self) -> int:
+        """Entries of a form, those of the memory left out."""
+        return 4
+
     def remembering(self, values: Sequence[float]) -> "Phase":
         """Return the phase with numbers for the memory: its force, and forms without entries.
 

@@ -7,6 +7,7 @@ unless its jump is a combination of the forms known to vanish there.
 import numpy as np
 
 from ..arrays import Matrix, Vector
+from ..bodies.laws import lawful
 from .bodies.cell import BodyCell
 from .cell import Cell, Phase
 
@@ -20,7 +21,7 @@ ROUNDING = 1e-10
 def classes(cell: Cell) -> tuple[int, ...]:
     """Return the k of the class C^k at the switch that begins each phase of a cell."""
     if isinstance(cell, BodyCell):
-        return cell.classes
+        return cell.classes or tuple(_of_body(cell, p) for p in range(len(cell.phases)))
     return tuple(_class(cell, p) for p in range(len(cell.phases)))
 
 
@@ -37,6 +38,51 @@ def _class(cell: Cell, p: int) -> int:
         if _left_over(row_after - row_before, known) > ROUNDING * max(size, 1e-300):
             return order - 1
     return HIGHEST
+
+
+def _of_body(cell: BodyCell, p: int) -> int:
+    """Return the k at the switch of a body that begins phase `p`: by its contact forces.
+
+    As `_class`, with ``Y = (y, cos, sin, 1, memory)`` of all modes, in the frame behind it.
+    """
+    left, sign = (p - 1) % len(cell.phases), cell.sign if p == 0 else 1
+    if any(jump != (1.0, 0.0) for jump in cell.phases[left].jumps):
+        return 0
+    (A, force, rows), (A_after, force_after, rows_after) = (
+        _of_phase(cell, left, sign), _of_phase(cell, p, 1)
+    )  # fmt: skip
+    states = len(rows[0]) - 3 - len(cell.memory)
+    known = [np.array(cell.carrying(left).event) @ rows]
+    for q, side in ((left, sign), (p, 1)):
+        if cell.phases[q].held:
+            known.append(rows_after[1].copy())
+            known[-1][states + 2] -= side * cell.phases[q].speed
+    for i, each in enumerate(cell.memory):
+        if each.phase == p:
+            known.append(np.array(each.value) @ rows_after[: len(each.value)])
+            known[-1][states + 3 + i] -= 1.0
+    for order in range(HIGHEST - 1):
+        for row, row_after in zip(force, force_after, strict=True):
+            size = np.abs(row).max() + np.abs(row_after).max()
+            if _left_over(row_after - row, np.array(known)) > ROUNDING * max(size, 1e-300):
+                return order + 1
+        force, force_after = force @ A, force_after @ A_after
+    return HIGHEST
+
+
+def _of_phase(cell: BodyCell, q: int, sign: int) -> tuple[Matrix, Matrix, Matrix]:
+    """Return ``A`` of ``Y' = A Y`` in a phase, its contact forces, and what forms are of.
+
+    `sign` is what the motion is multiplied by; the memory is that of the cell.
+    """
+    own = lawful(cell, q)
+    states = len(own.A)
+    signs = [cell.sign if q < each.phase else 1 for each in cell.memory]
+    put = np.array([*[1] * (states + 2), sign, *(sign * q for q in signs)])
+    A = np.zeros((len(put), len(put)))
+    A[:states] = np.hstack([own.A, own.inputs])
+    A[states, states + 1], A[states + 1, states] = -cell.omega, cell.omega
+    return A * put, own.force * put, own.rows * put
 
 
 def generator(cell: Cell, phase: Phase, sign: int) -> Matrix:

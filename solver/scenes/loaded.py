@@ -232,6 +232,14 @@ class LoadedScene:
 
         return cell_of(self, numbers, cycles)
 
+    def cell_of(self, case: "Case") -> "Cell":
+        """Return the cell of a case of this scene, which is of one motion."""
+        if self.has_body:
+            from .bodies.cell import body_cell  # noqa: PLC0415  (SciPy)
+
+            return body_cell(case)
+        return self.cell(case.numbers, case.cycles)
+
     @property
     def frequency(self) -> str | None:
         """The parameter that is the angular frequency of the forcing, if it is forced."""

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .bodies.cell import BodyPhase
 from .cell import Form, Phase
 
 #: What may be rounding of the factors of a form, as a part of each.
@@ -13,12 +14,15 @@ ROUNDING = 1e-12
 def mirror(phase: Phase) -> Phase:
     """Return the mirror image of a phase: the motion ``-x`` half a period of the forcing on."""
     there = phase.with_forms(_mirrored)
-    return replace(there, f=-phase.f, speed=-phase.speed, d=-phase.d)
+    there = replace(there, f=-phase.f, speed=-phase.speed, d=-phase.d)
+    if isinstance(there, BodyPhase):
+        there = replace(there, jumps=tuple((rho, -d) for rho, d in there.jumps))
+    return there
 
 
 def _mirrored(form: Form) -> Form:
-    x, v, cos, constant, *memory = form
-    return -x, -v, -cos, constant, *(-factor for factor in memory)
+    x, v, cos, constant, *others = form
+    return -x, -v, -cos, constant, *(-factor for factor in others)
 
 
 def same(one: Form, other: Form) -> bool:

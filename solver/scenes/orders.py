@@ -12,6 +12,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 from ...nearest import one_of
+from .bodies.cell import BodyPhase, stand_in
+from .case import Case
 from .cell import Cell, Form, Memory, Phase
 from .classes import HIGHEST, classes
 from .loaded import LoadedScene, UnknownScene
@@ -174,7 +176,8 @@ class OrderedScene(LoadedScene):
     def _in_general(self) -> Cell:
         """Its cell for parameters of which nothing is special."""
         numbers = tuple(0.4 + 0.4 * (0.618034 * i % 1) for i in range(len(self.parameters)))
-        found = in_cell(self.base.cell(numbers), self.order)
+        own = stand_in(self.base, numbers) if self.has_body else self.base.cell(numbers)
+        found = in_cell(own, self.order)
         found = replace(found, classes=classes(found))
         for p, k in enumerate(found.classes):
             if k == HIGHEST:
@@ -193,7 +196,15 @@ class OrderedScene(LoadedScene):
         ParameterError
             If it is half a period, and the scene is not odd for these parameters.
         """
-        declared = self.base.cell(numbers)
+        return self._of_declared(self.base.cell(numbers), cycles)
+
+    def cell_of(self, case: Case) -> Cell:
+        """Return the cell of a case of this scene; see `cell`."""
+        if not self.has_body:
+            return self.cell(case.numbers, case.cycles)
+        return self._of_declared(Case(self.base, case.values).cell, case.cycles)
+
+    def _of_declared(self, declared: Cell, cycles: int) -> Cell:
         if self.half_period and not is_odd(declared):
             problem = f"parameters: the mirror image of {self.motion} is no motion for these"
             raise ParameterError([problem])
@@ -252,20 +263,24 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     columns = [_columns(at, order, p) for p in range(len(phases))]
     memory = [_set_by(cell.memory[i], order.steps[p], p) for i, p in _settings(at, order)]
     named = _numbered([q.name for q in memory])
-    return Cell(
-        tuple(map(_with_columns, phases, columns, [len(memory)] * len(phases))),
-        cell.frequency,
-        sign,
-        cell.k,
-        (),
+    return replace(
+        cell,
+        phases=tuple(map(_with_columns, phases, columns, [len(memory)] * len(phases))),
+        sign=sign,
+        guess=(),
+        cycles=1,
         memory=tuple(replace(q, name=name) for q, name in zip(memory, named, strict=True)),
+        classes=(),
+        start=(),
     )
 
 
 def _set_by(memory: Memory, step: Step, p: int) -> Memory:
     """Return a memory that a phase of an order sets, which may be mirrored."""
-    x, v, cos, constant = memory.value[:4]
-    return replace(memory, phase=p, value=(x, v, cos, -constant if step.mirrored else constant))
+    x, v, cos, constant, *others = memory.value
+    if step.mirrored:
+        constant = -constant
+    return replace(memory, phase=p, value=(x, v, cos, constant, *others))
 
 
 def is_odd(cell: Cell) -> bool:
@@ -284,10 +299,14 @@ def is_image(one: Phase, other: Phase) -> bool:
     """Whether a phase without a memory is the mirror image of another."""
 
     def numbers(q: Phase) -> tuple[object, ...]:
-        return q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.rho, q.d
+        own = q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.rho, q.d
+        return (own, q.jumps) if isinstance(q, BodyPhase) else own
+
+    def laws(q: Phase) -> tuple[Form, ...]:
+        return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
 
     there = mirror(one)
-    alike = numbers(there) == numbers(other) and same(there.event, other.event)
+    alike = numbers(there) == numbers(other) and all(map(same, laws(there), laws(other)))
     forms, others = ([form for _, form in q.demands] for q in (there, other))
     demands = all(any(_demand_the_same(a, b) for b in others) for a in forms)
     return alike and demands and len(forms) == len(others) and not (one.memory or other.memory)
@@ -330,8 +349,10 @@ def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) 
             found[column] += sign * factor
         return tuple(found)
 
+    width = phase.width
+
     def form(row: Form) -> Form:
-        return (*row[:4], *put(row[4:]))
+        return (*row[:width], *put(row[width:]))
 
     return replace(phase.with_forms(form), memory=put(phase.memory))
 

@@ -98,7 +98,7 @@ def not_followed(orbit: "Motion") -> tuple[str, ...]:
     of a simulation do.
     """
     scene = orbit.case.scene
-    if not isinstance(scene, OrderedScene):
+    if not isinstance(scene, OrderedScene) or scene.has_body:
         return ()
     machine = Machine.of(scene.base.cell(orbit.case.numbers))
     found, total = [], np.cumsum(orbit.cell_durations)

@@ -94,6 +94,29 @@ def body_cell(case: "Case") -> BodyCell:
         If its parameters make no body.
     """
     scene, numbers = case.scene, case.numbers
+    frequency = fields_of_cell(scene, numbers)["frequency"] or 0.0
+    body = _body(scene, tuple(case.values.values()), case.units, frequency)
+    return _under_laws(scene, numbers, body, case.cycles)
+
+
+def stand_in(scene: "LoadedScene", numbers: tuple[float, ...]) -> BodyCell:
+    """Return the cell of a scene with another body: for what follows from its laws alone.
+
+    Its body is any with as many contacts: three modes a contact, of which nothing is special.
+    """
+    contacts = len(scene.module.CONTACTS)
+    count = 3 * contacts
+    own = 1.0 + 0.618034 * np.arange(count)
+    at = np.cos(np.outer(own, 1.0 + np.arange(contacts)))
+    none, nothing = np.zeros((contacts, contacts)), np.zeros(contacts, dtype=complex)
+    body = Modal(own**2, np.diag(own / 50), at, np.sin(own), at.T @ at, none, nothing)
+    return _under_laws(scene, numbers, body, 1)
+
+
+def _under_laws(
+    scene: "LoadedScene", numbers: tuple[float, ...], body: Modal, cycles: int
+) -> BodyCell:
+    """Return the cell of a body under the laws of a scene."""
     rows = zip(
         scene.numbers("laws", numbers),
         scene.numbers("jumps", numbers),
@@ -112,9 +135,7 @@ def body_cell(case: "Case") -> BodyCell:
         )
         for laws, jumps, fields in rows
     )
-    fields = fields_of_cell(scene, numbers)
-    body = _body(scene, tuple(case.values.values()), case.units, fields["frequency"] or 0.0)
-    return BodyCell(phases=phases, cycles=case.cycles, body=body, **fields)
+    return BodyCell(phases=phases, cycles=cycles, body=body, **fields_of_cell(scene, numbers))
 
 
 @lru_cache(maxsize=64)

@@ -1,0 +1,100 @@
+"""Orders of phases of bodies that their scenes do not declare."""
+
+import math
+
+import numpy as np
+import pytest
+from bodies.reference_bodies import case, of, references
+
+from nonsmooth.solver.existence.known import known_orbits
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import RoughTimes
+from nonsmooth.solver.orbit.exact_orbit import from_times
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.loaded import UnknownScene
+from nonsmooth.solver.scenes.mirror import mirror
+from nonsmooth.solver.scenes.orders import MIRRORED, Order, Step, image, in_order, motion_of
+
+SHIPPED = [scene for scene in map(registry.load, registry.names()) if scene.has_body]
+
+EVERY = [*(scene() for scene in SHIPPED), *(case(r.name) for r in references())]
+
+#: Orbits of the references in an order of the phases of another one's scene.
+OF_OTHERS = {
+    "absorber-stick-full-period": ("absorber-stick", "slip_0,stick_1,-slip_0,-stick_1"),
+    "jenkins-absorber-full-period": ("jenkins-absorber", "-slip_0,-stick_1,slip_0,stick_1"),
+    "clearance-2-four-cycles": ("clearance-2", ",".join(["contact_1,open_0"] * 6)),
+    "two-stops-four-phases": ("two-stops-six-phases", "both_2,second_3,open_0,second_1"),
+}
+
+
+def declared(scene) -> Order:
+    """Return the order of the phases of a scene, as if it were not declared."""
+    return Order(tuple(Step(p) for p in range(len(scene.phases))), scene.half_period)
+
+
+@pytest.mark.parametrize("own", EVERY, ids=lambda own: own.scene.name)
+def test_the_declared_order_has_the_declared_equations(own: Case) -> None:
+    """Its classes follow from numbers here, and from symbols there."""
+    again = Case(in_order(own.scene, declared(own.scene)), own.values, own.cycles)
+    assert again.scene.classes == own.scene.classes
+    assert again.scene.memory == own.scene.memory
+    assert again.cell.phases == own.cell.phases
+    assert again.cell.memory == own.cell.memory
+    assert again.cell.body is own.cell.body
+    assert (
+        again.cell.duration == own.cell.duration if own.cell.forced else not again.cell.forced
+    )
+
+
+@pytest.mark.parametrize("name", OF_OTHERS)
+def test_an_orbit_in_an_order_of_another_scene(name: str) -> None:
+    r, (base, phases) = of(name), OF_OTHERS[name]
+    own = case(base)
+    values = dict(own.values) | {"frequency": r.parameters["Omega"]}
+    scene = motion_of(own.scene, phases)
+    assert scene.motion == phases
+    ordered = Case(scene, values, r.cycles)
+    durations = np.array(r.durations) / ordered.units.time * (1 + 1e-4)
+    found = from_times(ordered, RoughTimes(tuple(durations), r.angle + 1e-4, "near"))
+    assert found.outcome.converged
+    assert found.admissible
+    assert np.abs(np.array(found.durations) - r.durations).max() <= 5e-13 * r.period
+    assert abs(math.remainder(found.angle - r.angle, 2 * math.pi)) <= 5e-12
+    assert np.abs(found.multipliers).max() == pytest.approx(r.radius, rel=1e-8)
+
+
+@pytest.mark.parametrize("scene", [q for q in SHIPPED if q.half_period], ids=lambda q: q.name)
+def test_half_a_period_may_begin_with_any_of_its_phases(scene) -> None:
+    """The order (second, mirrored first) is that of the declared half period, turned."""
+    own = known_orbits(scene())[0]
+    first, second = scene.phases
+    turned = Case(motion_of(scene, f"{second},-{first},{MIRRORED}"), {})
+    s, t = own.cell_durations
+    angle = own.angle + own.case.cell.omega * s
+    found = from_times(turned, RoughTimes((t, s), angle, "the declared orbit"))
+    assert found.admissible
+    assert found.cell_durations == pytest.approx([t, s], rel=1e-12)
+    assert found.phases[1].velocity == pytest.approx(-own.phases[0].velocity, abs=1e-10)
+    both = [own.phases[0].displacement, found.phases[1].displacement]
+    assert both[1] == pytest.approx(-both[0], rel=1e-11)
+
+
+def test_a_mirror_image_turns_all_of_a_form_but_its_constant() -> None:
+    """Of every contact: the form of the image at a state is that of the phase at its image."""
+    cell = case("two-stops-six-phases").cell
+    phase, rng = cell.phases[2], np.random.default_rng(3)
+    there = mirror(phase)
+    state = rng.standard_normal(phase.width)
+    state[3] = 1.0
+    turned = np.where(np.arange(len(state)) == 3, state, -state)
+    for one, other in zip(phase.laws, there.laws, strict=True):
+        assert np.dot(other, state) == pytest.approx(np.dot(one, turned))
+    assert mirror(there) == phase
+    assert image(cell, Step(2)) is None
+
+
+def test_an_order_in_which_nothing_changes_is_refused() -> None:
+    scene = case("clearance-2").scene
+    with pytest.raises(UnknownScene, match="nothing changes where open_0 ends and open_0 begi"):
+        Case(motion_of(scene, "contact_1,open_0,open_0"), {}).cell  # noqa: B018
