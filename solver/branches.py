@@ -18,7 +18,6 @@ from .no_orbit import NoOrbit
 from .orbit.exact_orbit import ExactOrbit
 from .results.branch import Branch, BranchInterrupted
 from .results.family import Beside
-from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
@@ -126,7 +125,6 @@ def branch_case(
     >>> [f"{event.kind} {event.parameter:.10f}" for event in found.events]
     ['fold 1.9338387822', 'grazing 1.7320508076']
     """
-    check_one_mass(case.scene, "branch")
     bounds = _bounds(case, parameter, first, last)
     orbit = _start(case, parameter, bounds) if start is None else start
     value = orbit.case.values[parameter]
@@ -174,7 +172,6 @@ def every_branch(
     BranchInterrupted
         A `KeyboardInterrupt`: with the branches that were followed before.
     """
-    check_one_mass(case.scene, "branch")
     bounds = _bounds(case, parameter, first, last)
     branches: list[Branch] = []
     try:

@@ -143,8 +143,7 @@ class _Rows:
         """Follow the branch from an orbit through all values."""
         values = [each.values[self.parameter] for each in self.cases]
         bounds = min(values), max(values)
-        of_body = exact.case.scene.has_body  # of which there are no branches
-        if bounds[0] == bounds[1] or of_body:
+        if bounds[0] == bounds[1]:
             return
         found = Both(index_of(exact.case, self.parameter))
         try:

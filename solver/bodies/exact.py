@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
 
+#: Size of a matrix of which the exponential is a Taylor series of so many terms.
+SHORT, TAYLOR = 0.25, 12
+
+
 @dataclass(frozen=True, eq=False)
 class Part:
     """A phase of a cell: the body under its laws, its flow, the switch that ends it."""
@@ -35,17 +39,21 @@ class Evaluation:
 
     Parameters
     ----------
-    residual : ndarray, shape (P + 1,) or (P,)
-        The events, and the duration of the cell less that of the forcing.
+    residual : ndarray
+        The events, and the duration of the cell less that of the forcing, if something
+        forces; of `opened` before them what the state is not periodic by.
     jacobian : ndarray
-        By durations and phase.
+        By durations and phase; of `opened` by the state before them.
     starts : ndarray, shape (P, n)
         ``X = (y, memory)`` where each phase begins.
+    starts_by : ndarray, shape (P, n, unknowns)
+        Their derivatives.
     """
 
     residual: Vector
     jacobian: Matrix
     starts: Matrix
+    starts_by: Matrix
 
 
 @lru_cache(maxsize=32)
@@ -109,8 +117,8 @@ def later(angle: float) -> Matrix:
 Maps = list[tuple[Matrix, Matrix]]
 
 
-def _closed(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix]:
-    """Return the inverse that closes the cell, and where it begins by the first `wave`."""
+def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix]:
+    """Return what a cell makes of where it begins, and what the first `wave` adds to that."""
     size = len(maps[0][0])
     closed, offset = np.eye(size), np.zeros((size, 3))
     for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
@@ -118,8 +126,12 @@ def _closed(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix
         offset = along @ offset + by_wave @ later(turns[p])
         offset = across @ offset + part.switch.inputs @ later(turns[p + 1])
         closed = across @ (along @ closed)
-    back = np.linalg.inv(np.eye(size) - cell.sign * closed) * float(cell.sign)
-    return np.asarray(back, dtype=float), np.asarray(back @ offset, dtype=float)
+    return cell.sign * closed, cell.sign * offset
+
+
+def _closed(closed: Matrix, offset: Matrix) -> Matrix:
+    """Return where a cell begins, by the first `wave`, that closes."""
+    return np.asarray(np.linalg.solve(np.eye(len(closed)) - closed, offset))
 
 
 def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
@@ -127,7 +139,7 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
     parts = parts_of(cell)
     turns = cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
     maps = [phase_map(part, float(s)) for part, s in zip(parts, durations, strict=True)]
-    _, X = _closed(cell, maps, turns)
+    X = _closed(*_through(cell, maps, turns))
     found = np.empty((len(parts), 3))
     for p, (part, (along, by_wave)) in enumerate(zip(parts, maps, strict=True)):
         states = part.lawful.A.shape[0]
@@ -139,36 +151,81 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
     return found
 
 
-def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
-    parts, count = parts_of(cell), len(cell.phases)
-    theta = angles_of(cell, times)
-    maps = [phase_map(part, float(s)) for part, s in zip(parts, times, strict=False)]
-    size = len(maps[0][0])
-    back, begins = _closed(cell, maps, theta - theta[0])
-    X = begins @ wave(theta[0])
-    starts, residual = np.empty((count, size)), np.empty(count)
-    turns = _turns(cell, count, len(times))
-    moving, by_times = np.zeros((size, len(times))), []
-    inward = np.eye(size)
-    for p, (part, (along, by_wave)) in enumerate(zip(parts, maps, strict=True)):
-        starts[p] = X
-        X = along @ X + by_wave @ wave(theta[p])
-        moving = along @ moving + np.outer(by_wave @ turned(theta[p]), turns[p])
+@dataclass(frozen=True, eq=False)
+class _Passed:
+    """A cell from a state at its beginning on, with derivatives by times and by that state.
+
+    Parameters
+    ----------
+    events : ndarray, shape (P,)
+    events_by : ndarray, shape (P, times + n)
+    starts : ndarray, shape (P + 1, n)
+        Where each phase begins; at last the end of the cell, mirrored if cells are.
+    starts_by : ndarray, shape (P + 1, n, times + n)
+    """
+
+    events: Vector
+    events_by: Matrix
+    starts: Matrix
+    starts_by: Matrix
+
+
+def _passed(cell: "BodyCell", maps: Maps, times: Vector, X: Vector) -> _Passed:
+    count, size, width = len(maps), len(X), len(times) + len(X)
+    theta, turns = angles_of(cell, times), _turns(cell, count, len(times))
+    moving = np.hstack([np.zeros((size, len(times))), np.eye(size)])
+    starts, starts_by = np.empty((count + 1, size)), np.empty((count + 1, size, width))
+    events, events_by = np.empty(count), np.empty((count, width))
+    for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
+        starts[p], starts_by[p] = X, moving
+        X, moving = along @ X + by_wave @ wave(theta[p]), along @ moving
+        moving[:, : len(times)] += np.outer(by_wave @ turned(theta[p]), turns[p])
         moving[:, p] += rates(part, X, theta[p + 1])
-        inward = along @ inward
         states = part.lawful.A.shape[0]
         event = np.delete(part.switch.event, slice(states, states + 3))
-        by_wave_there = part.switch.event[states : states + 3]
-        residual[p] = event @ X + by_wave_there @ wave(theta[p + 1])
-        there = by_wave_there @ turned(theta[p + 1]) * turns[p + 1]
-        by_times.append((event, event @ moving + there, event @ inward))
-        across, end = part.switch.state, part.switch.inputs
-        X = across @ X + end @ wave(theta[p + 1])
-        moving = across @ moving + np.outer(end @ turned(theta[p + 1]), turns[p + 1])
-        inward = across @ inward
-    first = back @ moving  # how the state at the beginning moves with the times
-    jacobian = np.array([own + through @ first for _, own, through in by_times])
-    return _with_length(cell, times, residual, jacobian, starts)
+        there, turn = part.switch.event[states : states + 3], np.zeros((3, width))
+        turn[:, : len(times)] = np.outer(turned(theta[p + 1]), turns[p + 1])
+        events[p] = event @ X + there @ wave(theta[p + 1])
+        events_by[p] = event @ moving + there @ turn
+        X = part.switch.state @ X + part.switch.inputs @ wave(theta[p + 1])
+        moving = part.switch.state @ moving + part.switch.inputs @ turn
+    starts[-1], starts_by[-1] = cell.sign * X, cell.sign * moving
+    return _Passed(events, events_by, starts, starts_by)
+
+
+def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
+    parts, theta = parts_of(cell), angles_of(cell, times)
+    maps = [phase_map(part, float(s)) for part, s in zip(parts, times, strict=False)]
+    closed, offset = _through(cell, maps, theta - theta[0])
+    found = _passed(cell, maps, times, _closed(closed, offset) @ wave(theta[0]))
+    own, by_state = slice(len(times)), slice(len(times), None)
+    first = np.linalg.solve(np.eye(len(closed)) - closed, found.starts_by[-1][:, own])
+    by, starts_by = found.events_by, found.starts_by[:-1]
+    return _with_length(
+        cell,
+        times,
+        found.events,
+        by[:, own] + by[:, by_state] @ first,
+        found.starts[:-1],
+        starts_by[:, :, own] + starts_by[:, :, by_state] @ first,
+    )
+
+
+def _opened(cell: "BodyCell", z: Vector) -> Evaluation:
+    size = parts_of(cell)[0].switch.state.shape[0]
+    X, times = z[:size], z[size:]
+    parts = zip(parts_of(cell), times, strict=False)
+    found = _passed(cell, [phase_map(part, float(s)) for part, s in parts], times, X)
+    in_turn = np.roll(np.arange(len(z)), size)  # the state before the times
+    by, starts_by = found.events_by[:, in_turn], found.starts_by[:, :, in_turn]
+    return _with_length(
+        cell,
+        times,
+        np.append(X - found.starts[-1], found.events),
+        np.vstack([np.eye(size, len(z)) - starts_by[-1], by]),
+        found.starts[:-1],
+        starts_by[:-1],
+    )
 
 
 def _turns(cell: "BodyCell", count: int, width: int) -> Matrix:
@@ -182,14 +239,17 @@ def _turns(cell: "BodyCell", count: int, width: int) -> Matrix:
 
 
 def _with_length(
-    cell: "BodyCell", times: Vector, residual: Vector, jacobian: Matrix, starts: Matrix
-) -> Evaluation:
+    cell: "BodyCell", times: Vector, residual: Vector, jacobian: Matrix, starts: Matrix,
+    starts_by: Matrix,
+) -> Evaluation:  # fmt: skip
     """Return an evaluation with the duration of the cell, which a forcing makes known."""
     if cell.forced:
         count = len(cell.phases)
         residual = np.append(residual, times[:count].sum() - cell.duration)
-        jacobian = np.vstack([jacobian, np.append(np.ones(count), 0.0)])
-    return Evaluation(residual, jacobian, starts)
+        row = np.zeros(jacobian.shape[1])
+        row[-1 - count : -1] = 1.0
+        jacobian = np.vstack([jacobian, row])
+    return Evaluation(residual, jacobian, starts, starts_by)
 
 
 @lru_cache(maxsize=8)
@@ -209,7 +269,85 @@ def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     return _kept(cell, np.ascontiguousarray(times, dtype=float).tobytes())
 
 
-def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Matrix:
+@lru_cache(maxsize=8)
+def _kept_open(cell: "BodyCell", unknowns: bytes) -> Evaluation:
+    return _opened(cell, np.frombuffer(unknowns))
+
+
+def opened(cell: "BodyCell", z: Vector) -> Evaluation:
+    """Return the exact equations with periodicity among them, for a state and times.
+
+    With the times alone nothing can be solved for at a fold, where the closed cell has a
+    multiplier of 1.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    z : ndarray
+        ``X = (y, memory)`` at the beginning, then the times as `evaluated` has them.
+    """
+    return _kept_open(cell, np.ascontiguousarray(z, dtype=float).tobytes())
+
+
+def gained(cell: "BodyCell", times: Vector, p: int, found: Evaluation) -> tuple[float, Vector]:
+    """Return what the event's form at the end of a phase gains over it, and its derivatives.
+
+    However short the phase is, the gain keeps its digits.
+
+    Parameters
+    ----------
+    cell, times
+        See `evaluated`.
+    p : int
+    found : Evaluation
+        At these times.
+
+    Returns
+    -------
+    gain : float
+    by_unknowns : ndarray
+    """
+    part, s = parts_of(cell)[p], float(times[p])
+    theta, turns = angles_of(cell, times), _turns(cell, len(cell.phases), len(times))
+    states, extra = part.lawful.A.shape[0], found.starts_by.shape[2] - len(times)
+    generator, X = generator_of(part, cell.omega), found.starts[p]
+    begin = np.concatenate([X[:states], wave(theta[p]), X[states:]])
+    begin_by = np.zeros((len(begin), found.starts_by.shape[2]))
+    begin_by[:states] = found.starts_by[p][:states]
+    begin_by[states + 3 :] = found.starts_by[p][states:]
+    begin_by[states : states + 3, extra:] = np.outer(turned(theta[p]), turns[p])
+    event = part.switch.event @ less_one(generator, s)
+    by = event @ begin_by
+    by[extra + p] += (part.switch.event + event) @ generator @ begin
+    return float(event @ begin), np.asarray(by)
+
+
+def generator_of(part: Part, omega: float) -> Matrix:
+    """Return the matrix of the rates of ``(y, cos, sin, 1, memory)`` on a phase."""
+    A, inputs = part.lawful.A, part.lawful.inputs
+    found = np.zeros((len(A) + inputs.shape[1],) * 2)
+    found[: len(A)] = np.hstack([A, inputs])
+    found[len(A), len(A) + 1], found[len(A) + 1, len(A)] = -omega, omega
+    return found
+
+
+def less_one(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(matrix t) - 1``, also where that is small: a Taylor series, doubled."""
+    size = float(np.abs(matrix).sum(axis=1).max()) * abs(t)
+    doublings = max(0, int(np.ceil(np.log2(size / SHORT)))) if size > 0 else 0
+    term = found = matrix * (t / 2**doublings)
+    for k in range(2, TAYLOR + 1):
+        term = term @ matrix * (t / 2**doublings / k)
+        found = found + term
+    for _ in range(doublings):
+        found = found @ found + 2 * found
+    return np.asarray(found)
+
+
+def seen(
+    cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix,
+    found: Evaluation | None = None,
+) -> Matrix:  # fmt: skip
     """Return linear forms of ``(y, cos, sin, 1, memory)`` on phase `p`, at local times.
 
     Parameters
@@ -218,12 +356,15 @@ def seen(cell: "BodyCell", times: Vector, p: int, u: Vector, rows: Matrix) -> Ma
         Local times in [0, 1].
     rows : ndarray
         The forms, a row each.
+    found : Evaluation, optional
+        At these times; without it that of `evaluated`.
 
     Returns
     -------
     ndarray, shape (len(rows), len(u))
     """
-    part, found = parts_of(cell)[p], evaluated(cell, times)
+    part = parts_of(cell)[p]
+    found = evaluated(cell, times) if found is None else found
     states = part.lawful.A.shape[0]
     start, theta = found.starts[p], float(angles_of(cell, times)[p])
     t = float(times[p]) * np.asarray(u, dtype=float)

@@ -147,20 +147,19 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
     return Lawful(np.asarray(A, dtype=float), inputs, rows, np.asarray(force, dtype=float))
 
 
-def under(cell: "BodyCell", p: int, seen: Vector, sign: int) -> Vector:
-    """Return what forms are of behind a switch, by the laws of phase `p`.
+def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vector:
+    """Return what forms are of behind a switch, by the laws of a phase.
 
     Parameters
     ----------
     cell : BodyCell
         With numbers for its memory.
-    p : int
+    phase : BodyPhase
     seen : ndarray, shape (S,)
         What they are of before it.
     sign : int
         What the motion is multiplied by there.
     """
-    phase = cell.phases[p]
     own = free(cell.body, cell.omega, 0)
     mirrored = np.where(np.arange(len(seen)) == 3, seen, sign * seen)
     forces = places(cell.body.at.shape[1])[2]

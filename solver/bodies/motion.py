@@ -47,10 +47,7 @@ def derivative(
     if order:
         return _derivative(cell, order, times, p, u, number)
     part = exact.parts_of(cell)[p]
-    A, inputs = part.lawful.A, part.lawful.inputs
-    generator = np.zeros((len(A) + inputs.shape[1],) * 2)
-    generator[: len(A)] = np.hstack([A, inputs])
-    generator[len(A), len(A) + 1], generator[len(A) + 1, len(A)] = -cell.omega, cell.omega
+    generator = exact.generator_of(part, cell.omega)
     row = part.lawful.rows[ACCELERATION]
     for _ in range(number - 2):
         row = row @ generator

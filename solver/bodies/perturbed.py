@@ -5,17 +5,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from .exact import angles_of, evaluated, parts_of, phase_map, rates, turned, wave
+from .exact import Evaluation, angles_of, evaluated, parts_of, phase_map, rates, turned, wave
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
 
-def cell_map(cell: "BodyCell", times: Vector) -> tuple[Matrix, Matrix, Vector]:
+def cell_map(
+    cell: "BodyCell", times: Vector, found: Evaluation | None = None
+) -> tuple[Matrix, Matrix, Vector]:
     """Return what a cell makes of perturbations of ``X = (y, memory)``, before it is mirrored.
 
     The product over the phases of the flow and of the saltation at the switch that ends the
     phase, ``S = R + (F+ - R F- - R_t) n^T/(n F- + h_t)``; see `stability.cell_map`.
+
+    Parameters
+    ----------
+    cell, times, found
+        See `exact.seen`.
 
     Returns
     -------
@@ -26,9 +33,10 @@ def cell_map(cell: "BodyCell", times: Vector) -> tuple[Matrix, Matrix, Vector]:
         The rate at which the event that ends each phase is crossed, as a part of the size of
         its terms.
     """
-    parts, starts = parts_of(cell), evaluated(cell, times).starts
+    parts = parts_of(cell)
+    starts = (evaluated(cell, times) if found is None else found).starts
     theta, count = angles_of(cell, times), len(parts)
-    found, size, crossed = np.eye(starts.shape[1]), np.eye(starts.shape[1]), np.empty(count)
+    through, size, crossed = np.eye(starts.shape[1]), np.eye(starts.shape[1]), np.empty(count)
     for p, part in enumerate(parts):
         along, by_wave = phase_map(part, float(times[p]))
         end = along @ starts[p] + by_wave @ wave(theta[p])
@@ -47,6 +55,6 @@ def cell_map(cell: "BodyCell", times: Vector) -> tuple[Matrix, Matrix, Vector]:
         jump = behind - part.switch.state @ before
         jump -= cell.omega * (part.switch.inputs @ turned(theta[p + 1]))
         across = part.switch.state + np.outer(jump, gradient) / rate
-        found = across @ along @ found
+        through = across @ along @ through
         size = np.abs(across) @ np.abs(along) @ size / min(1.0, crossed[p])
-    return found, size, crossed
+    return through, size, crossed

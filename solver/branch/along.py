@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -34,18 +34,25 @@ class Along(NamedTuple):
     kinds, setting : ndarray
         See `scenes.arrays.Arrays`.
     series : ndarray, shape (entries, TERMS)
-        Chebyshev coefficients of its other entries, and of the forms of a table.
+        Chebyshev coefficients of its other entries, and of the forms of a table; of a body
+        what makes its cell.
     divided : ndarray of int, shape (P,)
         Whether the row of the event of each phase is divided by its duration.
     weights : ndarray, shape (unknowns + 1,)
         1 over the size of each unknown, the parameter the last.
+    before : int
+        Unknowns that stand before the durations.
+    sign : float
+        What the next cell is multiplied by.
     """
 
     kinds: Integers
     setting: Integers
-    series: Matrix
+    series: Any
     divided: Integers
     weights: Vector
+    before: int
+    sign: float
 
 
 @dataclass(frozen=True)
@@ -83,10 +90,10 @@ def along(
         if series is not None:
             cell, _ = content(value)
             found = arrays(cell)
-            divided = divided_phases(cell, z)
-            return Along(
-                found.kinds, found.setting, series, divided, weights(cell, z)
-            ), interval
+            before = 2 * len(cell.phases) + len(cell.memory)
+            divided = divided_phases(cell, z[before:])
+            given = found.kinds, found.setting, series, divided, weights(cell, z)
+            return Along(*given, before, float(cell.sign)), interval
         interval = Interval((interval.low + value) / 2, (interval.high + value) / 2)
     raise ArithmeticError("the equations are not smooth along the parameter")
 
@@ -132,16 +139,16 @@ def weights(cell: Cell, z: Vector) -> Vector:
     return 1 / sizes
 
 
-def divided_phases(cell: Cell, z: Vector) -> Integers:
+def divided_phases(cell: Cell, durations: Vector) -> Integers:
     """Return of which phases the row of the event is divided by the duration: 1, else 0.
 
     Those that begin on the surface where they end; but of a cell of such phases alone the
     longest keeps its row, or nothing says that it ends on the surface.
     """
-    count, more = len(cell.phases), len(cell.memory)
+    count = len(cell.phases)
     found = np.array([returns(cell, p) for p in range(count)], dtype=np.int64)
     if found.all():
-        found[int(np.argmax(z[2 * count + more :][:count]))] = 0
+        found[int(np.argmax(durations[:count]))] = 0
     return found
 
 
@@ -149,6 +156,7 @@ def returns(cell: Cell, p: int) -> bool:
     """Whether a phase begins on the surface where it ends, the form as it was at the switch."""
     before, phase = cell.phases[p - 1], cell.phases[p]
     before = mirror(before) if p == 0 and cell.sign < 0 else before
-    jumps = (before.rho, before.d) != (1.0, 0.0) and phase.event[1] != 0
-    remembers = any(phase.event[4:]) or any(before.event[4:])
-    return same(before.event[:4], phase.event[:4]) and not (jumps or remembers)
+    width = phase.width
+    remembers = any(phase.event[width:]) or any(before.event[width:])
+    leaps = remembers or before.leaps(phase.event)
+    return same(before.event[:width], phase.event[:width]) and not leaps

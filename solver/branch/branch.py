@@ -7,10 +7,11 @@ from itertools import pairwise
 import numpy as np
 
 from ..arrays import Vector
-from ..orbit.exact_orbit import ExactOrbit, of_unknowns
+from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
 from ..scenes.orders import Order, OrderedScene, Step
 from ..scenes.parameter_error import ParameterError
+from .bodies.course import BodyCourse
 from .change import beyond
 from .course import Course
 from .follow import CLOSED, PART, Found, Segment, follow, in_units
@@ -79,11 +80,12 @@ def index_of(case: Case, parameter: str) -> int:
 def course_of(case: Case) -> Course:
     """Return the order of phases of a case of one motion."""
     scene = case.scene
+    made = BodyCourse if scene.has_body else Course
     if isinstance(scene, OrderedScene):
-        return Course(scene.base, scene.order, case.cycles)
+        return made(scene.base, scene.order, case.cycles)
     base = scene.whole.fullest
     steps = tuple(Step(base.phases.index(name)) for name in scene.phases)
-    return Course(base, Order(steps, scene.half_period), case.cycles)
+    return made(base, Order(steps, scene.half_period), case.cycles)
 
 
 def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Place]:
@@ -94,10 +96,10 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
     NoStepError
         If it is not on one: its equations are singular.
     """
-    case, z = orbit.case, orbit.outcome.unknowns
-    own = np.append(z, case.numbers[index])
-    piece = Piece.at(course_of(case), case, index, bounds, own)
-    border = np.append(np.zeros(len(z)), 1.0)
+    case, course = orbit.case, course_of(orbit.case)
+    own = np.append(course.unknowns(orbit), case.numbers[index])
+    piece = Piece.at(course, case, index, bounds, own)
+    border = np.append(np.zeros(len(own) - 1), 1.0)
     return piece, piece.place(piece.led(piece.of_number(own), border), border)
 
 
@@ -184,6 +186,6 @@ def _exactly(piece: Piece, y: Vector, value: float) -> ExactOrbit | None:
     """Return the orbit at a value of the parameter from one close by, if it is one."""
     if piece.course.endless:
         return None
-    case = piece.course.case(piece.case.with_value(piece.name, value))
-    orbit = of_unknowns(case, piece.in_units_of(case, y))
+    case = piece.case.with_value(piece.name, value)
+    orbit = piece.course.orbit(case, piece.in_units_of(case, y))
     return orbit if orbit.outcome.converged and orbit.admissible else None

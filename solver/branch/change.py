@@ -10,13 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Vector
-from ..flow import flow
 from ..scenes.loaded import UnknownScene
 from ..scenes.orders import Order, Step, image
 from ..scenes.parameter_error import ParameterError
-from ..simulation.followers import may_follow
-from ..simulation.machine import Machine
-from . import extended, watch
+from ..simulation.nodes import Node
 from .course import Course, Row
 from .follow import Found, halves_apart
 from .piece import NoStepError, Piece, Place
@@ -28,11 +25,20 @@ AHEAD = (1e-3, 1e-2, 1e-4)
 
 @dataclass(frozen=True)
 class Slot:
-    """A phase of an orbit: which, the state in which it begins, and its duration."""
+    """A phase of an orbit.
+
+    Parameters
+    ----------
+    step : Step
+        Which.
+    state : tuple of float
+        In which it begins.
+    s : float
+        Its duration.
+    """
 
     step: Step
-    x: float
-    v: float
+    state: tuple[float, ...]
     s: float
 
 
@@ -89,12 +95,13 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
         return None
     slots = (*at.slots, *map(at.next_cell, at.slots))
     order = Order(tuple(slot.step for slot in slots))
-    course = Course(old.course.base, order, old.course.cycles * (1 if at.half else 2))
+    cycles = old.course.cycles * (1 if at.half else 2)
+    course = replace(old.course, order=order, cycles=cycles)
     z = _unknowns(found, course, Candidate(slots, False, at.angle))
     here = np.append(z, old.number(found.place.y))
     bare = Piece.at(course, old.case, old.index, old.bounds, here, ())
     y, J = bare.of_number(here), np.empty((len(z), len(z) + 1))
-    extended.rates(bare.along, y[:-1], y[-1], J)
+    bare.functions["rates"](bare.along, y[:-1], y[-1], J)
     J /= bare.along.weights
     free = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2][-2:]
     apart = [halves_apart(bare, each) for each in free]
@@ -118,10 +125,10 @@ def _led(found: Found, candidate: Candidate, ahead: float) -> tuple[Piece, Place
     """
     old = found.piece
     order = Order(tuple(slot.step for slot in candidate.slots), candidate.half)
-    course = Course(old.course.base, order, old.course.cycles, candidate.endless)
+    course = replace(old.course, order=order, endless=candidate.endless)
     z = _unknowns(found, course, candidate)
-    count, more = len(candidate.slots), len(z) - 3 * len(candidate.slots)
-    at_s = 2 * count + more - old.course.cell(old.case.numbers).forced
+    count, forced = len(candidate.slots), old.cell.forced
+    at_s = len(z) - count - forced
     border = np.append(np.zeros(len(z)), 1.0)
     if candidate.grows is not None:
         border = np.zeros(len(z) + 1)
@@ -158,15 +165,9 @@ def _admitted(bare: Piece, y: Vector, border: Vector) -> tuple[Piece, Place]:
 
 def _unknowns(found: Found, course: Course, candidate: Candidate) -> Vector:
     """Return the unknowns of an order at an event, in the units of its piece."""
-    slots, cell = candidate.slots, course.cell(found.piece.numbers(found.place.y))
-    states = [value for slot in slots for value in (slot.x, slot.v)]
-    angles = candidate.angle + cell.omega * np.cumsum([0.0, *(slot.s for slot in slots)])
-    memory = []
-    for each in cell.memory:
-        slot, (vx, vv, vc, constant) = slots[each.phase], each.value[:4]
-        memory.append(vx * slot.x + vv * slot.v + vc * np.cos(angles[each.phase]) + constant)
-    turn = [candidate.angle] if cell.forced else []
-    return np.array([*states, *memory, *(slot.s for slot in slots), *turn])
+    numbers, durations = found.piece.numbers(found.place.y), [q.s for q in candidate.slots]
+    states = [slot.state for slot in candidate.slots]
+    return course.gathered(numbers, states, np.array(durations), candidate.angle)
 
 
 class _At:
@@ -177,14 +178,12 @@ class _At:
         numbers = piece.numbers(y)
         self.found, self.course = found, piece.course
         self.cell = piece.course.cell(numbers)
-        self.machine = Machine.of(piece.course.base.cell(numbers))
-        count, more = len(self.cell.phases), len(self.cell.memory)
-        self.memory = y[2 * count : 2 * count + more]
-        durations = y[2 * count + more :][:count]
+        self.machine = piece.course.machine(numbers)
+        durations, states = piece.durations(y), piece.course.states(piece.equations(y), y)
         self.angle = float(y[-2]) if self.cell.forced else 0.0
         self.half = piece.course.order.half_period
         self.slots = [
-            Slot(step, float(y[2 * p]), float(y[2 * p + 1]), float(durations[p]))
+            Slot(step, states[p], float(durations[p]))
             for p, step in enumerate(piece.course.order.steps)
         ]
 
@@ -196,8 +195,8 @@ class _At:
     def _when(self) -> float:
         """Return when in its phase the form does."""
         piece, y = self.found.piece, self.found.place.y
-        case = extended.case_at(piece.along, float(y[-1]))
-        return watch.when_least(case, piece.table, y[:-1], self.found.row)
+        own = piece.equations(y), piece.table, y[:-1], self.found.row
+        return float(piece.functions["when_least"](*own))
 
     def candidates(self) -> Iterator[Candidate]:
         """Yield orders of phases, those of fewer phases first."""
@@ -239,7 +238,7 @@ class _At:
 
     def _course(self, found: Candidate) -> Course:
         order = Order(tuple(slot.step for slot in found.slots), found.half)
-        return Course(self.course.base, order, self.course.cycles, found.endless)
+        return replace(self.course, order=order, endless=found.endless)
 
     def _without(self, p: int) -> Iterator[Candidate]:
         """Yield the order without a phase, its neighbours as one if they are the same."""
@@ -265,7 +264,7 @@ class _At:
             return slot
         other = image(self.machine.cell, slot.step)
         assert other is not None
-        return Slot(other, -slot.x, -slot.v, slot.s)
+        return replace(slot, step=other, state=tuple(-q for q in slot.state))
 
     def _next(self, slots: list[Slot], p: int) -> Step:
         """Return the phase behind one of a cell."""
@@ -277,12 +276,12 @@ class _At:
         if not self._alike(last.step, first.step):
             yield Candidate(tuple(slots), self.half, angle)
         elif len(slots) > 1:
-            joined = Slot(first.step, last.x, last.v, last.s + first.s)
+            joined = Slot(first.step, last.state, last.s + first.s)
             yield Candidate(
                 (*slots[1:-1], joined), self.half, angle + self.cell.omega * slots[0].s
             )
         elif self.cell.forced:
-            whole = Slot(last.step, slots[0].x, 0.0, last.s * (2 if self.half else 1))
+            whole = Slot(last.step, slots[0].state, last.s * (2 if self.half else 1))
             yield Candidate((whole,), False, angle, endless=True)
 
     def _alike(self, one: Step, other: Step) -> bool:
@@ -296,7 +295,7 @@ class _At:
         after = self.slots[p + 1] if p + 1 < len(self.slots) else self.next_cell(self.slots[0])
         for step in self._steps():
             if self._may(slot.step, step) and self._may(step, q):
-                new = Slot(step, after.x, after.v, 0.0)
+                new = Slot(step, after.state, 0.0)
                 slots = (*self.slots[: p + 1], new, *self.slots[p + 1 :])
                 yield Candidate(slots, self.half, self.angle, p + 1)
 
@@ -304,8 +303,8 @@ class _At:
         """Yield orders in which a phase ends where a surface is touched inside it."""
         slot, when = self.slots[p], self._when()
         begun = self.angle + self.cell.omega * sum(each.s for each in self.slots[:p])
-        phase = self.cell.phases[p].remembering([float(q) for q in self.memory])
-        x, v = flow.state_at(phase, slot.x, slot.v, begun, self.cell.omega, when)
+        piece, y = self.found.piece, self.found.place.y
+        state = self.course.state(piece.equations(y), y[:-1], p, begun, when)
         angle = begun + self.cell.omega * when
         ended = self._ended_by(p)
         if ended is None:
@@ -317,12 +316,12 @@ class _At:
                 follows = self._may(ended, step) and self._may(step, slot.step)
             if not follows:
                 continue
-            new = [] if step is None else [Slot(step, x, v, 0.0)]
+            new = [] if step is None else [Slot(step, state, 0.0)]
             if self.course.endless:
-                yield from self._cut(new, Slot(ended, x, v, slot.s), angle)
+                yield from self._cut(new, Slot(ended, state, slot.s), angle)
                 continue
             first = replace(slot, step=ended, s=when)
-            last = Slot(slot.step, x, v, slot.s - when)
+            last = Slot(slot.step, state, slot.s - when)
             slots = (*self.slots[:p], first, *new, last, *self.slots[p + 1 :])
             yield Candidate(slots, self.half, self.angle, p + 1 if new else None)
 
@@ -332,23 +331,28 @@ class _At:
         for step in self._steps():
             other = image(self.machine.cell, new[0].step if new else step)
             if self._alike(step, rest.step) and other is not None and self._may(step, other):
-                yield Candidate(
-                    (*new, Slot(step, rest.x, rest.v, rest.s / 2)), True, angle, grows
-                )
+                half = Slot(step, rest.state, rest.s / 2)
+                yield Candidate((*new, half), True, angle, grows)
         yield Candidate((*new, rest), False, angle, grows)
 
     def _ended_by(self, p: int) -> Step | None:
         """Return the phase of the same equation that ends where one touches a surface."""
         number = self.machine.number(self.course.order.steps[p])
         surface = self.machine.nodes[number].demands[self.row.number]
-        return self.machine.ending(number, surface)
+        node, nodes = self.machine.nodes[number], self.machine.nodes
+        return next((q.step for q in nodes if _ends(q, node, surface)), None)
 
     def _jumps(self, step: Step) -> bool:
         return self.machine.node(step).changes_velocity
 
     def _may(self, one: Step, other: Step) -> bool:
-        return may_follow(self.machine, one, other)
+        return self.course.may_follow(self.machine, one, other)
 
     def _steps(self) -> list[Step]:
         """Return all phases that there are."""
         return [node.step for node in self.machine.nodes]
+
+
+def _ends(node: Node, other: Node, surface: int) -> bool:
+    """Whether a phase has the equation of another, and ends on a surface."""
+    return node.equation == other.equation and node.event == surface

@@ -1,25 +1,35 @@
 """The order of phases that a part of a branch has, and what is watched along it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import NamedTuple
+from itertools import chain
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...generated.ck import angles
-from ..arrays import Vector
+from ...generated.ck import F, angles
+from ..arrays import Matrix, Vector
+from ..compiling import Account
 from ..flow.exact_system import arrays, phase_numbers, places
+from ..flow.flow import state_at
+from ..kernels.kernel import pays
+from ..orbit.exact_orbit import ExactOrbit, of_unknowns
 from ..scenes.arrays import Integers
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form
+from ..scenes.dimensionless import Units
 from ..scenes.loaded import LoadedScene
 from ..scenes.mirror import mirror, same
 from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
+from ..simulation.followers import may_follow
 from ..simulation.machine import Machine
 from ..simulation.nodes import Node
 from ..simulation.steps.column import NONE, WALL
-from . import watch
+from . import walk, watch
+from .along import Along, Content, Interval, along
+from .walk import FAMILY
 from .watch import AT_SWITCH, BEHIND, WITHIN
 
 #: What is rounding of a derivative where a phase begins, as a part of the largest.
@@ -61,12 +71,15 @@ class Course:
         Periods of the forcing in a period.
     endless : bool
         Whether its one phase never ends: its cell is cut where the velocity is zero.
+    units : Units, optional
+        Of the numbers that it is asked with.
     """
 
     base: LoadedScene
     order: Order
     cycles: int = 1
     endless: bool = False
+    units: Units | None = field(default=None, compare=False)
 
     @cached_property
     def _scene(self) -> OrderedScene:
@@ -114,20 +127,21 @@ class Course:
         scene = self.declared or self._scene
         return case if scene == case.scene else Case(scene, case.values, self.cycles)
 
+    def declares(self, numbers: tuple[float, ...]) -> Cell:
+        """Return the cell of the phases that there are, for parameters without units."""
+        return self.base.cell(numbers, 1, self.units)
+
     def cell(self, numbers: tuple[float, ...]) -> Cell:
         """Return its cell for parameters without units."""
         if not self.endless:
-            return self._scene.cell(numbers, self.cycles)
-        found = in_cell(self.base.cell(numbers), self.order)
-        phase = replace(
-            found.phases[0], event=(0.0, 1.0, 0.0, 0.0), rho=1.0, d=0.0, switch_demands=()
-        )
-        return replace(found, phases=(phase,), cycles=self.cycles)
+            return self._scene.cell(numbers, self.cycles, self.units)
+        found = in_cell(self.declares(numbers), self.order)
+        return replace(found, phases=(found.phases[0].cut(),), cycles=self.cycles)
 
     def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
         """Return what is watched, as it is at an orbit of which nothing is special."""
         cell, found = self.cell(numbers), []
-        machine = Machine.of(self.base.cell(numbers))
+        machine = self.machine(numbers)
         for p, phase in enumerate(cell.phases):
             found += [Row(p, WITHIN, i) for i in range(len(phase.demands))]
             found += [Row(p, AT_SWITCH, i) for i in range(len(phase.switch_demands))]
@@ -160,7 +174,7 @@ class Course:
 
     @cached_property
     def _generic(self) -> Cell:
-        return self.cell(self._numbers)
+        return replace(self, units=None).cell(self._numbers)
 
     @property
     def _numbers(self) -> tuple[float, ...]:
@@ -169,7 +183,7 @@ class Course:
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, for parameters without units and their cell."""
-        declared = self.base.cell(numbers)
+        declared = self.declares(numbers)
         found: list[Form] = []
         for row in rows:
             phase = cell.phases[row.phase]
@@ -183,6 +197,101 @@ class Course:
                 _, form = demands[row.number]
             found.append(form)
         return found
+
+    def along(
+        self, content: Content, value: float, interval: Interval, z: Vector
+    ) -> tuple[Along, Interval]:
+        """Return its equations on an interval of a parameter; see `along.along`."""
+        return along(content, value, interval, z)
+
+    def functions(self) -> dict[str, Any]:
+        """Return the functions of a branch, in the form that is quicker by now."""
+        make = FAMILY.compiled if pays(_account(), 1) else FAMILY.plain
+        return make(walk.__name__)
+
+    def spending(self) -> AbstractContextManager[None]:
+        """Return what counts the time within as that of branches in plain Python."""
+        return _account().spending()
+
+    @property
+    def mapped(self) -> int:
+        """How many numbers of a state are perturbed in the maps kept with an orbit."""
+        return 2 + len(self._generic.memory)
+
+    def unknowns(self, orbit: ExactOrbit) -> Vector:
+        """Return those of an exact orbit, without units."""
+        return orbit.outcome.unknowns
+
+    def sizes(self, cell: Cell, case: Case) -> Vector:
+        """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
+        return sizes_of(cell, case)
+
+    def states(self, case: Any, y: Vector) -> list[tuple[float, ...]]:
+        """Return the states in which the phases begin, at the equations of an orbit."""
+        return [(float(y[2 * p]), float(y[2 * p + 1])) for p in range(len(self.order.steps))]
+
+    def halves(self, y: Vector) -> Vector:
+        """Return the states among the unknowns, of both halves of the phases."""
+        return y[: 2 * len(self.order.steps)]
+
+    def gathered(
+        self, numbers: tuple[float, ...], states: Sequence[Sequence[float]], durations: Vector,
+        angle: float,
+    ) -> Vector:  # fmt: skip
+        """Return the unknowns of an orbit from its parts; memories are set by the states."""
+        cell, memory = self.cell(numbers), []
+        angles_ = angle + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
+        for each in cell.memory:
+            p, (x, v, cos, constant) = each.phase, each.value[:4]
+            own = x * states[p][0] + v * states[p][1]
+            memory.append(own + cos * np.cos(angles_[p]) + constant)
+        turn = [angle] if cell.forced else []
+        return np.array([*chain.from_iterable(states), *memory, *durations, *turn])
+
+    def machine(self, numbers: tuple[float, ...]) -> Machine:
+        """Return the phases that there are, and the rules by which they follow each other."""
+        return Machine.of(self.declares(numbers))
+
+    def may_follow(self, machine: Machine, one: Step, other: Step) -> bool:
+        """Whether a phase may begin where another ends by its event."""
+        return may_follow(machine, one, other)
+
+    def orbit(self, case: Case, z: Vector) -> ExactOrbit:
+        """Return where Newton's method leads from unknowns in the units of a case."""
+        return of_unknowns(self.case(case), z)
+
+    def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
+        """Return what a cell makes of perturbations, and its size: as kept with its orbit."""
+        return kept[0], kept[1]
+
+    def state(self, case: Any, z: Vector, p: int, angle: float, t: float) -> tuple[float, ...]:
+        """Return the state, displacement and velocity, at a time from the beginning of a phase.
+
+        Parameters
+        ----------
+        case : tuple
+            The equations at a value of the parameter; see `extended.case_at`.
+        z : ndarray
+            Their unknowns.
+        p : int
+        angle : float
+            Of the forcing where the phase begins.
+        t : float
+        """
+        m, c, k, f, g = map(float, phase_numbers(case, z, p))
+        speed = float(case[1][p, F])  # of a held phase
+        phase = replace(
+            self._generic.phases[p], m=m, c=c, k=k, f=f, g=g, speed=speed, memory=()
+        )
+        x, v = float(z[2 * p]), float(z[2 * p + 1])
+        found = state_at(phase, x, v, angle, float(case[4][1]), t)
+        return float(found[0]), float(found[1])
+
+    def moving_at(
+        self, case: Any, z: Vector, p: int, angle: float, t: float
+    ) -> tuple[float, ...]:
+        """Return displacement and velocity there; see `state`."""
+        return self.state(case, z, p, angle, t)
 
     def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
         """Return the table of rows that `watch` takes; `z` is an orbit that is not special."""
@@ -208,6 +317,20 @@ class Course:
                 )
                 found[i, watch.INTO] = next(same_node)
         return found
+
+
+def sizes_of(cell: Cell, case: Case) -> Vector:
+    """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
+    units = case.units
+    states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
+    memory = [units.of_motion(q.power) for q in cell.memory]
+    times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
+    return np.array([*states, *memory, *times])
+
+
+def _account() -> Account:
+    """Return what all branches have cost in plain Python."""
+    return FAMILY.account_of(walk.__name__)
 
 
 def _may_hold(machine: Machine, ended: Node, h: int, v: float) -> bool:

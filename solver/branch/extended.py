@@ -29,13 +29,18 @@ DIFFERENCE = 2.0**-17
 CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
 
 
+def waves_at(q: float, count: int) -> Vector:
+    """Return the first Chebyshev polynomials, two or more."""
+    waves = np.ones(count)
+    waves[1] = q
+    for j in range(2, count):
+        waves[j] = 2 * q * waves[j - 1] - waves[j - 2]
+    return waves
+
+
 def series_at(series: Matrix, q: float) -> Vector:
     """Return the sums of Chebyshev series, a row each."""
-    waves = np.ones(series.shape[1])
-    waves[1] = q
-    for j in range(2, len(waves)):
-        waves[j] = 2 * q * waves[j - 1] - waves[j - 2]
-    found: Vector = np.dot(series, waves)
+    found: Vector = np.dot(series, waves_at(q, series.shape[1]))
     return found
 
 

@@ -200,11 +200,11 @@ def _is_twice(piece: Piece, place: Place, length: float) -> bool:
 
 def halves_apart(piece: Piece, y: Vector) -> Vector:
     """Return by what the halves of an orbit differ, or a half from the image of the other."""
-    steps, count = piece.course.order.steps, len(piece.along.kinds)
-    half, more = count // 2, len(piece.along.setting)
-    states, durations = y[: 2 * count], y[2 * count + more :][:count]
+    steps, durations = piece.course.order.steps, piece.durations(y)
+    half = len(durations) // 2
+    states = piece.course.halves(y)
     sign = 1.0 if steps[half:] == steps[:half] else -1.0
-    apart = states[: 2 * half] - sign * states[2 * half :]
+    apart = np.subtract(*np.split(states * np.repeat([1.0, sign], len(states) // 2), 2))
     return np.concatenate([apart, durations[:half] - durations[half:]])
 
 

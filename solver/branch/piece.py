@@ -8,16 +8,13 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..compiling import Account
-from ..kernels.kernel import pays
-from ..orbit.exact_orbit import ExactOrbit, of_unknowns
+from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.arrays import Integers
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form
 from . import walk
-from .along import Along, Interval, along
+from .along import Along, Interval
 from .course import Course, Row
-from .walk import FAMILY
 
 #: How far the parameter may go in one set of units, as a part of itself or of its unit.
 REACH = 0.5
@@ -38,8 +35,9 @@ class Place:
         `walk.OWN` says.
     extremes : ndarray, shape (2, 2)
         Ends of displacement and velocity of the cell.
-    maps : ndarray, shape (2, n, n)
-        What the cell makes of perturbations, before it is mirrored, and its size.
+    maps : ndarray, shape (2, n, n) or (2, 0, 0)
+        What the cell makes of perturbations, before it is mirrored, and its size; of a body
+        they are not kept.
     """
 
     y: Vector
@@ -109,16 +107,16 @@ class Piece:
         def numbers(at: float) -> tuple[float, ...]:
             return (*case.numbers[:index], at, *case.numbers[index + 1 :])
 
-        here = numbers(value)
+        course, here = replace(course, units=case.units), numbers(value)
         found = tuple(course.rows(here, z) if rows is None else rows)
 
         def content(at: float) -> tuple[Cell, list[Form]]:
             cell = course.cell(numbers(at))
             return cell, course.forms(numbers(at), found, cell)
 
-        series, interval = along(content, value, interval, z)
+        equations, interval = course.along(content, value, interval, z)
         table = course.table(here, z, found)
-        return cls(course, case, index, bounds, interval, series, found, table)
+        return cls(course, case, index, bounds, interval, equations, found, table)
 
     @property
     def name(self) -> str:
@@ -139,10 +137,18 @@ class Piece:
         """Return unknowns with the coordinate of the parameter in place of the parameter."""
         return np.append(y[:-1], self.interval.q(float(y[-1])))
 
+    def equations(self, y: Vector) -> Any:
+        """Return the equations at an orbit; see `extended.case_at`."""
+        return self.functions["case_at"](self.along, float(y[-1]))
+
     def numbers(self, y: Vector) -> tuple[float, ...]:
         """Return all parameters without units."""
         given = self.case.numbers
         return (*given[: self.index], self.number(y), *given[self.index + 1 :])
+
+    def durations(self, y: Vector) -> Vector:
+        """Return the durations of the phases, without units."""
+        return y[self.along.before :][: len(self.along.kinds)]
 
     def ends_at(self, y: Vector) -> bool:
         """Whether an orbit is at an end of the range of the parameter."""
@@ -158,8 +164,7 @@ class Piece:
     @cached_property
     def functions(self) -> dict[str, Any]:
         """The functions of a branch, in the form that is quicker by now."""
-        make = FAMILY.compiled if pays(_account(), 1) else FAMILY.plain
-        return make(walk.__name__)
+        return self.course.functions()
 
     def place(self, y: Vector, border: Vector) -> Place:
         """Return an orbit, its tangent on the side of `border`.
@@ -169,9 +174,9 @@ class Piece:
         NoStepError
             If it has none.
         """
-        more = 2 + len(self.along.setting)
+        more = self.course.mapped
         extremes, maps = np.empty((2, 2)), np.empty((2, more, more))
-        with _account().spending(), np.errstate(all="ignore"):
+        with self.course.spending(), np.errstate(all="ignore"):
             given = self.along, self.table, y, border, extremes, maps
             direction, gauges = self.functions["look"](*given)
         if not np.isfinite(direction).all():
@@ -186,7 +191,7 @@ class Piece:
         NoStepError
         """
         found = y.copy()
-        with _account().spending(), np.errstate(all="ignore"):
+        with self.course.spending(), np.errstate(all="ignore"):
             if not self.functions["corrected"](self.along, found, border)[0]:
                 raise NoStepError
         return found
@@ -198,7 +203,7 @@ class Piece:
         ------
         NoStepError
         """
-        with _account().spending(), np.errstate(all="ignore"):
+        with self.course.spending(), np.errstate(all="ignore"):
             given = self.along, place.y, place.direction, length
             converged, _, y = self.functions["stepped"](*given)
         if not converged:
@@ -226,7 +231,7 @@ class Piece:
         places, lengths, why, length
             See `walk.walk`.
         """
-        more, size = 2 + len(self.along.setting), len(place.y)
+        more, size = self.course.mapped, len(place.y)
         Y, D, V = (np.empty((room + 1, q)) for q in (size, size, len(place.gauges)))
         E, T, S = (
             np.empty((room + 1, 2, 2)),
@@ -234,7 +239,7 @@ class Piece:
             np.empty(room + 1),
         )
         Y[0], D[0], V[0], E[0], T[0] = vars(place).values()
-        with _account().spending(), np.errstate(all="ignore"):
+        with self.course.spending(), np.errstate(all="ignore"):
             given = self.along, self.table, length, most / self.sizes[-1]
             last, why, length = self.functions["walk"](*given, Y, D, V, E, T, S)
         places = [Place(Y[i], D[i], V[i], E[i], T[i]) for i in range(1, last + 1)]
@@ -245,14 +250,14 @@ class Piece:
         """What 1 of each unknown is in SI units; of ``q``, what it is of the parameter."""
         half = (self.interval.high - self.interval.low) / 2
         own = half * unit_of(self.case, self.index)
-        return np.append(sizes_of(self.cell, self.case), own)
+        return np.append(self.course.sizes(self.cell, self.case), own)
 
     def orbit(self, y: Vector) -> ExactOrbit | None:
         """Return an exact orbit as users hold it; None of a motion that nothing ends."""
         if self.course.endless:
             return None
-        case = self.course.case(self.case.with_value(self.name, self.value(y)))
-        return of_unknowns(case, self.in_units_of(case, y))
+        case = self.case.with_value(self.name, self.value(y))
+        return self.course.orbit(case, self.in_units_of(case, y))
 
     def in_units_of(self, case: Case, y: Vector) -> Vector:
         """Return the unknowns of an orbit in the units of another case."""
@@ -277,20 +282,6 @@ class Piece:
         return there, there.place(y, border / np.linalg.norm(border))
 
 
-def sizes_of(cell: Cell, case: Case) -> Vector:
-    """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
-    units = case.units
-    states = [units.of_motion(j) for _ in cell.phases for j in (0, 1)]
-    memory = [units.of_motion(q.power) for q in cell.memory]
-    times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
-    return np.array([*states, *memory, *times])
-
-
 def unit_of(case: Case, index: int) -> float:
     """Return the unit of a parameter in the units of a case."""
     return case.units.of_parameter(case.scene.powers[index])
-
-
-def _account() -> Account:
-    """Return what all branches have cost in plain Python."""
-    return FAMILY.account_of(walk.__name__)

@@ -49,6 +49,11 @@ def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bo
     return converged, fall, found
 
 
+def beside_minus_one(own: Matrix) -> float:
+    """Return the product over the multipliers of what they are more than -1."""
+    return float(np.linalg.det(own + np.eye(len(own))))
+
+
 def beyond_one(own: Matrix) -> float:
     """Return the product over pairs of multipliers of what they are together beyond 1."""
     if len(own) == 2:
@@ -67,23 +72,24 @@ def look(
 
     extremes : ndarray, shape (2, 2)
         See `watch.watched`.
-    maps : ndarray, shape (2, n, n)
+    maps : ndarray, shape (2, n, n) or (2, 0, 0)
         What the cell makes of perturbations, and its size; see `cell_map`.
     """
-    n, count, sign = len(y) - 1, len(along[0]), 1.0
+    n, count = len(y) - 1, len(along[0])
     direction, determinant = tangent(along, y, border)
     case, values = case_at(along, y[n]), np.empty((len(table), 3))
     watched(case, table, y[:n], values, extremes)
     speed = max(abs(extremes[1, 0]), abs(extremes[1, 1]))
-    maps[0], maps[1], _ = cell_map(case, y[:n], end_rates(case, y[:n]), speed)
+    through, size, _ = cell_map(case, y[:n], end_rates(case, y[:n]), speed)
+    if maps.size > 0:
+        maps[0], maps[1] = through, size
     gauges = np.empty(values.size + count + OWN)
     gauges[: values.size] = values.ravel()
-    gauges[values.size : values.size + count] = y[2 * count + len(along[1]) :][:count]
+    gauges[values.size : values.size + count] = y[along[5] :][:count]
     gauges[-4], gauges[-3], gauges[-2], gauges[-1] = direction[n], np.nan, np.nan, determinant
-    sign = case[4][0]
-    if np.isfinite(maps[0]).all():  # where an event is touched, perturbations are not mapped
-        own = sign * maps[0]
-        gauges[-3] = np.linalg.det(own + np.eye(len(own)))
+    if np.isfinite(through).all():  # where an event is touched, perturbations are not mapped
+        own = along[6] * through
+        gauges[-3] = beside_minus_one(own)
         gauges[-2] = beyond_one(own)
     return direction, gauges
 
@@ -147,7 +153,7 @@ def walk(
         if some:
             return last, EVENT, length
         length *= GROWTH
-        for j in range(3 * len(along[0]) + len(along[1])):  # but for the phase of the forcing
+        for j in range(along[5] + len(along[0])):  # but for the phase of the forcing
             if abs(y[j] * along[4][j]) > OUTGROWN or isnan(y[j]):
                 return last, GROWN, length
     return last, FULL, length

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..branch.extended import CORRECTIONS, FALL, case_at, equations
+from ..branch.extended import CORRECTIONS, FALL, case_at, equations, waves_at
 from ..branch.watch import watched
 from ..iteration.iteration import scale_rows
 from ..iteration.linear import factorise, solve_factorised
@@ -34,17 +34,14 @@ DOWN, ALONG = (0, 0, 1, -1), (1, -1, 0, 0)
 
 def row_of(plane: Any, b: float) -> Any:
     """Return the equations along the first parameter, as `extended` takes them."""
-    kinds, setting, series, divided, weights = plane
-    waves = np.ones(series.shape[2])
-    waves[1] = b
-    for j in range(2, len(waves)):
-        waves[j] = 2 * b * waves[j - 1] - waves[j - 2]
+    kinds, setting, series, divided, weights, before, sign = plane
+    waves = waves_at(b, series.shape[2])
     found = np.zeros(series.shape[:2])
     for i in range(len(found)):
         for j in range(found.shape[1]):
             for k in range(len(waves)):
                 found[i, j] += series[i, j, k] * waves[k]
-    return kinds, setting, found, divided, weights
+    return kinds, setting, found, divided, weights, before, sign
 
 
 def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, float]:

@@ -3,14 +3,21 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..branch.along import ROUNDING, Interval, chebyshev, divided_phases, entries, weights
-from ..branch.course import Course, Row
-from ..branch.piece import sizes_of, unit_of
+from ..branch.along import (
+    ROUNDING,
+    Along,
+    Interval,
+    chebyshev,
+    divided_phases,
+    entries,
+    weights,
+)
+from ..branch.course import Course, Row, sizes_of
+from ..branch.piece import unit_of
 from ..flow.exact_system import arrays
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
 from ..scenes.arrays import Integers
@@ -20,26 +27,6 @@ from ..scenes.case import Case
 TERMS = 4, 8, 16, 32
 
 Bounds = tuple[tuple[float, float], tuple[float, float]]
-
-
-class Series(NamedTuple):
-    """The arrays of a cell over two parameters, as `filling` takes them.
-
-    Parameters
-    ----------
-    kinds, setting, divided : ndarray
-        See `along.Along`.
-    series : ndarray, shape (entries, terms, terms)
-        Chebyshev coefficients of its other entries, and of the forms of a table.
-    weights : ndarray, shape (unknowns + 1,)
-        1 over the size of each unknown, and 1 for a parameter.
-    """
-
-    kinds: Integers
-    setting: Integers
-    series: Matrix
-    divided: Integers
-    weights: Vector
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +42,8 @@ class Plane:
         Of the parameters.
     bounds : ((float, float), (float, float))
         Of their ranges, in SI units.
-    series : Series
+    series : Along
+        Its series over both parameters, of shape (entries, terms, terms).
     rows : tuple of Row
     table : ndarray of int
         What is watched.
@@ -65,7 +53,7 @@ class Plane:
     case: Case
     indices: tuple[int, int]
     bounds: Bounds
-    series: Series
+    series: Along
     rows: tuple[Row, ...]
     table: Integers
 
@@ -93,10 +81,12 @@ class Plane:
         own = z / sizes_of(cell, case)
         rows = tuple(course.rows(case.numbers, own))
         found = arrays(cell)
-        divided, sizes = divided_phases(cell, own), weights(cell, own)
+        before = 2 * len(cell.phases) + len(cell.memory)
+        divided, sizes = divided_phases(cell, own[before:]), weights(cell, own)
         series = _series(course, case, indices, bounds, rows)
         table = course.table(case.numbers, own, rows)
-        whole = Series(found.kinds, found.setting, series, divided, sizes)
+        given = found.kinds, found.setting, series, divided, sizes
+        whole = Along(*given, before, float(cell.sign))
         return cls(course, case, indices, bounds, whole, rows, table)
 
     @cached_property

@@ -107,7 +107,7 @@ def _begins(orbit: Motion, p: int, u: float, allowed: float) -> bool:
     cell, count = orbit.cell, len(orbit.cell.phases)
     assert isinstance(cell, BodyCell)
     q, sign = (p + 1, 1) if p + 1 < count else (0, cell.sign)
-    seen = under(cell, q, orbit.signals(p, np.array([u]))[:, 0], sign)
+    seen = under(cell, cell.phases[q], orbit.signals(p, np.array([u]))[:, 0], sign)
     x, v, force, a = places(cell.body.at.shape[1])
     rates, angle = (
         np.zeros(len(seen)),

@@ -33,7 +33,7 @@ def condition(orbit: ExactOrbit) -> float:
         for side in (1, -1):
             moved = (*numbers[:i], value * (1 + side * STEP), *numbers[i + 1 :])
             R = np.empty(len(z))
-            kernel.residual(case.scene.cell(moved, case.cycles), z, R)
+            kernel.residual(case.scene.cell(moved, case.cycles, case.units), z, R)
             ends.append(R)
         changes.append((ends[0] - ends[1]) / (2 * STEP))
     rows = np.abs(J).max(axis=1)

@@ -170,7 +170,7 @@ class Case:
         if self.scene.motions:
             known = ", ".join(self.scene.motions)
             raise ValueError(f"motion: got none, expected one of {known}")
-        return self.scene.cell_of(self)
+        return self.scene.cell(self.numbers, self.cycles, self.units)
 
     @property
     def description(self) -> str:

@@ -53,11 +53,6 @@ class Phase:
     switch_demands: tuple[tuple[str, Form], ...] = ()
     memory: tuple[float, ...] = ()
 
-    @property
-    def width(self) -> int:
-        """Entries of a form, those of the memory left out."""
-        return 4
-
     def remembering(self, values: Sequence[float]) -> "Phase":
         """Return the phase with numbers for the memory: its force, and forms without entries.
 
@@ -76,6 +71,25 @@ class Phase:
 
         force = self.f + sum(map(mul, self.memory, values))
         return replace(self.with_forms(put), f=force, memory=())
+
+    @property
+    def width(self) -> int:
+        """Entries of a form, those of the memory left out."""
+        return 4
+
+    @property
+    def equation(self) -> tuple[object, ...]:
+        """What its equation of motion is made of."""
+        return self.m, self.c, self.k, self.f, self.g, self.held, self.memory
+
+    def cut(self) -> "Phase":
+        """Return the phase as one that ends where the velocity is zero, and nothing changes."""
+        event = tuple(float(j == 1) for j in range(len(self.event)))
+        return replace(self, event=event, rho=1.0, d=0.0, switch_demands=())
+
+    def leaps(self, form: Form) -> bool:
+        """Whether a form may jump where the phase ends."""
+        return (self.rho, self.d) != (1.0, 0.0) and form[1] != 0
 
     def accelerations(self, x: Any, v: Any, cosine: Any) -> tuple[Any, Any, Any]:
         """Return what force, damper and spring make of the acceleration in a free phase."""

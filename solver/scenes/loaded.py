@@ -14,6 +14,7 @@ from .sealed import Kept
 if TYPE_CHECKING:
     from .case import Case
     from .cell import Cell
+    from .dimensionless import Units
 
 
 #: The module of a folder that holds a scene.
@@ -226,19 +227,21 @@ class LoadedScene:
         """The scene with all its motions; itself if it has only one."""
         return self if self.motion is None else load_folder(self.folder.parent)
 
-    def cell(self, numbers: tuple[float, ...], cycles: int = 1) -> "Cell":
-        """Return the cell of a scene of one motion for parameters without units."""
-        from .cell import cell_of  # noqa: PLC0415  (a list of scenes needs none)
+    def cell(
+        self, numbers: tuple[float, ...], cycles: int = 1, units: "Units | None" = None
+    ) -> "Cell":
+        """Return the cell of a scene of one motion for parameters in some units.
 
-        return cell_of(self, numbers, cycles)
-
-    def cell_of(self, case: "Case") -> "Cell":
-        """Return the cell of a case of this scene, which is of one motion."""
+        Matrices of a body are in SI units: without `units` its cell has the scene's laws, and
+        another body.
+        """
         if self.has_body:
             from .bodies.cell import body_cell  # noqa: PLC0415  (SciPy)
 
-            return body_cell(case)
-        return self.cell(case.numbers, case.cycles)
+            return body_cell(self, numbers, cycles, units)
+        from .cell import cell_of  # noqa: PLC0415  (a list of scenes needs none)
+
+        return cell_of(self, numbers, cycles)
 
     @property
     def frequency(self) -> str | None:

@@ -9,16 +9,18 @@ mirror image, half of one.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ...nearest import one_of
-from .bodies.cell import BodyPhase, stand_in
-from .case import Case
+from .bodies.cell import BodyPhase
 from .cell import Cell, Form, Memory, Phase
 from .classes import HIGHEST, classes
 from .loaded import LoadedScene, UnknownScene
 from .mirror import mirror, same
 from .parameter_error import ParameterError
+
+if TYPE_CHECKING:
+    from .dimensionless import Units
 
 #: Behind the phases of half a period, of which the other half is the mirror image.
 MIRRORED = "mirrored"
@@ -176,8 +178,7 @@ class OrderedScene(LoadedScene):
     def _in_general(self) -> Cell:
         """Its cell for parameters of which nothing is special."""
         numbers = tuple(0.4 + 0.4 * (0.618034 * i % 1) for i in range(len(self.parameters)))
-        own = stand_in(self.base, numbers) if self.has_body else self.base.cell(numbers)
-        found = in_cell(own, self.order)
+        found = in_cell(self.base.cell(numbers), self.order)
         found = replace(found, classes=classes(found))
         for p, k in enumerate(found.classes):
             if k == HIGHEST:
@@ -188,23 +189,17 @@ class OrderedScene(LoadedScene):
                 )
         return found
 
-    def cell(self, numbers: tuple[float, ...], cycles: int = 1) -> Cell:
-        """Return its cell for parameters without units.
+    def cell(
+        self, numbers: tuple[float, ...], cycles: int = 1, units: "Units | None" = None
+    ) -> Cell:
+        """Return its cell for parameters in some units; see `LoadedScene.cell`.
 
         Raises
         ------
         ParameterError
             If it is half a period, and the scene is not odd for these parameters.
         """
-        return self._of_declared(self.base.cell(numbers), cycles)
-
-    def cell_of(self, case: Case) -> Cell:
-        """Return the cell of a case of this scene; see `cell`."""
-        if not self.has_body:
-            return self.cell(case.numbers, case.cycles)
-        return self._of_declared(Case(self.base, case.values).cell, case.cycles)
-
-    def _of_declared(self, declared: Cell, cycles: int) -> Cell:
+        declared = self.base.cell(numbers, 1, units)
         if self.half_period and not is_odd(declared):
             problem = f"parameters: the mirror image of {self.motion} is no motion for these"
             raise ParameterError([problem])

@@ -45,8 +45,7 @@ class Node:
     @property
     def equation(self) -> tuple[object, ...]:
         """What its equation of motion is made of."""
-        q = self.phase
-        return q.m, q.c, q.k, q.f, q.g, q.held, q.memory
+        return self.phase.equation
 
     @property
     def jumps(self) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...bodies.laws import places
 from ...bodies.modal import BodyError, Modal, modal
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
@@ -14,7 +15,6 @@ from ..parameter_error import ParameterError
 from .files import matrices_of
 
 if TYPE_CHECKING:
-    from ..case import Case
     from ..loaded import LoadedScene
 
 #: Entries of a form for the first contact, the forcing and 1; and for each other contact.
@@ -59,6 +59,24 @@ class BodyPhase(Phase):
         """Entries of a form, those of the memory left out."""
         return FIRST + OTHER * (len(self.laws) - 1)
 
+    @property
+    def equation(self) -> tuple[object, ...]:
+        """What its laws are."""
+        return self.laws, self.held, self.speed
+
+    def cut(self) -> "BodyPhase":
+        """Return the phase as one that ends where the velocity is zero, and nothing changes."""
+        found = super().cut()
+        assert isinstance(found, BodyPhase)
+        return replace(found, jumps=((1.0, 0.0),) * len(self.laws))
+
+    def leaps(self, form: Form) -> bool:
+        """Whether a form may jump where the phase ends: forces and accelerations do."""
+        _, v, force, a = places(len(self.laws))
+        hit = zip(self.jumps, v, strict=True)
+        jumps = any(form[q] for jump, q in hit if jump != (1.0, 0.0))
+        return jumps or any(form[q] for q in (*force, *a))
+
     def with_forms(self, put: Callable[[Form], Form]) -> "BodyPhase":
         """Return the phase with another form in the place of each."""
         found = super().with_forms(put)
@@ -85,32 +103,34 @@ class BodyCell(Cell):
         return None
 
 
-def body_cell(case: "Case") -> BodyCell:
-    """Return the cell of a case of a body, of one motion, in the units of the case.
+def body_cell(
+    scene: "LoadedScene", numbers: tuple[float, ...], cycles: int, units: Units | None
+) -> BodyCell:
+    """Return the cell of a scene of a body, of one motion, for parameters in some units.
+
+    Without `units` its body is any with as many contacts: for what follows from laws alone.
 
     Raises
     ------
     ParameterError
         If its parameters make no body.
     """
-    scene, numbers = case.scene, case.numbers
+    if units is None:
+        return _under_laws(scene, numbers, _stand_in(len(scene.module.CONTACTS)), cycles)
+    values = tuple(
+        number * units.of_parameter(powers)
+        for number, powers in zip(numbers, scene.powers, strict=True)
+    )
     frequency = fields_of_cell(scene, numbers)["frequency"] or 0.0
-    body = _body(scene, tuple(case.values.values()), case.units, frequency)
-    return _under_laws(scene, numbers, body, case.cycles)
+    return _under_laws(scene, numbers, _body(scene, values, units, frequency), cycles)
 
 
-def stand_in(scene: "LoadedScene", numbers: tuple[float, ...]) -> BodyCell:
-    """Return the cell of a scene with another body: for what follows from its laws alone.
-
-    Its body is any with as many contacts: three modes a contact, of which nothing is special.
-    """
-    contacts = len(scene.module.CONTACTS)
-    count = 3 * contacts
-    own = 1.0 + 0.618034 * np.arange(count)
+def _stand_in(contacts: int) -> Modal:
+    """Return any body with so many contacts: three modes each, of which nothing is special."""
+    own = 1.0 + 0.618034 * np.arange(3 * contacts, dtype=float)
     at = np.cos(np.outer(own, 1.0 + np.arange(contacts)))
     none, nothing = np.zeros((contacts, contacts)), np.zeros(contacts, dtype=complex)
-    body = Modal(own**2, np.diag(own / 50), at, np.sin(own), at.T @ at, none, nothing)
-    return _under_laws(scene, numbers, body, 1)
+    return Modal(own**2, np.diag(own / 50), at, np.sin(own), at.T @ at, none, nothing)
 
 
 def _under_laws(

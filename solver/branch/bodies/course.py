@@ -1,0 +1,217 @@
+"""The order of phases that a part of a branch of a body has, and what is watched along it."""
+
+from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
+from functools import cache, lru_cache
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Matrix, Vector
+from ...bodies.exact import evaluated, opened
+from ...bodies.laws import under
+from ...compiling import rebuilt
+from ...kernels import linking
+from ...kernels.start import RoughTimes
+from ...orbit.exact_orbit import ExactOrbit, from_times
+from ...scenes.arrays import Integers
+from ...scenes.bodies.cell import BodyCell, BodyPhase
+from ...scenes.case import Case
+from ...scenes.cell import Cell, Form
+from ...scenes.mirror import same
+from ...scenes.orders import Step
+from ...simulation.machine import Machine
+from ...simulation.nodes import nodes
+from .. import walk
+from ..along import SMALL, Along, Content, Interval, divided_phases
+from ..course import ROUNDING, Course, Row
+from ..watch import AT_SWITCH, BEGINS, BEHIND, INTO, IS_END, WITHIN
+from . import equations
+
+
+class BodyCourse(Course):
+    """An order of phases of a scene of a body."""
+
+    def body_cell(self, numbers: tuple[float, ...]) -> BodyCell:
+        """Return its cell for parameters without units."""
+        found = self.cell(numbers)
+        assert isinstance(found, BodyCell)
+        return found
+
+    def along(
+        self, content: Content, value: float, interval: Interval, z: Vector
+    ) -> tuple[Along, Interval]:
+        """Return its equations on an interval of a parameter: no series, each value anew."""
+        cell, _ = content(value)
+        assert isinstance(cell, BodyCell)
+        count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
+        kinds = np.zeros(count, dtype=np.int64)
+        memory = slice(before - len(cell.memory), before)
+        weights, size = np.ones(len(z) + 1), float(np.linalg.norm(z[: memory.start]))
+        weights[: memory.start] = 1 / size
+        weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
+        weights[before : before + count] = 1 / float(z[before : before + count].sum())
+
+        @lru_cache(maxsize=16)
+        def making(q: float) -> equations.At:
+            there, forms = content(interval.value(q))
+            assert isinstance(there, BodyCell)
+            return equations.At(there, np.array(forms, dtype=float))
+
+        divided = divided_phases(cell, z[before:])
+        given = kinds, kinds[:0], making, divided, weights, before, float(cell.sign)
+        return Along(*given), interval
+
+    def functions(self) -> dict[str, Any]:
+        """Return the functions of a branch, over the equations of bodies."""
+        return _functions()
+
+    def spending(self) -> AbstractContextManager[None]:
+        """Return nothing: there is no compiled form."""
+        return nullcontext()
+
+    @property
+    def mapped(self) -> int:
+        """None: of many modes the maps of all orbits would be too much to keep."""
+        return 0
+
+    def unknowns(self, orbit: ExactOrbit) -> Vector:
+        """Return those of an exact orbit, without units: its state, and its times."""
+        cell = orbit.case.cell
+        assert isinstance(cell, BodyCell)
+        return np.append(evaluated(cell, orbit.times).starts[0], orbit.times)
+
+    def sizes(self, cell: Cell, case: Case) -> Vector:
+        """Return what 1 of each unknown of a cell is in SI units, in the units of a case."""
+        assert isinstance(cell, BodyCell)
+        units, count = case.units, 2 * len(cell.body.squares)
+        state = [units.of_motion(1) * units.mass**0.5] * count
+        memory = [units.of_motion(each.power) for each in cell.memory]
+        times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
+        return np.array([*state, *memory, *times])
+
+    def states(self, case: Any, y: Vector) -> list[tuple[float, ...]]:
+        """Return the states, with the memory, in which the phases begin."""
+        return [tuple(map(float, start)) for start in opened(case.cell, y[:-1]).starts]
+
+    def halves(self, y: Vector) -> Vector:
+        """Return nothing: one state alone is among the unknowns."""
+        return y[:0]
+
+    def gathered(
+        self, numbers: tuple[float, ...], states: Sequence[Sequence[float]], durations: Vector,
+        angle: float,
+    ) -> Vector:  # fmt: skip
+        """Return the unknowns of an orbit from its parts."""
+        cell = self.body_cell(numbers)
+        times = [*durations, *([angle] if cell.forced else [])]
+        if cell.memory:
+            return np.append(evaluated(cell, np.array(times)).starts[0], times)
+        return np.array([*states[0][: 2 * len(cell.body.squares)], *times])
+
+    def machine(self, numbers: tuple[float, ...]) -> Machine:
+        """Return the phases that there are."""
+        declared = self.declares(numbers)
+        return Machine(declared, nodes(declared))
+
+    def may_follow(self, machine: Machine, one: Step, other: Step) -> bool:
+        """Whether a phase may begin where another ends: something changes there.
+
+        Whether it does begin is left to the solver.
+        """
+        before, after = machine.node(one), machine.node(other)
+        return before.changes_velocity or before.equation != after.equation
+
+    def orbit(self, case: Case, z: Vector) -> ExactOrbit:
+        """Return where Newton's method leads from unknowns in the units of a case."""
+        own = self.case(case)
+        count, forced = len(own.cell.phases), own.cell.forced
+        times = tuple(map(float, z[len(z) - count - forced :]))
+        angle = times[-1] if forced else 0.0
+        return from_times(own, RoughTimes(times[:count], angle, "a branch"))
+
+    def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
+        """Return what a cell makes of perturbations, and its size: computed again."""
+        found, size, _ = equations.cell_map(case, z, None, 0.0)
+        return found, size
+
+    def state(self, case: Any, z: Vector, p: int, angle: float, t: float) -> tuple[float, ...]:
+        """Return the state, with the memory, at a time from the beginning of a phase."""
+        return tuple(map(float, equations.Seen.of(case.cell, z, p).state(t)))
+
+    def moving_at(
+        self, case: Any, z: Vector, p: int, angle: float, t: float
+    ) -> tuple[float, ...]:
+        """Return displacement and velocity of the first contact there."""
+        phase = equations.Seen.of(case.cell, z, p)
+        forms, at = np.eye(phase.part.lawful.rows.shape[0])[:2], np.array([t / phase.s])
+        return tuple(float(phase.at(phase.rows(form), at)[0]) for form in forms)
+
+    def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
+        """Return what is watched, as it is at an orbit of which nothing is special.
+
+        Whether another phase could hold the contact is asked where its velocity does not jump,
+        of bodies without a memory.
+        """
+        cell, found = self.body_cell(numbers), []
+        held = [(h, q.phase) for h, q in enumerate(self.machine(numbers).nodes) if q.phase.held]
+        for p, phase in enumerate(cell.phases):
+            found += [Row(p, WITHIN, i) for i in range(len(phase.demands))]
+            found += [Row(p, AT_SWITCH, i) for i in range(len(phase.switch_demands))]
+            if self.endless:
+                continue
+            q = (p + 1) % len(cell.phases)
+            jumps = any(jump != (1.0, 0.0) for jump in phase.jumps)
+            if cell.phases[q].held or jumps or cell.memory:
+                continue
+            v = equations.Seen.of(cell, z, p).velocity_at_end
+            for h, node in held:
+                ended = any(same(phase.event, form) for _, form in node.demands)
+                if abs(v - node.speed) <= ROUNDING and not ended:
+                    found += [Row(p, BEHIND, i, h) for i in range(len(node.demands))]
+        return found
+
+    def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
+        """Return the forms of rows, for parameters without units and their cell.
+
+        Those of a phase that could hold the contact behind a switch are of what is seen before
+        it: the forces are then those of that phase's laws.
+        """
+        assert isinstance(cell, BodyCell)
+        nodes = self.machine(numbers).nodes
+        found: list[Form] = []
+        for row in rows:
+            phase = cell.phases[row.phase]
+            if row.kind == BEHIND:
+                node = nodes[row.node].phase
+                assert isinstance(node, BodyPhase)
+                _, form = node.demands[row.number]
+                through = np.array([under(cell, node, each, 1) for each in np.eye(len(form))])
+                form = tuple(map(float, through @ form))
+            else:
+                demands = phase.demands if row.kind == WITHIN else phase.switch_demands
+                _, form = demands[row.number]
+            found.append(form)
+        return found
+
+    def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
+        """Return the table of rows that `watch` takes; `z` is an orbit that is not special."""
+        cell = self.body_cell(numbers)
+        forms = self.forms(numbers, rows, cell)
+        found = np.zeros((len(rows), 5), dtype=np.int64)
+        for i, row in enumerate(rows):
+            found[i] = row.phase, row.kind, 0, 0, i
+            if row.kind == WITHIN:
+                phase = equations.Seen.of(cell, z, row.phase)
+                found[i, BEGINS] = phase.begins(np.array(forms[i]), ROUNDING)
+                found[i, IS_END] = same(forms[i], cell.phases[row.phase].event)
+            elif row.kind == BEHIND:
+                alike = ((q.phase, q.node) == (row.phase, row.node) for q in rows)
+                found[i, INTO] = list(alike).index(True)
+        return found
+
+
+@cache
+def _functions() -> dict[str, Any]:
+    modules = (*walk.MODULES, walk, equations)
+    return linking.made(modules, {}, rebuilt)
