@@ -50,8 +50,8 @@ def _element(phase: Phase, poles: Poles, s: float) -> Element:
     """Return a piece of a phase that lasts `s`; its columns are those of the first."""
     count = phase.degree + 1
     kappa = poles.s * s
-    a, Z = moments(kappa, count + 1), responses(kappa, count + 1)
-    turn = moments(1j * poles.omega * s, count + 1)
+    found = moments(np.append(kappa, 1j * poles.omega * s), count + 1)
+    a, turn, Z = found[:-1], found[-1], responses(kappa, count + 1)
     signs = (-1.0) ** np.arange(count)
     a_rate = moment_rates(a)
     slope = a[:, :count] + kappa[:, None] * a_rate

@@ -61,7 +61,7 @@ def _downwards(k: Complex, count: int) -> Complex:
         if m:  # `next_moment`, solved for its first
             above, here = here, above - recurrence.next_moment(m, k, 0.0, here)
             large = np.abs(here) > LARGE
-            for q in (above, here, total, found[:, m:].T):
+            for q in (above, here, total, found[:, m:].T) if large.any() else ():
                 q[..., large] /= LARGE
     return np.asarray(found * (np.where(growing, np.exp(k), 1.0) / total)[:, None])
 
@@ -71,8 +71,7 @@ def responses(kappa: Complex, count: int) -> Complex:
     found = np.empty((len(kappa), count, count), dtype=complex)
     up = np.abs(kappa) > 2 * (count + 1)
     found[up] = _responses_upwards(kappa[up], count)
-    for i in np.flatnonzero(~up):
-        found[i] = _responses_banded(complex(kappa[i]), count)
+    found[~up] = _responses_banded(kappa[~up], count)
     return found
 
 
@@ -121,8 +120,8 @@ def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
         beyond[:, n + 2] -= 1 / k
         beyond[:, n] += 1 / k
         e, b = np.stack([e[1], after]), np.stack([b[1], beyond])
-    for i in np.flatnonzero(~up):
-        B[i] = _answer(complex(kappa[i]), rows, _integration(rows, count) @ series[i])
+    right = series[~up] @ _integration(rows, count).T
+    B[~up] = _solved(kappa[~up], right[:, :, None])[:, :, 0]
     return E, B
 
 
@@ -138,22 +137,29 @@ def _integration(rows: int, count: int) -> Complex:
     return found.astype(complex)
 
 
-def _answer(k: complex, rows: int, right: Complex) -> Complex:
-    """Return the solution of ``(I - kappa S) c = right``."""
+def _solved(kappa: Complex, right: Complex) -> Complex:
+    """Return the solutions of ``(I - kappa S) c = right``; shape (m, rows, columns).
+
+    All kappa make one banded matrix, whose blocks nothing couples.
+    """
     from scipy.linalg import solve_banded  # noqa: PLC0415  (a scene of one mass needs none)
 
+    if not len(kappa):
+        return right
+    rows, k = right.shape[1], kappa[:, None]
     up = recurrence.integral(np.arange(1, rows + 1))  # of P_m* in the integral of P_(m-1)*
-    bands = np.zeros((3, rows), dtype=complex)
-    bands[0, 1:], bands[2, :-1] = k * up[1:rows], -k * up[: rows - 1]
+    bands = np.zeros((3, len(kappa), rows), dtype=complex)
+    bands[0, :, 1:], bands[2, :, :-1] = k * up[1:rows], -k * up[: rows - 1]
     bands[1] = 1.0
-    bands[1, 0] -= k / 2
-    return np.asarray(solve_banded((1, 1), bands, right))
+    bands[1, :, 0] -= kappa / 2
+    flat = right.reshape(-1, right.shape[2])
+    return np.asarray(solve_banded((1, 1), bands.reshape(3, -1), flat).reshape(right.shape))
 
 
-def _responses_banded(k: complex, count: int) -> Complex:
-    rows = count + BEYOND + int(abs(k) / 2)
-    found = _answer(k, rows, _integration(rows, count))[:count]
-    return np.asarray(found / (2 * np.arange(count)[:, None] + 1))
+def _responses_banded(kappa: Complex, count: int) -> Complex:
+    rows = count + BEYOND + int(np.abs(kappa).max(initial=0.0) / 2)
+    right = np.broadcast_to(_integration(rows, count), (len(kappa), rows, count))
+    return np.asarray(_solved(kappa, right)[:, :count] / (2 * np.arange(count)[:, None] + 1))
 
 
 def moment_rates(a: Complex) -> Complex:

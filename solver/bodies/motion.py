@@ -33,8 +33,9 @@ def signals(cell: "BodyCell", order: int, times: Vector, p: int, u: Vector) -> M
         return exact.seen(cell, times, p, u, rows[:kept])
     own, found = layout(cell, order), evaluated(cell, order, times)
     theta = angles_of(cell, times)[p] + cell.omega * float(times[p]) * u
-    z = _along(cell, order, times, p, u)
-    return own.phases[p].seen.at(z, theta, found.unknowns[own.memory])
+    forms = own.phases[p].seen
+    fixed = forms.at(theta, found.unknowns[own.memory])
+    return fixed + _along(cell, order, times, p, u, forms.poles)
 
 
 def derivative(
@@ -63,18 +64,19 @@ def _derivative(
     """
     own = layout(cell, order)
     phase, poles, s = own.phases[p], own.poles, own.poles.s[:, None]
-    z = _along(cell, order, times, p, u)
     theta = angles_of(cell, times)[p] + cell.omega * float(times[p]) * u
     turn = 1j * cell.omega
     waves = np.exp(1j * theta)
-    jumps = [((poles.c * s**q).T @ poles.b).real for q in range(number + 1)]
+    powers = [(poles.c * s**q).T for q in range(number + 1)]
+    homogeneous = np.split(_along(cell, order, times, p, u, np.vstack(powers)), number + 1)
+    jumps = [(q @ poles.b).real for q in powers]
     jumps[0][:] = 0.0
 
     def free(j: int, known: list[Matrix]) -> Matrix:
         """Return x^(j) by the forces' derivatives that are known."""
-        found = ((poles.c * s**j).T @ z).real
-        found += (poles.response[:, None] * turn**j * waves).real
-        return np.asarray(found + sum(jumps[j - 1 - i] @ q for i, q in enumerate(known[:j])))
+        forced = (poles.response[:, None] * turn**j * waves).real
+        by_forces = sum(jumps[j - 1 - i] @ q for i, q in enumerate(known[:j]))
+        return np.asarray(homogeneous[j] + forced + by_forces)
 
     x, v, _, a = places(poles.b.shape[1])
     forces: list[Matrix] = []
@@ -89,19 +91,22 @@ def _derivative(
     return np.asarray(free(number, forces)[0])
 
 
-def _along(cell: "BodyCell", order: int, times: Vector, p: int, u: Vector) -> Complex:
-    """Return z at local times of a phase; shape (m, len(u))."""
+def _along(
+    cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, forms: Complex
+) -> Matrix:
+    """Return ``Re(forms @ z)`` at local times of a phase; shape (len(forms), len(u))."""
     own = layout(cell, order)
     pieces, s = own.phases[p].pieces, float(times[p]) / own.phases[p].pieces
     found = _answers(cell, order, np.ascontiguousarray(times, dtype=float).tobytes(), p)
     which = np.minimum((u * pieces).astype(int), pieces - 1)
-    z = np.empty((len(own.poles.s), len(u)), dtype=complex)
+    values = np.empty((len(forms), len(u)))
     for piece in np.unique(which):
         here, (E, B) = which == piece, found[piece]
         w = u[here] * pieces - piece
         basis = np.polynomial.legendre.legvander(2 * w - 1, B.shape[1] - 1)
-        z[:, here] = E[:, None] * np.exp(own.poles.s[:, None] * s * w) + B @ basis.T
-    return z
+        free = (forms * E) @ np.exp(own.poles.s[:, None] * s * w)
+        values[:, here] = free.real + (forms @ B).real @ basis.T
+    return values
 
 
 @lru_cache(maxsize=64)

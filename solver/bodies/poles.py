@@ -65,11 +65,10 @@ class Forms:
     constant: Vector
     memory: Matrix
 
-    def at(self, z: Complex, angle: float | Vector, memory: Vector) -> Matrix:
-        """Return their values for states z, shape (m, n), and angles of the forcing."""
-        wave = (self.turn[:, None] * np.exp(1j * np.atleast_1d(angle))).real
-        fixed = (self.constant + self.memory @ memory)[:, None]
-        return np.asarray((self.poles @ z).real + wave + fixed)
+    def at(self, angles: Vector, memory: Vector) -> Matrix:
+        """Return their values where z is 0, at angles of the forcing; shape (k, n)."""
+        wave = (self.turn[:, None] * np.exp(1j * angles)).real
+        return np.asarray(wave + (self.constant + self.memory @ memory)[:, None])
 
 
 @lru_cache(maxsize=64)

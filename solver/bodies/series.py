@@ -184,8 +184,8 @@ def _rates(
         rows = np.einsum("ki,in,iw->nkw", law.poles, element.a, starts[e]).real
         begun = states[e] @ unknowns
         kappa = (own.poles.s * element.duration)[:, None, None]
-        forced = (own.poles.b @ l.T) @ (element.Z + kappa * element.Z_rate).transpose(0, 2, 1)
-        answered = forced[np.arange(len(s)), np.arange(len(s))]  # each pole with its own force
+        forced = (own.poles.b @ l.T)[:, :, None]
+        answered = ((element.Z + kappa * element.Z_rate) @ forced)[:, :, 0]
         own_rate = (s * element.a_rate * begun[:, None] + answered).T @ law.poles.T
         rows[:, :, p] += part[e] * own_rate.real
         wave = law.turn[None, :] * np.exp(1j * begins[e])

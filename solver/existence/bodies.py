@@ -6,7 +6,7 @@ duration, whose sign changes are scanned.  The scan is made on the slow modes al
 others answer statically; Newton's method takes each root to the whole body.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -34,6 +34,9 @@ PARTS = (1.0, 0.7, 0.4, 0.2, 0.1)
 
 #: Shortest duration that is looked at, as a part of the cell.
 SHORTEST = 1e-6
+
+#: How near to a root of the scan Newton's method begins, as a part of the cell.
+WITHIN = 1e-12
 
 #: Differences of times, as parts of the cell, below which two solutions are one.
 SAME = 1e-7
@@ -118,8 +121,6 @@ def _angles(a: float, b: float, c: float) -> list[float]:
 
 def _scanned(cell: "BodyCell") -> Iterator[RoughTimes]:
     """Yield the times at which both events of two phases vanish, of the slow modes."""
-    from scipy.optimize import brentq  # noqa: PLC0415  (a scene of one mass needs none)
-
     quick = slow(cell)
     even = np.linspace(0, 1, EVENLY + 2)[1:-1]
     close = np.geomspace(SHORTEST, even[0], AT_ENDS, endpoint=False)
@@ -135,12 +136,21 @@ def _scanned(cell: "BodyCell") -> Iterator[RoughTimes]:
     yield from _symmetric(quick)
     values = [defect(part) for part in parts]
     for i in np.flatnonzero(np.diff(np.sign(values))):
-        root = float(brentq(defect, parts[i], parts[i + 1], xtol=1e-12))
+        root = _bisected(defect, float(parts[i]), float(parts[i + 1]))
         (a, b, c), (d, e, f) = _both(quick, root)
         determinant = a * e - b * d
         angle = np.arctan2((c * d - a * f) / determinant, (b * f - c * e) / determinant)
         durations = (root * cell.duration, (1 - root) * cell.duration)
         yield RoughTimes(durations, float(angle) % (2 * np.pi), "a scan of the exact equations")
+
+
+def _bisected(function: Callable[[float], float], low: float, high: float) -> float:
+    """Return a root between two places at which the signs of a function differ."""
+    rising = function(low) < 0
+    while high - low > WITHIN:
+        middle = (low + high) / 2
+        low, high = (middle, high) if (function(middle) < 0) == rising else (low, middle)
+    return (low + high) / 2
 
 
 def _symmetric(cell: "BodyCell") -> Iterator[RoughTimes]:

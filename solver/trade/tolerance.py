@@ -7,9 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..accuracy.estimate import ROUNDING
+from ..existence.known import known_orbits
 from ..kernels import registry
 from ..no_orbit import NoOrbit
-from ..orbit.errors import Errors
+from ..orbit import solution
+from ..orbit.attempt import attempt
+from ..orbit.errors import Errors, difference
 from ..results.orbit import Orbit
 from ..scenes.case import Case
 from ..scenes.method_names import shown
@@ -106,20 +109,34 @@ class _Search:
     def meets(self, order: int) -> Orbit | None:
         """Return the orbit of an order if it is within the tolerance; note what it is."""
         name = shown(self.case.scene, self.method)
+        far = self._beyond(order)
+        if far is not None:
+            self.trials.append(Trial(name, order, far))
+            return None
         try:
             orbit = solve_case(self.case, self.method, order, self.functions)
         except NoOrbit as finding:
             self.finding = finding
             self.trials.append(Trial(name, order, None))
             return None
-        name, far = shown(self.case.scene, orbit.method), self._beyond(orbit)
-        self.trials.append(Trial(name, order, far or orbit.estimate))
-        return orbit if not far and size(orbit.estimate) <= MARGIN * self.tol else None
+        name = shown(self.case.scene, orbit.method)
+        self.trials.append(Trial(name, order, orbit.estimate))
+        return orbit if size(orbit.estimate) <= MARGIN * self.tol else None
 
-    def _beyond(self, orbit: Orbit) -> Errors | None:
-        """Return the errors of a body's orbit if they are too large: these need no estimate."""
-        errors = orbit.errors if self.case.scene.has_body else None
-        return errors if errors is not None and size(errors) > self.tol else None
+    def _beyond(self, order: int) -> Errors | None:
+        """Return the errors of a body's solution next to its exact orbit, if too large.
+
+        Then there is nothing to judge, which takes longer than the solution.
+        """
+        exact = next(iter(known_orbits(self.case)), None) if self.case.scene.has_body else None
+        if exact is None:
+            return None
+        kernel = registry.kernel(exact.case.scene, self.method, self.functions)
+        found = attempt(kernel, exact.case, order, exact.times, self.functions)
+        errors = difference(found, exact, order) if found.converged else None
+        if errors is None or errors.times > solution.FAR or size(errors) <= self.tol:
+            return None
+        return errors
 
     def lowest(self, fails: int, meets: int, orbit: Orbit) -> Orbit:
         """Return the orbit of the lowest order between one that fails and one that meets."""

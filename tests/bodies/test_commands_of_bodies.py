@@ -6,6 +6,9 @@ import pytest
 from refusals import refused
 
 import nonsmooth as ns
+from nonsmooth.solver.solve import solve_case
+from nonsmooth.solver.trade.choice import size
+from nonsmooth.solver.trade.tolerance import choose_order
 
 #: What is computed for scenes of one mass alone.
 ONE_MASS = (
@@ -46,3 +49,16 @@ def test_documents_files_and_families_of_a_body(run, tmp_path) -> None:
     rows = ns.family(orbit.case, "gap", [0.4, 0.5], order=2).rows
     assert [row.status for row in rows] == ["ok", "ok"]
     assert rows[1].forcing_phase == pytest.approx(orbit.forcing_phase, abs=1e-12)
+
+
+@pytest.mark.parametrize("scene", ["beam-clearance", "jenkins-absorber"])
+def test_orders_that_are_not_judged_have_the_errors_of_their_orbits(scene: str) -> None:
+    case, tol = ns.scene(scene)(), 1e-6
+    choice = choose_order(case, tol)
+    assert size(choice.orbit.errors) <= tol
+    refused = [q for q in choice.trials if size(q.estimate) > tol]
+    assert refused
+    assert max(q.order for q in refused) == choice.orbit.order - 1
+    for trial in refused:
+        errors = solve_case(case, order=trial.order).errors
+        assert size(trial.estimate) == pytest.approx(size(errors), rel=1e-6)

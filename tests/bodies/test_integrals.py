@@ -72,6 +72,12 @@ def test_responses(kappa: complex) -> None:
             assert abs(complex(exact) - found[m, n]) <= TOLERANCE * scale
 
 
+def test_responses_of_many_poles_are_those_of_each() -> None:
+    kappas = np.array(KAPPAS, dtype=complex)
+    each = [responses(kappas[i : i + 1], 10)[0] for i in range(len(kappas))]
+    assert responses(kappas, 10) == pytest.approx(np.array(each), abs=TOLERANCE)
+
+
 @pytest.mark.parametrize("kappa", [-3 + 2j, -40 + 20j, 0.2j], ids=str)
 def test_rates_against_differences(kappa: complex) -> None:
     h, k = 1e-5, np.array([kappa])
