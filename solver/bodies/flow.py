@@ -126,8 +126,8 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
     poles, basis = poles.astype(complex), basis.astype(complex)
     if np.linalg.cond(basis) > WORST:
         raise BodyError(
-            "two poles of the body are one (a mode without stiffness and damping, or with "
-            "exactly critical damping): change its damping a little"
+            "two poles of the body are one (a mode with exactly critical damping): change its "
+            "damping a little"
         )
     inverse = np.linalg.inv(basis)
     return Flow(poles, basis, inverse, inverse @ lawful.inputs.astype(complex), omega)

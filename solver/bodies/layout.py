@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arrays import Indices, Matrix
 from .laws import free, law_matrix, places
+from .modal import BodyError
 from .poles import Forms, Poles, poles_of
 from .switch import impulses
 
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
 
 #: Most polynomials of a piece: a phase of more is cut into equal pieces.
 MOST = 32
+
+#: Change of a mode over a cell of a forcing that is too little for its digits to be kept.
+RESONANT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,8 +102,22 @@ class Layout:
 
 @lru_cache(maxsize=64)
 def layout(cell: "BodyCell", order: int) -> Layout:
-    """Return the equations of a cell at an order N, N + 1 coefficients an unknown force."""
+    """Return the equations of a cell at an order N, N + 1 coefficients an unknown force.
+
+    Raises
+    ------
+    BodyError
+        If a mode repeats itself with the forcing: what the forces make of it is unbounded.
+    """
     poles = poles_of(cell.body, cell.omega)
+    if cell.forced and (
+        np.abs(1 - cell.sign * np.exp(poles.s * cell.duration)).min() <= RESONANT
+    ):
+        raise BodyError(
+            "frequency: an undamped mode of the body repeats itself with the forcing, and the "
+            "series of the contact force loses its digits: damp it a little, or compute the "
+            "exact orbit alone"
+        )
     phases = tuple(_phase(cell, poles, p, order) for p in range(len(cell.phases)))
     contacts, elements, at = cell.body.at.shape[1], [], 0
     for p, phase in enumerate(phases):

@@ -1,6 +1,6 @@
 """A body in its modes: what its contacts and its forcing see of it."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -11,11 +11,20 @@ from ..arrays import Matrix, Vector
 
 Complex: TypeAlias = npt.NDArray[np.complex128]
 
-#: Degrees of freedom up to which matrices are full.
+#: Degrees of freedom up to which all modes are computed, by full matrices.
 DENSE = 1500
 
-#: Where the spectrum is shifted to for a sparse body, as a part of the mean of K over M.
+#: Modes that are looked for at once, as a part of all, from which on matrices are full.
+MANY = 0.2
+
+#: Where nothing forces, what is added to K for each M, as a part of the mean of K over M.
 SHIFT = 1e-8
+
+#: What rounding of K may change the square of a natural frequency by, as a part of it.
+LOST = 1e-3
+
+#: Steps in which the static answer of the modes left out is found.
+STEPS = 200
 
 
 class BodyError(ValueError):
@@ -90,51 +99,107 @@ def modal(
     M, K, at = matrices["M"], matrices["K"], matrices["at"].toarray()
     n = M.shape[0]
     force = matrices["forcing"].toarray() if "forcing" in matrices else np.zeros((n, 1))
-    whole = modes is None or modes >= n
+    count = n if modes is None else min(modes, n)
+    whole = count == n
     if whole and n > DENSE:
         raise BodyError(f"the body has {n} degrees of freedom: say how many modes are kept")
-    squares, shapes = _modes(M, K, n if modes is None or whole else modes)
+    shift = omega**2 or SHIFT * K.diagonal().sum() / M.diagonal().sum()
+    stiff = None if whole else _solver(K + shift * M)
+    squares, shapes = _modes(M, K, count, shift, stiff)
+    _check_digits(K, squares, shapes)
     seen, driven = shapes.T @ at, shapes.T @ force
     damping = np.diag(2 * (ratio or 0.0) * np.sqrt(np.abs(squares)))
     if "C" in matrices:
         damping = shapes.T @ (matrices["C"] @ shapes)
     mobility = seen.T @ seen
     residual, beyond = np.zeros_like(mobility), np.zeros(at.shape[1], dtype=complex)
-    if not whole:
-        mobility = at.T @ _solve(M, at)
-        answers = _solve(K, np.hstack([at, force]))
-        kept = (seen / squares[:, None]).T @ np.hstack([seen, driven])
-        left_out = at.T @ answers - kept
+    if stiff is not None:
+        mobility = at.T @ _solver(M)(at)
+        left_out = at.T @ _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
         residual = (left_out[:, :-1] + left_out[:, :-1].T) / 2
         beyond = left_out[:, -1].astype(complex)
         if "C" in matrices and omega:
-            full = at.T @ _solve(K - omega**2 * M + 1j * omega * matrices["C"], force)
+            full = K - omega**2 * M + 1j * omega * matrices["C"]
             rows = np.diag(squares - omega**2) + 1j * omega * damping
-            beyond = (full - seen.T @ np.linalg.solve(rows, driven.astype(complex)))[:, 0]
+            kept = seen.T @ np.linalg.solve(rows, driven.astype(complex))
+            beyond = (at.T @ _solver(full)(force.astype(complex)) - kept)[:, 0]
     return Modal(squares, damping, seen, driven[:, 0], mobility, residual, beyond)
 
 
-def _modes(M: Any, K: Any, count: int) -> tuple[Vector, Matrix]:
-    """Return the squares of the lowest natural frequencies, and the modes, with unit mass."""
+Solve: TypeAlias = Callable[[Any], Any]
+
+
+def _modes(
+    M: Any, K: Any, count: int, shift: float, stiff: Solve | None
+) -> tuple[Vector, Matrix]:
+    """Return the squares of the lowest natural frequencies, and the modes, with unit mass.
+
+    `stiff` solves systems with ``K + shift M``: few modes of many are found by its inverse,
+    which keeps the digits of the lowest.
+    """
     from scipy import linalg, sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     n = M.shape[0]
     try:
-        if n <= DENSE:
+        if stiff is None or (n <= DENSE and count > MANY * n):
             found = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
         else:
-            shift = -SHIFT * K.diagonal().sum() / M.diagonal().sum()
-            found = sparse.linalg.eigsh(K.tocsc(), count, M.tocsc(), sigma=shift)
+            inverse = sparse.linalg.LinearOperator(M.shape, stiff, dtype=float)
+            begin = np.random.default_rng(0).standard_normal(n)  # the same in every run
+            found = sparse.linalg.eigsh(
+                K, count, M, sigma=-shift, OPinv=inverse, v0=begin, which="LM"
+            )
     except (np.linalg.LinAlgError, RuntimeError, ValueError) as error:
         raise BodyError(f"the modes of the body are not found: {error}") from None
-    return np.asarray(found[0], dtype=float), np.asarray(found[1], dtype=float)
+    order = np.argsort(found[0])
+    return np.asarray(found[0], dtype=float)[order], np.asarray(found[1], dtype=float)[:, order]
 
 
-def _solve(matrix: Any, right: Any) -> Any:
-    """Return the solutions of a system with a sparse matrix."""
+def _check_digits(K: Any, squares: Vector, shapes: Matrix) -> None:
+    """Check that rounding of the entries of K leaves the natural frequencies their digits."""
+    sizes = np.abs(shapes)
+    rounding = np.finfo(float).eps * (sizes * (abs(K) @ sizes)).sum(axis=0)
+    lost = float((rounding / np.maximum(np.abs(squares), rounding)).max())
+    if lost == 1.0:
+        raise BodyError(
+            "K: a mode has no stiffness beyond rounding, in which the body moves freely: add a "
+            "weak spring to the ground"
+        )
+    if lost > LOST:
+        raise BodyError(
+            f"K: rounding of its entries may change a natural frequency by {lost / 2:.1g} of "
+            "it: take fewer elements"
+        )
+
+
+def _left_out(M: Any, shapes: Matrix, right: Matrix, shift: float, stiff: Solve) -> Matrix:
+    """Return what the modes that are left out answer statically.
+
+    By ``1/w^2 = 1/(w^2 + shift) (1 + shift/w^2)``, repeated: K itself is singular where the
+    body moves freely.
+    """
+
+    def without(q: Matrix) -> Matrix:
+        return np.asarray(q - shapes @ (shapes.T @ (M @ q)))
+
+    first = without(stiff(right - M @ (shapes @ (shapes.T @ right))))
+    found = first
+    for _ in range(STEPS):
+        before, found = found, first + shift * without(stiff(M @ found))
+        if np.abs(found - before).max() <= np.finfo(float).eps * np.abs(found).max():
+            return found
+    raise BodyError("the modes left out are too slow for the forcing: keep more of them")
+
+
+def _solver(matrix: Any) -> Solve:
+    """Return what solves systems with a symmetric sparse matrix."""
     from scipy import sparse  # noqa: PLC0415
 
     try:
-        return sparse.linalg.splu(matrix.tocsc()).solve(right.astype(matrix.dtype))
+        factors = sparse.linalg.splu(
+            matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.1,
+            options={"SymmetricMode": True},
+        )  # fmt: skip
     except RuntimeError:
-        raise BodyError("the body moves freely as a whole: keep all of its modes") from None
+        raise BodyError("the matrices of the body are singular") from None
+    return lambda right: factors.solve(np.asarray(right))

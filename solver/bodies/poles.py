@@ -85,7 +85,7 @@ def poles_of(body: Modal, omega: float) -> Poles:
     try:
         answer = np.linalg.solve(rows, body.forcing.astype(complex))
     except np.linalg.LinAlgError:
-        raise BodyError("an undamped mode of the body is in resonance") from None
+        raise BodyError("an undamped mode is in resonance with the forcing") from None
     return Poles(*found, body.at.T @ answer + body.beyond, omega)
 
 
@@ -122,6 +122,6 @@ def _of_states(body: Modal, omega: float) -> tuple[Complex, Complex, Complex]:
 
 def _too_near() -> None:
     raise BodyError(
-        "two poles of the body are one (a mode without stiffness and damping, or with exactly "
-        "critical damping): change its damping a little"
+        "two of its poles are one (a mode with exactly critical damping): change its damping "
+        "a little"
     )

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...bodies.laws import places
 from ...bodies.modal import BodyError, Modal, modal
+from ...bodies.poles import poles_of
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
 from ..parameter_error import ParameterError
@@ -171,7 +172,9 @@ def _body(
         size = matrices["M"].shape[0]
         if modes is not None and modes > size:
             raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
-        return modal(matrices, ratio, None if modes is None else int(modes), frequency)
+        found = modal(matrices, ratio, None if modes is None else int(modes), frequency)
+        poles_of(found, frequency)
+        return found
     except BodyError as error:
         raise ParameterError([f"body: {error}"]) from None
 
