@@ -2,8 +2,10 @@
 
 import json
 
+import numpy as np
 import pytest
 from refusals import refused
+from shown import ROOT
 
 import nonsmooth as ns
 from nonsmooth.solver.solve import solve_case
@@ -62,3 +64,23 @@ def test_orders_that_are_not_judged_have_the_errors_of_their_orbits(scene: str) 
     for trial in refused:
         errors = solve_case(case, order=trial.order).errors
         assert size(trial.estimate) == pytest.approx(size(errors), rel=1e-6)
+
+
+def test_a_scene_file_follows_the_matrices_that_it_reads(run, tmp_path, monkeypatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    gone = 'first_stiffness", k_1', 'second_stiffness", k_2'
+    text = (ROOT / "examples/scenes/two_masses.py").read_text("utf-8")
+    matrix, read = (
+        "sp.Matrix([[k_1 + k_2, -k_2], [-k_2, k_2]])",
+        f"np.load({str(tmp_path / 'K.npy')!r})",
+    )
+    assert matrix in text
+    lines = ["import numpy as np", *text.replace(matrix, read).splitlines()]
+    file = tmp_path / "own.py"
+    file.write_text("\n".join(q for q in lines if not any(name in q for name in gone)), "utf-8")
+    phases = []
+    for stiffness in (1.0, 1.2):
+        np.save(tmp_path / "K.npy", stiffness * np.array([[2.0, -1.0], [-1.0, 1.0]]))
+        _, out, _ = run("solve", file, "--method", "ck-tau", "--order", 2, "--json")
+        phases.append(json.loads(out)["forcing_phase"])
+    assert abs(phases[1] - phases[0]) > 0.01

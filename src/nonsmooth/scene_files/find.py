@@ -85,6 +85,9 @@ def _is_scene(what: object) -> bool:
 
 def _of_file(path: Path, say: Say) -> LoadedScene:
     text = text_of(path)
+    if b"Body(" in text:  # its matrices may be those of other files
+        scene = read_scene(path, text)
+        return _kept(key_of_scene(scene), lambda: scene, str(path), say)
     return _kept(key_of_text(text), lambda: read_scene(path, text), str(path), say)
 
 
