@@ -44,7 +44,8 @@ def main() -> None:
     parser.add_argument("--fewest", action="store_true", help="one setting each, once")
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
-    run(options.scenes or list(registry.names()), options.output, options.fewest)
+    of_one_mass = [name for name in registry.names() if not registry.load(name).has_body]
+    run(options.scenes or of_one_mass, options.output, options.fewest)
 
 
 if __name__ == "__main__":

@@ -109,12 +109,23 @@ def _seconds(loop: Callable[..., float], count: int, arguments: tuple) -> float:
 
 def measure(which: Problem, rounds: int = ROUNDS, fewest: bool = False) -> list[Point]:
     """Return the points of a scene; with `fewest`, of the first setting of each alone."""
+    return measured(which.name, contenders(which), which.error, rounds, fewest)
+
+
+def measured(
+    what: str,
+    ways: list[Contender],
+    error_of: Callable[[np.ndarray], float],
+    rounds: int = ROUNDS,
+    fewest: bool = False,
+) -> list[Point]:
+    """Return the points of contenders; `error_of` times says how far off they are."""
     runs = []
-    for each in contenders(which):
+    for each in ways:
         loop = _repeated(each.function)
         for setting in each.settings[: 1 if fewest else None]:
             arguments = each.arguments(setting)
-            error = which.error(each.times(each.function(*arguments)))
+            error = error_of(each.times(each.function(*arguments)))
             if not error < 0.1:  # nothing was found, or something else
                 continue
             loop(1, arguments)
@@ -127,6 +138,6 @@ def measure(which: Problem, rounds: int = ROUNDS, fewest: bool = False) -> list[
             if round_ == 0 or count > 1 or times[0] < 20 * SECONDS:  # slow ones once
                 times.append(_seconds(loop, count, arguments))
     return [
-        Point(which.name, name, setting, error, statistics.median(times))
+        Point(what, name, setting, error, statistics.median(times))
         for (name, setting, error, *_), times in zip(runs, seen, strict=True)
     ]

@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 from .measured import FLOOR, MINE, Point
 
@@ -71,6 +72,13 @@ def draw(points: list[Point], target: Path) -> None:
 
     figure = Figure(figsize=(7, 4.5), layout="constrained")
     axes = figure.subplots()
+    curves(axes, points)
+    axes.legend(fontsize=8)
+    figure.savefig(target, dpi=120)
+
+
+def curves(axes: Any, points: list[Point]) -> None:
+    """Draw the points of one problem."""
     for number, name in enumerate(names(points)):
         chosen = [p for p in points if p.name == name]
         own = name in (MINE, "hb-ck", "hb")
@@ -87,5 +95,3 @@ def draw(points: list[Point], target: Path) -> None:
         xlabel="seconds an orbit", ylabel="error of the times, part of T", title=points[0].scene
     )
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
-    figure.savefig(target, dpi=120)

@@ -1,0 +1,1 @@
+"""Bodies with a contact: the exact orbit and the force series beside other codes."""
