@@ -1,7 +1,7 @@
 """A body in its modes: what its contacts and its forcing see of it."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -69,6 +69,19 @@ class Modal:
             np.abs(off).max(initial=0.0) <= 1e-13 * np.abs(self.damping).max(initial=0.0)
         )
 
+    def in_units(self, mass: float, time: float, length: float) -> "Modal":
+        """Return the same body in other units, each given in those that it has."""
+        root = np.sqrt(mass)
+        return Modal(
+            self.squares * time**2,
+            self.damping * time,
+            self.at * root,
+            self.forcing * (time**2 / (length * root)),
+            self.mobility * mass,
+            self.residual * (mass / time**2),
+            self.beyond / length,
+        )
+
     @property
     def kept_mobility(self) -> Matrix:
         """``w^T M^-1 w`` of the modes that are kept."""
@@ -76,7 +89,7 @@ class Modal:
 
 
 def modal(
-    matrices: Mapping[str, Any], ratio: float | None, modes: int | None, omega: float
+    matrices: Mapping[str, Any], ratio: float | None, modes: int | None, shift: float = 0.0
 ) -> Modal:
     """Return a body in its modes.
 
@@ -88,8 +101,14 @@ def modal(
         Damping ratio of every mode.
     modes : int, optional
         How many are kept; without it all.
-    omega : float
-        Angular frequency of the forcing; 0 if there is none.
+    shift : float
+        What the spectrum is shifted by where a few of many modes are found; without it a small
+        part of the highest.
+
+    Returns
+    -------
+    Modal
+        The modes left out answer the forcing statically; see `at_frequency`.
 
     Raises
     ------
@@ -103,7 +122,7 @@ def modal(
     whole = count == n
     if whole and n > DENSE:
         raise BodyError(f"the body has {n} degrees of freedom: say how many modes are kept")
-    shift = omega**2 or SHIFT * K.diagonal().sum() / M.diagonal().sum()
+    shift = shift or SHIFT * K.diagonal().sum() / M.diagonal().sum()
     stiff = None if whole else _solver(K + shift * M)
     squares, shapes = _modes(M, K, count, shift, stiff)
     _check_digits(K, squares, shapes)
@@ -118,12 +137,22 @@ def modal(
         left_out = at.T @ _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
         residual = (left_out[:, :-1] + left_out[:, :-1].T) / 2
         beyond = left_out[:, -1].astype(complex)
-        if "C" in matrices and omega:
-            full = K - omega**2 * M + 1j * omega * matrices["C"]
-            rows = np.diag(squares - omega**2) + 1j * omega * damping
-            kept = seen.T @ np.linalg.solve(rows, driven.astype(complex))
-            beyond = (at.T @ _solver(full)(force.astype(complex)) - kept)[:, 0]
     return Modal(squares, damping, seen, driven[:, 0], mobility, residual, beyond)
+
+
+def at_frequency(body: Modal, matrices: Mapping[str, Any], omega: float) -> Modal:
+    """Return a body whose modes left out answer a forcing with their damping and inertia.
+
+    Their damping is known where its matrix is given; else they answer statically.
+    """
+    few = len(body.squares) < matrices["M"].shape[0]
+    if not (few and omega and "C" in matrices and "forcing" in matrices):
+        return body
+    full = matrices["K"] - omega**2 * matrices["M"] + 1j * omega * matrices["C"]
+    rows = np.diag(body.squares - omega**2) + 1j * omega * body.damping
+    kept = body.at.T @ np.linalg.solve(rows, body.forcing.astype(complex))
+    force = matrices["forcing"].toarray()[:, 0].astype(complex)
+    return replace(body, beyond=matrices["at"].toarray().T @ _solver(full)(force) - kept)
 
 
 Solve: TypeAlias = Callable[[Any], Any]
@@ -140,19 +169,21 @@ def _modes(
     from scipy import linalg, sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     n = M.shape[0]
+    begin = np.random.default_rng(0).standard_normal(n)  # the same in every run
     try:
         if stiff is None or (n <= DENSE and count > MANY * n):
             found = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
         else:
             inverse = sparse.linalg.LinearOperator(M.shape, stiff, dtype=float)
-            begin = np.random.default_rng(0).standard_normal(n)  # the same in every run
             found = sparse.linalg.eigsh(
                 K, count, M, sigma=-shift, OPinv=inverse, v0=begin, which="LM"
             )
     except (np.linalg.LinAlgError, RuntimeError, ValueError) as error:
         raise BodyError(f"the modes of the body are not found: {error}") from None
     order = np.argsort(found[0])
-    return np.asarray(found[0], dtype=float)[order], np.asarray(found[1], dtype=float)[:, order]
+    shapes = np.asarray(found[1], dtype=float)[:, order]
+    signs = np.sign(begin @ shapes)  # the same ones along a parameter
+    return np.asarray(found[0], dtype=float)[order], shapes * signs
 
 
 def _check_digits(K: Any, squares: Vector, shapes: Matrix) -> None:

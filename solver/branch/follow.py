@@ -321,7 +321,7 @@ def _located(
         kind = OF_THE_ORBIT[i - forms - phases]
         if kind == "flip" and piece.cell.sign < 0:  # of half a period: the symmetry is lost
             kind = "branch-point"
-        if kind != "torus" or np.iscomplex(np.linalg.eigvals(place.maps[0])).any():
+        if kind != "torus" or np.iscomplex(np.linalg.eigvals(piece.maps(place)[0])).any():
             yield at, Found(kind, None, None, piece, place, i)
 
 

@@ -141,6 +141,10 @@ class Piece:
         """Return the equations at an orbit; see `extended.case_at`."""
         return self.functions["case_at"](self.along, float(y[-1]))
 
+    def maps(self, place: Place) -> tuple[Matrix, Matrix]:
+        """Return what the cell makes of perturbations, before it is mirrored, and its size."""
+        return self.course.maps(self.equations(place.y), place.y[:-1], place.maps)
+
     def numbers(self, y: Vector) -> tuple[float, ...]:
         """Return all parameters without units."""
         given = self.case.numbers

@@ -24,8 +24,7 @@ def row_of(piece: Piece, place: Place, regular: bool = True) -> FamilyRow:
     names = enumerate(("displacement", "velocity"))
     ends = {name: tuple(extremes[j] * units.of_motion(j)) for j, name in names}
     multipliers, stable = None, None
-    case = piece.equations(place.y)
-    matrix, size = piece.course.maps(case, place.y[:-1], place.maps)
+    matrix, size = piece.maps(place)
     if regular and np.isfinite(matrix).all() and np.isfinite(size).all():
         own = of_monodromy(cell, Monodromy(matrix, size, forgotten(cell)))
         multipliers, stable = tuple(map(complex, own.multipliers)), own.stable

@@ -83,7 +83,7 @@ def test_modes_are_checked_with_the_parameters() -> None:
         ns.solve(beam(modes=2.5))
 
 
-@pytest.mark.parametrize("ask", [ns.simulate, lambda q: ns.branch(q, "gap", 0.1, 0.6)])
+@pytest.mark.parametrize("ask", [ns.simulate])
 def test_what_takes_no_bodies_says_so(ask) -> None:
     with pytest.raises(NotOfBodies, match="several degrees of freedom"):
         ask(ns.scene("chain-impact")())

@@ -14,7 +14,6 @@ from nonsmooth.solver.trade.tolerance import choose_order
 
 #: What is computed for scenes of one mass alone.
 ONE_MASS = (
-    ("branch", "--vary", "gap=0.4:0.6"),
     ("map", "--vary", "gap=0.4:0.6:2", "--vary", "mass=1:2:2"),
     ("simulate",),
     ("digits",),
@@ -29,11 +28,11 @@ def test_what_there_is_not_for_a_body_is_said(run, command) -> None:
     assert "a body of several degrees of freedom" in refused(run, name, "chain-impact", *flags)
 
 
-@pytest.mark.parametrize("call", ["branch", "branches", "chart", "simulate"])
+@pytest.mark.parametrize("call", ["chart", "simulate"])
 def test_functions_say_it_too(call: str) -> None:
     case = ns.scene("chain-impact")()
     arguments = {
-        "branch": ("gap", 0.4, 0.6), "branches": ("gap", 0.4, 0.6), "simulate": (),
+        "simulate": (),
         "chart": ({"gap": (0.4, 0.6, 2), "mass": (1.0, 2.0, 2)},),
     }  # fmt: skip
     with pytest.raises(ValueError, match="a body of several degrees of freedom"):

@@ -6,6 +6,7 @@ NumPy: what a step costs is the eigenbasis of each phase.
 """
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -144,32 +145,35 @@ def watched(case: At, table: Any, z: Vector, values: Matrix, extremes: Matrix) -
     extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
     for p in range(len(case.cell.phases)):
         phase = Seen.of(case.cell, z, p)
-        for row in np.flatnonzero(table[:, PHASE] == p):
-            form, into = phase.rows(case.forms[row]), table[row, INTO]
-            kind, end = table[row, KIND], float(phase.at(form, np.ones(1))[0])
+        watched_here = np.flatnonzero(table[:, PHASE] == p)
+        both = np.eye(2, case.forms.shape[1])
+        rows = phase.rows(np.vstack([case.forms[watched_here], both]))
+        at_ends = phase.at(rows, np.array([0.0, 1.0]))
+        rates = phase.at(phase.rate(rows, 1), phase.grid)
+        for i, row in enumerate(watched_here):
+            into, kind, end = table[row, INTO], table[row, KIND], at_ends[i, 1]
             if kind == WITHIN:
-                begins = phase.rate(form, int(table[row, BEGINS]))
-                values[row, START] = phase.at(begins, np.zeros(1))[0]
-                values[row, LEAST] = phase.least(form, int(table[row, BEGINS]))[0]
-                rate = float(phase.at(phase.rate(form, 1), np.ones(1))[0])
-                values[row, END] = -rate if table[row, IS_END] else end
+                begins = int(table[row, BEGINS])
+                values[row, START] = phase.beginning(rows[i], begins)
+                values[row, LEAST] = phase.least(rows[i], rates[i], begins)[0]
+                values[row, END] = -rates[i, -1] if table[row, IS_END] else end
             elif kind in (AT_SWITCH, BEHIND):
                 end = -end if kind == BEHIND else end
                 values[into, END] = np.fmax(values[into, END], end)
-        for j in range(2):
-            form = phase.rows(np.eye(case.forms.shape[1])[j])
-            ends = phase.at(form, np.array([0.0, 1.0]))
-            low, high = phase.least(form, 0)[0], -phase.least(-form, 0)[0]
-            extremes[j, 0] = np.nanmin([extremes[j, 0], *ends, low])
-            extremes[j, 1] = np.nanmax([extremes[j, 1], *ends, high])
+        for j in (0, 1):
+            row, rate = rows[j - 2], rates[j - 2]
+            low, high = phase.least(row, rate, 0)[0], -phase.least(-row, -rate, 0)[0]
+            extremes[j, 0] = np.nanmin([extremes[j, 0], *at_ends[j - 2], low])
+            extremes[j, 1] = np.nanmax([extremes[j, 1], *at_ends[j - 2], high])
 
 
 def when_least(case: At, table: Any, z: Vector, row: int) -> float:
     """Return when in its phase a form has the least value at a critical point inside."""
     p = int(table[row, PHASE])
     phase = Seen.of(case.cell, z, p)
-    u = phase.least(phase.rows(case.forms[row]), int(table[row, BEGINS]))[1]
-    return float(u * phase.s)
+    form = phase.rows(case.forms[row])
+    rates = phase.at(phase.rate(form, 1), phase.grid)
+    return float(phase.least(form, rates, int(table[row, BEGINS]))[1] * phase.s)
 
 
 class Seen:
@@ -205,24 +209,29 @@ class Seen:
     @property
     def velocity_at_end(self) -> float:
         """Of the first contact, before the switch."""
-        row = self.part.lawful.rows[1]
-        return float(self.at(row, np.ones(1))[0])
+        return float(self.at(self.part.lawful.rows[1], np.ones(1))[0])
 
-    def rows(self, form: Vector) -> Vector:
-        """Return a form of what is seen as one of ``(y, cos, sin, 1, memory)``."""
-        return np.asarray(form @ self.part.lawful.rows)
+    def rows(self, forms: Any) -> Any:
+        """Return a form of what is seen, or some, by ``(y, cos, sin, 1, memory)``."""
+        return forms @ self.part.lawful.rows
 
-    def rate(self, row: Vector, times: int) -> Vector:
-        """Return a derivative of a form by time."""
+    def rate(self, row: Any, times: int) -> Any:
+        """Return a derivative by time of a form, or of some."""
         for _ in range(times):
             row = row @ self.generator
         return row
 
-    def at(self, row: Vector, u: Vector) -> Vector:
-        """Return a form at local times in [0, 1]."""
-        return np.asarray(seen(self.cell, self.times, self.p, u, row[None], self.found)[0])
+    def at(self, rows: Any, u: Vector) -> Any:
+        """Return a form, or some, at local times in [0, 1]."""
+        given = self.cell, self.times, self.p, u, np.atleast_2d(rows), self.found
+        found = seen(*given)
+        return found if np.ndim(rows) == 2 else found[0]
 
-    @property
+    def beginning(self, row: Vector, begins: int) -> float:
+        """Return a derivative of a form where the phase begins."""
+        return float(self.at(self.rate(row, begins), np.zeros(1))[0])
+
+    @cached_property
     def grid(self) -> Vector:
         """Local times that are as close as the waves of the phase."""
         turned = float(np.abs(self.part.flow.poles).max() * abs(self.s))
@@ -233,15 +242,13 @@ class Seen:
 
         Sizes below `rounding`, as a part of the largest, are zero.
         """
-        rows = [self.rows(form)]
-        for _ in range(HIGHEST):
-            rows.append(self.rate(rows[-1], 1))
-        sizes = np.array([abs(self.at(row, np.zeros(1))[0]) for row in rows])
+        row = self.rows(form)
+        sizes = np.abs([self.beginning(row, j) for j in range(HIGHEST + 1)])
         total = float(np.sum(self.times[: len(self.cell.phases)]))
-        sizes /= max(self.cell.omega, 1.0 / total) ** np.arange(len(rows))
+        sizes /= max(self.cell.omega, 1.0 / total) ** np.arange(len(sizes))
         return int(np.argmax(sizes > rounding * sizes.max()))
 
-    def least(self, row: Vector, begins: int) -> tuple[float, float]:
+    def least(self, row: Vector, rates: Vector, begins: int) -> tuple[float, float]:
         """Return the least value of a form at its critical points, and the local time there.
 
         Not numbers without one.
@@ -249,13 +256,14 @@ class Seen:
         Parameters
         ----------
         row : ndarray
+        rates : ndarray
+            Its derivative on the grid.
         begins : int
             The first derivative of the form that is not zero by itself where the phase begins.
         """
         grid, rate = self.grid, self.rate(row, 1)
-        rates = self.at(rate, grid)
         if begins > 1:
-            rates[0] = self.at(self.rate(row, begins), np.zeros(1))[0]
+            rates = np.append(self.beginning(row, begins), rates[1:])
         where = np.flatnonzero((rates[:-1] < 0) & (rates[1:] >= 0))
         if not len(where):
             return np.nan, np.nan

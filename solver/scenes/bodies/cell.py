@@ -1,14 +1,15 @@
 """The cell of a body: the laws of its contacts, and the body in its modes, without units."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from ...bodies.laws import places
-from ...bodies.modal import BodyError, Modal, modal
+from ...bodies.modal import BodyError, Modal, at_frequency, modal
 from ...bodies.poles import poles_of
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
@@ -163,29 +164,54 @@ def _under_laws(
 def _body(
     scene: "LoadedScene", values: tuple[float, ...], units: Units, frequency: float
 ) -> Modal:
-    """Return the body for parameters in SI units, in the units of a case."""
+    """Return the body for parameters in SI units, in the units of a case.
+
+    Its modes are found in units that are powers of two: these change no digit of its matrices.
+    """
     ratio, modes = scene.numbers("modal", values)
+    entries = tuple(
+        (*place, float(value)) for *place, value in scene.numbers("entries", values)
+    )
+    binary = Units(*(2.0 ** round(math.log2(unit)) for unit in vars(units).values()))
     try:
         if modes is not None and (modes != int(modes) or modes < 1):
             raise BodyError(f"modes: got {modes!r}, expected a whole number from 1")
-        matrices = _matrices(scene, values, units)
-        size = matrices["M"].shape[0]
-        if modes is not None and modes > size:
-            raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
-        found = modal(matrices, ratio, None if modes is None else int(modes), frequency)
+        matrices = _matrices(scene, entries, binary)
+        found = _modes(scene, entries, binary, ratio, None if modes is None else int(modes))
+        found = at_frequency(found, matrices, frequency * binary.time / units.time)
+        ratios = (
+            a / b for a, b in zip(*(vars(q).values() for q in (units, binary)), strict=True)
+        )
+        found = found.in_units(*ratios)
         poles_of(found, frequency)
         return found
     except BodyError as error:
         raise ParameterError([f"body: {error}"]) from None
 
 
-def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> dict[str, Any]:
-    """Return the matrices of a body as sparse arrays without units."""
+Entries: TypeAlias = tuple[tuple[Any, ...], ...]
+
+
+@lru_cache(maxsize=16)
+def _modes(
+    scene: "LoadedScene", entries: Entries, units: Units, ratio: float | None, modes: int | None
+) -> Modal:
+    """Return the body in its modes; it is the same at all frequencies of the forcing."""
+    matrices = _matrices(scene, entries, units)
+    size = matrices["M"].shape[0]
+    if modes is not None and modes > size:
+        raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
+    return modal(matrices, ratio, modes, 1.0)
+
+
+@lru_cache(maxsize=4)
+def _matrices(scene: "LoadedScene", entries: Entries, units: Units) -> dict[str, Any]:
+    """Return the matrices of a body as sparse arrays, in some units."""
     from scipy import sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     given: dict[str, list[tuple[int, int, float]]] = {}
-    for name, i, j, value in scene.numbers("entries", values):
-        given.setdefault(name, []).append((i, j, float(value)))
+    for name, i, j, value in entries:
+        given.setdefault(name, []).append((i, j, value))
     sizes = {
         "M": units.mass,
         "C": units.mass / units.time,
@@ -197,12 +223,12 @@ def _matrices(scene: "LoadedScene", values: tuple[float, ...], units: Units) -> 
     file = matrices_of(scene)
     for name in (q.removesuffix("_shape") for q in file if q.endswith("_shape")):
         if name in given:
-            rows, columns, entries = map(np.array, zip(*given[name], strict=True))
+            rows, columns, numbers = map(np.array, zip(*given[name], strict=True))
         else:
-            rows, columns, entries = (
+            rows, columns, numbers = (
                 file[q] for q in (f"{name}_rows", f"{name}_columns", name)
             )
-        scaled = np.asarray(entries, dtype=float) / sizes[name]
+        scaled = np.asarray(numbers, dtype=float) / sizes[name]
         shape = tuple(map(int, file[f"{name}_shape"]))
         found[name] = sparse.csc_array((scaled, (rows, columns)), shape=shape)
     return found

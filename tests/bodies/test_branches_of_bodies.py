@@ -1,0 +1,178 @@
+"""Branches of bodies: what happens on them, against closed forms by matrix exponentials."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from reference_bodies import case, chain, of
+from scipy.linalg import expm
+from scipy.optimize import brentq
+
+import nonsmooth as ns
+from nonsmooth.solver.bodies.exact import evaluated, opened
+from nonsmooth.solver.branches import branch_case
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.orders import motion_of
+from nonsmooth.solver.stability.stability import stability
+
+#: Bodies of the reference file, and ranges of the frequency.
+RANGES = {
+    "impact-2-neimark-sacker": (0.88, 1.2),
+    "impact-2": (1.2, 1.6),
+    "clearance-2": (1.2, 2.2),
+    "absorber-stick": (0.7, 1.2),
+}
+
+
+@cache
+def branch(name: str) -> ns.Branch:
+    return ns.branch(case(name), "frequency", *RANGES[name])
+
+
+class Impacts:
+    """Masses of which one impacts once a period, by the exponential of their equations."""
+
+    def __init__(self, links: np.ndarray, damping: float, gap: float, restitution: float):
+        n = len(links)
+        self.M, self.K, self.C = np.eye(n), links, damping * links
+        self.f, self.w = np.eye(n)[0], np.eye(n)[-1]
+        self.gap, self.restitution = gap, restitution
+
+    @classmethod
+    def of(cls, name: str) -> "Impacts":
+        """Return a chain of the reference file; unit masses, springs and force."""
+        p = of(name).parameters
+        return cls(chain(p)["K"], p["ck"], p["g"], p.get("r", 0.0))
+
+    def flow(self, omega: float) -> np.ndarray:
+        """Return the map over a period of (q, q', cos, sin)."""
+        n = len(self.M)
+        inverse = np.linalg.inv(self.M)
+        A = np.zeros((2 * n + 2, 2 * n + 2))
+        A[:n, n : 2 * n] = np.eye(n)
+        A[n : 2 * n, :n], A[n : 2 * n, n : 2 * n] = -inverse @ self.K, -inverse @ self.C
+        A[n : 2 * n, 2 * n] = inverse @ self.f
+        A[2 * n, 2 * n + 1], A[2 * n + 1, 2 * n] = -omega, omega
+        self.A = A
+        return expm(A * 2 * np.pi / omega)
+
+    def jump(self) -> np.ndarray:
+        n = len(self.M)
+        inverse = np.linalg.inv(self.M)
+        found = np.eye(2 * n)
+        away = (1 + self.restitution) / (self.w @ inverse @ self.w)
+        found[n:, n:] -= away * np.outer(inverse @ self.w, self.w)
+        return found
+
+    def amplitude(self, omega: float) -> tuple[np.ndarray, float]:
+        """Return the contact's place at the impact by cos and sin, and how large it can be."""
+        n, flow, R = len(self.M), self.flow(omega), self.jump()
+        start = np.linalg.solve(np.eye(2 * n) - R @ flow[: 2 * n, : 2 * n],
+                                R @ flow[: 2 * n, 2 * n :])  # fmt: skip
+        return start, float(np.linalg.norm(self.w @ start[:n]))
+
+    def multipliers(self, omega: float, angle: float) -> np.ndarray:
+        """Return the multipliers of the orbit near an angle of the forcing at the impact."""
+        n = len(self.M)
+        start, size = self.amplitude(omega)
+        a, b = self.w @ start[:n]
+        middle, half = np.arctan2(b, a), np.arccos(self.gap / size)
+        turns = np.array([middle - half, middle + half])
+        off = np.angle(np.exp(1j * (turns - angle)))
+        phi = turns[int(np.argmin(np.abs(off)))]
+        wave, R = np.array([np.cos(phi), np.sin(phi)]), self.jump()
+        after = start @ wave
+        before = np.linalg.solve(R, after)
+        rates = [(self.A @ np.append(q, wave))[: 2 * n] for q in (before, after)]
+        normal = np.append(self.w, np.zeros(n))
+        S = R + np.outer(rates[1] - R @ rates[0], normal) / (normal @ rates[0])
+        return np.linalg.eigvals(S @ self.flow(omega)[: 2 * n, : 2 * n])
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"), [("impact-2-neimark-sacker", "torus"), ("impact-2", "flip")]
+)
+def test_where_multipliers_leave_the_unit_circle(name: str, kind: str) -> None:
+    found, own = branch(name), Impacts.of(name)
+    (event,) = [q for q in found.events if q.kind == kind]
+    rows = [row for row in found if row.motion is None]
+    near = min(rows, key=lambda row: abs(row.value - event.parameter))
+
+    def beyond(omega: float) -> float:
+        multipliers = own.multipliers(omega, near.forcing_phase)
+        if kind == "flip":
+            return float(np.prod(multipliers + 1).real)
+        return float(np.abs(multipliers[np.abs(multipliers.imag) > 0.1]).max() - 1)
+
+    expected = brentq(beyond, event.parameter - 0.01, event.parameter + 0.01, xtol=1e-15)
+    assert event.parameter == pytest.approx(expected, abs=1e-13)
+    stable = [row.stable for row in rows if abs(row.value - event.parameter) > 1e-9]
+    assert True in stable
+    assert False in stable
+
+
+def test_a_fold_of_impacts_is_where_the_closed_form_just_reaches_the_stop() -> None:
+    found = ns.branch(ns.scene("chain-impact")(frequency=0.5), "gap", 0.5, 2.0)
+    (fold,) = [q for q in found.events if q.kind == "fold"]
+    own = Impacts(chain({"n": 5, "ck": 0.05})["K"], 0.05, gap=0.5, restitution=0.7)
+    assert fold.parameter == pytest.approx(own.amplitude(0.5)[1], rel=1e-13)
+
+
+def test_contact_ends_in_the_linear_response_and_begins_there() -> None:
+    """Where the dynamic compliance of the contact, times the force, is the gap."""
+    found = branch("clearance-2")
+    (end,) = [q for q in found.events if q.kind == "grazing"]
+    own = Impacts.of("clearance-2")
+
+    def beyond(omega: float) -> float:
+        rows = own.K - omega**2 * own.M + 1j * omega * own.C
+        return float(abs(own.w @ np.linalg.solve(rows, own.f)) - own.gap)
+
+    expected = brentq(beyond, end.parameter - 0.01, end.parameter + 0.01, xtol=1e-15)
+    assert end.parameter == pytest.approx(expected, abs=1e-13)
+    assert found.rows[-1].motion == "open_0"
+    assert all(len(row.durations) == 1 for row in found if row.motion == "open_0")
+
+
+def test_sticking_is_one_event_from_both_sides() -> None:
+    up = branch("absorber-stick")
+    (event,) = [q for q in up.events if q.kind == "sticking"]
+    slipping = [row for row in up if row.motion == "slip_0,mirrored"]
+    assert len(slipping) > 10
+    without = motion_of(case("absorber-stick").scene, "slip_0,mirrored")
+    start = exact_orbit(
+        Case(without, {"frequency": slipping[5].value}),
+        slipping[5].durations[:1],
+        slipping[5].forcing_phase,
+    )
+    down = branch_case(start.case, "frequency", 0.71, 1.0, start)
+    (other,) = [q for q in down.events if q.kind == "sticking"]
+    assert other.parameter == pytest.approx(event.parameter, abs=1e-12)
+
+
+def test_orbits_of_a_branch_are_those_that_the_solver_finds() -> None:
+    found = branch("clearance-2")
+    own = case("clearance-2")
+    for row in found.rows[:: len(found.rows) // 6]:
+        if row.motion is not None or row.multipliers is None:
+            continue
+        case_there = own.with_value("frequency", row.value)
+        exact = exact_orbit(case_there, row.durations, row.forcing_phase)
+        assert exact.admissible
+        assert exact.durations == pytest.approx(row.durations, abs=1e-12 * row.period)
+        assert stability(exact).stable == row.stable
+
+
+def test_open_equations_have_the_closed_ones_solution_and_right_derivatives() -> None:
+    own = case("clearance-2")
+    exact = ns.exact(own)
+    cell, times = own.cell, exact.times
+    start = evaluated(cell, times).starts[0]
+    z = np.append(start, times)
+    found = opened(cell, z)
+    assert np.abs(found.residual).max() < 1e-12
+    for j in range(len(z)):
+        step = 1e-6 * np.eye(len(z))[j]
+        above, below = opened(cell, z + step).residual, opened(cell, z - step).residual
+        assert found.jacobian[:, j] == pytest.approx((above - below) / 2e-6, abs=1e-7)
