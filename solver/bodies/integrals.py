@@ -1,9 +1,9 @@
 """What poles answer to Legendre polynomials of a phase: ``a_m`` and ``Z_mn``, for all kappa.
 
 The recurrences of `generated.force_series` are stable upwards where kappa is large.  Below
-that ``a_m`` comes from Miller's recurrence downwards, scaled by its first entry, and ``Z_mn``
-from the equation of the answer in Legendre coefficients, ``(I - kappa S) c = S e_n``, which is
-tridiagonal: S integrates a series.
+that both come from an equation in Legendre coefficients, which is tridiagonal: S integrates a
+series, ``(I - kappa S) c = e_0`` has those of ``e^(kappa u)``, and ``(I - kappa S) c = S e_n``
+those of the answer to ``P_n*``.
 """
 
 from typing import TypeAlias
@@ -15,11 +15,8 @@ from ...generated import force_series as recurrence
 
 Complex: TypeAlias = npt.NDArray[np.complex128]
 
-#: Rows beyond the last that is wanted, where a recurrence is begun or a system is cut off.
+#: Rows beyond the last that is wanted, where a system is cut off.
 BEYOND = 24
-
-#: What stands for no kappa; entries of a recurrence beyond which it is scaled down.
-TINY, LARGE = 1e-60, 1e200
 
 
 def moments(kappa: npt.ArrayLike, count: int) -> Complex:
@@ -30,8 +27,9 @@ def moments(kappa: npt.ArrayLike, count: int) -> Complex:
     k = np.asarray(kappa, dtype=complex)
     found = np.empty((*k.shape, count), dtype=complex)
     up = np.abs(k) > 2 * (count + 1)
-    found[up] = _upwards(k[up], count)
-    found[~up] = _downwards(k[~up], count)
+    for here, way in ((up, _upwards), (~up, _banded)):
+        if here.any():
+            found[here] = way(k[here], count)
     return found
 
 
@@ -44,34 +42,25 @@ def _upwards(k: Complex, count: int) -> Complex:
     return found[:, :count]
 
 
-def _downwards(k: Complex, count: int) -> Complex:
-    """Return the moments by Miller's recurrence.
+def _banded(k: Complex, count: int) -> Complex:
+    """Return the moments, from the Legendre coefficients of ``e^(kappa u)``."""
+    one = np.zeros((len(k), _rows(k, count), 1), dtype=complex)
+    one[:, 0] = 1.0
+    return np.asarray(_solved(k, one)[:, :count, 0] / (2 * np.arange(count) + 1))
 
-    Its scale is from ``e^(kappa u) = sum (2 m + 1) a_m P_m*(u)`` at the end of the phase where
-    that is larger.
-    """
-    k = np.where(np.abs(k) < TINY, TINY, k)
-    growing = k.real > 0
-    above, here = np.zeros(len(k), dtype=complex), np.full(len(k), 1e-280, dtype=complex)
-    total, found = np.zeros_like(here), np.empty((len(k), count), dtype=complex)
-    for m in range(2 * count + BEYOND, -1, -1):
-        total += (2 * m + 1) * (here if m % 2 == 0 else np.where(growing, here, -here))
-        if m < count:
-            found[:, m] = here
-        if m:  # `next_moment`, solved for its first
-            above, here = here, above - recurrence.next_moment(m, k, 0.0, here)
-            large = np.abs(here) > LARGE
-            for q in (above, here, total, found[:, m:].T) if large.any() else ():
-                q[..., large] /= LARGE
-    return np.asarray(found * (np.where(growing, np.exp(k), 1.0) / total)[:, None])
+
+def _rows(k: Complex, count: int) -> int:
+    """Return where the system of `count` rows that are wanted is cut off."""
+    return count + BEYOND + int(np.abs(k).max(initial=0.0) / 2)
 
 
 def responses(kappa: Complex, count: int) -> Complex:
     """Return ``Z_mn(kappa)`` for m, n below `count`; shape ``(len(kappa), count, count)``."""
     found = np.empty((len(kappa), count, count), dtype=complex)
     up = np.abs(kappa) > 2 * (count + 1)
-    found[up] = _responses_upwards(kappa[up], count)
-    found[~up] = _responses_banded(kappa[~up], count)
+    for here, way in ((up, _responses_upwards), (~up, _responses_banded)):
+        if here.any():
+            found[here] = way(kappa[here], count)
     return found
 
 
@@ -157,7 +146,7 @@ def _solved(kappa: Complex, right: Complex) -> Complex:
 
 
 def _responses_banded(kappa: Complex, count: int) -> Complex:
-    rows = count + BEYOND + int(np.abs(kappa).max(initial=0.0) / 2)
+    rows = _rows(kappa, count)
     right = np.broadcast_to(_integration(rows, count), (len(kappa), rows, count))
     return np.asarray(_solved(kappa, right)[:, :count] / (2 * np.arange(count)[:, None] + 1))
 
