@@ -19,10 +19,10 @@ from . import ours, rivals
 from .problem import Row, row
 
 SIZES = (2, 10, 100)
-ORDERS, STEPS = (3, 4, 6, 8, 10, 12, 16), (64, 256, 1024, 4096)
+ORDERS, STEPS = (3, 4, 6, 8, 10, 12, 16, 24, 32), (64, 256, 1024, 4096, 16384)
 
-#: Rows whose maps shooting integrates in reasonable time, by the steps.
-MOST_STEPS = 20_000
+#: Steps times masses that shooting is given time for.
+MOST = 120_000
 
 
 def contenders(which: Row) -> list[Contender]:
@@ -34,7 +34,7 @@ def contenders(which: Row) -> list[Contender]:
         ("ns.solve", package, (10,)),
         ("ns.exact", package, (0,)),
     ]
-    steps = [q for q in STEPS if q * which.n <= MOST_STEPS] or STEPS[1:2]
+    steps = [q for q in STEPS if q * which.n <= MOST]
     ways.append(("RK4 shooting, numba", rivals.shooting(which), steps))
     found = [Contender(name, solve, lambda q: (q,), tuple(own)) for name, solve, own in ways]
     balance = [("AFT, condensed, NumPy", rivals.aft(which), rivals.HARMONICS)]

@@ -8,6 +8,7 @@ from importlib.util import find_spec
 import numba
 import numpy as np
 from scipy.linalg import eigh, toeplitz
+from scipy.sparse import csr_array
 
 from .problem import FORCE, GAP, OF_MASS, OF_STIFFNESS, OMEGA, STOP, Row
 
@@ -130,15 +131,29 @@ def pyharm(row: Row) -> Callable[[int], np.ndarray] | None:
     return solve
 
 
-@numba.njit(cache=False)
-def _flow(A: np.ndarray, s: float, steps: int) -> np.ndarray:
+@numba.njit
+def _rates(
+    starts: np.ndarray, columns: np.ndarray, values: np.ndarray, X: np.ndarray
+) -> np.ndarray:
+    """Return ``A X`` of a matrix in compressed rows."""
+    found = np.zeros_like(X)
+    for i in range(len(X)):
+        for at in range(starts[i], starts[i + 1]):
+            found[i] += values[at] * X[columns[at]]
+    return found
+
+
+@numba.njit
+def _flow(
+    starts: np.ndarray, columns: np.ndarray, values: np.ndarray, s: float, steps: int
+) -> np.ndarray:
     """Return the flow of ``X' = A X`` over s by classical RK4 from the unit states."""
-    X, h = np.eye(len(A)), s / steps
+    X, h = np.eye(len(starts) - 1), s / steps
     for _ in range(steps):
-        a = A @ X
-        b = A @ (X + h / 2 * a)
-        c = A @ (X + h / 2 * b)
-        d = A @ (X + h * c)
+        a = _rates(starts, columns, values, X)
+        b = _rates(starts, columns, values, X + h / 2 * a)
+        c = _rates(starts, columns, values, X + h / 2 * b)
+        d = _rates(starts, columns, values, X + h * c)
         X = X + h / 6 * (a + 2 * b + 2 * c + d)
     return X
 
@@ -146,11 +161,12 @@ def _flow(A: np.ndarray, s: float, steps: int) -> np.ndarray:
 def shooting(row: Row) -> Callable[[int], np.ndarray]:
     """Return shooting with located switches: RK4 in each phase, Newton on two times."""
     n, period = row.n, row.period
-    pressed, released = row.generator(True), row.generator(False)
+    rows = [csr_array(row.generator(pressed)) for pressed in (True, False)]
+    pressed, released = ((q.indptr, q.indices, q.data) for q in rows)
 
     def off(z: np.ndarray, steps: int) -> np.ndarray:
-        first = _flow(pressed, z[0], max(4, steps // 4))
-        whole = _flow(released, period - z[0], steps) @ first
+        first = _flow(*pressed, z[0], steps // 4)
+        whole = _flow(*released, period - z[0], steps) @ first
         waves = np.array([np.cos(z[1]), np.sin(z[1]), 1.0])
         own = slice(0, 2 * n)
         state = np.linalg.solve(np.eye(2 * n) - whole[own, own], whole[own, -3:] @ waves)

@@ -130,7 +130,7 @@ def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matri
 
 
 def _closed(closed: Matrix, offset: Matrix) -> Matrix:
-    """Return where a cell begins, by the first `wave`, that closes."""
+    """Return where a cell begins that closes, by what is added to it on the way."""
     return np.asarray(np.linalg.solve(np.eye(len(closed)) - closed, offset))
 
 
@@ -153,15 +153,15 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
 
 @dataclass(frozen=True, eq=False)
 class _Passed:
-    """A cell from a state at its beginning on, with derivatives by times and by that state.
+    """A cell from a state at its beginning on, with derivatives by some unknowns.
 
     Parameters
     ----------
     events : ndarray, shape (P,)
-    events_by : ndarray, shape (P, times + n)
+    events_by : ndarray, shape (P, unknowns)
     starts : ndarray, shape (P + 1, n)
         Where each phase begins; at last the end of the cell, mirrored if cells are.
-    starts_by : ndarray, shape (P + 1, n, times + n)
+    starts_by : ndarray, shape (P + 1, n, unknowns)
     """
 
     events: Vector
@@ -170,26 +170,28 @@ class _Passed:
     starts_by: Matrix
 
 
-def _passed(cell: "BodyCell", maps: Maps, times: Vector, X: Vector) -> _Passed:
-    count, size, width = len(maps), len(X), len(times) + len(X)
-    theta, turns = angles_of(cell, times), _turns(cell, count, len(times))
-    moving = np.hstack([np.zeros((size, len(times))), np.eye(size)])
+def _passed(cell: "BodyCell", maps: Maps, times: Vector, X: Vector, X_by: Matrix) -> _Passed:
+    """Pass a cell; of the unknowns, by which `X_by` is, the times are the last."""
+    count, size, width = len(maps), len(X), X_by.shape[1]
+    theta, turns = angles_of(cell, times), np.zeros((count + 1, width))
+    by_times = slice(width - len(times), None)
+    turns[:, by_times] = _turns(cell, count, len(times))
     starts, starts_by = np.empty((count + 1, size)), np.empty((count + 1, size, width))
     events, events_by = np.empty(count), np.empty((count, width))
     for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
-        starts[p], starts_by[p] = X, moving
-        X, moving = along @ X + by_wave @ wave(theta[p]), along @ moving
-        moving[:, : len(times)] += np.outer(by_wave @ turned(theta[p]), turns[p])
-        moving[:, p] += rates(part, X, theta[p + 1])
+        starts[p], starts_by[p] = X, X_by
+        X = along @ X + by_wave @ wave(theta[p])
+        X_by = along @ X_by + np.outer(by_wave @ turned(theta[p]), turns[p])
+        X_by[:, by_times.start + p] += rates(part, X, theta[p + 1])
         states = part.lawful.A.shape[0]
         event = np.delete(part.switch.event, slice(states, states + 3))
-        there, turn = part.switch.event[states : states + 3], np.zeros((3, width))
-        turn[:, : len(times)] = np.outer(turned(theta[p + 1]), turns[p + 1])
+        there = part.switch.event[states : states + 3]
         events[p] = event @ X + there @ wave(theta[p + 1])
-        events_by[p] = event @ moving + there @ turn
-        X = part.switch.state @ X + part.switch.inputs @ wave(theta[p + 1])
-        moving = part.switch.state @ moving + part.switch.inputs @ turn
-    starts[-1], starts_by[-1] = cell.sign * X, cell.sign * moving
+        events_by[p] = event @ X_by + there @ turned(theta[p + 1]) * turns[p + 1]
+        across, inputs = part.switch.state, part.switch.inputs
+        X = across @ X + inputs @ wave(theta[p + 1])
+        X_by = across @ X_by + np.outer(inputs @ turned(theta[p + 1]), turns[p + 1])
+    starts[-1], starts_by[-1] = cell.sign * X, cell.sign * X_by
     return _Passed(events, events_by, starts, starts_by)
 
 
@@ -197,35 +199,20 @@ def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     parts, theta = parts_of(cell), angles_of(cell, times)
     maps = [phase_map(part, float(s)) for part, s in zip(parts, times, strict=False)]
     closed, offset = _through(cell, maps, theta - theta[0])
-    found = _passed(cell, maps, times, _closed(closed, offset) @ wave(theta[0]))
-    own, by_state = slice(len(times)), slice(len(times), None)
-    first = np.linalg.solve(np.eye(len(closed)) - closed, found.starts_by[-1][:, own])
-    by, starts_by = found.events_by, found.starts_by[:-1]
-    return _with_length(
-        cell,
-        times,
-        found.events,
-        by[:, own] + by[:, by_state] @ first,
-        found.starts[:-1],
-        starts_by[:, :, own] + starts_by[:, :, by_state] @ first,
-    )
+    X = _closed(closed, offset) @ wave(theta[0])
+    moved = _passed(cell, maps, times, X, np.zeros((len(X), len(times)))).starts_by[-1]
+    found = _passed(cell, maps, times, X, _closed(closed, moved))
+    return _with_length(cell, times, found.events, found.events_by, found)
 
 
 def _opened(cell: "BodyCell", z: Vector) -> Evaluation:
     size = parts_of(cell)[0].switch.state.shape[0]
-    X, times = z[:size], z[size:]
+    X, times, X_by = z[:size], z[size:], np.eye(size, len(z))
     parts = zip(parts_of(cell), times, strict=False)
-    found = _passed(cell, [phase_map(part, float(s)) for part, s in parts], times, X)
-    in_turn = np.roll(np.arange(len(z)), size)  # the state before the times
-    by, starts_by = found.events_by[:, in_turn], found.starts_by[:, :, in_turn]
-    return _with_length(
-        cell,
-        times,
-        np.append(X - found.starts[-1], found.events),
-        np.vstack([np.eye(size, len(z)) - starts_by[-1], by]),
-        found.starts[:-1],
-        starts_by[:-1],
-    )
+    found = _passed(cell, [phase_map(part, float(s)) for part, s in parts], times, X, X_by)
+    residual = np.append(X - found.starts[-1], found.events)
+    jacobian = np.vstack([X_by - found.starts_by[-1], found.events_by])
+    return _with_length(cell, times, residual, jacobian, found)
 
 
 def _turns(cell: "BodyCell", count: int, width: int) -> Matrix:
@@ -239,9 +226,8 @@ def _turns(cell: "BodyCell", count: int, width: int) -> Matrix:
 
 
 def _with_length(
-    cell: "BodyCell", times: Vector, residual: Vector, jacobian: Matrix, starts: Matrix,
-    starts_by: Matrix,
-) -> Evaluation:  # fmt: skip
+    cell: "BodyCell", times: Vector, residual: Vector, jacobian: Matrix, found: _Passed
+) -> Evaluation:
     """Return an evaluation with the duration of the cell, which a forcing makes known."""
     if cell.forced:
         count = len(cell.phases)
@@ -249,7 +235,7 @@ def _with_length(
         row = np.zeros(jacobian.shape[1])
         row[-1 - count : -1] = 1.0
         jacobian = np.vstack([jacobian, row])
-    return Evaluation(residual, jacobian, starts, starts_by)
+    return Evaluation(residual, jacobian, found.starts[:-1], found.starts_by[:-1])
 
 
 @lru_cache(maxsize=8)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 
 from ..arrays import Matrix, Vector
 from .laws import Lawful
@@ -39,7 +38,9 @@ class Flow:
 
     def matrix(self, t: float) -> Matrix:
         """Return ``exp(A t)``."""
-        return np.asarray(((self.basis * np.exp(self.poles * t)) @ self.inverse).real)
+        half = self._upper
+        grown = half.basis * np.exp(half.poles * t)
+        return np.asarray(grown.real @ half.inverse.real - grown.imag @ half.inverse.imag)
 
     def driven(self, t: float) -> Matrix:
         """Return what the inputs make of rest in a time; shape (n, 3 + M), by input.
@@ -62,25 +63,19 @@ class Flow:
 
         `inputs` are the cosine and the sine at the start, 1 and the memory.
         """
-        half, start = self._upper, self.inverse @ y
-        basis = rows @ half.basis
-        start = start[self._kept][:, None]
+        half = self._upper
+        basis, start = rows @ half.basis, (half.inverse @ y)[:, None]
         if self.is_clear(float(np.abs(t).max(initial=0.0))):
             return half._clear(basis, start[:, 0], inputs, t)
         return half._near(basis, start, inputs, t)
 
     @cached_property
-    def _kept(self) -> npt.NDArray[np.int64]:
-        """Which poles are kept where real parts are taken: one of each pair."""
-        return np.flatnonzero(self.poles.imag >= 0)
-
-    @cached_property
     def _upper(self) -> "Flow":
-        """The poles of which real parts are taken, those of pairs twice."""
-        kept = self._kept
+        """The poles of which real parts are taken: one of each pair, twice."""
+        kept = self.poles.imag >= 0
         twice = np.where(self.poles[kept].imag > 0, 2.0, 1.0)
         basis = self.basis[:, kept] * twice
-        return Flow(self.poles[kept], basis, self.inverse, self.inputs[kept], self.omega)
+        return Flow(self.poles[kept], basis, self.inverse[kept], self.inputs[kept], self.omega)
 
     def _near(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
         """Return forms of the state where a pole is near what drives it."""
@@ -124,12 +119,16 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
     """
     poles, basis = np.linalg.eig(lawful.A)
     poles, basis = poles.astype(complex), basis.astype(complex)
-    if np.linalg.cond(basis) > WORST:
+    try:
+        inverse = np.linalg.inv(basis)
+        condition = float(np.linalg.norm(basis) * np.linalg.norm(inverse))
+    except np.linalg.LinAlgError:
+        condition = np.inf
+    if condition > WORST:
         raise BodyError(
             "two poles of the body are one (a mode with exactly critical damping): change its "
             "damping a little"
         )
-    inverse = np.linalg.inv(basis)
     return Flow(poles, basis, inverse, inverse @ lawful.inputs.astype(complex), omega)
 
 
