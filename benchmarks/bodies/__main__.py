@@ -19,7 +19,7 @@ from . import ours, rivals
 from .problem import Row, row
 
 SIZES = (2, 10, 100)
-ORDERS, STEPS = (3, 4, 6, 8, 10, 12, 16, 24, 32), (64, 256, 1024, 4096, 16384)
+ORDERS, STEPS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48), (64, 256, 1024, 4096, 16384)
 
 #: Steps times masses that shooting is given time for.
 MOST = 120_000

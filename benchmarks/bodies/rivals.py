@@ -139,7 +139,9 @@ def _rates(
     found = np.zeros_like(X)
     for i in range(len(X)):
         for at in range(starts[i], starts[i + 1]):
-            found[i] += values[at] * X[columns[at]]
+            value, j = values[at], columns[at]
+            for k in range(X.shape[1]):
+                found[i, k] += value * X[j, k]
     return found
 
 

@@ -63,7 +63,31 @@ class Mode:
     @property
     def frequency(self) -> float:
         """The frequency in Hz."""
-        return math.sqrt(self.eigenvalue) * self._attached.frequency_unit / (2 * math.pi)
+        return self.omega / (2 * math.pi)
+
+    @property
+    def omega(self) -> float:
+        """The angular frequency in rad/s."""
+        return math.sqrt(self.eigenvalue) * self._attached.frequency_unit
+
+    @property
+    def exact_frequency(self) -> float:
+        """The frequency of the exact mode of this number in Hz."""
+        power = self.exact_beta**self._attached.structure.m
+        return power * self._attached.frequency_unit / (2 * math.pi)
+
+    @property
+    def modal_mass(self) -> float:
+        """The mass in kg that moves with `shape`, what is attached included.
+
+        ``int rho u^2 dx``, and of a mass ``m_0 u(a)^2``, of a rotary inertia ``J_0 u'(a)^2``.
+        """
+        one = self._attached
+        found = one.values["mass_per_length"] * one.length
+        if one.structure.kind == "inertia":
+            moved = self.shape(float(one.a) * one.length, one.structure.felt)
+            found += one.values[one.structure.attached.name] * float(moved) ** 2
+        return found
 
     @property
     def node_at_attachment(self) -> bool:
@@ -102,6 +126,14 @@ class Mode:
             raise ValueError(f"x: got {x!r:.60}, expected places from 0 to {length:g} m")
         found = self._shape.values(np.atleast_1d(places) / length, derivative)
         return (found / length**derivative).reshape(places.shape)
+
+    def normalised(self, x: npt.ArrayLike, derivative: int = 0) -> Vector:
+        """Return `shape` with a modal mass of 1 kg, in 1/(kg^(1/2) m^derivative).
+
+        Parameters and errors are those of `shape`.  ``omega^2`` is then the modal stiffness,
+        in N/m, and the products with forces are those of an oscillator of 1 kg.
+        """
+        return np.asarray(self.shape(x, derivative) / math.sqrt(self.modal_mass))
 
     def moment(self, x: npt.ArrayLike) -> Vector:
         """Return the bending moment ``E I u''`` of a beam, in N.
@@ -148,10 +180,12 @@ class Mode:
             "number": self.number,
             "beta": self.beta,
             "frequency": self.frequency,
+            "omega": self.omega,
             "eigenvalue": self.eigenvalue,
-            "exact": {"beta": self.exact_beta},
+            "exact": {"beta": self.exact_beta, "frequency": self.exact_frequency},
             "error": self.error,
             "bounds": list(self.bounds),
+            "modal_mass": self.modal_mass,
             "jump_mismatch": self.jump_mismatch,
             "node": self.node,
         }

@@ -26,6 +26,7 @@ from .expansions.methods import (
 )
 from .expansions.shapes import jump_mismatch, shape_of
 from .mode import Mode
+from .sampled import Shapes
 from .structure import Structure, load
 
 #: Method, order and number of modes where nothing else is said.
@@ -135,11 +136,36 @@ class Modes(Tabular, Sequence[Mode]):
         rows = []
         for mode in self:
             row = mode.as_dict()
-            row["exact_beta"] = row.pop("exact")["beta"]
+            row["exact_beta"], row["exact_frequency"] = row.pop("exact").values()
             row["low"], row["high"] = row.pop("bounds")
             rows.append(row)
         about = self.attached.about | self._how | dict(self.attached.values)
-        return Table(("number",), flat(rows), {"frequency": "Hz"}, about)
+        units = {"frequency": "Hz", "exact_frequency": "Hz", "omega": "rad/s"}
+        return Table(("number",), flat(rows), units | {"modal_mass": "kg"}, about)
+
+    def shapes(self, points: int = 101) -> Shapes:
+        """Return the shapes of all modes at evenly spaced places, with a modal mass of 1 kg.
+
+        Parameters
+        ----------
+        points : int
+            From 2; the ends are two of them.
+
+        Raises
+        ------
+        ValueError
+            If `points` is not such a number.
+
+        Examples
+        --------
+        >>> import nonsmooth as ns
+        >>> rows = ns.modes("beam-mass", count=2).shapes(5).table().rows()
+        >>> len(rows), [name for name in rows[0]][:4]
+        (10, ['number', 'x', 'displacement', 'slope'])
+        """
+        if check_whole("points", points) < 2:
+            raise ValueError(f"points: got {points}, expected a whole number from 2")
+        return Shapes(self.attached, self._how, self.found, points)
 
     @property
     def _how(self) -> dict[str, Any]:

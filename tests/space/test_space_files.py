@@ -109,3 +109,37 @@ def test_other_bits_are_kept_and_said(tmp_path: Path) -> None:
     assert found != made
     assert found[0].eigenvalue == row["eigenvalue"]
     assert (found[0].jump_mismatch, found[0].error) == (row["jump_mismatch"], row["error"])
+
+
+@pytest.mark.parametrize("name", ["beam-crack", "string-mass"])
+def test_shapes_as_files(name: str, tmp_path: Path) -> None:
+    modes = ns.modes(name, count=2)
+    shapes, columns = modes.shapes(11), ["displacement", "slope"]
+    columns += ["moment", "shear_force"] if name.startswith("beam") else []
+    ns.save(shapes, tmp_path / "shapes.csv")
+    rows = list(csv.DictReader((tmp_path / "shapes.csv").read_text("utf-8").splitlines()))
+    assert len(rows) == 22
+    assert list(rows[0])[: 2 + len(columns)] == ["number", "x", *columns]
+    row = rows[11 + 4]
+    place = float(row["x"])
+    assert place == pytest.approx(0.4)
+    assert float(row["slope"]) == float(modes[1].normalised(place, 1))
+    if len(columns) == 4:
+        expected = float(modes[1].moment(place)) / modes[1].modal_mass ** 0.5
+        assert float(row["moment"]) == pytest.approx(expected, rel=1e-14)
+    ns.save(shapes, tmp_path / "shapes.json")
+    document = json.loads((tmp_path / "shapes.json").read_text("utf-8"))
+    assert document["shapes"]["slope"][15] == float(row["slope"])
+    assert document["units"]["x"] == "m"
+    with pytest.raises(ValueError, match="shapes of modes, which are not loaded"):
+        ns.load(tmp_path / "shapes.json")
+    if netCDF4 is not None:
+        ns.save(shapes, tmp_path / "shapes.nc")
+        with netCDF4.Dataset(tmp_path / "shapes.nc") as file:
+            assert file["slope"].dimensions == ("number", "x")
+            assert file["slope"][1, 4] == float(row["slope"])
+
+
+def test_points_of_shapes_are_checked() -> None:
+    with pytest.raises(ValueError, match="points: got 1, expected a whole number from 2"):
+        ns.modes("beam-mass").shapes(1)

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from known import drawn, expansion
 
+import nonsmooth as ns
 from nonsmooth.solver.space.attached import Attached
 from nonsmooth.solver.space.mode import Mode
 from nonsmooth.solver.space.modes import at_order
@@ -107,3 +108,57 @@ def test_a_shape_is_that_of_its_expansion(seed: int) -> None:
         with mp.workdps(60):
             wanted = combination(one, order, forced, mp.mpf(mode.eigenvalue), x)
         assert_same(mode.shape(x), wanted, 1e-10)
+
+
+def work(one: Attached, modes: ns.Modes, derivative: int) -> np.ndarray:
+    """Return the integrals of products of a derivative of shapes, by Gauss quadrature."""
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+    found, a = np.zeros((len(modes), len(modes))), float(one.a)
+    for low, high in ((0.0, a), (a, 1.0)):
+        x = one.length * (low + (high - low) * (nodes + 1) / 2)
+        values = np.array([mode.normalised(x, derivative) for mode in modes])
+        found += one.length * (high - low) / 2 * (values * weights) @ values.T
+    return found
+
+
+NUMBERS = {"length": 1.7, "mass_per_length": 0.6}
+STIFF = {"bending_stiffness": 2.3, "tension": 2.3}
+
+
+@pytest.mark.parametrize(
+    ("name", "attached"),
+    [
+        ("beam-mass", {"mass": 3.0}),
+        ("beam-rotary-inertia", {"inertia": 0.4}),
+        ("string-mass", {"mass": 3.0}),
+        ("beam-spring", {"stiffness": 40.0}),
+        ("beam-rotational-spring", {"stiffness": 4.0}),
+        ("string-spring", {"stiffness": 4.0}),
+    ],
+)
+def test_normalised_shapes_are_orthonormal_with_what_is_attached(name, attached) -> None:
+    """Mass and stiffness by quadrature: unity, and the squares of the angular frequencies."""
+    stiff = "tension" if name.startswith("string") else "bending_stiffness"
+    modes = ns.modes(
+        name, order=24, forced=2, count=4, position="0.27", **NUMBERS, **attached,
+        **{stiff: STIFF[stiff]},
+    )  # fmt: skip
+    one, m = modes.attached, modes.attached.structure.m
+    (strength,) = attached.values()
+    place = one.structure.felt
+    at = np.array([mode.normalised(float(one.a) * one.length, place) for mode in modes])
+    loads = one.structure.kind == "inertia"
+    mass = NUMBERS["mass_per_length"] * work(one, modes, 0) + loads * strength * np.outer(
+        at, at
+    )
+    stiffness = STIFF[stiff] * work(one, modes, m) + (not loads) * strength * np.outer(at, at)
+    squares = np.array([mode.omega for mode in modes]) ** 2
+    assert mass == pytest.approx(np.eye(4), abs=1e-7)
+    assert stiffness == pytest.approx(np.diag(squares), abs=1e-6 * squares.max())
+
+
+def test_frequencies_in_each_unit() -> None:
+    mode = ns.modes("beam-mass", method="ritz", length=2.0, bending_stiffness=5.0)[1]
+    assert mode.omega == pytest.approx((mode.beta / 2.0) ** 2 * 5.0**0.5, rel=1e-14)
+    assert mode.frequency == pytest.approx(mode.omega / (2 * np.pi), rel=1e-15)
+    assert mode.frequency / mode.exact_frequency - 1 == pytest.approx(mode.error, rel=1e-9)

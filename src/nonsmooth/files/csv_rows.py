@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 #: Columns of a motion; behind them, of each row of modes, stand the parameters.
 MOTION = ("t", "displacement", "velocity", "acceleration")
 MODES = (
-    "method", "order", "forced", "unknowns", "number", "frequency", "beta", "eigenvalue",
-    "exact_beta", "error", "low", "high", "jump_mismatch", "node", "structure", "position",
-    "strength",
+    "method", "order", "forced", "unknowns", "number", "frequency", "omega", "beta",
+    "eigenvalue", "exact_beta", "exact_frequency", "error", "low", "high", "modal_mass",
+    "jump_mismatch", "node", "structure", "position", "strength",
 )  # fmt: skip
 
 
@@ -111,6 +111,7 @@ ROWS: Mapping[str, Callable[[Sequence[Any]], Iterable[dict[str, Any]]]] = {
     "branch": lambda several: of_family(several[0]),
     "map": lambda several: several[0].rows(),
     "modes": of_modes,
+    "shapes": lambda several: several[0].table().rows(),
 }
 
 

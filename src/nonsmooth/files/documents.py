@@ -50,7 +50,8 @@ def origin(case: "Case", methods: Iterable[str]) -> dict[str, Any]:
 
 def origin_of_modes(structure: "Structure") -> dict[str, Any]:
     """Return units, version and mathematics of modes."""
-    units = {q.name: q.unit or "1" for q in structure.parameters} | {"frequency": "Hz"}
+    units = {q.name: q.unit or "1" for q in structure.parameters}
+    units |= {"frequency": "Hz", "omega": "rad/s", "modal_mass": "kg"}
     return _origin(units, mathematics_of_modes(structure))
 
 
@@ -71,6 +72,9 @@ def document_of(kind: str, several: Sequence[Any]) -> dict[str, Any]:
     first = several[0]
     if kind == "modes":
         return of_modes(several) | origin_of_modes(first.structure)
+    if kind == "shapes":
+        made = origin_of_modes(first.attached.structure)
+        return dict(first.as_dict() | made | {"units": made["units"] | first.table().units})
     if kind == "sweep":
         return dict(first.as_dict() | origin(first.case, first.rates()))
     if kind in {"branch", "map"}:

@@ -47,7 +47,7 @@ def write(kind: str, several: Sequence[Any], target: Path) -> None:
             variable.attrs.setdefault("units", "1")
     words = {"description": "the same and more as JSON: what nonsmooth loads"}
     file[DOCUMENT] = ((), sealed(document), words)
-    name = document["structure" if kind == "modes" else "scene"]
+    name = document["structure" if "structure" in document else "scene"]
     title = {"title": f"{name}: {kind}", "kind": kind}
     origin = {key: document[key] for key in ("version", "mathematics") if key in document}
     file.attrs = {"schema": SCHEMA} | title | origin | file.attrs

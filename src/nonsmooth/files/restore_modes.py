@@ -43,6 +43,8 @@ def modes_in(path: Path, document: Mapping[str, Any]) -> Modes | list[Modes]:
     NotRightError
         A `ValueError`: if a number in it cannot be right.
     """
+    if "shapes" in document:
+        raise FileError(path, "holds shapes of modes, which are not loaded: save the modes")
     if "modes" in document:
         return _modes(path, document, document["mathematics"])
     several = document.get("expansions", document.get("points"))
@@ -83,6 +85,8 @@ def _mode(mode: Mode, row: Mapping[str, Any]) -> Mode:
         ("beta", row["beta"], mode.beta),
         ("frequency", row["frequency"], mode.frequency),
         ("exact beta", exact_beta, mode.exact_beta),
+        ("omega", row.get("omega", mode.omega), mode.omega),
+        ("modal mass", row.get("modal_mass", mode.modal_mass), mode.modal_mass),
         ("bound", high, mode.bounds[1]),
     ):
         checks.same(f"{name}: {key}", value, expected, PARAMETERS)

@@ -16,7 +16,7 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
 
     Returns
     -------
-    {"orbits", "sweep", "family", "branch", "map", "modes"}, sequence
+    {"orbits", "sweep", "family", "branch", "map", "modes", "shapes"}, sequence
 
     Raises
     ------
@@ -24,22 +24,20 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
         If it is not a result, or not one that is saved.
     """
     from nonsmooth.solver.space.modes import Modes  # noqa: PLC0415  (SciPy)
+    from nonsmooth.solver.space.sampled import Shapes  # noqa: PLC0415
 
-    if isinstance(thing, Sweep):
-        return "sweep", [thing]
-    if isinstance(thing, Chart):
-        return "map", [thing]
-    if isinstance(thing, Branch):
-        return "branch", [thing]
-    if isinstance(thing, Family):
-        return "family", [thing]
+    alone = {Sweep: "sweep", Chart: "map", Branch: "branch", Family: "family", Shapes: "shapes"}
+    for each, kind in alone.items():
+        if isinstance(thing, each):
+            return kind, [thing]
     several: Any = [thing] if isinstance(thing, Orbit | Modes) else thing
     if _all_are(several, Orbit):
         return "orbits", several
     if _all_are(several, Modes) and len({found.structure for found in several}) == 1:
         return "modes", several
     kinds = (
-        "an orbit, a branch, a family, a map, modes, a sweep, or a sequence of orbits or modes"
+        "an orbit, a branch, a family, a map, modes, their shapes, a sweep, or a sequence of "
+        "orbits or modes"
     )
     raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
 

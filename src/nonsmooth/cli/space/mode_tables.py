@@ -23,19 +23,23 @@ def caption(attached: "Attached", varied: str = "") -> str:
 
 
 def modes(found: "Sequence[Modes]") -> None:
-    """Print the modes by each expansion, a mode after the other."""
+    """Print the modes by each expansion, a mode after the other, beside the exact ones."""
     several = len(found) > 1
     table = table_of(
-        "mode", *(["method"] if several else []),
-        "f [Hz]", "beta", "f/f_ex-1", "proved", "jump law", "node",
+        "mode", *(["method", "f [Hz]"] if several else ["f [Hz]", "f_ex [Hz]"]),
+        "beta", "f/f_ex-1", "proved", "jump law", "node",
     )  # fmt: skip
-    longest = max(map(len, found))
-    for place in range(longest):
-        for expansion in found:
-            if place < len(expansion):
-                mode = expansion[place]
-                name = [expansion.shown] if several else []
-                table.add_row(str(mode.number), *name, *_cells(mode))
+    for place in range(max(map(len, found))):
+        every = [expansion for expansion in found if place < len(expansion)]
+        exact = f"{every[0][place].exact_frequency:.9g}"
+        for expansion in every:
+            mode = expansion[place]
+            f, *cells = _cells(mode)
+            names = [expansion.shown, f] if several else [f, exact]
+            table.add_row(str(mode.number), *names, *cells)
+        if several:
+            beta = f"{every[0][place].exact_beta:.10g}"
+            table.add_row(str(place + 1), "exact", exact, beta, "", "", "", "")
     for expansion in found:
         click.echo(f"{expansion.shown}, N = {expansion.order}: {expansion.unknowns} unknowns")
     click.echo()
