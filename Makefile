@@ -39,6 +39,7 @@ bench: $(VENV)/ready-all  ## time against accuracy, our methods and others
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.run -o $(OUTPUT)
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.every_scene -o $(OUTPUT)
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.branches
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m benchmarks.bodies -o $(OUTPUT)
 
 bench-kernels: $(VENV)/ready-all  ## residual, Jacobian and iteration of each kernel
 	@$(BIN)/python -m pytest benchmarks/bench_kernels.py --benchmark-columns=median,iqr,rounds

@@ -60,7 +60,8 @@ def show(points: list[Point], rows: list[dict[str, object]]) -> None:
             if any(p.scene == scene and p.name == name for p in points):
                 cells = (f"{p.seconds * 1e6:.3g} ({p.setting})" if p else "-" for p in found)
                 print(f"{scene:19}{name:27}" + "".join(f"{cell:>16}" for cell in cells))
-    print(f"\n{'target: at most 1':76}{'measured':>10}  met")
+    if rows:
+        print(f"\n{'target: at most 1':76}{'measured':>10}  met")
     for row in rows:
         met = "yes" if row["met"] else "NO"
         print(f"{row['target']!s:76}{row['measured']:10.3g}  {met}")

@@ -61,6 +61,29 @@ def test_every_contender_finds_the_orbit(every_scene, scene, more) -> None:
     )
 
 
+#: Contenders of a row of masses, and an error that the first setting of each keeps.
+OF_BODIES = {
+    "force series": 1e-3,
+    "exact orbit": 1e-14,
+    "ns.solve": 1e-12,
+    "ns.exact": 1e-13,
+    "RK4 shooting, numba": 1e-4,
+    "AFT, condensed, NumPy": 1e-2,
+}
+
+
+def test_every_code_for_bodies_finds_the_orbit(tmp_path, monkeypatch) -> None:
+    pytest.importorskip("flint")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    run("-m benchmarks.bodies", "2", "--fewest", "-o", str(tmp_path))
+    points = json.loads((tmp_path / "bodies.json").read_text("utf-8"))["points"]
+    errors = {p["name"]: p["error"] for p in points}
+    errors.pop("AFT, pyHarm", None)  # where it is installed
+    assert errors.keys() == OF_BODIES.keys()
+    assert all(errors[name] < most for name, most in OF_BODIES.items()), errors
+    assert (tmp_path / "bodies.png").stat().st_size > 10_000
+
+
 def test_the_two_scenes_with_rivals_by_hand_are_timed() -> None:
     """At the first setting of each contender."""
     code = (
