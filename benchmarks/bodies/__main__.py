@@ -53,11 +53,11 @@ def draw(points: list[Point], target: Path) -> None:
     from matplotlib.figure import Figure
 
     names = list(dict.fromkeys(q.scene for q in points))
-    figure = Figure(figsize=(4 * len(names), 4), layout="constrained")
+    figure = Figure(figsize=(4 * max(len(names), 2), 4.5), layout="constrained")
     panels = figure.subplots(1, len(names), squeeze=False, sharey=True)[0]
     for axes, name in zip(panels, names, strict=True):
         curves(axes, [q for q in points if q.scene == name])
-    panels[0].legend(fontsize=7)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     figure.savefig(target, dpi=120)
 
 

@@ -36,7 +36,7 @@ PARTS = (1.0, 0.7, 0.4, 0.2, 0.1)
 SHORTEST = 1e-6
 
 #: How near to a root of the scan Newton's method begins, as a part of the cell.
-WITHIN = 1e-12
+WITHIN = 1e-9
 
 #: Differences of times, as parts of the cell, below which two solutions are one.
 SAME = 1e-7
