@@ -60,7 +60,7 @@ def settled_orbit(case: Case) -> ExactOrbit | None:
 
     None if there is none, or a motion is asked for.
     """
-    if case.scene.motion is not None or case.scene.has_body:
+    if case.scene.motion is not None:
         return None
     found = (from_times(each, times) for each, times in settled_cases(case))
     return next((q for q in found if q.outcome.converged and q.admissible), None)
@@ -96,11 +96,10 @@ def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
     Of an order that is not declared, those of a simulation come first.  Where it is shown that
     there is no orbit, a simulation says what there is instead.
     """
-    if case.scene.has_body:
-        return  # all that is known was looked at
     found, undeclared = known(case), isinstance(case.scene, OrderedScene)
-    rough = islice(rough_times(case.cell), PATIENCE if found.listed else None)
-    if not (undeclared or found.none):
+    looked_at = case.scene.has_body  # where rough times lead is known of a body
+    rough = islice(rough_times(case.cell), PATIENCE if found.listed or looked_at else None)
+    if not (undeclared or found.none or looked_at):
         yield from rough
     for settled in rough_times_by_simulation(case, FEW if found.listed else PHASES):
         if settled.times is None:

@@ -6,7 +6,6 @@ from itertools import product
 
 from .existence.known import known
 from .kernels.start import RoughTimes
-from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.loaded import LoadedScene, UnknownScene
 from .scenes.orders import (
@@ -19,7 +18,7 @@ from .scenes.orders import (
     pairs,
 )
 from .simulation.followers import may_follow
-from .simulation.machine import Machine
+from .simulation.machines import AnyMachine, machine_of
 from .simulation.settle import FEW, PHASES, from_several_states
 
 #: Most phases of an order, and most ways in which names may be meant.
@@ -60,12 +59,11 @@ def cases_in_order(
     >>> [each.scene.motion for each in cases_in_order(case, "slide,stop")]
     ['slide,stop,mirrored', 'slide,-stop']
     """
-    check_one_mass(case.scene, "phases")
     base = case.scene.fullest
     names = phases.split(",") if isinstance(phases, str) else list(phases)
     names = [name.strip() for name in names]
     half = names[-1:] == [MIRRORED]
-    machine = Machine.of(Case(base, case.values).cell)
+    machine = machine_of(Case(base, case.values).cell)
     ways = _ways(base, names[:-1] if half else names)
     orders = list(dict.fromkeys(_orders(machine, ways, half)))
     count = case.cycles if cycles is None else cycles
@@ -112,7 +110,7 @@ def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
     return [steps for steps in product(*found) if steps[0] == found[0][0]]
 
 
-def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
+def _orders(machine: AnyMachine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
     """Yield what phases may be an order of, half a period first; or that alone."""
 
     def possible(order: Order) -> bool:

@@ -336,8 +336,9 @@ class _Search:
         a coarse one is not.  Where it is shown that there is none, a simulation alone: it says
         what there is instead.
         """
-        if self.case.scene.has_body:
-            return  # all that is known was looked at
+        if self.case.scene.has_body:  # all else that is known was looked at
+            yield from self._settled(FEW if known(self.case).listed else PHASES)
+            return
         listed, undeclared = known(self.case).listed, isinstance(self.case.scene, OrderedScene)
         if not (undeclared or known(self.case).none):
             yield from self._coarse()

@@ -9,10 +9,10 @@ import numpy as np
 from .arrays import Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
 from .scenes.arrays import Integers
+from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.parameter_error import ParameterError, is_number
 from .simulation.machine import Machine
-from .simulation.simulate import at_rest
 from .simulation.steps.state import State
 from .simulation.walk import strobed
 
@@ -67,7 +67,7 @@ def diagram(
     >>> found.states[0].shape, np.ptp(found.states[0][:, 0]) < 1e-9
     ((4, 2), np.True_)
     """
-    _check_forced(case)
+    _check_forced(case, "diagram")
     names = [q.name for q in case.scene.parameters]
     if parameter not in names:
         expected = f"one of {', '.join(names)}"
@@ -124,7 +124,7 @@ def basins(
            3  x = 0.0656078 m, x' = 2.66716 m/s, each period
            1  x = -0.634615 m, x' = 0.207692 m/s, each period
     """
-    _check_forced(case)
+    _check_forced(case, "basins")
     _check_whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
     xs, vs = (_axis(name, values) for name, values in (("x", x), ("v", v)))
     _check_whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
@@ -209,7 +209,7 @@ def _taken(machine: Machine, last: Vector | None) -> State | None:
         start = State(x, v, 0.0, memory=tuple(memory))
         if machine.first(start) is not None:
             return start
-    return at_rest(machine, 0.0)
+    return machine.at_rest(0.0)
 
 
 def _units(case: Case) -> Vector:
@@ -218,9 +218,10 @@ def _units(case: Case) -> Vector:
     return np.array([case.units.of_motion(power) for power in powers])
 
 
-def _check_forced(case: Case) -> None:
+def _check_forced(case: Case, what: str) -> None:
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
+    check_one_mass(case.scene, what)
     if case.scene.frequency is None:
         words = "there is no period at which its states could be looked at"
         raise ValueError(f"scene: nothing forces {case.scene.name}: {words}")

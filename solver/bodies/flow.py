@@ -38,7 +38,7 @@ class Flow:
 
     def matrix(self, t: float) -> Matrix:
         """Return ``exp(A t)``."""
-        half = self._upper
+        half = self.upper
         grown = half.basis * np.exp(half.poles * t)
         return np.asarray(grown.real @ half.inverse.real - grown.imag @ half.inverse.imag)
 
@@ -63,14 +63,14 @@ class Flow:
 
         `inputs` are the cosine and the sine at the start, 1 and the memory.
         """
-        half = self._upper
+        half = self.upper
         basis, start = rows @ half.basis, (half.inverse @ y)[:, None]
         if self.is_clear(float(np.abs(t).max(initial=0.0))):
             return half._clear(basis, start[:, 0], inputs, t)
         return half._near(basis, start, inputs, t)
 
     @cached_property
-    def _upper(self) -> "Flow":
+    def upper(self) -> "Flow":
         """The poles of which real parts are taken: one of each pair, twice."""
         kept = self.poles.imag >= 0
         twice = np.where(self.poles[kept].imag > 0, 2.0, 1.0)
@@ -88,6 +88,13 @@ class Flow:
         moved += by_cos[:, None] * half + by_sin[:, None] * other + constant[:, None] * turns[2]
         return np.asarray((basis @ moved).real)
 
+    def drives(self, inputs: Vector) -> tuple[Complex, Complex, Complex]:
+        """Return what drives each pole: factors of ``e^(i omega t), e^(-i omega t), 1``."""
+        cos, sin = self.inputs[:, 0], self.inputs[:, 1]
+        turn = (inputs[0] + 1j * inputs[1]) / 2
+        up, down = (cos - 1j * sin) * turn, (cos + 1j * sin) * turn.conjugate()
+        return up, down, self.inputs[:, 2:] @ inputs[2:]
+
     def is_clear(self, longest: float) -> bool:
         """Whether no pole is near what drives it: then steady answers keep their digits."""
         driven = np.array([0.0, self.omega, -self.omega])
@@ -95,13 +102,12 @@ class Flow:
 
     def _clear(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
         """Return forms of the state by steady answers and what of the start decays."""
-        half = (self.inputs[:, 0] - 1j * self.inputs[:, 1]) * (inputs[0] + 1j * inputs[1]) / 2
-        other = (self.inputs[:, 0] + 1j * self.inputs[:, 1]) * (inputs[0] - 1j * inputs[1]) / 2
+        half, other, one = self.drives(inputs)
         up, down = (
             half / (1j * self.omega - self.poles),
             other / (-1j * self.omega - self.poles),
         )
-        constant = -(self.inputs[:, 2:] @ inputs[2:]) / self.poles
+        constant = -one / self.poles
         decaying = (start - up - down - constant)[:, None] * np.exp(self.poles[:, None] * t)
         waves = np.exp(1j * self.omega * t)
         steady_ = np.outer(basis @ up, waves) + np.outer(basis @ down, waves.conj())

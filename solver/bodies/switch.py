@@ -1,5 +1,6 @@
 """What a switch makes of the state of a body: impulses, and the memory that it sets."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -41,14 +42,21 @@ def impulses(cell: "BodyCell", p: int) -> tuple[Matrix, Matrix]:
     by_velocity : ndarray, shape (c, c)
     constant : ndarray, shape (c,)
     """
-    phase, contacts = cell.phases[p], cell.body.at.shape[1]
+    phase = cell.phases[p]
     last = p == len(cell.phases) - 1
     after = cell.phases[0 if last else p + 1]
-    by_velocity, constant = np.zeros((contacts, contacts)), np.zeros(contacts)
     mobility = cell.body.kept_mobility if after.held else cell.body.mobility
     jumps = list(phase.jumps)
     if after.held:
         jumps[0] = (0.0, (cell.sign if last else 1) * after.speed)
+    return impulses_of(mobility, jumps)
+
+
+def impulses_of(
+    mobility: Matrix, jumps: Sequence[tuple[float, float]]
+) -> tuple[Matrix, Matrix]:
+    """Return ``J = N v + d`` of contacts whose velocity becomes ``rho v + d``."""
+    by_velocity, constant = np.zeros_like(mobility), np.zeros(len(mobility))
     hit = [i for i, jump in enumerate(jumps) if jump != (1.0, 0.0)]
     if hit:
         inverse = np.linalg.inv(mobility[np.ix_(hit, hit)])

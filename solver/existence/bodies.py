@@ -64,6 +64,11 @@ def complete(cell: "BodyCell") -> bool:
     return cell.forced and len(cell.phases) == 1
 
 
+def listed(cell: "BodyCell") -> bool:
+    """Whether the solutions of a cell are listed as far as a scan goes."""
+    return cell.forced and len(cell.phases) <= 2
+
+
 def slow(cell: "BodyCell") -> "BodyCell":
     """Return a cell with the slow modes of its body; the others answer statically.
 

@@ -20,6 +20,7 @@ from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..orbit.motion import Motion
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
+from ..scenes.orders import OrderedScene
 from ..stability.monodromy import NoMultipliersError
 from . import bodies, one_phase, two_phases
 
@@ -73,8 +74,10 @@ def known(case: Case) -> Known:
     """
     cell = case.cell
     if isinstance(cell, BodyCell):
+        if isinstance(case.scene, OrderedScene) and not bodies.listed(cell):
+            return Known()
         found = list(bodies.solutions(case))
-        return replace(_sorted(found, bodies.complete(cell)), listed=True)
+        return replace(_sorted(found, bodies.complete(cell)), listed=bodies.listed(cell))
     if one_phase.applies(cell):
         closed = one_phase.solutions(cell)
         infinite = not (closed.none or closed.found)

@@ -5,11 +5,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
+from ..bodies.exact import parts_of, seen
+from ..scenes.bodies.cell import BodyCell
+from ..scenes.case import Case
 from ..scenes.cell import Form
-from ..scenes.classes import generator
 from ..scenes.orders import OrderedScene, Step, pairs
-from .machine import Machine
-from .nodes import Node
+from .bodies.rules import BodyState
+from .machines import AnyMachine, AnyState, machine_of
+from .nodes import InState, Node
 from .steps.state import State
 
 if TYPE_CHECKING:
@@ -22,7 +25,7 @@ ROUNDING = 1e-10
 HIGHEST = 4
 
 
-def may_follow(machine: Machine, one: Step, other: Step) -> bool:
+def may_follow(machine: AnyMachine, one: Step, other: Step) -> bool:
     """Whether a phase may begin where another ends by its event.
 
     Something must change there: the equation or the velocity.  And just behind the event each
@@ -31,56 +34,60 @@ def may_follow(machine: Machine, one: Step, other: Step) -> bool:
 
     Parameters
     ----------
-    machine : Machine
+    machine : Machine or BodyMachine
         Of the cell that the phases are of.
     one, other : Step
         The phase that ends, and that which begins.
     """
     before, after = machine.node(one), machine.node(other)
-    known = _known(before)
     if not before.changes_velocity and _numbers(before) == _numbers(after):
         return False
+    there = machine.in_state(machine.number(other))
+    known = _known(before, machine.in_state(machine.number(one)))
     if after.phase.held:
-        row = np.zeros(known.shape[1])
-        row[1:3] = 1.0, -after.phase.speed
-        if _constant(row, known) != 0.0:
+        row = _of_velocity(there, after.phase.speed)
+        if _constant(row, known, there.one) != 0.0:
             return False
         known = np.vstack([known, row])
-    A = generator(machine.cell, after.phase, 1)
     for _, form in after.phase.demands:
-        row = _in_state(form)
+        row = _row(there, form)
         for _ in range(HIGHEST):
-            left = _constant(row, known)
+            left = _constant(row, known, there.one)
             if left is None or left > 0:
                 break
             if left < 0:
                 return False
-            row = row @ A
+            row = row @ there.generator
     return True
 
 
-def _in_state(form: Form) -> Vector:
-    """Return a linear form in (x, x', 1, cos, sin, memory)."""
-    x, v, cos, constant, *memory = form
-    return np.array([x, v, constant, cos, 0.0, *memory])
+def _row(there: InState, form: Form) -> Vector:
+    """Return a linear form by the entries of a state; of a memory it has a factor or none."""
+    return np.asarray(np.array(form) @ there.rows[: len(form)], dtype=float)
 
 
-def _known(node: Node) -> Matrix:
-    """Return the forms that vanish behind the event of a phase, in (x, x', 1, cos, ...)."""
+def _of_velocity(there: InState, speed: float) -> Vector:
+    """Return the form that vanishes where the velocity has a value."""
+    row = there.rows[1].copy()
+    row[there.one] -= speed
+    return np.asarray(row, dtype=float)
+
+
+def _known(node: Node, there: InState) -> Matrix:
+    """Return the forms that vanish behind the event of a phase."""
     phase, rows = node.phase, []
-    event, jumps = _in_state(phase.event), node.changes_velocity
+    jumps = node.changes_velocity
     if not (jumps and phase.event[1]):
-        rows.append(event)
-    speed = np.zeros(len(event))
+        rows.append(_row(there, phase.event))
     if phase.held or (phase.rho == 0 and jumps):
-        speed[1:3] = 1.0, -(phase.rho * phase.speed + phase.d if phase.held else phase.d)
-        rows.append(speed)
-    return np.array(rows or [np.zeros(len(event))])
+        after = phase.rho * phase.speed + phase.d if phase.held else phase.d
+        rows.append(_of_velocity(there, after))
+    return np.array(rows or [np.zeros(there.rows.shape[1])])
 
 
-def _constant(row: Vector, known: Matrix) -> float | None:
+def _constant(row: Vector, known: Matrix, one: int) -> float | None:
     """Return what known forms leave of a form: a number, or None if it depends on the state."""
-    moving = [i for i in range(len(row)) if i != 2]
+    moving = [i for i in range(len(row)) if i != one]
     sizes = np.abs(known).max(axis=1, keepdims=True)
     scaled = known / np.where(sizes > 0, sizes, 1.0)
     weights = np.linalg.lstsq(scaled[:, moving].T, row[moving])[0]
@@ -88,7 +95,7 @@ def _constant(row: Vector, known: Matrix) -> float | None:
     size = max(float(np.abs(row).max()), float(np.abs(weights).max()))
     if np.abs(left[moving]).max() > ROUNDING * size:
         return None
-    return 0.0 if abs(left[2]) <= ROUNDING * size else float(left[2])
+    return 0.0 if abs(left[one]) <= ROUNDING * size else float(left[one])
 
 
 def not_followed(orbit: "Motion") -> tuple[str, ...]:
@@ -98,26 +105,37 @@ def not_followed(orbit: "Motion") -> tuple[str, ...]:
     of a simulation do.
     """
     scene = orbit.case.scene
-    if not isinstance(scene, OrderedScene) or scene.has_body:
+    if not isinstance(scene, OrderedScene):
         return ()
-    machine = Machine.of(scene.base.cell(orbit.case.numbers))
+    machine = machine_of(Case(scene.base, orbit.case.values).cell)
     found, total = [], np.cumsum(orbit.cell_durations)
     for p, (one, other) in enumerate(pairs(machine.cell, scene.order)):
         assert other is not None  # else its cell is refused
         node, expected = machine.node(one), machine.node(other)
-        x, v = (float(orbit.part(p, np.ones(1), j)[0]) for j in (0, 1))
         angle = orbit.angle + machine.cell.omega * float(total[p])
         memory = scene.remembered(orbit.memory_values, p)
-        after = machine.after(one, State(x, v, angle, memory=memory))
+        after = machine.after(one, _end_of(orbit, p, angle, memory))
         if after is None or _numbers(after) != _numbers(expected):
             name = "no phase" if after is None else _name(after)
             found.append(f"where {_name(node)} ends, {name} follows, not {_name(expected)}")
     return tuple(found)
 
 
+def _end_of(orbit: "Motion", p: int, angle: float, memory: tuple[float, ...]) -> AnyState:
+    """Return the state in which a phase of an orbit ends."""
+    cell, end = orbit.case.cell, np.ones(1)
+    if isinstance(cell, BodyCell):
+        own = parts_of(cell)[p].lawful.A
+        times = np.append(orbit.cell_durations, [orbit.angle] * cell.forced)
+        rows = np.eye(len(own), len(own) + 3 + len(cell.memory))
+        y = seen(cell, times, p, end, rows)[:, 0]
+        return BodyState(tuple(map(float, y)), angle, memory=memory)
+    x, v = (float(orbit.part(p, end, j)[0]) for j in (0, 1))
+    return State(x, v, angle, memory=memory)
+
+
 def _numbers(node: Node) -> tuple[object, ...]:
-    phase = node.phase
-    return phase.m, phase.c, phase.k, phase.f, phase.g, phase.held, phase.speed, phase.memory
+    return *node.equation, node.phase.speed
 
 
 def _name(node: Node) -> str:

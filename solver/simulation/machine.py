@@ -2,9 +2,12 @@
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from types import ModuleType
 from typing import Any
+
+import numpy as np
 
 from ..flow import divided, responses
 from ..kernels import linking
@@ -12,8 +15,10 @@ from ..kernels.family import Family
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.bodies.only import NotOfBodies
 from ..scenes.cell import Cell
+from ..scenes.classes import generator
 from ..scenes.orders import Step
-from .nodes import Node, nodes
+from .nodes import InState, Node, Phases, nodes
+from .record import Segment
 from .steps import (
     bounds,
     chatter,
@@ -27,10 +32,16 @@ from .steps import (
     switches,
     zeros,
 )
+from .steps.bounds import window
+from .steps.clock import Clock
 from .steps.column import NONE, ROW
 from .steps.rules import Rules, rules_of
 from .steps.state import State, begun, entered, local_of, sign_of
-from .steps.switches import admits, crossed, first_phase, next_phase
+from .steps.step import Passed
+from .steps.switches import admits, crossed, first_phase, has_rest, next_phase
+
+#: How far from a limit a mass that is pressed against it is put, in units of length.
+ASIDE = 0.1
 
 #: What a motion is followed by, beside the flow of a phase.
 PARTS = zeros, bounds, locate, chatter, clock, state, switches, step
@@ -46,6 +57,11 @@ def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
 FAMILY = Family(linked, (divided, responses, column, rules, *PARTS), step.step)
 
 
+def with_array(state: State) -> State:
+    """Return a state whose memory is an array, as it is where functions are compiled."""
+    return state._replace(memory=np.array(state.memory, dtype=float))
+
+
 def follow_by(name: str, *arguments: Any) -> Any:
     """Return what `step` or `run` does: in plain Python, or compiled once that pays."""
     account = FAMILY.account_of(run.__name__)
@@ -56,11 +72,8 @@ def follow_by(name: str, *arguments: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Machine:
-    """The phases of a cell, and the rules by which one follows another."""
-
-    cell: Cell
-    nodes: tuple[Node, ...]
+class Machine(Phases):
+    """The phases of a cell of one mass, and the rules by which one follows another."""
 
     @classmethod
     def of(cls, cell: Cell) -> "Machine":
@@ -72,7 +85,7 @@ class Machine:
             A `ValueError`: if it is that of a body.
         """
         if isinstance(cell, BodyCell):
-            raise NotOfBodies("simulate: not of a body of several degrees of freedom yet")
+            raise NotOfBodies("got a body of several degrees of freedom, expected one mass")
         return cls(cell, nodes(cell))
 
     @cached_property
@@ -87,18 +100,62 @@ class Machine:
     def _node(self, p: int) -> Node | None:
         return None if p == NONE else self.nodes[p]
 
-    def ending(self, p: int, surface: int) -> Step | None:
-        """Return the phase whose event ends a phase on a surface; None without one."""
-        ending = None if surface == NONE else self._node(self.rules.endings[p, surface])
-        return None if ending is None else ending.step
+    def window(self, p: int) -> float:
+        """Return a time in which a motion in a phase does not turn often; may be infinite."""
+        return window(self.nodes[p].phase, self.cell.omega)
 
-    def number(self, one: Step) -> int:
-        """Return the number of a phase as an order calls it."""
-        return one.phase + len(self.cell.phases) * one.mirrored
+    def begin(self, state: State) -> tuple[int, State] | None:
+        """Return the phase in which a motion from a state begins, and the state in it."""
+        p = first_phase(self.rules, state)
+        if p == NONE:
+            return None
+        return p, with_array(begun(self.rules, p, state))
 
-    def node(self, one: Step) -> Node:
-        """Return a phase as an order calls it."""
-        return self.nodes[self.number(one)]
+    def at_rest(self, angle: float) -> State | None:
+        """Return the admissible state at rest that is nearest to 0."""
+        cosine = math.cos(angle)
+        places = [0.0]
+        for node in self.nodes:
+            for x, _, cos, constant, *_ in (form for _, form in node.phase.demands):
+                if x:
+                    limit = -(constant + cos * cosine) / x
+                    places += [limit, limit - ASIDE, limit + ASIDE]
+        speeds = [0.0, *(q.phase.speed for q in self.nodes if q.phase.held)]
+        for speed in speeds:
+            for place in sorted(places, key=abs):
+                state = self.remembered(State(place, speed, angle))
+                if self.first(state) is not None:
+                    return state
+        return None
+
+    def starts(self, angle: float) -> list[State | None]:
+        """Return states from which motions settle: at rest, and in each held phase."""
+        held = [State(0.0, q.phase.speed, angle) for q in self.nodes if q.phase.held]
+        return [self.at_rest(angle), *map(self.remembered, held)]
+
+    def step(self, p: int, state: State, clock: Clock, most: float) -> Passed:
+        """Follow a phase from where it begins, for a time at most, and across its switch."""
+        passed: Passed = follow_by("step", self.rules, p, state, clock, most)
+        return passed
+
+    def in_state(self, p: int) -> InState:
+        """Return what forms of a phase are in a state ``(x, x', 1, cos, sin, memory)``."""
+        more = len(self.cell.memory)
+        rows = np.eye(4 + more, 5 + more, 1)
+        rows[:3] = np.eye(5 + more)[[0, 1, 3]]
+        rows[3] = np.eye(5 + more)[2]
+        return InState(rows, generator(self.cell, self.nodes[p].phase, 1), 2)
+
+    def has_rest(self, surface: int) -> bool:
+        """Whether the scene has a rest at the place of a surface."""
+        return has_rest(self.rules, surface)
+
+    def recorded(self, p: int, state: State, t: Fraction, s: float, surface: int) -> Segment:
+        """Return a phase that was followed as it is kept."""
+        node, memory = self.nodes[p], [float(value) for value in state.memory]
+        place = (node.index, node.mirrored, t, state.angle)
+        ended = self.ending(p, surface)
+        return Segment(node.phase.remembering(memory), *place, state.x, state.v, s, ended)
 
     def after(self, one: Step, end: State) -> Node | None:
         """Return the phase that follows where the event of one ends it in a state."""

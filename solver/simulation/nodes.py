@@ -6,11 +6,16 @@ vanishes.  Which forms vanish on the same one is decided once, from their factor
 surfaces, no number of a state tells them apart.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
+from ..arrays import Matrix
+from ..scenes.bodies.cell import BodyPhase
 from ..scenes.cell import Cell, Form, Phase
 from ..scenes.mirror import mirror, same
 from ..scenes.orders import Step
+from .steps.column import NONE
 
 
 @dataclass(frozen=True)
@@ -55,7 +60,9 @@ class Node:
     @property
     def changes_velocity(self) -> bool:
         """Whether the velocity jumps where its event ends it."""
-        return (self.phase.rho, self.phase.d) != (1.0, 0.0)
+        q = self.phase
+        jumps = q.jumps if isinstance(q, BodyPhase) else ((q.rho, q.d),)
+        return any(jump != (1.0, 0.0) for jump in jumps)
 
 
 def nodes(cell: Cell) -> tuple[Node, ...]:
@@ -79,3 +86,68 @@ def nodes(cell: Cell) -> tuple[Node, ...]:
         )
         for phase, index, mirrored in found
     )  # fmt: skip
+
+
+class InState(NamedTuple):
+    """What linear forms are of in a phase, by the entries of a state with the forcing and 1.
+
+    Parameters
+    ----------
+    rows : ndarray
+        One an entry of a form; the second is the velocity.
+    generator : ndarray
+        Of the state.
+    one : int
+        Which entry is 1.
+    """
+
+    rows: Matrix
+    generator: Matrix
+    one: int
+
+
+@dataclass(frozen=True)
+class Phases:
+    """The phases of a cell that a motion can be in."""
+
+    cell: Cell
+    nodes: tuple[Node, ...]
+
+    def number(self, one: Step) -> int:
+        """Return the number of a phase as an order calls it."""
+        return one.phase + len(self.cell.phases) * one.mirrored
+
+    def node(self, one: Step) -> Node:
+        """Return a phase as an order calls it."""
+        return self.nodes[self.number(one)]
+
+    def ending(self, p: int, surface: int) -> Step | None:
+        """Return the phase whose event ends a phase on a surface; None without one."""
+        found = NONE if surface == NONE else ending(self.nodes, p, surface)
+        return None if found == NONE else self.nodes[found].step
+
+
+def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
+    """Return the phase of the same equation whose event is a surface; `NONE` without one."""
+    turn = (q for q in (p, *range(len(nodes))) if nodes[q].event == surface)
+    return next((q for q in turn if nodes[q].equation == nodes[p].equation), NONE)
+
+
+def turns(nodes: Sequence[Node]) -> list[list[int]]:
+    """Return in which turn phases are tried where one is declared, or at last none.
+
+    Constraints hold while they can.
+    """
+    phases = range(len(nodes))
+    first = [p for p in phases if nodes[p].phase.held and nodes[p].phase.demands]
+    ways = [*([p, *phases] for p in phases), [*phases]]
+    return [list(dict.fromkeys([q for q in way if q in first] + way)) for way in ways]
+
+
+def walls(nodes: Sequence[Node]) -> list[int]:
+    """Return behind the jump of which phase each is a rest at a place; `NONE` of others."""
+    phases = range(len(nodes))
+    behind = [nodes[p].phase.held and nodes[p - 1].jumps for p in phases]
+    return [
+        (p - 1) % len(nodes) if rests else NONE for p, rests in zip(phases, behind, strict=True)
+    ]

@@ -17,10 +17,14 @@ from ..presentation.table import Table, Tabular
 from ..scenes.case import Case
 from ..scenes.cell import Phase
 from ..scenes.orders import Step
+from .lasting import lasts
 from .steps.bounds import window
 
 #: Of the document's keys and their meaning.
 SCHEMA = 2
+
+#: The number of the force among the quantities of a motion, behind three derivatives.
+FORCE = 3
 
 #: How far beyond an end of a motion a time may be that is rounded, as a part of its duration.
 ROUNDING = 16 * float(np.finfo(float).eps)
@@ -59,6 +63,29 @@ class Segment:
     v: float
     s: float
     step: Step | None = None
+
+    @property
+    def state(self) -> tuple[float, ...]:
+        """The state in which it starts, as two are compared."""
+        return self.x, self.v
+
+    def motion(self, s: Vector, omega: float, derivative: int) -> Vector:
+        """Return a derivative of the displacement at local times."""
+        start = np.array([self.x, self.v])
+        return flow.motion(self.phase, start, self.angle, omega, s, derivative)
+
+    def force(self, s: Vector) -> Vector:
+        """Return the force of the first contact at local times; only a body has one."""
+        raise ValueError("force: the motion is that of one mass, expected one of a body")
+
+    def wave(self, omega: float) -> float:
+        """Return the length of the shortest wave of the motion; it may be infinite."""
+        return math.pi * window(self.phase, omega)
+
+    def lasts(self, omega: float) -> bool:
+        """Return whether it is shown that the phase lasts for ever."""
+        x, v = flow.state_at(self.phase, self.x, self.v, self.angle, omega, self.s)
+        return lasts(self.phase, x, v, omega, self.angle + omega * self.s)
 
 
 @dataclass(frozen=True)
@@ -153,7 +180,32 @@ class Simulation(Tabular):
         """Return the acceleration in m/s**2 at times `t`; at a switch, that after it."""
         return self._at(t, 2)
 
-    def _at(self, t: npt.ArrayLike, derivative: int) -> Vector:
+    def force(self, t: npt.ArrayLike) -> Vector:
+        """Return the force of the first contact of a body in N at times `t`.
+
+        At a switch it is that after it; impulses are no forces.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside of the motion, or it is that of one mass.
+        """
+        return self._at(t, FORCE)
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """What there is of it at any time."""
+        found = ("displacement", "velocity", "acceleration")
+        return (*found, "force") if self.case.scene.has_body else found
+
+    def _of(self, q: Segment, s: Vector, number: int) -> Vector:
+        """Return one of its `quantities` on a phase at local times, in SI units."""
+        units = self.case.units
+        if number == FORCE:
+            return q.force(s) * (units.mass * units.of_motion(2))
+        return q.motion(s, self.case.cell.omega, number) * units.of_motion(number)
+
+    def _at(self, t: npt.ArrayLike, number: int) -> Vector:
         times = np.asarray(t if np.isrealobj(t) else np.nan, dtype=float)
         slack = ROUNDING * self.time
         if not ((times >= -slack) & (times <= self.time + slack)).all():
@@ -164,13 +216,12 @@ class Simulation(Tabular):
         values = np.empty(len(local))
         for index in np.unique(which):
             q, here = self.segments[index], which == index
-            values[here] = self._of(
-                q, np.clip(local[here] - starts[index], 0.0, q.s), derivative
-            )
-        return np.asarray(values * self.case.units.of_motion(derivative)).reshape(times.shape)
+            s = np.clip(local[here] - starts[index], 0.0, q.s)
+            values[here] = self._of(q, s, number)
+        return values.reshape(times.shape)
 
-    def samples(self, points: int = 100) -> list[tuple[Vector, Vector, Vector, Vector]]:
-        """Return times, displacements, velocities and accelerations of each phase, in SI units.
+    def samples(self, points: int = 100) -> list[tuple[Vector, ...]]:
+        """Return times and the `quantities` of each phase, in SI units.
 
         Parameters
         ----------
@@ -178,19 +229,12 @@ class Simulation(Tabular):
             About how many for each wave of the motion.  The start and the end of a phase are
             always among them: the values at an end are those before the switch.
         """
-        units, found = self.case.units, []
-        factors = [units.of_motion(j) for j in (0, 1, 2)]
+        cell, unit, found = self.case.cell, self.case.units.time, []
         for q in self.segments:
-            wave = math.pi * window(q.phase, self.case.cell.omega)
-            count = 3 + math.ceil(points * q.s / wave)
-            s = q.s * np.linspace(0.0, 1.0, count)
-            x, v, a = (self._of(q, s, j) * factor for j, factor in enumerate(factors))
-            found.append(((float(q.t) + s) * units.time, x, v, a))
+            s = q.s * np.linspace(0.0, 1.0, 3 + math.ceil(points * q.s / q.wave(cell.omega)))
+            values = (self._of(q, s, number) for number in range(len(self.quantities)))
+            found.append(((float(q.t) + s) * unit, *values))
         return found
-
-    def _of(self, q: Segment, s: Vector, derivative: int) -> Vector:
-        start, omega = np.array([q.x, q.v]), self.case.cell.omega
-        return flow.motion(q.phase, start, q.angle, omega, s, derivative)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the motion as the document that ``simulate --json`` writes."""
@@ -223,8 +267,8 @@ class Simulation(Tabular):
         ----------
         ax : matplotlib Axes, optional
             Where; new ones without it.
-        quantity : {"displacement", "velocity", "acceleration", "plane"}
-            What is drawn against time; or the phase plane.
+        quantity : {"displacement", "velocity", "acceleration", "force", "plane"}
+            What is drawn against time, the force of a body alone; or the phase plane.
         since : float
             From which time on, in s.
         **style
@@ -247,11 +291,11 @@ class Simulation(Tabular):
         At a switch there are two rows: before it, and after it.
         """
         samples = self.samples()
-        t, x, v, a = map(np.concatenate, zip(*samples, strict=True))
-        phase = np.repeat(np.arange(len(samples)), [len(part[0]) for part in samples])
-        columns = {"t": t, "displacement": x, "velocity": v, "acceleration": a, "phase": phase}
+        found = map(np.concatenate, zip(*samples, strict=True))
+        columns = dict(zip(("t", *self.quantities), found, strict=True))
+        columns["phase"] = np.repeat(np.arange(len(samples)), [len(q[0]) for q in samples])
         about = {"scene": self.case.scene.name, "time": self.time, "ended": self.ended}
-        return Table(("t",), columns, COURSE, about | dict(self.case.values))
+        return Table(("t",), columns, COURSE | {"force": "N"}, about | dict(self.case.values))
 
     def __repr__(self) -> str:
         count = len(self.segments)

@@ -10,20 +10,20 @@ left of a transient that is `NEAR`.  That it has no more switches is said if it 
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from ..flow import flow
 from ..kernels.start import RoughTimes
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.orders import Order, OrderedScene, Step, half_if_mirrored
-from .lasting import lasts
-from .machine import Machine
+from .bodies.regime import slowest_decay
+from .machines import AnyMachine, AnyState, machine_of
 from .record import Segment, Simulation
-from .simulate import at_rest, cycle
-from .steps.state import State
+from .simulate import cycle
 from .walk import Place, effort, walk
 
 #: Cycles that are simulated at first, and by which factor more each time that was too short;
@@ -107,11 +107,8 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
     ('0.929644', 'a simulation settles on flight')
     """
     base = case.of_fullest() if isinstance(case.scene, OrderedScene) else case
-    machine = Machine.of(base.cell)
-    starts = [at_rest(machine, 0.0)]
-    held = [State(0.0, q.phase.speed, 0.0) for q in machine.nodes if q.phase.held]
-    starts += map(machine.remembered, held)
-    for settled in _followed_from(base, machine, starts, phases):
+    machine = machine_of(base.cell)
+    for settled in _followed_from(base, machine, machine.starts(0.0), phases):
         yield settled if base is case else _in_that(case, settled)
 
 
@@ -134,13 +131,13 @@ def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
         nothing = nothing and not settled.conclusive
         yield settled
     if nothing and case.cell.forced:
-        machine = Machine.of(case.cell)
-        starts = [at_rest(machine, angle) for angle in ANGLES]
+        machine = machine_of(case.cell)
+        starts = [machine.at_rest(angle) for angle in ANGLES]
         yield from _followed_from(case, machine, starts, FEW * len(ANGLES))
 
 
 def _followed_from(
-    case: Case, machine: Machine, starts: Sequence[State | None], phases: int
+    case: Case, machine: AnyMachine, starts: Iterable[AnyState | None], phases: int
 ) -> Iterator[Settled]:
     """Yield what simulations come to from each of several states that a phase takes."""
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.first(q)]
@@ -149,9 +146,9 @@ def _followed_from(
 
 
 @lru_cache(maxsize=16)
-def _followed(case: Case, start: State, most: int) -> Settled:
+def _followed(case: Case, start: AnyState, most: int) -> Settled:
     """Return what the simulation from one state comes to; every method asks for the same."""
-    machine, cell = Machine.of(case.cell), case.cell
+    machine, cell = machine_of(case.cell), case.cell
     place, cycles, spent = Place.first(machine, start), float(CYCLES), 0.0
     segments: list[Segment] = []
     while True:
@@ -159,7 +156,8 @@ def _followed(case: Case, start: State, most: int) -> Settled:
         more, place, ended = walk(case, machine, place, cycles * cycle(cell), most - spent)
         segments = segments[:-1] + more
         motion = Simulation(case, tuple(segments), ended)
-        spent += sum(effort(q.phase, cell.omega, q.s) for q in more)
+        windows = (machine.window(machine.number(Step(q.index, q.mirrored))) for q in more)
+        spent += sum(effort(window, q.s) for window, q in zip(windows, more, strict=True))
         found = _came_to(cell, motion)
         if found or cycles >= _lasting(cell) or spent > most - 1:
             return found or _unsettled(cell, motion)
@@ -173,6 +171,8 @@ def _lasting(cell: Cell) -> float:
 
 def _slowest_decay(cell: Cell) -> float:
     """Return the least rate at which a transient of a damped phase decays; infinite if none."""
+    if isinstance(cell, BodyCell):
+        return slowest_decay(cell)
     damped = [phase for phase in cell.phases if not phase.held and phase.c > 0]
     rates = [-root.real for phase in damped for root in flow.roots(phase)]
     return min((rate for rate in rates if rate > 0), default=math.inf)
@@ -194,8 +194,7 @@ def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
     if motion.ended:
         return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
     last = motion.segments[-1]
-    x, v = flow.state_at(last.phase, last.x, last.v, last.angle, cell.omega, last.s)
-    if lasts(last.phase, x, v, cell.omega, last.angle + cell.omega * last.s):
+    if last.lasts(cell.omega):
         return Settled(None, "a simulation comes to a motion without switches")
     repeated = _repeated(cell, motion.segments)
     if repeated is None:
@@ -219,7 +218,7 @@ def _repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] 
         if cell.forced and not (round(turns) and abs(turns - round(turns)) <= NEAR):
             continue
         near = NEAR * -math.expm1(-_slowest_decay(cell) * passed)
-        size = min(1.0, max(max(abs(q.x), abs(q.v)) for q in again))
+        size = min(1.0, max(max(map(abs, q.state)) for q in again))
         pairs = zip(done[-2 * length :], done[-3 * length : -length], strict=True)
         if all(_same(one, two, near, size) for one, two in pairs) and (
             (cut.index, cut.mirrored) == (again[0].index, again[0].mirrored)
@@ -234,7 +233,8 @@ def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
     return (
         (one.index, one.mirrored) == (two.index, two.mirrored)
         and abs(one.s - two.s) <= max(near, NO_TIME)
-        and max(abs(one.x - two.x), abs(one.v - two.v)) <= max(near * size, ROUNDING)
+        and max(abs(a - b) for a, b in zip(one.state, two.state, strict=True))
+        <= max(near * size, ROUNDING)
     )
 
 

@@ -6,16 +6,14 @@ from collections.abc import Sequence
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.parameter_error import is_number
-from .machine import Machine
+from .bodies.machine import BodyMachine
+from .machines import AnyState, machine_of
 from .record import Simulation
 from .steps.state import State
 from .walk import follow
 
 #: Cycles that are simulated where neither cycles nor a time is given.
 CYCLES = 20
-
-#: How far from a limit a mass that is pressed against it is put, in units of length.
-ASIDE = 0.1
 
 #: Most cycles of one motion.
 MOST_CYCLES = 100_000
@@ -40,7 +38,8 @@ def simulate(
         The oscillator.
     state : (float, float), optional
         Displacement in m and velocity in m/s at the start; without it at rest at 0 or, if
-        the scene does not admit that, at or next to the nearest limit.
+        the scene does not admit that, at or next to the nearest limit.  A body begins at rest:
+        at 0 or, without a state, where a phase leaves it in balance.
     cycles : float, optional
         How many periods of the forcing or, where nothing forces, how many times 2 pi of the
         scene's unit of time; 20 without it and without `time`.
@@ -77,11 +76,17 @@ def simulate(
         expected = f"0: nothing forces {case.scene.name}"
         raise ValueError(f"forcing_phase: got {forcing_phase!r}, expected {expected}")
     duration = _duration(case, cycles, time)
-    machine = Machine.of(case.cell)
+    machine = machine_of(case.cell)
+    start: AnyState
     if state is None:
-        start = at_rest(machine, turn)
+        start = machine.at_rest(turn)
         if start is None:
             raise ValueError("state: no displacement at rest is admitted, expected one")
+    elif isinstance(machine, BodyMachine):
+        if any(_given(case, state, turn)[:2]):
+            expected = f"(0, 0) or none: {case.scene.name} is a body, which begins at rest"
+            raise ValueError(f"state: got {tuple(state)!r}, expected {expected}")
+        start = machine.still(turn)
     else:
         start = machine.remembered(_given(case, state, turn))
     if machine.first(start) is None:
@@ -90,24 +95,6 @@ def simulate(
             f"{case.scene.name} takes; {machine.unmet(start)}"
         )
     return follow(case, machine, start, duration)
-
-
-def at_rest(machine: Machine, angle: float) -> State | None:
-    """Return the admissible state at rest that is nearest to 0."""
-    cosine = math.cos(angle)
-    places = [0.0]
-    for node in machine.nodes:
-        for x, _, cos, constant, *_ in (form for _, form in node.phase.demands):
-            if x:
-                limit = -(constant + cos * cosine) / x
-                places += [limit, limit - ASIDE, limit + ASIDE]
-    speeds = [0.0, *(q.phase.speed for q in machine.nodes if q.phase.held)]
-    for speed in speeds:
-        for place in sorted(places, key=abs):
-            state = machine.remembered(State(place, speed, angle))
-            if machine.first(state) is not None:
-                return state
-    return None
 
 
 def _given(case: Case, state: Sequence[float], angle: float) -> State:

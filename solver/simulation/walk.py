@@ -3,24 +3,21 @@
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-
-import numpy as np
+from typing import Any
 
 from ..arrays import Matrix
 from ..scenes.arrays import Integers
 from ..scenes.case import Case
-from ..scenes.cell import Phase
-from .machine import Machine, follow_by
+from .machine import Machine, follow_by, with_array
+from .machines import AnyMachine, AnyState
 from .record import Segment, Simulation
-from .steps.bounds import window
 from .steps.chatter import CHATTER, accumulates, end_of
 from .steps.clock import Clock, at_start
 from .steps.column import NONE
 from .steps.locate import BEYOND, EVENT, LOST, MOST_STEPS
 from .steps.run import MOST_PHASES
-from .steps.state import State, begun
-from .steps.step import REFUSED, Passed
-from .steps.switches import has_rest
+from .steps.state import State
+from .steps.step import REFUSED
 
 #: Windows of a search for events that take about as long as what else a phase takes.
 STRETCH = 10
@@ -34,7 +31,7 @@ class Place:
     ----------
     phase : int
         Which of the machine's.
-    state : State
+    state : State or BodyState
     clock : Clock
         Which says the angle of the forcing.
     t : Fraction
@@ -42,25 +39,20 @@ class Place:
     """
 
     phase: int
-    state: State
+    state: AnyState
     clock: Clock
     t: Fraction = Fraction(0)
 
     @classmethod
-    def first(cls, machine: Machine, state: State) -> "Place":
+    def first(cls, machine: AnyMachine, state: AnyState) -> "Place":
         """Return where the motion from a state begins that a phase takes."""
-        node = machine.first(state)
-        assert node is not None
-        p, clock = machine.number(node.step), at_start(state.angle, machine.cell.omega)
-        return cls(p, with_array(begun(machine.rules, p, state)), clock)
+        found = machine.begin(state)
+        assert found is not None
+        p, begun = found
+        return cls(p, begun, at_start(state.angle, machine.cell.omega))
 
 
-def with_array(state: State) -> State:
-    """Return a state whose memory is an array, as it is where functions are compiled."""
-    return state._replace(memory=np.array(state.memory, dtype=float))
-
-
-def follow(case: Case, machine: Machine, start: State, duration: float) -> Simulation:
+def follow(case: Case, machine: AnyMachine, start: AnyState, duration: float) -> Simulation:
     """Return the motion of a case from a state that a phase takes, all without units."""
     segments, _, ended = walk(case, machine, Place.first(machine, start), duration)
     return Simulation(case, tuple(segments), ended)
@@ -72,25 +64,25 @@ def strobed(machine: Machine, start: State, cycles: int) -> tuple[Matrix, Intege
     return states, phases, how
 
 
-def effort(phase: Phase, omega: float, s: float) -> float:
+def effort(window: float, s: float) -> float:
     """Return what it takes to follow a phase for a time: 1, and more for a long one."""
-    return 1 + s / (STRETCH * window(phase, omega))
+    return 1 + s / (STRETCH * window)
 
 
-def _reach(phase: Phase, omega: float, most: float) -> float:
+def _reach(window: float, most: float) -> float:
     """Return for how long a phase is followed by an effort."""
-    return max(most - 1, 0.0) * STRETCH * window(phase, omega) if most < math.inf else most
+    return max(most - 1, 0.0) * STRETCH * window if most < math.inf else most
 
 
 def walk(
-    case: Case, machine: Machine, place: Place, until: float, most: float = math.inf
+    case: Case, machine: AnyMachine, place: Place, until: float, most: float = math.inf
 ) -> tuple[list[Segment], Place, str]:
     """Return the phases of a motion from the beginning of one on, the last one cut off.
 
     Parameters
     ----------
     case : Case
-    machine : Machine
+    machine : Machine or BodyMachine
         Of its cell.
     place : Place
         Where to begin.
@@ -107,16 +99,16 @@ def walk(
     ended : str
         Why the motion ends before, where it does.
     """
-    rules, omega, whole = machine.rules, machine.cell.omega, Fraction(until)
+    whole = Fraction(until)
     segments: list[Segment] = []
     while True:
         p, state = place.phase, place.state
-        phase = machine.nodes[p].phase
-        longest = min(max(float(whole - place.t), 0.0), _reach(phase, omega, most))
-        passed: Passed = follow_by("step", rules, p, state, place.clock, longest)
+        window = machine.window(p)
+        longest = min(max(float(whole - place.t), 0.0), _reach(window, most))
+        passed: Any = machine.step(p, state, place.clock, longest)
         s, surface = passed.s, passed.surface
-        segments.append(_segment(machine, p, state, place.t, s, surface))
-        most -= effort(phase, omega, s)
+        segments.append(machine.recorded(p, state, place.t, s, surface))
+        most -= effort(window, s)
         if passed.how not in (EVENT, REFUSED) or most < 1:
             return segments, place, _ended(segments[-1], passed.how)
         t = place.t + Fraction(s)
@@ -129,9 +121,9 @@ def walk(
             return segments, place, words
         if passed.away != NONE:
             left = max(min(passed.left, float(whole - t)), 0.0)
-            segments.append(_segment(machine, passed.away, passed.behind, t, left))
+            segments.append(machine.recorded(passed.away, passed.behind, t, left, NONE))
             t += Fraction(left)
-        elif accumulates(_last(segments)) and (passed.left or not has_rest(rules, surface)):
+        elif accumulates(_last(segments)) and (passed.left or not machine.has_rest(surface)):
             return segments, place, f"chatter: {_chatter(case, segments)}"
         if len(segments) >= MOST_PHASES:
             words = f"{MOST_PHASES} phases are the most that one motion may have"
@@ -146,15 +138,6 @@ def _ended(segment: Segment, how: int) -> str:
     if how == LOST:
         return f"no event was located in {segment.phase.name} within {MOST_STEPS} steps"
     return ""
-
-
-def _segment(
-    machine: Machine, p: int, state: State, t: Fraction, s: float, surface: int = NONE
-) -> Segment:
-    node, memory = machine.nodes[p], [float(value) for value in state.memory]
-    place = (node.index, node.mirrored, t, state.angle)
-    step = machine.ending(p, surface)
-    return Segment(node.phase.remembering(memory), *place, state.x, state.v, s, step)
 
 
 def _last(segments: list[Segment]) -> list[float]:

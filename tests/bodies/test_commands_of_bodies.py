@@ -15,24 +15,25 @@ from nonsmooth.solver.trade.tolerance import choose_order
 #: What is computed for scenes of one mass alone.
 ONE_MASS = (
     ("map", "--vary", "gap=0.4:0.6:2", "--vary", "mass=1:2:2"),
-    ("simulate",),
+    ("simulate", "--vary", "gap=0.4:0.6:3"),
+    ("simulate", "--grid", "x=0:1:3", "--grid", "v=0:1:3"),
     ("digits",),
     ("equations",),
     ("report", "-o", "page"),
 )
 
 
-@pytest.mark.parametrize("command", ONE_MASS, ids=lambda command: command[0])
+@pytest.mark.parametrize("command", ONE_MASS, ids=lambda command: " ".join(command[:2]))
 def test_what_there_is_not_for_a_body_is_said(run, command) -> None:
     name, *flags = command
     assert "a body of several degrees of freedom" in refused(run, name, "chain-impact", *flags)
 
 
-@pytest.mark.parametrize("call", ["chart", "simulate"])
+@pytest.mark.parametrize("call", ["chart", "diagram", "basins"])
 def test_functions_say_it_too(call: str) -> None:
     case = ns.scene("chain-impact")()
     arguments = {
-        "simulate": (),
+        "diagram": ("gap", [0.4]), "basins": ([0.0], [0.0]),
         "chart": ({"gap": (0.4, 0.6, 2), "mass": (1.0, 2.0, 2)},),
     }  # fmt: skip
     with pytest.raises(ValueError, match="a body of several degrees of freedom"):

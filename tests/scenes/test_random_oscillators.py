@@ -69,7 +69,7 @@ def closes(orbit: ExactOrbit) -> bool:
     names = [q.phase.name for q in motion.segments]
     cell = [phase.name for phase in case.cell.phases] * case.cell.cells
     last = motion.segments[-1]
-    end = [float(motion._of(last, np.array([last.s]), j)[0]) for j in (0, 1)]
+    end = [float(last.motion(np.array([last.s]), case.cell.omega, j)[0]) for j in (0, 1)]
     grown = 1 + float(np.abs(orbit.multipliers).max(initial=0.0))
     sizes = orbit.sizes.max(axis=0)
     near = max(abs(end[0] - x) / sizes[0], abs(end[1] - v) / sizes[1]) <= CLOSES * grown

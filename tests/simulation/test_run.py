@@ -12,7 +12,7 @@ from test_chatter import resting
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.simulation.machine import FAMILY, Machine
-from nonsmooth.solver.simulation.simulate import at_rest, cycle
+from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps import run
 from nonsmooth.solver.simulation.steps.clock import angle_of, at_start, later, time_to
 from nonsmooth.solver.simulation.steps.locate import CUT, EVENT
@@ -28,7 +28,7 @@ def drawn(name, count):
     """Return the machine of a scene, and random states that a phase of it takes."""
     case = registry.load(name)().of_fullest() if name in registry.names() else resting(0.5)
     machine, random = Machine.of(case.cell), np.random.default_rng(1)
-    found, turn = [at_rest(machine, 0.0)], float(case.cell.forced)
+    found, turn = [machine.at_rest(0.0)], float(case.cell.forced)
     while len(found) < count:
         state = State(*random.normal(0, 1, 2).tolist(), turn * float(random.uniform(0, 6)))
         found.append(machine.remembered(state))

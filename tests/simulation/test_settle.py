@@ -19,7 +19,7 @@ from nonsmooth.solver.simulation import settle
 from nonsmooth.solver.simulation.lasting import lasts
 from nonsmooth.solver.simulation.machine import Machine
 from nonsmooth.solver.simulation.settle import rough_times_by_simulation, settled
-from nonsmooth.solver.simulation.simulate import at_rest, cycle
+from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.walk import follow
 from nonsmooth.solver.solve import solve_case
@@ -217,7 +217,7 @@ def some_motions(count: int, seed: int):
             except ValueError:  # of parameters that do not go together
                 continue
             machine = Machine.of(case.cell)
-            start = at_rest(machine, 0.0)
+            start = machine.at_rest(0.0)
             if start is not None and machine.first(start) is not None:
                 yield case, machine, start, settle._followed(case, start, 400).words
 

@@ -64,7 +64,7 @@ class BodyPhase(Phase):
     @property
     def equation(self) -> tuple[object, ...]:
         """What its laws are."""
-        return self.laws, self.held, self.speed
+        return tuple(map(_scaled, self.laws)), self.held, self.speed
 
     def cut(self) -> "BodyPhase":
         """Return the phase as one that ends where the velocity is zero, and nothing changes."""
@@ -84,6 +84,12 @@ class BodyPhase(Phase):
         found = super().with_forms(put)
         assert isinstance(found, BodyPhase)
         return replace(found, laws=tuple(map(put, self.laws)))
+
+
+def _scaled(law: Form) -> Form:
+    """Return a law whose first factor is 1: that of a mirror image has another sign."""
+    first = next(factor for factor in law if factor)
+    return tuple(factor / first for factor in law)
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ import numpy as np
 from ...arrays import Matrix
 from ...scenes.arrays import Integers, arrays_of
 from ...scenes.cell import Cell, Form
-from ..nodes import Node
+from ..nodes import Node, ending, turns, walls
 from .column import NONE
 
 
@@ -52,11 +52,11 @@ class Rules(NamedTuple):
 def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
     """Return the rules of a cell, whose phases are nodes."""
     phases, more = range(len(nodes)), len(cell.memory)
-    numbers, kinds = [], []
+    numbers, kinds, behind = [], [], walls(nodes)
     forms: list[Form] = []
     surfaces: list[int] = []
     for p, node in enumerate(nodes):
-        phase, before, row = node.phase, nodes[p - 1], len(forms)
+        phase, row = node.phase, len(forms)
         forms += [phase.event, *(form for _, form in phase.demands)]
         surfaces += [node.event, *node.demands]
         at_switch = len(forms)
@@ -64,11 +64,9 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         surfaces += [NONE] * len(phase.switch_demands)
         own = phase.m, phase.c, phase.k, phase.f, phase.g, phase.speed, phase.rho, phase.d
         numbers.append([*own, *(phase.memory or [0.0] * more)])
-        wall = (p - 1) % len(nodes) if phase.held and before.jumps else NONE
-        place = wall, node.index, -1 if node.mirrored else 1
+        place = behind[p], node.index, -1 if node.mirrored else 1
         rows = row, at_switch, len(forms)
         kinds.append([phase.held, node.event not in node.demands, *place, *rows])
-    first = [p for p in phases if nodes[p].phase.held and nodes[p].phase.demands]
     arrays = arrays_of(cell)
     return Rules(
         cell.omega,
@@ -76,19 +74,8 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         np.array(kinds, dtype=np.int64),
         np.array([[*form, *[0.0] * more][: 4 + more] for form in forms], dtype=float),
         np.array(surfaces, dtype=np.int64),
-        np.array([[_ending(nodes, p, q) for q in range(max(surfaces) + 1)] for p in phases]),
-        np.array([_turn(first, [p, *phases]) for p in phases] + [_turn(first, phases)]),
+        np.array([[ending(nodes, p, q) for q in range(max(surfaces) + 1)] for p in phases]),
+        np.array(turns(nodes)),
         arrays.setting,
         arrays.memory,
     )
-
-
-def _ending(nodes: Sequence[Node], p: int, surface: int) -> int:
-    """Return the phase of the same equation whose event is a surface; `NONE` without one."""
-    turn = (q for q in (p, *range(len(nodes))) if nodes[q].event == surface)
-    return next((q for q in turn if nodes[q].equation == nodes[p].equation), NONE)
-
-
-def _turn(first: Sequence[int], then: Sequence[int]) -> list[int]:
-    """Return phases in turn, some before the others."""
-    return list(dict.fromkeys([q for q in then if q in first] + list(then)))

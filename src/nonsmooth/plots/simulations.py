@@ -13,6 +13,9 @@ from .orbits import HISTORIES, PLANE
 if TYPE_CHECKING:
     from nonsmooth.solver.simulation.record import Simulation
 
+#: What each quantity is called on an axis.
+LABELS = HISTORIES | {"force": "contact force [N]"}
+
 #: Part of the time, at the end, that is drawn over the rest in the phase plane.
 LATE = 0.2
 
@@ -33,8 +36,8 @@ def draw(
         What is drawn.
     ax : matplotlib Axes, optional
         Where; new ones without it.
-    quantity : {"displacement", "velocity", "acceleration", "plane"}
-        What is drawn against time; or the phase plane.
+    quantity : {"displacement", "velocity", "acceleration", "force", "plane"}
+        What is drawn against time, the force of a body alone; or the phase plane.
     since : float
         From which time on, in s.
     **style
@@ -45,29 +48,33 @@ def draw(
     ValueError
         If `quantity` is none of these.
     """
-    check_quantity(quantity, (*HISTORIES, PLANE))
+    check_quantity(quantity, (*motion.quantities, PLANE))
     axes = axes_or_new(ax)
     found = map(np.concatenate, zip(*motion.samples(), strict=True))
     times, *values = found
     late = times >= since
-    columns = {name: each[late] for name, each in zip(HISTORIES, values, strict=True)}
+    columns = {name: each[late] for name, each in zip(motion.quantities, values, strict=True)}
     look = {"color": "0.25", "linewidth": 0.8} | style
     if quantity == PLANE:
         axes.plot(columns["displacement"], columns["velocity"], **look)
         axes.set(xlabel=HISTORIES["displacement"], ylabel=HISTORIES["velocity"])
     else:
         axes.plot(times[late], columns[quantity], **look)
-        axes.set(xlabel="t [s]", ylabel=HISTORIES[quantity])
+        axes.set(xlabel="t [s]", ylabel=LABELS[quantity])
     return axes
 
 
 def simulation_figure(motion: "Simulation") -> Figure:
-    """Draw displacement and velocity against time, and the phase plane with its late part."""
+    """Draw a motion against time, and the phase plane with its late part.
+
+    Displacement and velocity are drawn, and of a body the contact force.
+    """
     figure = Figure(figsize=(9, 4.8), layout="constrained")
-    panels = figure.subplot_mosaic([["x", "plane"], ["v", "plane"]], width_ratios=(1.6, 1))
-    draw(motion, panels["x"], "displacement").set_xlabel("")
-    draw(motion, panels["v"], "velocity")
-    plane, colour = panels["plane"], about("hb").look["color"]
+    drawn = [name for name in motion.quantities if name != "acceleration"]
+    panels = figure.subplot_mosaic([[name, PLANE] for name in drawn], width_ratios=(1.6, 1))
+    for name in drawn:
+        draw(motion, panels[name], name).label_outer()
+    plane, colour = panels[PLANE], about("hb").look["color"]
     draw(motion, plane, PLANE, color="0.7", linewidth=0.6, label="from the start")
     words = f"the last {LATE:.0%} of the time"
     since = (1 - LATE) * motion.time

@@ -1,0 +1,1 @@
+"""Bodies from event to event: forms along a phase, their first zero, which phase follows."""

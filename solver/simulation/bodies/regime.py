@@ -1,0 +1,123 @@
+"""A body in one phase: its flow, and forms as rows over ``Y = (y, cos, sin, 1, memory)``."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...arrays import Matrix, Vector
+from ...bodies.exact import Part, parts_of
+from ...bodies.laws import places
+from ...scenes.bodies.cell import BodyCell, BodyPhase
+from ..nodes import Node
+from ..steps.locate import NOISE
+
+#: Derivatives of a form by time that are looked at.
+TERMS = 6
+
+#: What a form may be on a surface that it is known to be on, as a part of its factors and of
+#: the state.
+ON_IT = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Regime:
+    """A phase that a body can be in.
+
+    Parameters
+    ----------
+    part : Part
+        The body under the laws of the phase, and its flow.
+    generator : ndarray, shape (W, W)
+        Of ``Y' = generator Y``.
+    event : ndarray, shape (W,)
+        The form that ends the phase.
+    demands : ndarray, shape (D, W)
+        What must not be negative in it.
+    at_switch : ndarray, shape (E, W)
+        What must not be negative where its event ends it.
+    contacts : ndarray, shape (3, c, W)
+        Displacement, velocity and force of each contact.
+    """
+
+    part: Part
+    generator: Matrix
+    event: Vector
+    demands: Matrix
+    at_switch: Matrix
+    contacts: Matrix
+
+    @property
+    def states(self) -> int:
+        """Entries of y."""
+        return len(self.part.lawful.A)
+
+    @property
+    def window(self) -> float:
+        """A time in which a motion does not turn often: of the forcing, or of a slow pole."""
+        poles = np.abs(self.part.flow.poles)
+        slow = float(poles[poles > ON_IT * poles.max()].min(initial=np.inf))
+        return 2.0 / (self.part.flow.omega or slow)
+
+    def sign_after(self, row: Vector, Y: Vector, zero: bool) -> int:
+        """Return the sign of a form just after a state: of its first derivative but zeros.
+
+        Parameters
+        ----------
+        row, Y : ndarray, shape (W,)
+            The form and the state.
+        zero : bool
+            Whether the state is known to be on its surface, whatever rounding makes of it.
+        """
+        order = self.leading(row, Y, zero)
+        for _ in range(order):
+            row = row @ self.generator
+        return 0 if order == TERMS else int(np.sign(row @ Y))
+
+    def leading(self, row: Vector, Y: Vector, zero: bool) -> int:
+        """Return the order of the first derivative that is not zero; `TERMS` if none is."""
+        for order in range(TERMS):
+            value, size = abs(row @ Y), np.abs(row) @ np.abs(Y)
+            known = zero and order == 0 and value <= ON_IT * np.abs(row).sum() * np.abs(Y).max()
+            if value > NOISE * size and not known:
+                return order
+            row = row @ self.generator
+        return TERMS
+
+
+def regimes(cell: BodyCell, nodes: Sequence[Node]) -> tuple[Regime, ...]:
+    """Return the phases that a motion of a cell can be in.
+
+    Raises
+    ------
+    BodyError
+        If a law does not fix its force, or a phase has no eigenbasis.
+    """
+    phases = tuple(q.phase for q in nodes if isinstance(q.phase, BodyPhase))
+    whole = replace(cell, phases=phases, sign=1)
+    return tuple(map(_regime, parts_of(whole), phases, [cell.omega] * len(phases)))
+
+
+def _regime(part: Part, phase: BodyPhase, omega: float) -> Regime:
+    own = part.lawful
+    states, width = len(own.A), own.rows.shape[1]
+    generator = np.zeros((width, width))
+    generator[:states] = np.hstack([own.A, own.inputs])
+    generator[states, states + 1], generator[states + 1, states] = -omega, omega
+
+    def rows(forms: Sequence[tuple[str, tuple[float, ...]]]) -> Matrix:
+        return np.array([form for _, form in forms]).reshape(-1, len(own.rows)) @ own.rows
+
+    x, v, *_ = places(len(own.force))
+    contacts = np.array([own.rows[x], own.rows[v], own.force])
+    event = np.array(phase.event) @ own.rows
+    return Regime(
+        part, generator, event, rows(phase.demands), rows(phase.switch_demands), contacts
+    )
+
+
+def slowest_decay(cell: BodyCell) -> float:
+    """Return the least rate at which a transient of a phase decays; infinite if none does."""
+    found = np.concatenate([part.flow.poles for part in parts_of(cell)])
+    rates = -found.real[-found.real > NOISE * np.abs(found)]
+    return float(rates.min(initial=np.inf))
