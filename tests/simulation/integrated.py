@@ -7,6 +7,13 @@ from scipy.integrate import solve_ivp
 
 from nonsmooth.solver.kernels import registry
 
+#: A start in units of the scene.
+STARTS = {
+    "impact": (-1.5, -0.4), "impact-two-sided": (0.0, 0.3), "clearance": (-1.2, 0.4),
+    "backlash": (-1.7, 0.4), "dry-friction": (0.3, -0.4), "stick-slip": (-0.5, 0.3),
+    "stick-slip-damped": (-0.5, 0.3), "elastic-plastic": (0.0, 0.1),
+}  # fmt: skip
+
 
 def modes(scene, q, load):
     """Return the modes of a scene: acceleration, and what ends it.

@@ -5,43 +5,9 @@ import math
 import mpmath
 import numpy as np
 import pytest
-from made_scenes import made
+from stops import DAMPING, GAP, OMEGA, between_two, resting
 
 import nonsmooth as ns
-
-GAP, OMEGA, DAMPING = 0.1, 0.3, 0.3
-FLIGHT, REST = (1, DAMPING, 1, 0, 1), (1, 0, 0, 0, 0)
-PRESSES = (0, 0, 1, -GAP)  # the force, less that of the spring, on the stop
-
-
-def resting(restitution, presses=PRESSES):
-    """Return a mass that bounces off a stop, and rests on it while a force presses."""
-    return made(
-        [FLIGHT, REST],
-        [(1, 0, 0, -GAP), presses],
-        omega=OMEGA,
-        jumps=((-restitution, 0), (1, 0)),
-        held=(None, 0.0),
-        demands=[{"before the stop": (-1, 0, 0, GAP)}, {"the stop presses": presses}],
-        k=0,
-    )()
-
-
-def between_two(restitution):
-    """Return the same between two stops, the other half the mirror image."""
-    return made(
-        [FLIGHT, REST],
-        [(1, 0, 0, -GAP), PRESSES],
-        omega=OMEGA,
-        half=True,
-        jumps=((-restitution, 0), (1, 0)),
-        held=(None, 0.0),
-        demands=[
-            {"before one": (-1, 0, 0, GAP), "before the other": (1, 0, 0, GAP)},
-            {"the stop presses": PRESSES},
-        ],
-        k=0,
-    )()
 
 
 def accumulation(t, v, restitution):

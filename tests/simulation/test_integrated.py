@@ -6,16 +6,9 @@ import math
 import numpy as np
 import pytest
 from every_run import tried
-from integrated import integrated, random_case
+from integrated import STARTS, integrated, random_case
 
 import nonsmooth as ns
-
-#: A start in units of the scene.
-STARTS = {
-    "impact": (-1.5, -0.4), "impact-two-sided": (0.0, 0.3), "clearance": (-1.2, 0.4),
-    "backlash": (-1.7, 0.4), "dry-friction": (0.3, -0.4), "stick-slip": (-0.5, 0.3),
-    "stick-slip-damped": (-0.5, 0.3), "elastic-plastic": (0.0, 0.1),
-}  # fmt: skip
 
 #: Those that are integrated; of the other one the memory at the start is not chosen.
 SCENES = tuple(STARTS)[:-1]

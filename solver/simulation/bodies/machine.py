@@ -99,12 +99,18 @@ class BodyMachine(BodyRules):
             if changes or s == start:
                 break
             begun, start = entered, s
-        left = self.time_left(p, surface, after, entered)
+        left, away = self.time_left(p, surface, after, entered), NONE
         rest = self.rest_behind(p, behind) if left else NONE
-        if rest != NONE:  # what is left of the jumps is beyond float64
-            after, left = rest, 0.0
-            entered = self.begun(after, self.entered(after, behind))
-        return _passed(s, EVENT, surface, left, behind, after, entered, now)
+        if rest != NONE:  # the last of the jumps stands for all that are left
+            away, after, now = after, rest, later(now, left)
+            entered = self._rested(rest, behind, left, angle_of(now))
+        return _passed(s, EVENT, surface, left, behind, after, entered, now, away)
+
+    def _rested(self, rest: int, behind: BodyState, left: float, angle: float) -> BodyState:
+        """Return the state in which a rest begins behind jumps that go on for a time."""
+        begun = self.begun(rest, self.entered(rest, behind))
+        y = state_at(self.regimes[rest], self.full(begun), left)
+        return self.begun(rest, begun._replace(y=tuple(map(float, y)), angle=angle))
 
     def _ended(
         self, p: int, state: BodyState, s: float, row: Vector, angle: float
@@ -182,7 +188,7 @@ class BodyMachine(BodyRules):
 
 def _passed(
     s: float, how: int, surface: int, left: float, behind: BodyState, phase: int,
-    state: BodyState, clock: Clock,
+    state: BodyState, clock: Clock, away: int = NONE,
 ) -> Passed:  # fmt: skip
     """Return a phase that was followed; its states are those of a body."""
-    return Passed(s, how, surface, left, NONE, behind, phase, state, clock)  # type: ignore[arg-type]
+    return Passed(s, how, surface, left, away, behind, phase, state, clock)  # type: ignore[arg-type]

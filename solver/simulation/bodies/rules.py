@@ -23,6 +23,10 @@ from ..steps.switches import NEAR
 from .regime import Regime, regimes
 
 
+#: Height of a jump that is located, in units of what is rounding of a displacement.
+RESOLVED = 4
+
+
 class BodyState(NamedTuple):
     """A state of a body, without units.
 
@@ -217,4 +221,6 @@ class BodyRules(Phases):
         if d != 0 or not (-1 < rho <= 0 and v * a < 0):
             return 0.0
         left = float(-2 * v / (a * (1 + rho)))
-        return left if left * left * max(1.0, abs(jerk / a)) <= LEFT else 0.0
+        resolved = RESOLVED * NOISE * (np.abs(regime.contacts[0, i]) @ np.abs(Y))
+        short = left * left * max(1.0, abs(jerk / a)) <= LEFT
+        return left if short or v * v <= 2 * abs(a) * resolved else 0.0

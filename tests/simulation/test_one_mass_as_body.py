@@ -1,0 +1,83 @@
+"""Bodies of one degree of freedom move as the scenes of one mass: two ways, the same motion."""
+
+import numpy as np
+import pytest
+from every_run import tried
+from integrated import STARTS, random_case
+from one_mass import NAMES
+from one_mass_bodies import as_body, free_phase, state_of
+from stops import between_two, resting
+
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.simulation.bodies.machine import BodyMachine
+from nonsmooth.solver.simulation.machine import Machine
+from nonsmooth.solver.simulation.simulate import cycle
+from nonsmooth.solver.simulation.steps.state import State
+from nonsmooth.solver.simulation.walk import Place, walk
+
+MOTIONS = [motion for name in NAMES for motion in registry.load(name).each_motion]
+
+#: Differences of times and states: rounding of some hundred phases of a motion that is stable.
+NEAR = 1e-12
+
+
+def followed(case, start, cycles):
+    """Return a motion as that of one mass, and as that of a body."""
+    cell = case.cell
+    one, other = Machine.of(cell), BodyMachine.of(as_body(cell))
+    start = one.at_rest(0.3 * cell.forced) if start is None else one.remembered(start)
+    begun = state_of(start, other.cell, free_phase(cell).m)
+    until = cycles * cycle(cell)
+    own, _, ended = walk(case, one, Place.first(one, start), until)
+    found, _, other_ended = walk(case, other, Place.first(other, begun), until)
+    return own, ended, found, other_ended
+
+
+def check(own, found, near=NEAR) -> None:
+    """Check that phases are the same, with their names, what ends them, times and states."""
+    assert [(q.index, q.mirrored) for q in found] == [(q.index, q.mirrored) for q in own]
+    assert [q.step for q in found] == [q.step for q in own]
+    size = max(1.0, *(max(abs(q.x), abs(q.v)) for q in own))
+    for one, other in zip(own, found, strict=True):
+        assert float(other.t) == pytest.approx(float(one.t), rel=near, abs=near)
+        assert [other.x, other.v] == pytest.approx([one.x, one.v], rel=0, abs=near * size)
+
+
+@pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: motion.label)
+def test_a_shipped_scene_as_a_body(motion) -> None:
+    own, ended, found, other_ended = followed(motion(), None, 30)
+    assert ended == other_ended == ""
+    check(own, found)
+
+
+@pytest.mark.parametrize(
+    ("scene", "seed"),
+    tried(
+        [(scene, seed) for scene in STARTS for seed in range(25)],
+        every_run=[(scene, seed) for scene in STARTS for seed in (0, 1)],
+    ),
+)
+def test_random_parameters(scene, seed) -> None:
+    """Among them gaps down to 1e-12 of the default, and impacts that accumulate."""
+    rng = np.random.default_rng([seed, tuple(STARTS).index(scene)])
+    case = random_case(scene, rng).of_fullest()
+    x, v = np.array(STARTS[scene]) + rng.uniform(-0.1, 0.1, 2)
+    if scene == "backlash":
+        x -= case.values["gap"] / case.units.length
+    angle = float(rng.uniform(0, 6)) if case.cell.forced else 0.0
+    own, ended, found, other_ended = followed(case, State(float(x), float(v), angle), 3)
+    assert other_ended[:7] == ended[:7]
+    if ended:  # impacts that accumulate, of which the last are as short as rounding
+        own = [q for q in own if q.s > 1e-3]
+        found = found[: len(own)]
+    check(own, found, 1e-11)
+
+
+@pytest.mark.parametrize("made", [resting, between_two], ids=lambda made: made.__name__)
+def test_impacts_that_end_in_a_rest(made) -> None:
+    """Where impacts accumulate both go over to the rest: one a few impacts before the other."""
+    own, ended, found, other_ended = followed(made(0.4), None, 6)
+    assert ended == other_ended == ""
+    long, others = ([q for q in motion if q.s > 1e-3] for motion in (own, found))
+    assert len(long) < len(own)
+    check(long, others, 1e-9)
