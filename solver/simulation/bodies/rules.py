@@ -22,7 +22,6 @@ from ..steps.locate import NOISE
 from ..steps.switches import NEAR
 from .regime import Regime, regimes
 
-
 #: Height of a jump that is located, in units of what is rounding of a displacement.
 RESOLVED = 4
 

@@ -49,8 +49,9 @@ def of_orbits(orbits: "Sequence[Orbit]") -> list[dict[str, Any]]:
 
 def of_simulation(motion: "Simulation") -> list[dict[str, Any]]:
     """Return a simulated motion, each phase from its start to its end."""
+    names = ("t", *motion.quantities)
     return [
-        {"phase": phase.name} | dict(zip(MOTION, row, strict=True))
+        {"phase": phase.name} | dict(zip(names, row, strict=True))
         for phase, samples in zip(motion.phases, motion.samples(), strict=True)
         for row in zip(*samples, strict=True)
     ]
