@@ -230,11 +230,11 @@ def _repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] 
 
 def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
     """Whether two phases are the same, in times and states."""
+    off = max(abs(a - b) for a, b in zip(one.state, two.state, strict=True))
     return (
         (one.index, one.mirrored) == (two.index, two.mirrored)
         and abs(one.s - two.s) <= max(near, NO_TIME)
-        and max(abs(a - b) for a, b in zip(one.state, two.state, strict=True))
-        <= max(near * size, ROUNDING)
+        and off <= max(near * size, ROUNDING)
     )
 
 

@@ -13,14 +13,17 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import nonsmooth as ns
+from nonsmooth.solver.bodies.laws import scales
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.simulation.bodies.along import Along
+from nonsmooth.solver.simulation.bodies.locate import first_event
 from nonsmooth.solver.simulation.bodies.regime import regimes
 from nonsmooth.solver.simulation.nodes import nodes
 from nonsmooth.solver.simulation.settle import rough_times_by_simulation
+from nonsmooth.solver.simulation.steps.locate import EVENT
 
 #: Orbits that a motion from rest comes to; of the others of the file three are ghosts, five
 #: are not stable, one has no phase for what happens on the way, and two begin beyond a stop
@@ -197,6 +200,26 @@ def test_a_search_says_what_the_motion_does_instead() -> None:
     scene = ns.scene("chain-impact")
     with pytest.raises(ns.NoOrbit, match="without switches"):
         ns.exact(scene(gap=50.0))
+
+
+@pytest.mark.parametrize("below", [1e-1, 1e-3, 1e-5])
+def test_a_crest_behind_many_lower_ones_is_not_stepped_over(below: float) -> None:
+    """Of two modes that begin apart: both are at their largest together only much later."""
+    cell = case("clearance-2").cell
+    squares, damping = np.array([1.0, 1.021**2]), np.zeros((2, 2))
+    own = replace(cell.body, squares=squares, damping=damping, forcing=np.zeros(2))
+    cell = replace(cell, body=own)
+    regime = regimes(cell, nodes(cell))[0]
+    w = scales(own, cell.omega)
+    Y = np.array([-w[0], 0.0, 0.0, w[1], 1.0, 0.0, 1.0])  # -cos(t), sin(1.021 t)
+    form = np.array([[-1 / w[0], -1 / w[1], 0.0, 0.0, 0.0, 0.0, 2.0 - below]])
+    s, how, _ = first_event(Along(regime, Y, form), np.zeros(1, dtype=bool), 1e4)
+    t = np.linspace(0.0, s, 1_000_001)[:-1]
+    values = 2.0 - below + np.cos(t) - np.sin(1.021 * t)
+    assert how == EVENT
+    assert s > 20
+    assert values.min() > 0
+    assert 2.0 - below + np.cos(s) - np.sin(1.021 * s) == pytest.approx(0.0, abs=1e-12)
 
 
 #: Bodies and phases with poles of each kind: damped, held, at resonance, unstable.

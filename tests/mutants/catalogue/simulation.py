@@ -10,6 +10,7 @@ RUN = (
     "tests/simulation/test_run.py::test_the_states_at_whole_turns_are_those_of_the_simulation",
 )
 SETTLE = "tests/simulation/test_settle.py"
+BODIES = "tests/bodies/test_simulated_bodies.py"
 CLOCK = ("tests/simulation/test_run.py::test_the_clock_loses_no_digit_behind_many_phases",)
 
 MUTANTS = (
@@ -119,8 +120,29 @@ MUTANTS = (
     Mutant(
         "what has not settled is a start",
         "solver/simulation/settle.py",
-        "max(abs(one.x - two.x), abs(one.v - two.v)) <= max(near * size, ROUNDING)",
+        "off <= max(near * size, ROUNDING)",
         "True",
         (f"{SETTLE}::test_what_still_decays_has_not_settled",),
+    ),
+    Mutant(
+        "a form of a body falls no further between two times than at them",
+        "solver/simulation/bodies/locate.py",
+        "np.minimum(np.minimum(left, right), inner)",
+        "np.minimum(left, right)",
+        (f"{BODIES}::test_a_crest_behind_many_lower_ones_is_not_stepped_over",),
+    ),
+    Mutant(
+        "a pole of a body that resonates has no bound",
+        "solver/simulation/bodies/along.py",
+        "if parts.near.any():",
+        "if False:",
+        (f"{BODIES}::test_a_form_stays_within_its_bounds",),
+    ),
+    Mutant(
+        "a body is not struck where it hits",
+        "solver/simulation/bodies/rules.py",
+        "found = self._struck(end, self.cell.body.mobility, jumps)",
+        "found = end",
+        ("tests/simulation/test_one_mass_as_body.py",),
     ),
 )
