@@ -119,15 +119,16 @@ class BodyMachine(BodyRules):
 
         A held contact has moved by its speed.
         """
-        regime, Y = self.regimes[p], self.full(state)
+        regime, Y, rows = self.regimes[p], self.full(state), [row]
+        speed, n = self.nodes[p].phase.speed, self.regimes[p].states
+        if self.nodes[p].phase.held:
+            place, velocity = np.zeros(len(Y)), regime.contacts[1, 0].copy()
+            place[:n] = self.free.rows[0, :n]
+            place[n + 2] = -(place @ Y + speed * s)
+            velocity[n + 2] -= speed
+            rows += [place, velocity]
         y = tuple(map(float, state_at(regime, Y, s)))
-        found = self.on(row, BodyState(y, angle, NONE, state.memory))
-        if not self.nodes[p].phase.held:
-            return found
-        place = np.zeros(len(Y))
-        place[: regime.states] = self.free.rows[0, : regime.states]
-        place[regime.states + 2] = -(place @ Y + self.nodes[p].phase.speed * s)
-        return self.begun(p, self.on(place, found))
+        return self.on(np.array(rows), BodyState(y, angle, NONE, state.memory))
 
     def after(self, one: Step, end: BodyState) -> Node | None:
         """Return the phase that follows where the event of one ends it in a state."""

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...arrays import Vector
+from ...arrays import Matrix, Vector
 from ...bodies.laws import Free, free
 from ...bodies.switch import impulses_of
 from ...scenes.bodies.cell import BodyCell, BodyPhase
@@ -102,8 +102,15 @@ class BodyRules(Phases):
         return all(sign >= 0 for _, sign in self.signs(p, self.begun(p, state)))
 
     def _may_be_held(self, p: int, state: BodyState) -> bool:
-        """Whether a held phase is held at a state: behind a jump, there alone."""
+        """Whether a held phase is held at a state: behind a jump, there alone.
+
+        A jump may give its velocity to the whole body, of which some modes are left out.
+        """
         speed, wall, Y = self.nodes[p].phase.speed, self.walls[p], self.full(state)
+        phase = self.nodes[wall].phase
+        given = wall != NONE and isinstance(phase, BodyPhase) and phase.jumps[0] == (0.0, speed)
+        if given and self.nodes[wall].event == state.surface:
+            return True
         v = float(self.regimes[p].contacts[1, 0] @ Y)
         if abs(v - speed) > NEAR * max(1.0, abs(speed)):
             return False
@@ -129,10 +136,10 @@ class BodyRules(Phases):
         moved = self.free.B @ (by_velocity @ velocity + constant)
         return state._replace(y=tuple(map(float, np.array(state.y) + moved)))
 
-    def on(self, row: Vector, state: BodyState) -> BodyState:
-        """Return the state nearest to one at which a form vanishes."""
-        own = row[: len(state.y)]
-        moved = own * (row @ self.full(state) / (own @ own)) if own.any() else 0 * own
+    def on(self, rows: Matrix, state: BodyState) -> BodyState:
+        """Return the state nearest to one at which some forms vanish."""
+        own = rows[:, : len(state.y)]
+        moved, *_ = np.linalg.lstsq(own, rows @ self.full(state))
         return state._replace(y=tuple(map(float, np.array(state.y) - moved)))
 
     def entered(self, p: int, state: BodyState) -> BodyState:
