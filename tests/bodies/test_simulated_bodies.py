@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import sympy as sp
 import test_random_chains as chains
 from bodies.reference_bodies import body, case, of
 from refusals import refused
@@ -13,6 +14,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import nonsmooth as ns
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver.bodies.laws import scales
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import cases_in_order
@@ -283,3 +285,39 @@ def test_the_command(run, tmp_path) -> None:
     assert "force" in (tmp_path / "a.csv").read_text("utf-8").splitlines()[0]
     message = refused(run, "simulate", "chain-impact", "--state", "0,1")
     assert "chain-impact is a body, which begins at rest" in message
+
+
+def test_a_row_rests_on_a_stop_until_it_is_pulled_off(monkeypatch, tmp_path) -> None:
+    """By matrix exponentials of the row, with its end free and held."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    n, gap, g, Omega = 3, 0.2, *sp.symbols("g Omega", positive=True)
+    K, C, pulled = chains.LINKS[1:, 1:].astype(float), 0.1 * np.eye(n), np.array([0, 0, 1.0])
+    row = Body(M=np.eye(n), K=K, C=C, forcing=pulled, at={"end": [0, 0, 1]})
+    end = row.at["end"]
+    stop = Event(end.x - g, jump={end.v: 0})
+    flight = Phase("flight", end.force, stop, {"before the stop": g - end.x})
+    rest = Phase("rest", end.a, Event(end.force), {"it presses": -end.force}, held=0)
+    parameters = (
+        Parameter("gap", g, "m", gap, "gap"),
+        Parameter("frequency", Omega, "rad/s", 0.3, "frequency"),
+    )
+    own = Scene("row", "a row", parameters, (flight, rest), frequency=Omega, body=row)
+    motion = ns.simulate(ns.scene(own)(), cycles=8)
+    free = np.zeros((2 * n + 2, 2 * n + 2))
+    free[:n, n : 2 * n], free[n : 2 * n, :n], free[n : 2 * n, n : 2 * n] = np.eye(n), -K, -C
+    free[n : 2 * n, -2], free[-2, -1], free[-1, -2] = pulled, -0.3, 0.3
+    held = free.copy()
+    held[2 * n - 1] = 0.0
+    force = -free[2 * n - 1]  # what keeps the end where it is
+    X = np.zeros(2 * n + 2)
+    X[-2] = 1.0
+    assert motion.ended == ""
+    assert [q.name for q in motion.phases[:3]] == ["flight", "rest", "flight"]
+    for phase in motion.phases:
+        rests = phase.name == "rest"
+        assert phase.displacement == pytest.approx(X[n - 1], abs=1e-10)
+        step = expm((held if rests else free) * phase.duration / chains.POINTS)
+        for _ in range(chains.POINTS):
+            assert (-(force @ X) if rests else gap - X[n - 1]) >= -1e-10
+            X = step @ X
+        X[2 * n - 1] *= rests
