@@ -95,7 +95,7 @@ def off(orbit, values, rigid: bool) -> float:
     jump = np.eye(2 * n + 3)
     if rigid:
         jump[2 * n - 1, 2 * n - 1] = -values["restitution"]
-    stops = [0.0] if rigid else [values["stop"], 0.0]
+    stops = [values["stop"] if phase.name == "touch" else 0.0 for phase in orbit.phases]
     flows = [generator(values, stop) for stop in stops]
     period = np.eye(2 * n + 3)
     for A, phase in zip(flows, orbit.phases, strict=True):
