@@ -169,7 +169,7 @@ def _modes(
     from scipy import linalg, sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     n = M.shape[0]
-    begin = np.random.default_rng(0).standard_normal(n)  # the same in every run
+    begin = np.random.default_rng(0).random(n) - 0.5  # the same in every run
     try:
         if stiff is None or (n <= DENSE and count > MANY * n):
             found = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
