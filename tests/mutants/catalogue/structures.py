@@ -71,4 +71,25 @@ MUTANTS = (
         "else jump_mismatch(attached, shape, 2 * eigenvalue)",
         ("tests/space/test_space_claims.py::test_the_mismatch_of_a_jump_is_that_of_its_shape",),
     ),
+    Mutant(
+        "what is attached does not count in the modal mass",
+        "solver/space/mode.py",
+        "            found += one.values[one.structure.attached.name] * float(moved) ** 2\n",
+        "",
+        ("tests/space/test_space_shapes.py",),
+    ),
+    Mutant(
+        "the modes left out of a body answer as if they were stiffer",
+        "solver/bodies/modal.py",
+        "before, found = found, first + shift * without(stiff(M @ found))",
+        "before, found = found, first",
+        ("tests/bodies/test_large_and_free_bodies.py",),
+    ),
+    Mutant(
+        "a mesh without digits passes",
+        "solver/bodies/modal.py",
+        "    if lost > LOST:",
+        "    if lost > 1.0:",
+        ("tests/bodies/test_large_and_free_bodies.py",),
+    ),
 )
