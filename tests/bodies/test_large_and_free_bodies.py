@@ -175,3 +175,12 @@ def test_next_to_a_resonance_the_orbit_is_right() -> None:
 def test_critical_damping_is_refused() -> None:
     with pytest.raises(ParameterError, match="body: two of its poles are one"):
         ns.solve(case(np.eye(2), TWO, 0.9, ratio=1.0))
+
+
+def test_equal_frequencies_are_all_found() -> None:
+    """Two rows side by side, which nothing couples: each frequency twice."""
+    M, K = (sparse.block_diag([q, q]).tocsc() for q in chain(1000))
+    at = sparse.csc_array(np.eye(2000, 1, -1999))
+    found = modal.modal({"M": M, "K": K, "at": at}, 0.01, 12, 0.005)
+    angles = np.repeat(2 * np.arange(6) + 1, 2) * np.pi / 2001
+    assert found.squares == pytest.approx(4 * np.sin(angles / 2) ** 2, rel=1e-8)
