@@ -18,6 +18,7 @@ from .expansions.methods import (
     HIGHEST,
     available,
     bare_modes,
+    check_count,
     check_forced,
     check_order,
     check_whole,
@@ -28,16 +29,10 @@ from .expansions.shapes import jump_mismatch, shape_of
 from .mode import Mode
 from .sampled import Shapes
 from .structure import Structure, load
+from .tolerance import to_tolerance
 
 #: Method, order and number of modes where nothing else is said.
 METHOD, ORDER, COUNT = "ritz-ck", 8, 6
-
-#: Orders that a tolerance tries, the lowest first.
-TRIED = (*range(1, 17), 20, 24, 28, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 1024, 4096)
-
-
-class ToleranceNotMet(ValueError):  # noqa: N818  (named like the other errors of the package)
-    """No order of a method brings all modes within the tolerance."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -149,19 +144,7 @@ class Modes(Tabular, Sequence[Mode]):
         Parameters
         ----------
         points : int
-            From 2; the ends are two of them.
-
-        Raises
-        ------
-        ValueError
-            If `points` is not such a number.
-
-        Examples
-        --------
-        >>> import nonsmooth as ns
-        >>> rows = ns.modes("beam-mass", count=2).shapes(5).table().rows()
-        >>> len(rows), [name for name in rows[0]][:4]
-        (10, ['number', 'x', 'displacement', 'slope'])
+            From 2, else a ValueError; the ends are two of them.
         """
         if check_whole("points", points) < 2:
             raise ValueError(f"points: got {points}, expected a whole number from 2")
@@ -258,7 +241,14 @@ def modes(
         raise ValueError(f"tol: got {tol!r} with order {order!r}, expected one of them")
     if not is_number(tol) or not 0 < tol < 1:
         raise ValueError(f"tol: got {tol!r}, expected a number above 0 and below 1")
-    return _to_tolerance(attached, method, K, COUNT if count is None else count, float(tol))
+    wanted = COUNT if count is None else count
+    return to_tolerance(
+        lambda order: at_order(attached, method, order, K, wanted),
+        lambda found: max(_off(mode) for mode in found),
+        range(max(wanted, 2), HIGHEST[method] + 1),
+        float(tol),
+        shown(attached.structure, method),
+    )
 
 
 def at_order(attached: Attached, method: str, order: int, K: int, count: int | None) -> Modes:
@@ -270,7 +260,7 @@ def at_order(attached: Attached, method: str, order: int, K: int, count: int | N
         If the order is out of range, or there are fewer modes than wanted.
     """
     bare = bare_modes(attached, method, check_order(method, order), K)
-    wanted = _count(available(attached, bare), count, method, order)
+    wanted = check_count(available(attached, bare), count, COUNT, method, order)
     roots = secular.eigenvalues(bare, attached, wanted)
     exact = exact_modes(attached, wanted)
     low = np.full(wanted, np.nan)
@@ -282,17 +272,6 @@ def at_order(attached: Attached, method: str, order: int, K: int, count: int | N
         for i in range(wanted)
     )
     return Modes(attached, method, order, K, bare.unknowns, found, exact)
-
-
-def _count(there_are: int, count: int | None, method: str, order: int) -> int:
-    if count is None:
-        return min(COUNT, there_are)
-    if check_whole("count", count) > there_are:
-        raise ValueError(
-            f"count: got {count}, {method} at order {order} has {there_are} modes; "
-            "expected fewer, or a higher order"
-        )
-    return count
 
 
 def _mode(
@@ -312,25 +291,6 @@ def _mode(
         _attached=attached,
         _shape=shape,
     )
-
-
-def _to_tolerance(attached: Attached, method: str, K: int, count: int, tol: float) -> Modes:
-    last = None
-    for order in TRIED:
-        if order > HIGHEST[method]:
-            break
-        try:
-            found = at_order(attached, method, order, K, count)
-        except ValueError:
-            if order < max(count, 2):
-                continue  # fewer modes than wanted
-            raise
-        last = max(_off(mode) for mode in found)
-        if last <= tol:
-            return found
-    reached = "" if last is None else f"; order {found.order} reaches {last:.1e}"
-    name = shown(attached.structure, method)
-    raise ToleranceNotMet(f"tol: got {tol:g}, no order of {name} is within it{reached}")
 
 
 def _off(mode: Mode) -> float:

@@ -44,9 +44,10 @@ if TYPE_CHECKING:
     from .solver.scenes.parameter_error import ParameterError
     from .solver.simulation.record import Simulation
     from .solver.space.mode import Mode
-    from .solver.space.modes import Modes, ToleranceNotMet, modes
+    from .solver.space.modes import Modes, modes
     from .solver.space.structure import UnknownStructure
     from .solver.space.structure import names as structures
+    from .solver.space.tolerance import ToleranceNotMet
     from .solver.strobe import basins, diagram
 
     __version__: str
@@ -74,7 +75,7 @@ _HOMES = {
     "Sweep": ("solver.results.sweep", "Sweep"),
     "Simulation": ("solver.simulation.record", "Simulation"),
     "StickSlip": ("kim_perkins", "StickSlip"),
-    "ToleranceNotMet": ("solver.space.modes", "ToleranceNotMet"),
+    "ToleranceNotMet": ("solver.space.tolerance", "ToleranceNotMet"),
     "TooSlow": ("solver.trade.choice", "TooSlow"),
     "UnknownScene": ("solver.scenes.loaded", "UnknownScene"),
     "UnknownStructure": ("solver.space.structure", "UnknownStructure"),

@@ -101,3 +101,21 @@ def bare_modes(
 def available(attached: Attached, bare: BareModes) -> int:
     """Return how many modes an expansion has."""
     return number(bare, attached.structure.kind)
+
+
+def check_count(there_are: int, count: int | None, usual: int, method: str, order: int) -> int:
+    """Return how many modes are wanted: as usual, or as many as there are, without a number.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer.
+    """
+    if count is None:
+        return min(usual, there_are)
+    if check_whole("count", count) > there_are:
+        raise ValueError(
+            f"count: got {count}, {method} at order {order} has {there_are} modes; "
+            "expected fewer, or a higher order"
+        )
+    return count

@@ -4,8 +4,9 @@ from typing import Any
 
 from nonsmooth.solver.space.attached import Attached
 from nonsmooth.solver.space.expansions.methods import METHODS
-from nonsmooth.solver.space.modes import Modes, ToleranceNotMet
+from nonsmooth.solver.space.modes import Modes
 from nonsmooth.solver.space.modes import modes as modes_of
+from nonsmooth.solver.space.tolerance import ToleranceNotMet
 
 from ..problems import Problem, as_problems
 

@@ -1,0 +1,56 @@
+"""The lowest order whose modes are all within a tolerance."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+Found = TypeVar("Found")
+
+#: Orders that are tried, the lowest first.
+TRIED = (*range(1, 17), 20, 24, 28, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 1024, 4096)
+
+
+class ToleranceNotMet(ValueError):  # noqa: N818  (named like the other errors of the package)
+    """No order of a method brings all modes within the tolerance."""
+
+
+def to_tolerance(
+    at_order: Callable[[int], Found],
+    off: Callable[[Found], float],
+    orders: range,
+    tol: float,
+    name: str,
+) -> Found:
+    """Return what the lowest order has that is within a tolerance.
+
+    Parameters
+    ----------
+    at_order : callable
+        What an order has; a ValueError where it has fewer modes than wanted.
+    off : callable
+        How far that is off.
+    orders : range
+        From the order that has enough modes, to the highest.
+    tol : float
+    name : str
+        Of the method, for the message.
+
+    Raises
+    ------
+    ToleranceNotMet
+        If none is within it.
+    """
+    last, order = None, 0
+    for each in TRIED:
+        if each > orders[-1]:
+            break
+        try:
+            found = at_order(each)
+        except ValueError:
+            if each < orders[0]:
+                continue  # fewer modes than wanted
+            raise
+        last, order = off(found), each
+        if last <= tol:
+            return found
+    reached = "" if last is None else f"; order {order} reaches {last:.1e}"
+    raise ToleranceNotMet(f"tol: got {tol:g}, no order of {name} is within it{reached}")
