@@ -11,8 +11,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from . import expansions, scenes
-from .emission import force_series, one_function, phase_maps, scene_numbers, whole_period
+from .emission import force_formulas, one_function, phase_maps, scene_numbers, whole_period
 from .emission import method_table as methods
+from .galerkin import force_harmonics, force_series
 from .scene import Scene
 from .space import emission as space
 
@@ -33,7 +34,9 @@ def sources() -> dict[str, Content]:
     """Derive everything and return the content of each generated file, by its place."""
     files: dict[str, Content] = {"__init__.py": INIT, "methods.py": methods.methods_source()}
     files |= {"hb.py": whole_period.module_source(), "hb_c1.py": one_function.module_source()}
-    files["force_series.py"] = force_series.module_source()
+    for record, what in ((force_series, "recurrences"), (force_harmonics, "harmonics")):
+        name = record.__name__.rpartition(".")[2]
+        files[f"{name}.py"] = force_formulas.module_source(record, what)
     for name, expansion in expansions.modules().items():
         if expansions.kernel_name(expansion) == name and hasattr(expansion, "test"):
             files[f"{name}.py"] = phase_maps.module_source(expansion)

@@ -19,8 +19,8 @@ TABLE = """\
 #: a power of the order, and not by a factor with each.  ``kernel``: the module of its kernel;
 #: ``unseen``: how many polynomials its tests do not see, by the class of a phase;
 #: ``functions``: how many it may have at a switch; ``alone``: whether it is made for some
-#: scenes alone; ``is_series``: whether it is one series over the period.  The rest is for
-#: pictures.
+#: scenes alone; ``bodies``: whether there is one of the contact forces of bodies;
+#: ``is_series``: whether it is one series over the period.  The rest is for pictures.
 """
 
 
@@ -55,6 +55,7 @@ def _facts(module: ModuleType) -> str:
         "unseen": _unseen(module),
         "functions": getattr(module, "FUNCTIONS", ()),
         "alone": hasattr(module, "applies"),
+        "bodies": hasattr(module, "of_body"),
         "is_series": not hasattr(module, "test"),
         "power": found.power,
         "color": found.colour,

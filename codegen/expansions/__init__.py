@@ -4,7 +4,7 @@ None knows an oscillator.  A file has `METHOD`, `TITLE` and ``derive(scene)``, a
 `ABOUT`.  Its kernel has the name of the file or, where another's serves it, that in `KERNEL`;
 of one with a ``test`` it is written with no more ado.  One whose ``derive`` takes a number of
 functions besides says in `FUNCTIONS` which there may be, and one made for some scenes alone has
-``applies(scene)``.
+``applies(scene)``.  One that expands the contact forces of bodies, too, has ``of_body(scene)``.
 """
 
 import importlib
@@ -43,4 +43,6 @@ def kernel_name(module: ModuleType) -> str:
 
 def applies(module: ModuleType, scene: Scene) -> bool:
     """Whether an expansion is made for a scene; most are for every one."""
+    if scene.body is not None:
+        return hasattr(module, "of_body")
     return not hasattr(module, "applies") or bool(module.applies(scene))

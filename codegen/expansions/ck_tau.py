@@ -9,6 +9,7 @@ import sympy as sp
 
 from ..expansion import About
 from ..galerkin import GalerkinConditions, polynomials
+from ..galerkin.bodies import BodyConditions, series
 from ..scene import Scene
 
 METHOD = "ck-tau"
@@ -25,3 +26,9 @@ def test(l: sp.Expr, k: int) -> dict[sp.Expr, sp.Expr]:
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene in this expansion."""
     return polynomials.derive(scene, METHOD, TITLE, test)
+
+
+def of_body(scene: Scene) -> BodyConditions:
+    """Return the conditions of a body: its contact forces in polynomials, tested with them."""
+    title = "contact forces in Legendre polynomials, the laws tested with them"
+    return series.derive(scene, METHOD, title)

@@ -11,6 +11,8 @@ import sympy as sp
 
 from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
+from ..galerkin.bodies import BodyConditions
+from ..galerkin.bodies import harmonics as of_forces
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
 from ..scene import Scene, Switch, switches, v
@@ -144,3 +146,8 @@ def _blocks(scene: Scene, found: tuple[Switch, ...]) -> Iterator[Block]:
             what = f"jump of the velocity where {switch.before} begins"
             yield Block(jump(found, p), sp.Integer(1), what)
     yield from closure.memory_blocks(scene)
+
+
+def of_body(scene: Scene) -> BodyConditions:
+    """Return the conditions of a body: its contact forces in harmonics."""
+    return of_forces.derive(scene, METHOD, "contact forces as Fourier series")

@@ -21,6 +21,8 @@ import sympy as sp
 
 from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
+from ..galerkin.bodies import BodyConditions
+from ..galerkin.bodies import harmonics as of_forces
 from ..galerkin.harmonics import Harmonics, equations, j
 from ..scene import Scene, Switch, switches, v
 from . import hb
@@ -176,3 +178,9 @@ def _blocks(e: Expansion) -> Iterator[Block]:
         what = f"of beta_{n} of the switch to {e.switches[p].before}"
         yield Block(c, sp.Integer(1), what)
     yield from closure.memory_blocks(e.scene)
+
+
+def of_body(scene: Scene, functions: int = 1) -> BodyConditions:
+    """Return the conditions of a body: its contact forces in harmonics and functions."""
+    title = "contact forces as Fourier series and functions with breaks"
+    return of_forces.derive(scene, f"{METHOD}, K = {functions}", title, functions)

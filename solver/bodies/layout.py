@@ -28,8 +28,6 @@ class Phase:
 
     Parameters
     ----------
-    rows : ndarray, shape (c, S + M)
-        The laws as linear forms.
     law, event, seen : Forms
         The laws; the event at its end and what forms are of, both by the law of the force.
     direct : ndarray, shape (c, c)
@@ -45,7 +43,6 @@ class Phase:
     pieces : int
     """
 
-    rows: Matrix
     law: Forms
     event: Forms
     seen: Forms
@@ -80,6 +77,10 @@ class Layout:
     first_impulse: int
     first_memory: int
     size: int
+
+    def law(self, p: int) -> Forms:
+        """Return the contact forces in a phase, by its law."""
+        return self.phases[p].seen.some(places(self.poles.b.shape[1])[2])
 
     @property
     def memory(self) -> slice:
@@ -152,7 +153,7 @@ def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
     given = not (law[:, [*x, *v, *a]].any() or law[:, 2].any())
     degree, pieces = (0, 1) if given else _pieces(order)
     return Phase(
-        rows, poles.forms(law), poles.forms(event @ seen), poles.forms(seen[:width]), direct,
+        poles.forms(law), poles.forms(event @ seen), poles.forms(seen[:width]), direct,
         poles.forms(np.eye(width + memory)[v]), hit, np.column_stack([by_velocity, constant]),
         degree, pieces,
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The motion of a body's contacts, and its derivatives, exact or by the force series."""
+"""The motion of a body's contacts, its derivatives: exact, by force series or harmonics."""
 
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -8,10 +8,12 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from . import exact
 from .exact import angles_of
+from .harmonics import system as harmonics
 from .integrals import answers
 from .laws import places
 from .layout import layout
 from .modal import Complex
+from .poles import Forms
 from .series import evaluated
 
 if TYPE_CHECKING:
@@ -21,32 +23,41 @@ if TYPE_CHECKING:
 ACCELERATION = places(1)[3][0]
 
 
-def signals(cell: "BodyCell", order: int, times: Vector, p: int, u: Vector) -> Matrix:
+def signals(
+    cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, functions: int | None = None
+) -> Matrix:
     """Return what forms are of on phase `p`, at local times in [0, 1]; shape (S, len(u)).
 
-    The forces by their laws; `order` 0 is the exact motion.
+    The forces by their laws; `order` 0 is the exact motion.  With a number of `functions`, 0
+    or more, the motion is that of harmonics, else of the force series.
     """
     u = np.asarray(u, dtype=float)
     if order == 0:
         rows = exact.parts_of(cell)[p].lawful.rows
         kept = len(rows) - len(cell.memory)
         return exact.seen(cell, times, p, u, rows[:kept])
-    own, found = layout(cell, order), evaluated(cell, order, times)
-    theta = angles_of(cell, times)[p] + cell.omega * float(times[p]) * u
-    forms = own.phases[p].seen
-    fixed = forms.at(theta, found.unknowns[own.memory])
-    return fixed + _along(cell, order, times, p, u, forms.poles)
+    forms = layout(cell, order).phases[p].seen
+    return _seen(cell, order, functions, times, p, u, forms)
 
 
 def derivative(
-    cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, number: int
-) -> Vector:
-    """Return a derivative of the first contact's displacement by time on phase `p`."""
+    cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, number: int,
+    functions: int | None = None,
+) -> Vector:  # fmt: skip
+    """Return a derivative of the first contact's displacement by time on phase `p`.
+
+    Beyond the second those of the forces are by their laws, too.
+    """
     u = np.asarray(u, dtype=float)
     if number <= 2:
-        return np.asarray(signals(cell, order, times, p, u)[(0, 1, ACCELERATION)[number]])
+        seen = signals(cell, order, times, p, u, functions)
+        return np.asarray(seen[(0, 1, ACCELERATION)[number]])
     if order:
-        return _derivative(cell, order, times, p, u, number)
+        own = layout(cell, order)
+        forms = own.phases[p].seen.some([ACCELERATION])
+        for _ in range(number - 2):
+            forms = own.poles.rate(forms, own.law(p))
+        return np.asarray(_seen(cell, order, functions, times, p, u, forms)[0])
     part = exact.parts_of(cell)[p]
     generator = exact.generator_of(part, cell.omega)
     row = part.lawful.rows[ACCELERATION]
@@ -55,40 +66,25 @@ def derivative(
     return np.asarray(exact.seen(cell, times, p, u, row[None])[0])
 
 
-def _derivative(
-    cell: "BodyCell", order: int, times: Vector, p: int, u: Vector, number: int
-) -> Vector:
-    """Return a derivative by the poles; those of the forces from the laws, differentiated.
-
-    ``x^(j) = Re sum c s^j z + forced + sum_(i < j) (Re sum c s^(j-1-i) b) lam^(i)``.
-    """
-    own = layout(cell, order)
-    phase, poles, s = own.phases[p], own.poles, own.poles.s[:, None]
+def _seen(
+    cell: "BodyCell", order: int, functions: int | None, times: Vector, p: int, u: Vector,
+    forms: Forms,
+) -> Matrix:  # fmt: skip
+    """Return forms of poles, forcing and memory at local times of a phase."""
     theta = angles_of(cell, times)[p] + cell.omega * float(times[p]) * u
-    turn = 1j * cell.omega
-    waves = np.exp(1j * theta)
-    powers = [(poles.c * s**q).T for q in range(number + 1)]
-    homogeneous = np.split(_along(cell, order, times, p, u, np.vstack(powers)), number + 1)
-    jumps = [(q @ poles.b).real for q in powers]
-    jumps[0][:] = 0.0
+    fixed = forms.at(theta, memory_of(cell, order, functions, times))
+    if functions is None:
+        return fixed + _along(cell, order, times, p, u, forms.poles)
+    z = harmonics.along(harmonics.evaluated(cell, order, functions, times), p, u)
+    return np.asarray(fixed + (forms.poles @ z).real)
 
-    def free(j: int, known: list[Matrix]) -> Matrix:
-        """Return x^(j) by the forces' derivatives that are known."""
-        forced = (poles.response[:, None] * turn**j * waves).real
-        by_forces = sum(jumps[j - 1 - i] @ q for i, q in enumerate(known[:j]))
-        return np.asarray(homogeneous[j] + forced + by_forces)
 
-    x, v, _, a = places(poles.b.shape[1])
-    forces: list[Matrix] = []
-    for q in range(number - 1):
-        rest = phase.rows[:, 2:3] * (turn**q * waves).real
-        for place, shift in ((x, 0), (v, 1), (a, 2)):
-            rest = rest + phase.rows[:, place] @ free(q + shift, forces)
-        if q == 0:
-            memory = evaluated(cell, order, times).unknowns[own.memory]
-            rest = rest + (phase.law.constant + phase.law.memory @ memory)[:, None]
-        forces.append(np.asarray(-np.linalg.solve(phase.direct, rest)))
-    return np.asarray(free(number, forces)[0])
+def memory_of(cell: "BodyCell", order: int, functions: int | None, times: Vector) -> Vector:
+    """Return what the switches of a cell set, by the force series or harmonics."""
+    if functions is None:
+        return evaluated(cell, order, times).unknowns[layout(cell, order).memory]
+    found = harmonics.evaluated(cell, order, functions, times)
+    return np.asarray(found.unknowns[found.frame.memory].real)
 
 
 def _along(

@@ -47,6 +47,16 @@ class Poles:
         width = 2 + 4 * contacts
         return Forms(by_pole.sum(axis=2), by_turn + rows[:, 2], rows[:, 3], rows[:, width:])
 
+    def rate(self, forms: "Forms", law: "Forms") -> "Forms":
+        """Return the derivatives of forms by time where the contact forces are by a law."""
+        by_force = (forms.poles @ self.b).real
+        return Forms(
+            forms.poles * self.s + by_force @ law.poles,
+            1j * self.omega * forms.turn + by_force @ law.turn,
+            by_force @ law.constant,
+            by_force @ law.memory,
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class Forms:
@@ -64,6 +74,10 @@ class Forms:
     turn: Complex
     constant: Vector
     memory: Matrix
+
+    def some(self, which: list[int]) -> "Forms":
+        """Return some of them."""
+        return Forms(*(q[which] for q in vars(self).values()))
 
     def at(self, angles: Vector, memory: Vector) -> Matrix:
         """Return their values where z is 0, at angles of the forcing; shape (k, n)."""

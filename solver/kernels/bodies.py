@@ -1,13 +1,15 @@
-"""Kernels of bodies: the force series, and the exact equations, of the times alone."""
+"""Kernels of bodies, of the times alone: force series, harmonics, the exact equations."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ..arrays import Matrix, Vector
 from ..bodies import exact, series
 from ..bodies import motion as motions
+from ..bodies.harmonics import system as harmonics
+from ..scenes.methods import about
 from . import linking
 from .kernel import Kernel
 
@@ -15,22 +17,46 @@ if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
     from ..scenes.loaded import LoadedScene
 
-#: What is given to the functions of a kernel: a cell, and N; 0 of the exact equations.
-Given = tuple["BodyCell", int]
-
-#: Lowest order: a line on each phase.
+#: Lowest order: a line on each phase, one harmonic.
 LOWEST = 1
 
 
-def series_kernel(scene: "LoadedScene", method: str) -> Kernel:
-    """Return the kernel of the force series for a scene of one motion."""
-    return _kernel(scene, method, lambda case, order: (case.cell, order))
+class Given(NamedTuple):
+    """What the functions of a kernel take.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    order : int
+        N; 0 of the exact equations.
+    functions : int, optional
+        Of harmonics: how many functions are beside them at each switch.
+    """
+
+    cell: "BodyCell"
+    order: int
+    functions: int | None = None
+
+
+def kernel(scene: "LoadedScene", method: str, functions: int | None) -> Kernel:
+    """Return the kernel of a method for a scene of one motion.
+
+    Parameters
+    ----------
+    scene, method : LoadedScene, str
+    functions : int, optional
+        Beside the harmonics, of a method that has them.
+    """
+    beside = (functions or 0) if about(method).is_series else None
+    return _kernel(scene, method, lambda case, order: Given(case.cell, order, beside))
 
 
 def exact_kernel(cell: "BodyCell") -> Kernel:
     """Return the exact equations of a cell of a body."""
     count, memory = len(cell.phases), len(cell.memory)
-    return _made("exact", count, memory, cell.forced, 2 * count, lambda case, order: (cell, 0))
+    return _made(
+        "exact", count, memory, cell.forced, 2 * count, lambda case, order: Given(cell, 0)
+    )
 
 
 def _kernel(scene: "LoadedScene", method: str, given: Callable[[Any, int], Any]) -> Kernel:
@@ -65,10 +91,13 @@ def _made(
         return status, iterations, float(correction), float(norm)
 
     def signals(case: Any, z: Vector, p: int, u: Vector) -> Matrix:
-        return motions.signals(*_given(case), z[len(z) - width :], p, u)
+        cell, order, functions = _given(case)
+        return motions.signals(cell, order, z[len(z) - width :], p, u, functions)
 
     def motion(case: Any, z: Vector, p: int, u: Vector, derivative: int) -> Vector:
-        return motions.derivative(*_given(case), z[len(z) - width :], p, u, derivative)
+        cell, order, functions = _given(case)
+        times = z[len(z) - width :]
+        return motions.derivative(cell, order, times, p, u, derivative, functions)
 
     return Kernel(
         method=method,
@@ -89,12 +118,16 @@ def _made(
 
 def _given(case: Any) -> Given:
     """Return a cell and an order; of the exact equations the cell alone is given."""
-    return case if isinstance(case, tuple) else (case, 0)
+    return case if isinstance(case, Given) else Given(case, 0)
 
 
 def _evaluated(case: Any, times: Vector) -> Any:
-    cell, order = _given(case)
-    return exact.evaluated(cell, times) if order == 0 else series.evaluated(cell, order, times)
+    cell, order, functions = _given(case)
+    if order == 0:
+        return exact.evaluated(cell, times)
+    if functions is None:
+        return series.evaluated(cell, order, times)
+    return harmonics.evaluated(cell, order, functions, times)
 
 
 def residual(case: Any, times: Vector, R: Vector) -> None:
@@ -115,14 +148,14 @@ def jacobian(case: Any, times: Vector, J: Matrix) -> None:
 
 def _fill(case: Given, z: Vector, times: Vector, states: int) -> None:
     """Fill what stands before the times: the state in which phases begin, and the memory."""
-    cell, order = case
-    found = _evaluated(case, times)
+    cell, order, functions = case
     before = states
     if order == 0:
+        found = exact.evaluated(cell, times)
         first = exact.parts_of(cell)[0].lawful.A.shape[0]
         own = [found.starts[each.phase][first + i] for i, each in enumerate(cell.memory)]
         for p in range(len(cell.phases)) if states else ():
             z[2 * p : 2 * p + 2] = motions.signals(cell, 0, times, p, np.zeros(1))[:2, 0]
     else:
-        own = list(found.unknowns[len(found.unknowns) - len(cell.memory) :])
+        own = list(motions.memory_of(cell, order, functions, times))
     z[before : before + len(cell.memory)] = own

@@ -67,7 +67,13 @@ def generic_method(scene: LoadedScene, method: object) -> str:
     wanted = generic(scene, method) if isinstance(method, str) else ""
     base = without_class(wanted)
     if wanted not in known and not (base in known and class_one(scene, base) == wanted):
-        raise UnknownScene(f"method: got {method!r}, expected {one_of(method, known)}")
+        expected = one_of(method, known)
+        if scene.has_body and about(base).kernel:
+            expected = (
+                f"{', '.join(known)}, which expand the contact force: an expansion of a body's "
+                "coordinates needs N > omega tau/2, omega of its fastest mode, tau of a phase"
+            )
+        raise UnknownScene(f"method: got {method!r}, expected {expected}")
     return wanted
 
 
@@ -131,15 +137,15 @@ def _kernel(
     from . import polynomials, series  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
     wanted = generic_method(scene, method)
-    if scene.has_body:
-        from . import bodies  # noqa: PLC0415  (SciPy)
-
-        return bodies.series_kernel(scene, wanted)
     name, found = without_class(wanted), about(wanted)
     known = found.functions or (None,)
     if number not in known:
         expected = ", ".join(map(str, found.functions)) or "none"
         raise UnknownScene(f"functions: got {number!r}, expected for {name}: {expected}")
+    if scene.has_body:
+        from . import bodies  # noqa: PLC0415  (SciPy)
+
+        return bodies.kernel(scene, name, number)
     family = series if found.is_series else polynomials
     compile_it = compiles(family.account(name))
     if found.is_series:

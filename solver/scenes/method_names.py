@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ...generated.methods import FIRST, METHODS
+from ...generated.methods import METHODS
 from .loaded import LoadedScene
 
 #: Stands for the class C^k in the generic name of a method.
@@ -14,10 +14,10 @@ CLASS_ONE = CLASS.replace("k", "1")
 
 def methods(scene: LoadedScene) -> tuple[str, ...]:
     """Return the methods that there are for a scene, by their generic names."""
-    if scene.has_body:
-        return (FIRST,)
-    made_for_it = getattr(scene.module, "ALONE", ())
     facts: dict[str, dict[str, Any]] = METHODS
+    if scene.has_body:
+        return tuple(sorted(q for q in facts if facts[q]["bodies"]))
+    made_for_it = getattr(scene.module, "ALONE", ())
     return tuple(sorted(q for q in facts if not facts[q]["alone"] or q in made_for_it))
 
 

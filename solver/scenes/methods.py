@@ -33,6 +33,8 @@ class About:
         How many functions beside the harmonics it may have at a switch; empty if it has none.
     alone : bool
         Whether it is made for some scenes alone.
+    bodies : bool
+        Whether there is one of contact forces, for bodies of several degrees of freedom.
     is_series : bool
         Whether it is one series over the period, and not a polynomial on each phase.
     """
@@ -44,6 +46,7 @@ class About:
     unseen: tuple[int, ...]
     functions: tuple[int, ...]
     alone: bool
+    bodies: bool
     is_series: bool
 
 
@@ -57,6 +60,7 @@ def about(method: str) -> About:
     """
     own: dict[str, Any] = {"title": method, "power": False, "kernel": ""}
     own |= {"unseen": (), "functions": (), "alone": False, "is_series": False}
+    own |= {"bodies": False}
     look: dict[str, Any] = {"color": "0.5", "marker": "x", "linestyle": "--"}
     for name, fact in METHODS.get(without_class(method), {}).items():
         (own if name in own else look)[name] = fact

@@ -1,0 +1,177 @@
+"""What the contacts of a body see of its poles, and what their laws make of that."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from ...scene import Scene
+from ...scene.bodies.body import Contact
+from ...scene.bodies.law import body_of, form, law_rows, place
+
+#: The index of a pole, and how many there are: one of each pair.
+j, L = sp.symbols("j L", integer=True, positive=True)
+
+pole = sp.IndexedBase("lambda")
+
+#: The rate at which the velocity of a held contact returns to its value: on an orbit it has it.
+RATE = sp.Symbol("omega_r", positive=True)
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """The contacts of a scene's body: their names in the equations, their laws.
+
+    ``z_j' = lambda_j z_j + sum chi_j f`` and ``x = Re sum psi_j z_j + Re(X e^(i angle)) + D f``
+    at each contact; ``Y``, the mobility of the modes that are kept, is what a force adds to the
+    acceleration.
+
+    Parameters
+    ----------
+    scene : Scene
+    """
+
+    scene: Scene
+
+    @cached_property
+    def each(self) -> tuple[Contact, ...]:
+        """The contacts."""
+        return tuple(body_of(self.scene).at.values())
+
+    def name(self, letter: str, *which: int, word: str = "") -> str:
+        """Return a letter with the names of contacts, where there are several, and a word."""
+        names = [self.each[c].name for c in which] if len(self.each) > 1 else []
+        return "_".join(filter(None, (letter, *names, word)))
+
+    def psi(self, c: int) -> sp.Expr:
+        """Return what contact `c` sees of a pole."""
+        return sp.IndexedBase(self.name("psi", c))[j]
+
+    def chi(self, c: int) -> sp.Expr:
+        """Return what the force at contact `c` does to a pole."""
+        return sp.IndexedBase(self.name("chi", c))[j]
+
+    def response(self, c: int) -> sp.Symbol:
+        """Return the complex amplitude of contact `c` in the body's answer to the forcing."""
+        return sp.Symbol(self.name("X", c), complex=True)
+
+    def mobility(self, c: int, d: int) -> sp.Symbol:
+        """Return what a force at `d` adds to the acceleration at `c`."""
+        return sp.Symbol(self.name("Y", c, d), real=True)
+
+    def static(self, c: int, d: int) -> sp.Expr:
+        """Return what a force at `d` adds to the displacement at `c` by modes left out."""
+        whole = body_of(self.scene).modes is None
+        return sp.Integer(0) if whole else sp.Symbol(self.name("D", c, d), real=True)
+
+    def whole(self, c: int, d: int, held: bool) -> sp.Symbol:
+        """Return the mobility of the whole body, or before a held phase of the modes kept."""
+        if held or body_of(self.scene).modes is None:
+            return self.mobility(c, d)
+        return sp.Symbol(self.name("W", c, d), real=True)
+
+    def seen(
+        self, parts: Sequence[Sequence[sp.Expr]], wave: sp.Expr, one: sp.Expr
+    ) -> list[sp.Expr]:
+        """Return what forms are of, the forces 0.
+
+        Parameters
+        ----------
+        parts : sequence of (Expr, Expr, Expr)
+            Displacement, velocity and acceleration of each contact.
+        wave, one : Expr
+            What stands for the forcing and for 1.
+        """
+        body = body_of(self.scene)
+        found: dict[int, sp.Expr] = {2: wave, 3: one}
+        for contact, values in zip(self.each, parts, strict=True):
+            for symbol, value in zip((contact.x, contact.v, contact.a), values, strict=True):
+                found[place(body, symbol)] = value
+        width = 2 + 4 * len(self.each)
+        memory = [q.symbol * one for q in self.scene.memory]
+        return [found.get(i, sp.Integer(0)) for i in range(width)] + memory
+
+    def forced(self, seen: Sequence[sp.Expr], forces: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Return what forms are of, with the forces and what they add directly."""
+        body, found = body_of(self.scene), list(seen)
+        for c, contact in enumerate(self.each):
+            found[place(body, contact.force)] += forces[c]
+            for d, force in enumerate(forces):
+                found[place(body, contact.x)] += self.static(c, d) * force
+                found[place(body, contact.a)] += self.mobility(c, d) * force
+        return found
+
+    def of_response(self) -> list[tuple[sp.Expr, ...]]:
+        """Return displacement, velocity, acceleration of the answer to ``e^(i Omega t)``."""
+        turn = sp.I * (self.scene.frequency or 0)
+        return [
+            tuple(self.response(c) * turn**q for q in range(3)) for c in range(len(self.each))
+        ]
+
+    def of_poles(self, state: sp.Expr, wave: sp.Expr) -> list[tuple[sp.Expr, ...]]:
+        """Return them for states of the poles, and the forcing as a complex wave."""
+        found = []
+        for c, answers in enumerate(self.of_response()):
+            sums = (self.summed(pole[j] ** q * self.psi(c) * state) for q in range(3))
+            waves = (sp.re(answer * wave) for answer in answers)
+            found.append(tuple(a + b for a, b in zip(sums, waves, strict=True)))
+        return found
+
+    @staticmethod
+    def summed(of_pole: sp.Expr) -> sp.Expr:
+        """Return the real part of a sum over the poles."""
+        return sp.re(sp.Sum(of_pole, (j, 1, L)))
+
+    def laws(self, p: int) -> list[tuple[sp.Expr, ...]]:
+        """Return the laws of a phase as forms; a held contact returns to its velocity."""
+        phase, found = self.scene.cell[p], law_rows(self.scene.cell[p], self.scene)
+        if phase.held is not None:
+            a, v = (place(body_of(self.scene), q) for q in (self.each[0].a, self.each[0].v))
+            row = [entry / found[0][a] for entry in found[0]]
+            row[v] += RATE
+            row[3] -= RATE * sp.sympify(phase.held)
+            found[0] = tuple(row)
+        return found
+
+    def is_given(self, p: int) -> bool:
+        """Whether the laws of a phase say its forces, whatever the body does."""
+        body, one = body_of(self.scene), sp.Integer(1)
+        own = {3, *(place(body, contact.force) for contact in self.each)}
+        moving = self.seen([(one, one, one)] * len(self.each), one, one)[
+            : 2 + 4 * len(self.each)
+        ]
+        seen = [i for i, q in enumerate(moving) if q != 0 and i not in own]
+        return all(row[i] == 0 for row in self.laws(p) for i in seen)
+
+    def by_law(self, p: int, seen: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Return the forces that the laws of a phase make of what is seen without them."""
+        laws, count = self.laws(p), len(self.each)
+        nothing = [sp.Integer(0)] * len(seen)
+        columns = [
+            self.forced(nothing, [sp.Integer(c == d) for d in range(count)])
+            for c in range(count)
+        ]
+        direct = sp.Matrix(count, count, lambda c, d: dot(laws[c], columns[d]))
+        rest = sp.Matrix([dot(law, seen) for law in laws])
+        return [sp.factor_terms(-q) for q in direct.LUsolve(rest)]
+
+    def form(self, expression: sp.Expr, memory: bool = True) -> tuple[sp.Expr, ...]:
+        """Return a linear form of the scene."""
+        return form(expression, self.scene, self.scene.name, memory)
+
+    def impulses(self, p: int) -> Iterator[tuple[int, sp.Expr]]:
+        """Yield the contacts that are hit at the end of a phase, and the velocity after it."""
+        scene, last = self.scene, p == len(self.scene.phases) - 1
+        after = scene.phases[0 if last else p + 1]
+        for c, contact in enumerate(self.each):
+            law = sp.sympify(scene.phases[p].ends.jump.get(contact.v, contact.v))
+            if c == 0 and after.held is not None:
+                law = (scene.sign if last else 1) * sp.sympify(after.held)
+            if law != contact.v:
+                yield c, law
+
+
+def dot(row: Sequence[sp.Expr], values: Sequence[sp.Expr]) -> sp.Expr:
+    """Return a form of values."""
+    return sp.Add(*(a * b for a, b in zip(row, values, strict=True)))

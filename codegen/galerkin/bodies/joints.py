@@ -1,0 +1,62 @@
+"""What joins the phases of a body: impulses, events, memory, the period."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import sympy as sp
+
+from ...scene import Scene
+from .. import closure
+from ..condition import Block, Condition
+from ..times import Times
+from .contacts import Contacts, dot
+
+#: ``(phase, at_end)``: what forms are of there, the forces 0.
+Seen = Callable[[int, bool], Sequence[sp.Expr]]
+
+
+def impulse(contacts: Contacts, p: int, c: int) -> sp.Symbol:
+    """Return the impulse at contact `c` where phase `p` ends."""
+    word = contacts.scene.phases[p].name
+    return sp.Symbol(contacts.name("J", c, word=word), real=True)
+
+
+def blocks(scene: Scene) -> Iterator[Block]:
+    """Yield the unknowns beside those of the forces."""
+    contacts = Contacts(scene)
+    for p, phase in enumerate(scene.phases):
+        for c, _ in contacts.impulses(p):
+            what = f"impulse at {contacts.each[c].name} where {phase.name} ends"
+            yield Block(impulse(contacts, p, c), sp.Integer(1), what)
+    yield from closure.memory_blocks(scene)
+
+
+def conditions(scene: Scene, times: Times, seen: Seen) -> Iterator[Condition]:
+    """Yield the laws of the impulses, what the memory is set to, the events, the period."""
+    contacts = Contacts(scene)
+    for p, phase in enumerate(scene.phases):
+        hit, velocities = dict(contacts.impulses(p)), seen(p, True)
+        after = scene.phases[(p + 1) % len(scene.phases)]
+        for c, law in hit.items():
+            contact, row = contacts.each[c], contacts.form(law - contacts.each[c].v)
+            push = sp.Add(
+                *(
+                    contacts.whole(c, d, after.held is not None) * impulse(contacts, p, d)
+                    for d in hit
+                )
+            )
+            title = f"the impulse at {contact.name} where {phase.name} ends"
+            name = f"impulse_{contact.name}_{phase.name}"
+            yield Condition(name, title, push - sp.expand_mul(dot(row, velocities)))
+    names = [phase.name for phase in scene.phases]
+    for q in scene.memory:
+        row = contacts.form(q.value, memory=False)
+        at = seen(names.index(q.at), False)[: len(row)]
+        title = f"{q.symbol} is set where {q.at} begins"
+        yield Condition(f"memory_{q.symbol}", title, q.symbol - dot(row, at))
+    for p, phase in enumerate(scene.cell):
+        there = seen(p, True)
+        whole = contacts.forced(there, contacts.by_law(p, there))
+        title = f"the event that ends {phase.name}, its force by the law there"
+        expression = dot(contacts.form(phase.ends.zero), whole)
+        yield Condition(f"event_{phase.name}", title, expression)
+    yield from closure.period(times)

@@ -1,0 +1,231 @@
+"""The force series: contact forces in Legendre polynomials of each phase, the laws tested.
+
+Where the laws say a force, one constant is exact; elsewhere N + 1 coefficients are unknown and
+the law is tested with as many polynomials.  The integrals are those of `force_series`.
+"""
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from ...scene import Scene
+from ...unevaluated import ShiftedLegendre
+from .. import force_series
+from ..condition import Block, Condition, N
+from ..force_series import kappa
+from ..times import Times
+from . import joints
+from .contacts import Contacts, dot, j, pole
+from .record import BodyConditions, Table
+
+m, n = sp.symbols("m n", integer=True, nonnegative=True)
+
+#: Local time of a phase, and of what a force did before it.
+u, y = sp.symbols("u y", nonnegative=True)
+
+#: Of a pole, as functions of ``kappa = lambda_j s``.
+a, Z = sp.IndexedBase("a"), sp.IndexedBase("Z")
+
+
+def derive(scene: Scene, method: str, title: str) -> BodyConditions:
+    """Return the conditions of a body in the force series."""
+    times, contacts = Times.of(scene), Contacts(scene)
+    own = _Series(scene, times, contacts)
+    rows = (
+        *(row for p in range(len(scene.phases)) for row in own.tested(p)),
+        *joints.conditions(scene, times, own.seen),
+    )
+    found = tuple(own.blocks()), times, rows, tuple(own.expansion()), tuple(own.tables())
+    system = BodyConditions(scene, method, title, *found)
+    system.check_count()
+    return system
+
+
+class _Series:
+    """The pieces of the force series of one scene."""
+
+    def __init__(self, scene: Scene, times: Times, contacts: Contacts) -> None:
+        self.scene, self.times, self.contacts = scene, times, contacts
+        self.count = len(contacts.each)
+
+    def named(self, letter: str, p: int) -> sp.IndexedBase:
+        """Return what a table of a phase is called."""
+        return sp.IndexedBase(f"{letter}_{self.scene.phases[p].name}")
+
+    def force(self, p: int, c: int) -> sp.IndexedBase:
+        """Return the coefficients of a force in a phase."""
+        word = self.scene.phases[p].name
+        return sp.IndexedBase(self.contacts.name("f", c, word=word), real=True)
+
+    def last(self, p: int) -> sp.Expr:
+        """Return the degree of the forces in a phase."""
+        return sp.Integer(0) if self.contacts.is_given(p) else N
+
+    def blocks(self) -> Iterator[Block]:
+        """Yield the unknowns."""
+        for p, phase in enumerate(self.scene.phases):
+            for c, contact in enumerate(self.contacts.each):
+                what = f"force at {contact.name} in {phase.name} in Legendre polynomials"
+                yield Block(self.force(p, c), self.last(p) + 1, what)
+        yield from joints.blocks(self.scene)
+
+    def expansion(self) -> Iterator[Table]:
+        """Yield the forces in each phase, at its local time."""
+        for p, phase in enumerate(self.scene.phases):
+            for c, contact in enumerate(self.contacts.each):
+                series = sp.Sum(
+                    self.force(p, c)[n] * ShiftedLegendre(n, u), (n, 0, self.last(p))
+                )
+                entry = sp.Function(self.contacts.name("f", c))(u)
+                words = f"force at {contact.name} in {phase.name}, at its local time"
+                yield Table(entry, words, (series.doit(deep=False),), "`0 <= u <= 1`")
+
+    def wave(self, p: int) -> sp.Expr:
+        """Return the forcing where phase `p` begins, as a complex wave."""
+        return sp.exp(sp.I * self.times.angle(self.times.start(p)))
+
+    def seen(self, p: int, at_end: bool) -> list[sp.Expr]:
+        """Return what forms are of where a phase begins or ends, the forces 0."""
+        q, letter = (p + 1, "w") if at_end else (p, "z")
+        state, wave = self.named(letter, p)[j], self.wave(q)
+        parts = self.contacts.of_poles(state, wave if self.times.frequency else sp.Integer(0))
+        return self.contacts.seen(parts, self.times.forcing(self.times.start(q)), sp.S.One)
+
+    def tested(self, p: int) -> Iterator[Condition]:
+        """Yield the laws of a phase, tested."""
+        name, last = self.scene.phases[p].name, self.last(p)
+        wave, cosine = sp.Integer(0), sp.Integer(0)
+        if self.times.frequency is not None:
+            wave = self.wave(p) * self.named("nu", p)[m]
+            cosine = sp.re(wave)
+        parts = self.contacts.of_poles(self.named("y", p)[m, j], wave)
+        seen = self.contacts.seen(parts, cosine, sp.KroneckerDelta(m, 0))
+        forces = [self.force(p, c)[m] / (2 * m + 1) for c in range(self.count)]
+        values = self.contacts.forced(seen, forces)
+        for contact, law in zip(self.contacts.each, self.contacts.laws(p), strict=True):
+            title = f"the law at {contact.name} in {name}, tested with `P*_m`"
+            row = dot(law, values)
+            if last == 0:
+                yield Condition(f"law_{contact.name}_{name}", title, row.subs(m, 0))
+            else:
+                yield Condition(f"law_{contact.name}_{name}", title, row, m, sp.S.Zero, N + 1)
+
+    def tables(self) -> Iterator[Table]:
+        """Yield what the conditions look up."""
+        yield from integrals()
+        phases = self.scene.phases
+        cell, sign = self.times.cell, self.times.sign
+        for p, phase in enumerate(phases):
+            s = self.times.durations[p]
+            gain = [
+                self.contacts.chi(c)
+                * sp.Sum(
+                    (-1) ** n * self.named("a", p)[n, j] * self.force(p, c)[n],
+                    (n, 0, self.last(p)),
+                ).doit(deep=False)
+                for c in range(self.count)
+            ]
+            of_phase = sp.Integral(ShiftedLegendre(m, u) * sp.exp(pole[j] * s * u), (u, 0, 1))
+            words = f"what a pole makes in {phase.name} of its state"
+            yield Table(self.named("a", p)[m, j], words, (of_phase, a_at(m, pole[j] * s)))
+            words = f"what a pole makes in {phase.name} of a force"
+            yield Table(self.named("Z", p)[m, n, j], words, (Z_at(m, n, pole[j] * s),))
+            if self.times.frequency is not None:
+                words = f"the forcing in {phase.name}, tested"
+                turned = sp.I * self.times.frequency * s
+                yield Table(self.named("nu", p)[m], words, (a_at(m, turned),))
+            words = f"what the force in {phase.name} adds to a pole"
+            yield Table(self.named("g", p)[j], words, (s * sp.Add(*gain),))
+        yield Table(
+            self.named("z", 0)[j],
+            f"state of a pole where {phases[0].name} begins: the motion repeats",
+            (sign * self._added() / (1 - sign * sp.exp(pole[j] * cell)),),
+        )
+        for p, phase in enumerate(phases):
+            s = self.times.durations[p]
+            z, w = self.named("z", p)[j], self.named("w", p)[j]
+            words = f"state of a pole where {phase.name} ends"
+            end = sp.exp(pole[j] * s) * z + self.named("g", p)[j]
+            yield Table(w, words, (end,))
+            if p + 1 < len(phases):
+                words = f"state of a pole where {phases[p + 1].name} begins"
+                yield Table(self.named("z", p + 1)[j], words, (w + self._pushed(p),))
+        for p, phase in enumerate(phases):
+            s = self.times.durations[p]
+            forced = [
+                self.contacts.chi(c)
+                * sp.Sum(
+                    self.named("Z", p)[m, n, j] * self.force(p, c)[n], (n, 0, self.last(p))
+                ).doit(deep=False)
+                for c in range(self.count)
+            ]
+            tested = self.named("a", p)[m, j] * self.named("z", p)[j] + s * sp.Add(*forced)
+            words = f"state of a pole in {phase.name}, tested with `P*_m`"
+            yield Table(self.named("y", p)[m, j], words, (tested,))
+
+    def _pushed(self, p: int) -> sp.Expr:
+        """Return what the impulses at the end of a phase add to a pole."""
+        return sp.Add(
+            *(
+                self.contacts.chi(c) * joints.impulse(self.contacts, p, c)
+                for c, _ in self.contacts.impulses(p)
+            )
+        )
+
+    def _added(self) -> sp.Expr:
+        """Return what a cell adds to a pole."""
+        parts = []
+        for p in range(len(self.scene.phases)):
+            rest = sp.Add(*self.times.durations[p + 1 :])
+            added = self.named("g", p)[j] + self._pushed(p)
+            parts.append(sp.exp(pole[j] * rest) * added)
+        return sp.Add(*parts)
+
+
+def a_at(m: sp.Expr, argument: sp.Expr) -> sp.Expr:
+    """Return ``a_m`` of an argument, as it is shown."""
+    return sp.Function("a")(m, argument)
+
+
+def Z_at(m: sp.Expr, n: sp.Expr, argument: sp.Expr) -> sp.Expr:
+    """Return ``Z_mn`` of an argument, as it is shown."""
+    return sp.Function("Z")(m, n, argument)
+
+
+def integrals() -> Iterator[Table]:
+    """Yield the two integrals and their recurrences, those that are emitted."""
+    found = {q.name: q.value for q in force_series.formulas()}
+    before, here = force_series.before, force_series.here
+    other = force_series.m, force_series.n
+
+    def put(name: str, values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+        return found[name].subs(dict(zip(other, (m, n), strict=True)) | values)
+
+    def of(m: sp.Expr) -> sp.Expr:
+        return a_at(m, kappa)
+
+    def both(m: sp.Expr, n: sp.Expr) -> sp.Expr:
+        return Z_at(m, n, kappa)
+
+    moment = force_series.moment
+    power = sp.Integral(ShiftedLegendre(m, u) * sp.exp(kappa * u), (u, 0, 1))
+    yield Table(of(m), "what a pole makes of its state", (power,))
+    yield Table(of(sp.S.Zero), "its first entry", (put("moment_0", {}),))
+    yield Table(of(sp.S.One), "its second entry", (put("moment_1", {here: of(sp.S.Zero)}),))
+    up = put("next_moment", {before: of(m - 1), here: of(m)})
+    yield Table(of(m + 1), "its recurrence", (up,), "`m > 0`")
+    inner = sp.Integral(sp.exp(kappa * (u - y)) * ShiftedLegendre(n, y), (y, 0, u))
+    both_ = sp.Integral(ShiftedLegendre(m, u) * inner, (u, 0, 1))
+    yield Table(both(m, n), "what a pole makes of a force", (both_,))
+    same = force_series.same
+    first = put("response_0", {moment: of(m), same: sp.KroneckerDelta(m, 0)})
+    yield Table(both(m, sp.S.Zero), "its first entry", (first,))
+    values = {here: both(m, sp.S.Zero), moment: of(m), same: sp.KroneckerDelta(m, 1)}
+    yield Table(both(m, sp.S.One), "its second entry", (put("response_1", values),))
+    values = {
+        before: both(m, n - 1),
+        here: both(m, n),
+        force_series.above: sp.KroneckerDelta(m, n + 1),
+        force_series.below: sp.KroneckerDelta(m, n - 1),
+    }
+    yield Table(both(m, n + 1), "its recurrence", (put("next_response", values),), "`n > 0`")

@@ -1,0 +1,194 @@
+"""The harmonics of the contact forces of a scene, in symbols: their tables, forms of these."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import sympy as sp
+
+from ...scene import Scene, switches
+from ..condition import N
+from ..times import Times
+from . import joints
+from .contacts import Contacts, j, pole
+
+#: A harmonic of a test, of a force, of a product, of a function.
+m, n, l = sp.symbols("m n l", integer=True)
+
+t, u, T, omega_0 = sp.symbols("t u T omega_0", positive=True)
+
+#: The function of n and the part of the cell since its break; what pole j answers to it.
+beta, rho = sp.Function("beta"), sp.Function("rho")
+
+
+class Function(NamedTuple):
+    """A function of a force with a break where a phase begins.
+
+    Parameters
+    ----------
+    phase, n, contact : int
+    """
+
+    phase: int
+    n: int
+    contact: int
+
+
+class Terms:
+    """The harmonics of one scene: what its unknowns and tables are called, and forms of them.
+
+    Parameters
+    ----------
+    scene : Scene
+    functions : int
+        Beside the harmonics, at each switch.
+    """
+
+    def __init__(self, scene: Scene, functions: int) -> None:
+        self.scene, self.times, self.contacts = scene, Times.of(scene), Contacts(scene)
+        self.count, self.phases = len(self.contacts.each), range(len(scene.phases))
+        first = [max(switch.k, 1) for switch in switches(scene)]
+        self.functions = [
+            Function(p, first[p] + i, c)
+            for p in self.phases
+            for i in range(functions)
+            for c in range(self.count)
+        ]
+        self.impulses = [(p, c) for p in self.phases for c, _ in self.contacts.impulses(p)]
+
+    @property
+    def cell(self) -> sp.Expr:
+        """The duration of a cell."""
+        return T if self.times.sign == 1 else T / 2
+
+    @property
+    def has_breaks(self) -> bool:
+        """Whether there is more than harmonics."""
+        return bool(self.functions or self.impulses)
+
+    @property
+    def limits(self) -> tuple[sp.Expr, sp.Expr]:
+        """The first and the last index of a harmonic."""
+        return (-N if self.times.sign == 1 else 1 - N), N
+
+    def number(self, index: sp.Expr) -> sp.Expr:
+        """Return the harmonic of an index: any, or odd where ``x(t + T/2) = -x(t)``."""
+        return index if self.times.sign == 1 else 2 * index - 1
+
+    def mirrored(self, index: sp.Expr) -> sp.Expr:
+        """Return the index of the harmonic of the other sign."""
+        return -index if self.times.sign == 1 else 1 - index
+
+    def wave(self, index: sp.Expr, p: int) -> sp.Expr:
+        """Return a harmonic where phase `p` begins."""
+        return sp.exp(sp.I * self.number(index) * omega_0 * self.times.start(p))
+
+    def table(self, letter: str, *which: int, phase: int | None = None) -> sp.IndexedBase:
+        """Return what a table is called: of contacts, of a phase."""
+        word = "" if phase is None else self.scene.phases[phase].name
+        return sp.IndexedBase(self.contacts.name(letter, *which, word=word))
+
+    def force(self, c: int) -> sp.IndexedBase:
+        """Return the harmonics of a force."""
+        return self.table("f", c)
+
+    def factor(self, q: Function) -> sp.Symbol:
+        """Return what multiplies a function."""
+        word = self.scene.phases[q.phase].name
+        return sp.Symbol(self.contacts.name(f"c{q.n}", q.contact, word=word), real=True)
+
+    def moment(self, r: int, c: int, d: int) -> sp.Expr:
+        """Return ``Re sum lambda_j^r psi_j chi_j``: 0, the mobility, and so on."""
+        if r < 2:
+            return sp.Integer(0) if r == 0 else self.contacts.mobility(c, d)
+        return self.table("Y", c, d)[r]
+
+    def compliance(self, q: int, c: int, d: int) -> sp.Expr:
+        """Return ``Re sum lambda_j^q psi_j z_j`` of a harmonic of a force."""
+        turn = sp.I * self.number(n) * omega_0
+        rest = (turn ** (q - 1 - r) * self.moment(r, c, d) for r in range(q))
+        return turn**q * self.table("H", c, d)[n] - sp.Add(*rest)
+
+    def breaks(self) -> Iterator[tuple[int, int, int, sp.Expr]]:
+        """Yield where a function or an impulse is, its n or 0, its contact, its factor."""
+        for q in self.functions:
+            yield q.phase, q.n, q.contact, self.factor(q)
+        for p, c in self.impulses:
+            yield p + 1, 0, c, joints.impulse(self.contacts, p, c)
+
+    def aged(self, p: int, q: int, at_end: bool) -> tuple[int, sp.Expr]:
+        """Return the sign of a break at `p` on phase `q`, and its age there over the cell."""
+        end = self.cell if q + at_end == len(self.phases) else self.times.start(q + at_end)
+        begin = self.cell if p == len(self.phases) else self.times.start(p)
+        early = q < p
+        return (self.times.sign if early else 1), (end - begin) / self.cell + int(early)
+
+    def state(self, q: int, at_end: bool) -> sp.Expr:
+        """Return what the breaks make of a pole where a phase begins or ends."""
+        return self.table("w" if at_end else "z", phase=q)[j]
+
+    def derivatives(self, p: int, at_end: bool, q: int) -> list[tuple[sp.Expr, ...]]:
+        """Return ``Re sum lambda_j^r psi_j z_j`` of each contact, for r from q to q + 2."""
+        found, wave = [], self.wave(n, p + at_end)
+        for c in range(self.count):
+            parts = []
+            for r in range(q, q + 3):
+                by_force = (
+                    self.compliance(r, c, d) * self.force(d)[n] for d in range(self.count)
+                )
+                total = sp.Sum(sp.Add(*by_force) * wave, (n, *self.limits))
+                if self.has_breaks:
+                    of_pole = pole[j] ** r * self.contacts.psi(c) * self.state(p, at_end)
+                    total += self.contacts.summed(of_pole)
+                parts.append(total)
+            found.append(tuple(parts))
+        return found
+
+    def seen(self, p: int, at_end: bool, q: int = 0) -> list[sp.Expr]:
+        """Return what forms are of where a phase begins or ends, differentiated q times.
+
+        The forces are 0, and their derivatives below q those of the law of the phase.
+        """
+        parts = self.derivatives(p, at_end, q)
+        angle, driven = self.times.angle(self.times.start(p + at_end)), sp.Integer(0)
+        if self.times.frequency is not None:
+            turn = (sp.I * self.times.frequency) ** q
+            wave = turn * sp.exp(sp.I * angle)
+            answers = self.contacts.of_response()
+            parts = [
+                tuple(a + sp.re(b * wave) for a, b in zip(one, other, strict=True))
+                for one, other in zip(parts, answers, strict=True)
+            ]
+            driven = sp.cos(angle + q * sp.pi / 2) * self.times.frequency**q
+        below = [self.law(p, at_end, r) for r in range(q)]
+        for c, part in enumerate(parts):
+            more = (
+                sp.Add(*(
+                    self.moment(q + shift - 1 - r, c, d) * below[r][d]
+                    for r in range(q) for d in range(self.count)
+                ))
+                for shift in range(3)
+            )  # fmt: skip
+            parts[c] = tuple(a + b for a, b in zip(part, more, strict=True))
+        return self.contacts.seen(parts, driven, sp.Integer(q == 0))
+
+    def law(self, p: int, at_end: bool, q: int) -> list[sp.Expr]:
+        """Return the forces by the law of a phase at its end, differentiated q times."""
+        return self.contacts.by_law(p, self.seen(p, at_end, q))
+
+    def constant(self, p: int) -> list[sp.Expr]:
+        """Return the forces in a phase by what is constant, memory included."""
+        nothing = (sp.Integer(0),) * 3
+        seen = self.contacts.seen([nothing] * self.count, sp.Integer(0), sp.Integer(1))
+        return self.contacts.by_law(p, seen)
+
+    def driven(self, p: int) -> list[sp.Expr]:
+        """Return the complex amplitude of the forces in a phase by the forcing."""
+        if self.times.frequency is None:
+            return [sp.Integer(0)] * self.count
+        answers = self.contacts.of_response()
+        seen = self.contacts.seen(answers, sp.Integer(1), sp.Integer(0))
+        return self.contacts.by_law(p, seen)
+
+    def by_parts(self, p: int, parts: Sequence[tuple[sp.Expr, ...]]) -> list[sp.Expr]:
+        """Return the forces in a phase by displacements, velocities, accelerations alone."""
+        return self.contacts.by_law(p, self.contacts.seen(parts, sp.Integer(0), sp.Integer(0)))

@@ -1,0 +1,133 @@
+"""What the poles of a body answer to impulses and to forces with a break at a switch."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from ....generated.hb import break_series
+from ...arrays import Matrix, Vector
+from ..integrals import answers, moments
+from ..modal import Complex
+from ..poles import Poles
+
+
+class Break(NamedTuple):
+    """A force with a break, or an impulse.
+
+    Parameters
+    ----------
+    switch : int
+        Where it is: where this phase begins; the number of phases for the end of the cell.
+    n : int
+        Of ``beta_n``, whose derivative of order n - 1 jumps by 1; 0 of an impulse.
+    contact : int
+    """
+
+    switch: int
+    n: int
+    contact: int
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """What the body answers to each of some breaks on one phase; times are parts of the cell.
+
+    Parameters
+    ----------
+    begin, length : float
+    E : ndarray of complex, shape (m, B)
+    polynomials : ndarray of complex, shape (m, B, R)
+        ``z = E e^(kappa w) + sum polynomials P_r*(age)`` at the time w since `begin`; the age
+        is that of the break.
+    ages : ndarray, shape (B,)
+        The time since each break, at `begin`.
+    series : ndarray, shape (B, n)
+        The forces in Legendre polynomials of the phase.
+    forced : ndarray of complex, shape (m, B)
+        ``z' = kappa z + forced force``.
+    kappa : ndarray of complex, shape (m,)
+    """
+
+    begin: float
+    length: float
+    E: Complex
+    polynomials: Complex
+    ages: Vector
+    series: Matrix
+    forced: Complex
+    kappa: Complex
+
+    def at(self, w: Vector) -> Complex:
+        """Return z at times since the phase began; shape (B, m, len(w))."""
+        z = self.E.T[:, :, None] * np.exp(self.kappa[:, None] * w)
+        for i, age in enumerate(self.ages):
+            basis = _legendre(age + w, self.polynomials.shape[2])
+            z[i] += self.polynomials[:, i] @ basis.T
+        return np.asarray(z)
+
+    @cached_property
+    def ends(self) -> tuple[Complex, Complex]:
+        """The states z where the phase begins and ends; shape (m, B) each."""
+        found = self.at(np.array([0.0, self.length]))
+        return found[:, :, 0].T, found[:, :, 1].T
+
+    def slopes(self, side: int) -> Complex:
+        """Return the derivatives of z where the phase begins (0) or ends (1)."""
+        signs = np.where(side, 1.0, (-1.0) ** np.arange(self.series.shape[1]))
+        found: Complex = self.kappa[:, None] * self.ends[side]
+        return found + self.forced * (self.series @ signs)
+
+    def by_waves(self, turns: Vector) -> Complex:
+        """Return the integrals of the forces with ``e^(-i turns u)``; shape (J, B)."""
+        own = moments(-1j * turns * self.length, self.series.shape[1])
+        wave = self.length * np.exp(-1j * turns * self.begin)
+        return np.asarray(wave[:, None] * (own @ self.series.T))
+
+
+def _legendre(u: Vector, count: int) -> Matrix:
+    return np.asarray(np.polynomial.legendre.legvander(2 * u - 1, count - 1))
+
+
+def answers_to(
+    poles: Poles, breaks: tuple[Break, ...], T: float, ends: Vector, sign: int
+) -> list[Answer]:
+    """Return the answers of the poles to breaks in every cell, on each phase of one cell.
+
+    Parameters
+    ----------
+    poles : Poles
+    breaks : tuple of Break
+    T : float
+        Duration of the cell.
+    ends : ndarray, shape (P + 1,)
+        Where phases begin, and the last ends, as parts of it.
+    sign : int
+        What the motion is multiplied by from one cell to the next.
+    """
+    kappa, highest = poles.s * T, max((q.n for q in breaks), default=0)
+    around = 1 / (1 - sign * np.exp(kappa))
+    whole = [(around, np.zeros((len(kappa), 1), dtype=complex))]  # of an impulse
+    for n, series in enumerate(break_series(highest, 0.0, 1.0, sign)[1:], start=1):
+        E, B = answers(kappa, np.tile(series[: n + 1], (len(kappa), 1)).astype(complex))
+        end = E * np.exp(kappa) + B.sum(axis=1)
+        whole.append((T * (E + sign * around * end), T * B))
+    width = max(B.shape[1] for _, B in whole)
+    b = poles.b[:, [q.contact for q in breaks]]
+    found = []
+    for q in range(len(ends) - 1):
+        length = float(ends[q + 1] - ends[q])
+        ages, series = np.empty(len(breaks)), np.zeros((len(breaks), highest + 1))
+        E = np.empty_like(b)
+        polynomials = np.zeros((*b.shape, width), dtype=complex)
+        for i, (p, n, _) in enumerate(breaks):
+            ages[i], side = (ends[q] - ends[p], 1) if q >= p else (1 + ends[q] - ends[p], sign)
+            decaying, rest = whole[n]
+            E[:, i] = side * b[:, i] * decaying * np.exp(kappa * ages[i])
+            polynomials[:, i, : rest.shape[1]] = side * b[:, i, None] * rest
+            if n:
+                series[i] = side * break_series(highest, ages[i], length, sign)[n]
+        begin = float(ends[q])
+        found.append(Answer(begin, length, E, polynomials, ages, series, T * b, kappa))
+    return found

@@ -1,0 +1,213 @@
+"""The equations of the harmonics of contact forces at given times; see the room."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ....generated import force_harmonics as formula
+from ...arrays import Matrix, Vector
+from ..modal import Complex
+from ..poles import Forms
+from .frame import Frame, compliance, first_function, frame_of, integrals, of_real, values
+from .moving import Moving
+
+if TYPE_CHECKING:
+    from ...scenes.bodies.cell import BodyCell
+
+#: Step of the difference by the duration of the cell, where nothing forces: a part of it.
+STEP = 1e-5
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """What the times of a cell say: see `exact.Evaluation`.
+
+    Parameters
+    ----------
+    residual, jacobian : ndarray
+    unknowns : ndarray of complex
+        Harmonics of the forces by number and contact; factors of `Frame.breaks`; memory.
+    frame : Frame
+    """
+
+    residual: Vector
+    jacobian: Matrix
+    unknowns: Complex
+    frame: Frame
+
+
+class Statement(NamedTuple):
+    """Unknowns as combinations of forms where a phase begins (0) or ends (1), and a constant.
+
+    ``unknowns[place] = sum weights forms + constant``, summed over the statements of a place.
+    """
+
+    place: slice
+    weights: Matrix
+    forms: Forms
+    phase: int
+    side: int
+    constant: float | Vector = 0.0
+
+
+def _galerkin(frame: Frame) -> Complex:
+    """Return the rows of the harmonics: the force less what the laws make of the state.
+
+    Functions and impulses are integrated by parts, as `codegen.galerkin.force_harmonics` says.
+    """
+    turns, b, T = frame.turns, frame.own.poles.b, frame.T
+    J, contacts = len(turns), b.shape[1]
+    rows = np.zeros((J, contacts, frame.size), dtype=complex)
+    waves = np.einsum("jh,cd->jchd", np.eye(J), np.eye(contacts)).astype(complex)
+    apart = np.arange(J) - np.arange(J)[:, None] + J - 1  # of two harmonics, from the least
+    steps = (turns[1] - turns[0]) * np.arange(1 - J, J)
+    breaks = slice(frame.waves, frame.memory.start)
+    forced = np.array([b[:, q.contact] * (q.n > 0) for q in frame.breaks]).reshape(-1, len(b)).T
+    for q, law in enumerate(frame.laws):
+        own = integrals(frame, q, steps)[apart]
+        waves -= np.einsum("hcd,jh->jchd", compliance(frame, law), own)
+        by_pole = np.einsum("jm,cm->jcm", frame.above, law.poles)
+        found = by_pole @ forced * frame.answers[q].by_waves(turns)[:, None, :]
+        for side, z in enumerate(frame.answers[q].ends):
+            wave = np.exp(-1j * turns * frame.ends[q + side])[:, None, None]
+            found += (-1) ** side * wave * (by_pole @ z) / T
+        rows[:, :, breaks] -= of_real(found)
+        rows[:, :, frame.memory] -= integrals(frame, q, -turns)[:, None, None] * law.memory
+    rows[:, :, : frame.waves] = waves.reshape(J, contacts, -1)
+    waving = turns != 0  # the mean of a function is 0
+    for i, (p, n, c) in enumerate(frame.breaks):
+        if n:
+            at_break = np.exp(-1j * turns[waving] * frame.ends[p])
+            rows[waving, c, frame.waves + i] += formula.harmonic(turns[waving], n) * at_break
+    return rows.reshape(J * contacts, -1)
+
+
+def _driven(frame: Frame, angle: float) -> Complex:
+    """Return the harmonics of what the laws make of the forcing, at an angle of its own."""
+    drive = frame.angles[-1] - frame.angles[0]
+    found = np.zeros((len(frame.turns), frame.own.poles.b.shape[1]), dtype=complex)
+    for q, law in enumerate(frame.laws):
+        turned = np.exp(1j * angle) * law.turn / 2
+        found += integrals(frame, q, drive - frame.turns)[:, None] * turned
+        found += integrals(frame, q, -drive - frame.turns)[:, None] * turned.conj()
+    return found.ravel()
+
+
+def _statements(cell: "BodyCell", frame: Frame) -> Iterator[Statement]:
+    """Yield what the factors of functions, the impulses and the memory are."""
+    own, at, contacts = frame.own, frame.waves, frame.own.poles.b.shape[1]
+    for p in range(len(frame.laws)):
+        after, before = frame.laws[p], frame.laws[p - 1]
+        sign, left = (1, p - 1) if p else (cell.sign, len(frame.laws) - 1)
+        first = first_function(cell, p)
+        for n in range(1, first + frame.functions if frame.functions else 1):
+            if n >= first:
+                place, size = slice(at, at + contacts), frame.T ** (n - 1) * np.eye(contacts)
+                yield Statement(place, size, after, p, 0)
+                yield Statement(place, -sign * size, before, left, 1)
+                at += contacts
+            after = own.poles.rate(after, frame.laws[p])
+            before = own.poles.rate(before, frame.laws[left])
+    for p, phase in enumerate(own.phases):
+        weights, place = phase.impulse[phase.hit], slice(at, at + len(phase.hit))
+        yield Statement(place, weights[:, :-1], phase.velocity, p, 1, weights[:, -1])
+        at += len(phase.hit)
+    for i, each in enumerate(cell.memory):
+        row = np.eye(len(cell.memory))[i : i + 1]
+        yield Statement(slice(at + i, at + i + 1), row, own.setting, each.phase, 0)
+
+
+def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, Vector]:
+    """Return the linear system of the unknowns, and the events by them."""
+    A, right = np.eye(frame.size, dtype=complex), np.zeros(frame.size, complex)
+    A[: frame.waves] = _galerkin(frame)
+    alone = (
+        integrals(frame, q, -frame.turns)[:, None] * law.constant
+        for q, law in enumerate(frame.laws)
+    )
+    right[: frame.waves] = np.ravel(sum(alone)) + _driven(frame, frame.angles[0])
+    for place, weights, forms, q, side, constant in _statements(cell, frame):
+        rows, rest = values(frame, forms, q, side)
+        A[place] -= weights @ rows
+        right[place] += weights @ rest + constant
+    ends = [values(frame, phase.event, p, 1) for p, phase in enumerate(frame.own.phases)]
+    return A, right, np.vstack([q for q, _ in ends]), np.concatenate([q for _, q in ends])
+
+
+def _evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
+    count = len(cell.phases)
+    T = cell.duration if cell.forced else float(times[:count].sum())
+    frame = frame_of(cell, order, functions, times, T)
+    A, right, events, constant = _system(cell, frame)
+    unknowns: Complex = np.asarray(np.linalg.solve(A, right), dtype=complex)
+    residual: Vector = (events @ unknowns).real + constant
+    moved, shifted = _moved(cell, frame, A, unknowns)
+    by_times = np.zeros((count, len(times)))  # of switches and angle
+    by_times[:-1, :count] = np.tri(count - 1, count) / T
+    if cell.forced:
+        by_times[-1, -1] = 1.0
+    moved, shifted = moved @ by_times, shifted @ by_times
+    if not cell.forced:  # by T as well, the switches where they are
+        frames = (frame_of(cell, order, functions, times, T * (1 + q)) for q in (STEP, -STEP))
+        ahead, behind = (_system(cell, q) for q in frames)
+        A_rate, rate, event_rate, constant_rate = (
+            (a - b) / (2 * STEP * T) for a, b in zip(ahead, behind, strict=True)
+        )
+        moved += (A_rate @ unknowns - rate)[:, None]
+        shifted += ((event_rate @ unknowns).real + constant_rate)[:, None]
+    jacobian: Matrix = shifted - (events @ np.linalg.solve(A, moved)).real
+    if cell.forced:
+        residual = np.append(residual, times[:count].sum() - T)
+        jacobian = np.vstack([jacobian, np.append(np.ones(count), 0.0)])
+    return Evaluation(residual, jacobian, unknowns, frame)
+
+
+def _moved(
+    cell: "BodyCell", frame: Frame, A: Complex, unknowns: Complex
+) -> tuple[Complex, Matrix]:
+    """Return how system and events move with switches and angle, at fixed unknowns."""
+    moving = Moving(frame, unknowns)
+    moved = np.zeros((len(A), len(frame.laws)), dtype=complex)
+    moved[: frame.waves, :-1] = moving.galerkin(A)
+    moved[: frame.waves, -1] = -_driven(frame, frame.angles[0] + np.pi / 2)
+    for place, weights, forms, q, side, _ in _statements(cell, frame):
+        moved[place] -= weights @ moving.of(forms, q, side)
+    phases = enumerate(frame.own.phases)
+    return moved, np.vstack([moving.of(phase.event, p, 1) for p, phase in phases])
+
+
+@lru_cache(maxsize=8)
+def _kept(cell: "BodyCell", order: int, functions: int, times: bytes) -> Evaluation:
+    return _evaluated(cell, order, functions, np.frombuffer(times))
+
+
+def evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
+    """Return residual, Jacobian and unknowns of the harmonics at given times.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    order : int
+        The highest harmonic.
+    functions : int
+        Beside the harmonics, at each switch.
+    times : ndarray
+        Durations and, if something forces, the phase of the forcing.
+    """
+    times = np.ascontiguousarray(times, dtype=float)
+    return _kept(cell, order, functions, times.tobytes())
+
+
+def along(found: Evaluation, p: int, u: Vector) -> Complex:
+    """Return z at local times of a phase; shape (m, len(u))."""
+    frame = found.frame
+    begin, end = frame.ends[p : p + 2]
+    w = (end - begin) * np.asarray(u, dtype=float)
+    harmonics = found.unknowns[: frame.waves].reshape(len(frame.turns), -1)
+    waves = np.exp(1j * frame.turns[:, None] * (begin + w))
+    answered = np.einsum("jm,mc,jc->mj", frame.above, frame.own.poles.b, harmonics)
+    factors = found.unknowns[frame.waves : frame.memory.start].real
+    return np.asarray(answered @ waves + np.tensordot(factors, frame.answers[p].at(w), 1))
