@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from ..printing.sections import Section
 from ..scene import Scene
+from .bodies import body_equations
 from .method import ONE_CYCLE, method_equations, unknowns
 from .notation import Notation
 from .of_scene import scene_equations
@@ -42,11 +43,13 @@ def sections(
 
 
 def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
-    shown = [Section(heading(found), scene_equations(found), _parameters(found))]
+    of_scene = scene_equations if found.body is None else body_equations
+    shown = [Section(heading(found), of_scene(found), _parameters(found))]
     for name in names or tuple(methods(found)):
         record = conditions(found, name, functions)
         system = method_equations(record)
-        title = f"Section {system.section}: {system.title} ({system.method})"
+        section = f"Section {system.section}: " if system.section else ""
+        title = f"{section}{system.title} ({system.method})"
         listed = "; ".join(f"`{q}`: {what}" for q, what in unknowns(record))
         shown.append(Section(title, system.equations, f"Unknowns: {listed}."))
         if system.jacobian:

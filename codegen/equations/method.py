@@ -11,6 +11,7 @@ from ..expansions import applies, in_order
 from ..galerkin import Block, GalerkinConditions, cycles
 from ..scene import Scene, switches
 from ..system import Equation, GalerkinSystem
+from .bodies import Forces
 from .fourier import Fourier
 from .functions import T
 from .notation import Notation
@@ -64,10 +65,10 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     ('c0-tau', 'x_flight: displacement where flight begins')
     """
     conditions = _of_one_cycle(conditions)
-    family = next((q for q in (Fourier, Polynomial) if q.fits(conditions)), None)
+    family = next((q for q in (Forces, Fourier, Polynomial) if q.fits(conditions)), None)
     if family is None:
         raise ValueError(f"{conditions.method}: its unknowns are of no family that is known")
-    shown: Shown = family(conditions)
+    shown: Shown = family(conditions)  # type: ignore[arg-type]  # it fits
     notation = Notation.of(conditions.scene)
     return GalerkinSystem(
         method=spelled(conditions.method.partition(",")[0], conditions.scene),

@@ -38,7 +38,7 @@ def scene_equations(scene: Scene) -> tuple[Equation, ...]:
     return (
         *_phases(notation),
         *_switches(notation),
-        *_whole(notation),
+        *whole_motion(notation),
     )
 
 
@@ -57,7 +57,7 @@ def _phases(notation: Notation) -> Iterator[Equation]:
             yield Equation("", f"the displacement is held in {name}", (state(0, t), at), when)
         for words, demand in notation.scene.cell[p].demands.items():
             relation = not_negative(during(notation, demand))
-            title = f"demanded in {name}: {_marked(notation.scene, words)}"
+            title = f"demanded in {name}: {marked(notation.scene, words)}"
             yield Equation(numbers.get(f"demands_{name}", ""), title, (relation,))
 
 
@@ -72,7 +72,7 @@ def _switches(notation: Notation) -> Iterator[Equation]:
             words = f"the velocity jumps where {phase.name} ends"
             yield Equation("", words, (after, sign * law(notation, q)))
         for words, demand in notation.scene.cell[p].ends.demands.items():
-            title = f"demanded where {phase.name} ends: {_marked(notation.scene, words)}"
+            title = f"demanded where {phase.name} ends: {marked(notation.scene, words)}"
             yield Equation("", title, (not_negative(at_the_end(notation, p, demand)),))
     for memory in notation.scene.memory:
         words = f"{memory.what}: set where {memory.at} begins"
@@ -86,7 +86,8 @@ def _switches(notation: Notation) -> Iterator[Equation]:
             yield Equation("", f"small perturbation {words} where {phase.name} ends", sides)
 
 
-def _whole(notation: Notation) -> Iterator[Equation]:
+def whole_motion(notation: Notation) -> Iterator[Equation]:
+    """Yield what holds of the whole motion: its period, what is required, the scales."""
     scene = notation.scene
     if scene.half_period:
         yield Equation("", "the motion repeats with the opposite sign", (x(t + T / 2), -x(t)))
@@ -99,15 +100,15 @@ def _whole(notation: Notation) -> Iterator[Equation]:
         )
     for words, expression in scene.requires.items():
         yield Equation(
-            "", f"required: {_marked(scene, words)}", (_required(sp.sympify(expression)),)
+            "", f"required: {marked(scene, words)}", (_required(sp.sympify(expression)),)
         )
     for name, size in zip(("mass", "time", "length"), scales(scene), strict=True):
         symbol = sp.Symbol(f"{ {'mass': 'm', 'time': 't', 'length': 'x'}[name] }_unit")
         words = f"unit of {name} in which the equations are dimensionless"
-        yield Equation("", words, (symbol, size))
+        yield Equation("", words, (symbol, size.xreplace({sp.Float(1.0): sp.S.One})))
 
 
-def _marked(scene: Scene, words: str) -> str:
+def marked(scene: Scene, words: str) -> str:
     """Return words with the parameters in them marked that can be nothing else."""
     names = [str(symbol) for symbol in scene.symbols if "_" in str(symbol)]
     return re.sub(rf"\b({'|'.join(names)})\b", r"`\1`", words) if names else words

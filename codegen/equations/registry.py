@@ -84,16 +84,17 @@ def motion_named(scene: Scene, motion: str) -> Scene:
 def conditions(scene: Scene, method: str, functions: int | None = None) -> GalerkinConditions:
     """Return the conditions of a scene in an expansion; see `derive_scene`."""
     expansion = _expansion(scene, method)
+    derive = expansion.derive if scene.body is None else expansion.of_body
     if not hasattr(expansion, "FUNCTIONS"):
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {method} has none with a break")
-        found: GalerkinConditions = expansion.derive(scene)
+        found: GalerkinConditions = derive(scene)
         return found
     if functions is None:
         functions = 2 if _class(scene) == 0 else 1
     if not isinstance(functions, int) or functions < 1:
         raise ValueError(f"functions: got {functions!r}, expected a whole number from 1")
-    with_breaks: GalerkinConditions = expansion.derive(scene, functions)
+    with_breaks: GalerkinConditions = derive(scene, functions)
     return with_breaks
 
 
@@ -127,8 +128,7 @@ def scene_named(scene: str | Scene) -> Scene:
     Raises
     ------
     ValueError
-        Naming the nearest scene that there is; or if it is of a body, whose equations are not
-        printed.
+        Naming the nearest scene that there is.
     """
     known = scene_files()
     if isinstance(scene, Scene):
@@ -139,11 +139,6 @@ def scene_named(scene: str | Scene) -> Scene:
         found = known[scene]
     else:
         raise ValueError(f"scene: got {scene!r}, expected {one_of(scene, list(known))}")
-    if found.body is not None:
-        raise ValueError(
-            f"scene: got {found.name}, a body of several degrees of freedom, expected a scene "
-            "of one mass"
-        )
     return found
 
 
@@ -160,4 +155,6 @@ def _expansion(scene: Scene, method: str) -> ModuleType:
             return module
     names = [*dict.fromkeys(q for name in known for q in (name, spelled(name, scene)))]
     of = f"{scene.name} is C{_class(scene)}"
+    if scene.body is not None:
+        of = "of a body the contact forces are expanded, not the coordinates"
     raise ValueError(f"method: got {method!r}, expected {one_of(method, names)} ({of})")

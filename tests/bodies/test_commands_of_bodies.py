@@ -18,7 +18,6 @@ ONE_MASS = (
     ("simulate", "--vary", "gap=0.4:0.6:3"),
     ("simulate", "--grid", "x=0:1:3", "--grid", "v=0:1:3"),
     ("digits",),
-    ("equations",),
     ("report", "-o", "page"),
 )
 
@@ -27,6 +26,49 @@ ONE_MASS = (
 def test_what_there_is_not_for_a_body_is_said(run, command) -> None:
     name, *flags = command
     assert "a body of several degrees of freedom" in refused(run, name, "chain-impact", *flags)
+
+
+@pytest.mark.parametrize("method", ["hb", "hb-ck", "hb-c1", "ck-tau"])
+def test_methods_of_contact_forces(run, method: str) -> None:
+    _, out, _ = run("solve", "absorber-friction", "--method", method, "--order", 9, "--json")
+    document = json.loads(out)
+    assert document["admissible"]
+    assert document["method"] in (method, "hb-ck", "ck-tau")
+    exact = ns.exact(ns.scene("absorber-friction")())
+    own = [phase["duration"] for phase in document["phases"][:2]]
+    assert own == pytest.approx(exact.durations[:2], rel=5e-2 if method == "hb" else 1e-3)
+
+
+def test_a_sweep_has_all_methods_of_bodies(run) -> None:
+    _, out, _ = run("sweep", "chain-impact", "--orders", "1,3", "--json")
+    rows = json.loads(out)["rows"]
+    assert {row["method"] for row in rows} == {"hb", "hb-ck", "ck-tau"}
+    assert all(row["status"] == "ok" and row["errors"]["times"] < 1e-14 for row in rows)
+
+
+@pytest.mark.parametrize("command", [("solve", "--order", 5), ("equations",)], ids=str)
+@pytest.mark.parametrize("method", ["ck", "c2"])
+def test_coordinates_are_not_expanded_and_it_says_why(run, command, method: str) -> None:
+    name, *flags = command
+    said = refused(run, name, "beam-clearance", *flags, "--method", method)
+    assert "--method" in said
+    assert "coordinates" in said
+    assert "ck-tau" in said
+
+
+def test_functions_of_harmonics_are_checked(run) -> None:
+    said = refused(run, "solve", "chain-impact", "--method", "hb-ck", "--functions", 9)
+    assert "functions" in said
+    assert "1, 2, 3" in said
+
+
+@pytest.mark.parametrize("name", ["jenkins-absorber", "beam-impact"])
+@pytest.mark.parametrize("format_", ["text", "latex", "html"])
+def test_equations_of_a_body(run, name: str, format_: str) -> None:
+    status, out, _ = run("equations", name, "--format", format_)
+    assert status == 0
+    for words in ("dynamic compliance", "tested with", "the motion repeats", "mobility"):
+        assert words in out
 
 
 @pytest.mark.parametrize("call", ["chart", "diagram", "basins"])
