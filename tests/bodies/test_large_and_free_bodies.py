@@ -181,6 +181,6 @@ def test_equal_frequencies_are_all_found() -> None:
     """Two rows side by side, which nothing couples: each frequency twice."""
     M, K = (sparse.block_diag([q, q]).tocsc() for q in chain(1000))
     at = sparse.csc_array(np.eye(2000, 1, -1999))
-    found = modal.modal({"M": M, "K": K, "at": at}, 0.01, 12, 0.005)
+    found = modal.modal({"M": M, "K": K, "at": at}, 0.01, 12, 2.5e-5)
     angles = np.repeat(2 * np.arange(6) + 1, 2) * np.pi / 2001
     assert found.squares == pytest.approx(4 * np.sin(angles / 2) ** 2, rel=1e-8)
