@@ -7,7 +7,7 @@ import numpy as np
 
 import nonsmooth as ns
 from nonsmooth.solver.iteration.newton import newton
-from nonsmooth.solver.kernels.bodies import exact_kernel, series_kernel
+from nonsmooth.solver.kernels.bodies import Given, exact_kernel, kernel
 
 from .problem import Row
 
@@ -22,14 +22,14 @@ def by_newton(row: Row) -> Callable[[int], np.ndarray]:
     Poles and eigenbases are computed anew in every call, the modes of the body are not.
     """
     cell, rough = row.case.cell, row.rough / _units(row)
-    series = series_kernel(row.case.scene.each_motion[0], "ck-tau")
+    series = kernel(row.case.scene.each_motion[0], "ck-tau", None)
 
     def solve(order: int) -> np.ndarray:
         fresh = replace(cell, body=replace(cell.body))
-        kernel = series if order else exact_kernel(fresh)
-        start = np.append(np.zeros(kernel.size(order) - len(rough)), rough)
-        given = (fresh, order) if order else fresh
-        return newton(kernel.iterate, given, start).unknowns[-3:] * _units(row)
+        own = series if order else exact_kernel(fresh)
+        start = np.append(np.zeros(own.size(order) - len(rough)), rough)
+        given = Given(fresh, order) if order else fresh
+        return newton(own.iterate, given, start).unknowns[-3:] * _units(row)
 
     return solve
 

@@ -13,6 +13,7 @@ from ..arrays import Vector
 from ..scenes.loaded import UnknownScene
 from ..scenes.orders import Order, Step, image
 from ..scenes.parameter_error import ParameterError
+from ..simulation.followers import may_follow
 from ..simulation.nodes import Node
 from .course import Course, Row
 from .follow import Found, halves_apart
@@ -346,7 +347,7 @@ class _At:
         return self.machine.node(step).changes_velocity
 
     def _may(self, one: Step, other: Step) -> bool:
-        return self.course.may_follow(self.machine, one, other)
+        return may_follow(self.machine, one, other)
 
     def _steps(self) -> list[Step]:
         """Return all phases that there are."""

@@ -23,10 +23,9 @@ from ..scenes.dimensionless import Units
 from ..scenes.loaded import LoadedScene
 from ..scenes.mirror import mirror, same
 from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
-from ..simulation.followers import may_follow
-from ..simulation.machine import Machine
-from ..simulation.nodes import Node
-from ..simulation.steps.column import NONE, WALL
+from ..simulation.machines import AnyMachine, machine_of
+from ..simulation.nodes import Node, walls
+from ..simulation.steps.column import NONE
 from . import walk, watch
 from .along import Along, Content, Interval, along
 from .walk import FAMILY
@@ -145,16 +144,19 @@ class Course:
         for p, phase in enumerate(cell.phases):
             found += [Row(p, WITHIN, i) for i in range(len(phase.demands))]
             found += [Row(p, AT_SWITCH, i) for i in range(len(phase.switch_demands))]
-            if self.endless:
-                continue
-            q = (p + 1) % len(cell.phases)
-            sign = cell.sign if q == 0 else 1
-            v, own = sign * float(z[2 * q + 1]), machine.node(self.order.steps[p])
+            v = None if self.endless else self.velocity_behind(cell, z, p)
             for h, node in enumerate(machine.nodes):
-                if not cell.phases[q].held and _may_hold(machine, own, h, v):
-                    demands = range(len(node.phase.demands))
-                    found += [Row(p, BEHIND, i, h) for i in demands]
+                ended = machine.node(self.order.steps[p])
+                if v is not None and _may_hold(machine.nodes, ended, h, v):
+                    found += [Row(p, BEHIND, i, h) for i in range(len(node.phase.demands))]
         return found
+
+    def velocity_behind(self, cell: Cell, z: Vector, p: int) -> float | None:
+        """Return that behind a phase, where another than the next could hold it; else None."""
+        q = (p + 1) % len(cell.phases)
+        if cell.phases[q].held:
+            return None
+        return float(z[2 * q + 1]) * (cell.sign if q == 0 else 1)
 
     def word(self, row: Row, column: int) -> str:
         """Return what it is called where a form that is watched vanishes.
@@ -248,13 +250,9 @@ class Course:
         turn = [angle] if cell.forced else []
         return np.array([*chain.from_iterable(states), *memory, *durations, *turn])
 
-    def machine(self, numbers: tuple[float, ...]) -> Machine:
+    def machine(self, numbers: tuple[float, ...]) -> AnyMachine:
         """Return the phases that there are, and the rules by which they follow each other."""
-        return Machine.of(self.declares(numbers))
-
-    def may_follow(self, machine: Machine, one: Step, other: Step) -> bool:
-        """Whether a phase may begin where another ends by its event."""
-        return may_follow(machine, one, other)
+        return machine_of(self.declares(numbers))
 
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:
         """Return where Newton's method leads from unknowns in the units of a case."""
@@ -333,12 +331,12 @@ def _account() -> Account:
     return FAMILY.account_of(walk.__name__)
 
 
-def _may_hold(machine: Machine, ended: Node, h: int, v: float) -> bool:
+def _may_hold(nodes: Sequence[Node], ended: Node, h: int, v: float) -> bool:
     """Whether a phase that holds the velocity could take every state behind an event."""
-    node, wall = machine.nodes[h], int(machine.rules.kinds[h, WALL])
+    node, wall = nodes[h], walls(nodes)[h]
     speed = node.phase.speed
     if not node.phase.held or abs(v - speed) > ROUNDING * max(1.0, abs(speed)):
         return False
     if ended.event in node.demands:  # it has just ended so
         return False
-    return wall == NONE or machine.nodes[wall].event == ended.event
+    return wall == NONE or nodes[wall].event == ended.event

@@ -19,13 +19,10 @@ from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ...scenes.case import Case
 from ...scenes.cell import Cell, Form
 from ...scenes.mirror import same
-from ...scenes.orders import Step
-from ...simulation.machine import Machine
-from ...simulation.nodes import nodes
 from .. import walk
 from ..along import SMALL, Along, Content, Interval, divided_phases
 from ..course import ROUNDING, Course, Row
-from ..watch import AT_SWITCH, BEGINS, BEHIND, INTO, IS_END, WITHIN
+from ..watch import BEGINS, BEHIND, INTO, IS_END, WITHIN
 from . import equations
 
 
@@ -109,19 +106,6 @@ class BodyCourse(Course):
             return np.append(evaluated(cell, np.array(times)).starts[0], times)
         return np.array([*states[0][: 2 * len(cell.body.squares)], *times])
 
-    def machine(self, numbers: tuple[float, ...]) -> Machine:
-        """Return the phases that there are."""
-        declared = self.declares(numbers)
-        return Machine(declared, nodes(declared))
-
-    def may_follow(self, machine: Machine, one: Step, other: Step) -> bool:
-        """Whether a phase may begin where another ends: something changes there.
-
-        Whether it does begin is left to the solver.
-        """
-        before, after = machine.node(one), machine.node(other)
-        return before.changes_velocity or before.equation != after.equation
-
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:
         """Return where Newton's method leads from unknowns in the units of a case."""
         own = self.case(case)
@@ -147,29 +131,16 @@ class BodyCourse(Course):
         forms, at = np.eye(phase.part.lawful.rows.shape[0])[:2], np.array([t / phase.s])
         return tuple(float(phase.at(phase.rows(form), at)[0]) for form in forms)
 
-    def rows(self, numbers: tuple[float, ...], z: Vector) -> list[Row]:
-        """Return what is watched, as it is at an orbit of which nothing is special.
+    def velocity_behind(self, cell: Cell, z: Vector, p: int) -> float | None:
+        """Return that of the first contact behind a phase, where another could hold it.
 
-        Whether another phase could hold the contact is asked where its velocity does not jump,
-        of bodies without a memory.
+        Of bodies without a memory, where it does not jump.
         """
-        cell, found = self.body_cell(numbers), []
-        held = [(h, q.phase) for h, q in enumerate(self.machine(numbers).nodes) if q.phase.held]
-        for p, phase in enumerate(cell.phases):
-            found += [Row(p, WITHIN, i) for i in range(len(phase.demands))]
-            found += [Row(p, AT_SWITCH, i) for i in range(len(phase.switch_demands))]
-            if self.endless:
-                continue
-            q = (p + 1) % len(cell.phases)
-            jumps = any(jump != (1.0, 0.0) for jump in phase.jumps)
-            if cell.phases[q].held or jumps or cell.memory:
-                continue
-            v = equations.Seen.of(cell, z, p).velocity_at_end
-            for h, node in held:
-                ended = any(same(phase.event, form) for _, form in node.demands)
-                if abs(v - node.speed) <= ROUNDING and not ended:
-                    found += [Row(p, BEHIND, i, h) for i in range(len(node.demands))]
-        return found
+        assert isinstance(cell, BodyCell)
+        jumps = any(jump != (1.0, 0.0) for jump in cell.phases[p].jumps)
+        if cell.phases[(p + 1) % len(cell.phases)].held or jumps or cell.memory:
+            return None
+        return equations.Seen.of(cell, z, p).velocity_at_end
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
         """Return the forms of rows, for parameters without units and their cell.
