@@ -56,6 +56,7 @@ report: $(VENV)/ready-all  ## the paper recomputed: figures, equations and claim
 	@$(BIN)/nonsmooth report -o $(OUTPUT)/report
 
 docs: $(VENV)/ready-docs  ## the documentation as a site: output/docs/index.html
+	@echo "running every page: three to five minutes" >&2
 	@rm -rf $(OUTPUT)/docs docs/reference/modules
 	@$(BIN)/python -m sphinx -q -j auto -W --keep-going -n docs $(OUTPUT)/docs
 	@echo "wrote $(OUTPUT)/docs/index.html"

@@ -6,24 +6,32 @@ from one_mass import NAMES
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.orders import motion_of
+
+#: Scenes of bodies, and how many modes these have.
+BODIES = sorted(set(registry.names()) - set(NAMES))
+MODES = 4.0
 
 #: Branches of one block, and orbits of each that are found again.
 BRANCHES, ORBITS = 3, 4
 
 
-def drawn(random):
+def drawn(random, names):
     """Return a case of a shipped scene, a parameter of it, and a range of that."""
-    scene = ns.scene(random.choice(NAMES))
+    scene = ns.scene(random.choice(names))
     values = {}
     for q in scene.parameters:
         value = q.default * np.exp(random.uniform(-0.5, 0.5)) if q.default else 0.0
         values[q.name] = float(value if q.most is None else min(value, q.most))
     if "mu_k" in values:
         values["mu_k"] = min(values["mu_k"], 0.9 * values["mu_s"])
-    vary = scene.parameters[random.integers(len(scene.parameters))]
+    if "modes" in values:
+        values["modes"] = MODES
+    varied = [q for q in scene.parameters if q.name != "modes"]
+    vary = varied[random.integers(len(varied))]
     low, high = 0.6 * values[vary.name], 1.6 * values[vary.name]
     if vary.name in {"mu_k", "mu_s"}:
         low, high = 0.95 * values[vary.name], 1.05 * values[vary.name]
@@ -44,9 +52,20 @@ def found_again(case, branch, row):
     "seed", [1, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(2, 40))]
 )
 def test_every_orbit_of_a_random_branch_is_one(seed: int) -> None:
-    random, count = np.random.default_rng(seed), 0
-    while count < BRANCHES:
-        case, parameter, low, high = drawn(random)
+    assert_orbits_are_found_again(np.random.default_rng(seed), NAMES, BRANCHES)
+
+
+@pytest.mark.parametrize(
+    "seed", [1, *(pytest.param(seed, marks=pytest.mark.long) for seed in range(2, 20))]
+)
+def test_every_orbit_of_a_random_branch_of_a_body_is_one(seed: int) -> None:
+    assert_orbits_are_found_again(np.random.default_rng(seed), BODIES, 1)
+
+
+def assert_orbits_are_found_again(random, names, most: int) -> None:
+    count = 0
+    while count < most:
+        case, parameter, low, high = drawn(random, names)
         try:
             branch = ns.branch(case, parameter, low, high)
         except (NoOrbit, ns.ParameterError):
