@@ -7,12 +7,12 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from . import exact
-from .exact import angles_of
 from .harmonics import system as harmonics
 from .integrals import answers
 from .laws import places
 from .layout import layout
 from .modal import Complex
+from .part import angles_of, generator_of, parts_of
 from .poles import Forms
 from .series import evaluated
 
@@ -33,7 +33,7 @@ def signals(
     """
     u = np.asarray(u, dtype=float)
     if order == 0:
-        rows = exact.parts_of(cell)[p].lawful.rows
+        rows = parts_of(cell)[p].lawful.rows
         kept = len(rows) - len(cell.memory)
         return exact.seen(cell, times, p, u, rows[:kept])
     forms = layout(cell, order).phases[p].seen
@@ -58,8 +58,8 @@ def derivative(
         for _ in range(number - 2):
             forms = own.poles.rate(forms, own.law(p))
         return np.asarray(_seen(cell, order, functions, times, p, u, forms)[0])
-    part = exact.parts_of(cell)[p]
-    generator = exact.generator_of(part, cell.omega)
+    part = parts_of(cell)[p]
+    generator = generator_of(part, cell.omega)
     row = part.lawful.rows[ACCELERATION]
     for _ in range(number - 2):
         row = row @ generator

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from .exact import Evaluation, angles_of, evaluated, parts_of, phase_map, rates, turned, wave
+from .exact import Evaluation, evaluated
+from .part import angles_of, parts_of, phase_map, rates, turned, wave
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell

@@ -15,9 +15,9 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from .element import Element, elements_of
-from .exact import angles_of
 from .layout import Layout, layout
 from .modal import Complex
+from .part import angles_of
 from .poles import Forms
 
 if TYPE_CHECKING:

@@ -9,6 +9,7 @@ from ..arrays import Matrix, Vector
 from ..bodies import exact, series
 from ..bodies import motion as motions
 from ..bodies.harmonics import system as harmonics
+from ..bodies.part import parts_of
 from ..scenes.methods import about
 from . import linking
 from .kernel import Kernel
@@ -152,7 +153,7 @@ def _fill(case: Given, z: Vector, times: Vector, states: int) -> None:
     before = states
     if order == 0:
         found = exact.evaluated(cell, times)
-        first = exact.parts_of(cell)[0].lawful.A.shape[0]
+        first = parts_of(cell)[0].lawful.A.shape[0]
         own = [found.starts[each.phase][first + i] for i, each in enumerate(cell.memory)]
         for p in range(len(cell.phases)) if states else ():
             z[2 * p : 2 * p + 2] = motions.signals(cell, 0, times, p, np.zeros(1))[:2, 0]

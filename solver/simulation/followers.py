@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Matrix, Vector
-from ..bodies.exact import parts_of, seen
+from ..bodies.exact import seen
+from ..bodies.part import parts_of
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Form

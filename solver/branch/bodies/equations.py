@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ...arrays import Indices, Matrix, Vector
-from ...bodies.exact import Evaluation, gained, generator_of, opened, parts_of, seen
+from ...bodies.exact import Evaluation, gained, opened, seen
+from ...bodies.part import generator_of, parts_of
 from ...bodies.perturbed import cell_map as perturbed
 from ..watch import (
     AT_SWITCH,

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...arrays import Matrix, Vector
-from ...bodies.exact import Part, parts_of
 from ...bodies.laws import places
+from ...bodies.part import Part, parts_of
 from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ..nodes import Node
 from ..steps.locate import NOISE

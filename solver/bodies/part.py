@@ -1,0 +1,107 @@
+"""The phases of a cell of a body: the laws, the flow and the switch of each, and its map."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arrays import Matrix, Vector
+from .flow import Flow, flow_of
+from .laws import Lawful, lawful
+from .switch import Switch, switch
+
+if TYPE_CHECKING:
+    from ..scenes.bodies.cell import BodyCell
+
+#: Size of a matrix of which the exponential is a Taylor series of so many terms.
+SHORT, TAYLOR = 0.25, 12
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """A phase of a cell: the body under its laws, its flow, the switch that ends it."""
+
+    lawful: Lawful
+    flow: Flow
+    switch: Switch
+
+
+@lru_cache(maxsize=32)
+def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
+    """Return the phases of a cell.
+
+    Raises
+    ------
+    BodyError
+        If a law does not fix its force, or a phase has no eigenbasis.
+    """
+    found = []
+    for p in range(len(cell.phases)):
+        own = lawful(cell, p)
+        found.append(Part(own, flow_of(own, cell.omega), switch(cell, p, own.rows)))
+    return tuple(found)
+
+
+def wave(angle: float) -> Vector:
+    """Return the cosine, the sine, and 1."""
+    return np.array([np.cos(angle), np.sin(angle), 1.0])
+
+
+def turned(angle: float) -> Vector:
+    """Return the derivatives of `wave` by the angle."""
+    return np.array([-np.sin(angle), np.cos(angle), 0.0])
+
+
+def angles_of(cell: "BodyCell", times: Vector) -> Vector:
+    """Return the angle of the forcing where each phase begins, and where the last ends."""
+    durations = times[: len(cell.phases)]
+    first = float(times[-1]) if cell.forced else 0.0
+    return first + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
+
+
+def phase_map(part: Part, s: float) -> tuple[Matrix, Matrix]:
+    """Return the map of ``X = (y, memory)`` over a phase, and what cos, sin, 1 add to it."""
+    states = part.lawful.A.shape[0]
+    memory = part.switch.state.shape[0] - states
+    driven = part.flow.driven(s)
+    along = np.eye(states + memory)
+    along[:states, :states], along[:states, states:] = part.flow.matrix(s), driven[:, 3:]
+    return along, np.vstack([driven[:, :3], np.zeros((memory, 3))])
+
+
+def rates(part: Part, X: Vector, angle: float) -> Vector:
+    """Return the derivative of ``X = (y, memory)`` by time."""
+    states = part.lawful.A.shape[0]
+    inputs = np.concatenate([wave(angle), X[states:]])
+    found = np.zeros(len(X))
+    found[:states] = part.lawful.A @ X[:states] + part.lawful.inputs @ inputs
+    return found
+
+
+def later(angle: float) -> Matrix:
+    """Return the matrix that turns `wave` on by an angle."""
+    cos, sin = np.cos(angle), np.sin(angle)
+    return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
+
+
+def generator_of(part: Part, omega: float) -> Matrix:
+    """Return the matrix of the rates of ``(y, cos, sin, 1, memory)`` on a phase."""
+    A, inputs = part.lawful.A, part.lawful.inputs
+    found = np.zeros((len(A) + inputs.shape[1],) * 2)
+    found[: len(A)] = np.hstack([A, inputs])
+    found[len(A), len(A) + 1], found[len(A) + 1, len(A)] = -omega, omega
+    return found
+
+
+def less_one(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(matrix t) - 1``, also where that is small: a Taylor series, doubled."""
+    size = float(np.abs(matrix).sum(axis=1).max()) * abs(t)
+    doublings = max(0, int(np.ceil(np.log2(size / SHORT)))) if size > 0 else 0
+    term = found = matrix * (t / 2**doublings)
+    for k in range(2, TAYLOR + 1):
+        term = term @ matrix * (t / 2**doublings / k)
+        found = found + term
+    for _ in range(doublings):
+        found = found @ found + 2 * found
+    return np.asarray(found)
