@@ -119,6 +119,9 @@ def go(
             cut_where_violated(segment)
             way.why = segment.why
             there = None if segment.end is None else beyond(segment.end)
+            if there is not None and len(there[0].course.order.steps) > there[0].course.most:
+                way.why = f"beyond, an orbit has more than {there[0].course.most} phases"
+                there = None
         if way.why == CLOSED:
             found.forth.why = way.why
             return

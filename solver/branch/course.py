@@ -5,7 +5,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -73,6 +73,9 @@ class Course:
     units : Units, optional
         Of the numbers that it is asked with.
     """
+
+    #: Most phases of an order that is followed: near chatter there are ever more.
+    most: ClassVar[int] = 60
 
     base: LoadedScene
     order: Order

@@ -10,6 +10,7 @@ from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.solver.bodies.exact import evaluated, opened
+from nonsmooth.solver.branch.bodies.course import BodyCourse
 from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.scenes.case import Case
@@ -149,6 +150,17 @@ def test_sticking_is_one_event_from_both_sides() -> None:
     down = branch_case(start.case, "frequency", 0.71, 1.0, start)
     (other,) = [q for q in down.events if q.kind == "sticking"]
     assert other.parameter == pytest.approx(event.parameter, abs=1e-12)
+
+
+def test_ever_more_impacts_end_a_branch(monkeypatch) -> None:
+    monkeypatch.setattr(BodyCourse, "most", 2)
+    chain_impact = ns.scene("chain-impact")(
+        mass=1.6279, damping=0.0417, gap=0.72378, restitution=0.62776, force=0.93977,
+        frequency=0.44025,
+    )  # fmt: skip
+    found = ns.branch(chain_impact, "stiffness", 2.0, 2.13)
+    assert found.why_it_ended[1] == "beyond, an orbit has more than 2 phases"
+    assert len(found.rows[-1].durations) == 2
 
 
 def test_orbits_of_a_branch_are_those_that_the_solver_finds() -> None:

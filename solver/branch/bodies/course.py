@@ -29,6 +29,8 @@ from . import equations
 class BodyCourse(Course):
     """An order of phases of a scene of a body."""
 
+    most = 8
+
     def body_cell(self, numbers: tuple[float, ...]) -> BodyCell:
         """Return its cell for parameters without units."""
         found = self.cell(numbers)
