@@ -127,7 +127,8 @@ class Course:
     def case(self, case: Case) -> Case:
         """Return a case of the same parameters whose motion has this order."""
         scene = self.declared or self._scene
-        return case if scene == case.scene else Case(scene, case.values, self.cycles)
+        is_own = scene == case.scene and case.cycles == self.cycles
+        return case if is_own else Case(scene, case.values, self.cycles)
 
     def declares(self, numbers: tuple[float, ...]) -> Cell:
         """Return the cell of the phases that there are, for parameters without units."""

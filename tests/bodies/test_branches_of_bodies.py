@@ -11,6 +11,8 @@ from scipy.optimize import brentq
 import nonsmooth as ns
 from nonsmooth.solver.bodies.exact import evaluated, opened
 from nonsmooth.solver.branch.bodies.course import BodyCourse
+from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
+from nonsmooth.solver.branch.change import doubled
 from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.scenes.case import Case
@@ -161,6 +163,24 @@ def test_ever_more_impacts_end_a_branch(monkeypatch) -> None:
     found = ns.branch(chain_impact, "stiffness", 2.0, 2.13)
     assert found.why_it_ended[1] == "beyond, an orbit has more than 2 phases"
     assert len(found.rows[-1].durations) == 2
+
+
+def test_an_orbit_that_loses_an_impact_keeps_its_cycles() -> None:
+    """Of twice the period, with two impacts and then with one: not that of one period."""
+    bounds, start = (1.66, 1.715), exact_orbit(ns.scene("chain-impact")(frequency=1.66))
+    single = Both(index_of(start.case, "frequency"))
+    go(single, start_of(start, single.index, bounds))
+    (flip,) = [event for event in single.events() if event.kind == "flip"]
+    begin = doubled(flip)
+    assert begin is not None
+    double = Both(single.index, begin[0].course)
+    go(double, begin)
+    piece, place = double.forth.segments[-1].points[-1]
+    assert (len(piece.course.order.steps), piece.course.cycles) == (1, 2)
+    orbit = piece.orbit(place.y)
+    assert orbit is not None
+    assert orbit.admissible
+    assert orbit.period == pytest.approx(4 * np.pi / piece.value(place.y), rel=1e-12)
 
 
 def test_orbits_of_a_branch_are_those_that_the_solver_finds() -> None:

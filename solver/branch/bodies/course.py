@@ -55,7 +55,8 @@ class BodyCourse(Course):
         def making(q: float) -> equations.At:
             there, forms = content(interval.value(q))
             assert isinstance(there, BodyCell)
-            return equations.At(there, np.array(forms, dtype=float))
+            rows = np.array(forms, dtype=float).reshape(len(forms), len(there.phases[0].event))
+            return equations.At(there, rows)
 
         divided = divided_phases(cell, z[before:])
         given = kinds, kinds[:0], making, divided, weights, before, float(cell.sign)
