@@ -15,6 +15,7 @@ MULTIPLIERS = ("tests/stability/test_multipliers.py",)
 BALLS = ("tests/precision/test_balls.py",)
 DIGITS = "tests/precision/test_digits_of_scenes.py"
 PAPER = ("tests/accuracy/test_kim_perkins.py",)
+BRANCHES = "tests/bodies/test_branches_of_bodies.py"
 
 MUTANTS = (
     Mutant(
@@ -240,5 +241,26 @@ MUTANTS = (
         "u**2 * (3 - 2 * u) - t / T",
         "u**2 * (3 - 2 * u)",
         ("tests/equations/test_shown_equations.py",),
+    ),
+    Mutant(
+        "a doubled orbit is judged with the cycles of the case",
+        "solver/branch/course.py",
+        "is_own = scene == case.scene and case.cycles == self.cycles",
+        "is_own = scene == case.scene",
+        (f"{BRANCHES}::test_an_orbit_that_loses_an_impact_keeps_its_cycles",),
+    ),
+    Mutant(
+        "a phase of a body that begins where it ends has its event undivided",
+        "solver/branch/bodies/equations.py",
+        "for p in np.flatnonzero(divided):",
+        "for p in ():",
+        (f"{BRANCHES}::test_contact_ends_in_the_linear_response_and_begins_there",),
+    ),
+    Mutant(
+        "pairs of multipliers of a body do not count",
+        "solver/branch/bodies/equations.py",
+        "return _least_factor(values[first] * values[second] - 1)",
+        "return 1.0",
+        (f"{BRANCHES}::test_where_multipliers_leave_the_unit_circle",),
     ),
 )
