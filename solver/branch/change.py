@@ -14,7 +14,6 @@ from ..scenes.loaded import UnknownScene
 from ..scenes.orders import Order, Step, image
 from ..scenes.parameter_error import ParameterError
 from ..simulation.followers import may_follow
-from ..simulation.nodes import Node
 from .course import Course, Row
 from .follow import Found, halves_apart
 from .piece import NoStepError, Piece, Place
@@ -340,8 +339,7 @@ class _At:
         """Return the phase of the same equation that ends where one touches a surface."""
         number = self.machine.number(self.course.order.steps[p])
         surface = self.machine.nodes[number].demands[self.row.number]
-        node, nodes = self.machine.nodes[number], self.machine.nodes
-        return next((q.step for q in nodes if _ends(q, node, surface)), None)
+        return self.machine.ending(number, surface)
 
     def _jumps(self, step: Step) -> bool:
         return self.machine.node(step).changes_velocity
@@ -352,8 +350,3 @@ class _At:
     def _steps(self) -> list[Step]:
         """Return all phases that there are."""
         return [node.step for node in self.machine.nodes]
-
-
-def _ends(node: Node, other: Node, surface: int) -> bool:
-    """Whether a phase has the equation of another, and ends on a surface."""
-    return node.equation == other.equation and node.event == surface

@@ -106,7 +106,10 @@ class BodyCourse(Course):
         cell = self.body_cell(numbers)
         times = [*durations, *([angle] if cell.forced else [])]
         if cell.memory:
-            return np.append(evaluated(cell, np.array(times)).starts[0], times)
+            try:
+                return np.append(evaluated(cell, np.array(times)).starts[0], times)
+            except np.linalg.LinAlgError:
+                raise ArithmeticError("no state belongs to the times alone") from None
         return np.array([*states[0][: 2 * len(cell.body.squares)], *times])
 
     def orbit(self, case: Case, z: Vector) -> ExactOrbit:

@@ -5,7 +5,6 @@ stand for those of the same names in `extended`, `watch`, `cell_map` and `linear
 NumPy: what a step costs is the eigenbasis of each phase.
 """
 
-from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -55,10 +54,6 @@ class At(NamedTuple):
     forms: Matrix
 
 
-#: What makes the cell at a value of the coordinate of a parameter.
-Making = Callable[[float], At]
-
-
 def times_of(cell: "BodyCell", z: Vector) -> Vector:
     """Return the times among unknowns."""
     return z[len(z) - len(cell.phases) - cell.forced :]
@@ -80,7 +75,7 @@ def equations(case: At, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     n = len(z)
     try:
         found = opened(case.cell, z)
-    except np.linalg.LinAlgError:
+    except ValueError:  # singular, or a law that does not fix its force
         R[:n], J[:] = np.nan, np.nan
         return
     R[:n], J[:] = found.residual, found.jacobian
