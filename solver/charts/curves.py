@@ -134,7 +134,9 @@ def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[V
 def _edge(plane: Plane, gauge: int, y: Vector, there: Vector) -> Vector | None:
     """Return where a step leaves the rectangle; None if that is not found."""
     ends = np.sign(there[-2:])
-    parts = np.where(np.abs(there[-2:]) > 1, (ends - y[-2:]) / (there[-2:] - y[-2:]), np.inf)
+    with np.errstate(divide="ignore", invalid="ignore"):  # along an edge, or straight across
+        parts = (ends - y[-2:]) / (there[-2:] - y[-2:])
+    parts[np.abs(there[-2:]) <= 1] = np.inf
     which = int(np.argmin(parts))
     start = y + parts[which] * (there - y)
     start[which - 2] = ends[which]

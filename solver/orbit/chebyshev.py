@@ -4,7 +4,6 @@ What is computed from them, critical points above all, is then exact to rounding
 function: no sampling misses a narrow dip between its points.
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -82,22 +81,26 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
     """
     nodes, matrix = _nodes()
     found: list[Piece] = []
-    waiting = [(0.0, 1.0, math.inf)]
-    while waiting:
-        start, end, before = waiting.pop()
-        values = function(start + (end - start) * (1 + nodes) / 2)
-        coefficients = matrix @ values
+    starts, length, before = np.zeros(1), 1.0, np.full(1, np.inf)
+    while len(starts):  # pieces of one length at a time
+        values = function((starts[:, None] + length * (1 + nodes) / 2).ravel())
+        coefficients = values.reshape(len(starts), -1) @ matrix.T
         size = max(size, float(np.abs(values).max()))
-        last = float(np.abs(coefficients[-LAST:]).max())
-        only_noise = last <= NOISE * size and last > before / 100
-        resolved = last <= RESOLVED * size or only_noise
-        many = len(found) + len(waiting) >= MOST
-        if resolved or many or end - start <= SHORTEST:
-            found.append(Piece(start, end, coefficients, resolved))
-        else:
-            middle = (start + end) / 2
-            waiting += [(middle, end, last), (start, middle, last)]
-    return found
+        last = np.abs(coefficients[:, -LAST:]).max(axis=1)
+        only_noise = (last <= NOISE * size) & (last > before / 100)
+        resolved = (last <= RESOLVED * size) | only_noise
+        many = len(found) + len(starts) >= MOST
+        done = resolved | many | (length <= SHORTEST)
+        found += [
+            Piece(float(start), float(start) + length, own, bool(is_resolved))
+            for start, own, is_resolved in zip(
+                starts[done], coefficients[done], resolved[done], strict=True
+            )
+        ]
+        length /= 2
+        starts = (starts[~done, None] + np.array([0.0, length])).ravel()
+        before = np.repeat(last[~done], 2)
+    return sorted(found, key=lambda piece: piece.start)
 
 
 def candidates(parts: list[Piece]) -> Vector:

@@ -155,7 +155,8 @@ class BodyCourse(Course):
         it: the forces are then those of that phase's laws.
         """
         assert isinstance(cell, BodyCell)
-        nodes = self.machine(numbers).nodes
+        behind = any(row.kind == BEHIND for row in rows)
+        nodes = self.machine(numbers).nodes if behind else ()
         found: list[Form] = []
         for row in rows:
             phase = cell.phases[row.phase]

@@ -102,6 +102,8 @@ class BodyCell(Cell):
     def carrying(self, p: int) -> BodyPhase:
         """Return a phase whose factors of the memory are for values as a motion has them."""
         phase = self.phases[p]
+        if not self.memory:
+            return phase
         signs = np.array([self.sign if p < each.phase else 1 for each in self.memory])
         width = phase.width
         return phase.with_forms(lambda form: (*form[:width], *(form[width:] * signs)))
