@@ -208,3 +208,11 @@ def test_open_equations_have_the_closed_ones_solution_and_right_derivatives() ->
         step = 1e-6 * np.eye(len(z))[j]
         above, below = opened(cell, z + step).residual, opened(cell, z - step).residual
         assert found.jacobian[:, j] == pytest.approx((above - below) / 2e-6, abs=1e-7)
+
+
+def test_a_branch_ends_where_there_is_no_such_body() -> None:
+    """With critical damping the poles of each mode are one: what was found is kept."""
+    overdamped = ns.scene("beam-clearance")(modes=2, ratio=0.99, gap=1e-5)
+    found = ns.branch(overdamped, "ratio", 0.98, 1.0)
+    assert found.why_it_ended == ("the end of the range", "the step cannot get smaller")
+    assert 0.999 < max(row.value for row in found.rows) < 1.0

@@ -14,6 +14,7 @@ from ...arrays import Indices, Matrix, Vector
 from ...bodies.exact import Evaluation, gained, opened, seen
 from ...bodies.part import generator_of, parts_of
 from ...bodies.perturbed import cell_map as perturbed
+from ...scenes.parameter_error import ParameterError
 from ..watch import (
     AT_SWITCH,
     BEGINS,
@@ -59,9 +60,15 @@ def times_of(cell: "BodyCell", z: Vector) -> Vector:
     return z[len(z) - len(cell.phases) - cell.forced :]
 
 
-def case_at(along: Any, q: float) -> At:
-    """Return the cell at a value of the parameter, with the forms that are watched."""
-    found: At = along.series(float(q))
+def case_at(along: Any, q: float) -> At | None:
+    """Return the cell at a value of the parameter, with the forms that are watched.
+
+    None where there is no such body, as of a mode with exactly critical damping.
+    """
+    try:
+        found: At = along.series(float(q))
+    except ParameterError:
+        return None
     return found
 
 
@@ -70,13 +77,15 @@ def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
     equations(case_at(along, q), along.divided, z, R, np.empty((len(z), len(z))))
 
 
-def equations(case: At, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
+def equations(case: At | None, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     """Fill R with the left sides of the equations of a cell, J with their derivatives by z."""
     n = len(z)
+    R[:n], J[:] = np.nan, np.nan
+    if case is None:
+        return
     try:
         found = opened(case.cell, z)
     except ValueError:  # singular, or a law that does not fix its force
-        R[:n], J[:] = np.nan, np.nan
         return
     R[:n], J[:] = found.residual, found.jacobian
     for p in np.flatnonzero(divided):
