@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Vector
-from .integrals import moment_rates, moments, response_rates, responses
+from .integrals import moment_rates, moments, responses
 from .layout import Layout, Phase
 from .modal import Complex
 from .poles import Poles
@@ -23,7 +23,8 @@ class Element:
         Its coefficients among the unknowns.
     a, a_rate : ndarray of complex, shape (m, N + 1)
         ``a_n`` of each pole, and its derivative by kappa.
-    Z, Z_rate : ndarray of complex, shape (m, N + 1, N + 1)
+    Z : ndarray of complex, shape (m, N + 2, N + 2)
+        One row and one column more than the equations take: rates are by these.
     turn, turn_rate : ndarray of complex, shape (N + 1,)
         ``a_n`` of the forcing.
     decay : ndarray of complex, shape (m,)
@@ -38,7 +39,6 @@ class Element:
     a: Complex
     a_rate: Complex
     Z: Complex
-    Z_rate: Complex
     turn: Complex
     turn_rate: Complex
     decay: Complex
@@ -56,8 +56,7 @@ def _element(phase: Phase, poles: Poles, s: float) -> Element:
     a_rate = moment_rates(a)
     slope = a[:, :count] + kappa[:, None] * a_rate
     return Element(
-        phase, s, slice(0), a[:, :count], a_rate, Z[:, :count, :count], response_rates(Z),
-        turn[:count], moment_rates(turn), np.exp(kappa),
+        phase, s, slice(0), a[:, :count], a_rate, Z, turn[:count], moment_rates(turn), np.exp(kappa),
         _spread(s * signs * a[:, :count], poles.b), _spread(signs * slope, poles.b),
     )  # fmt: skip
 

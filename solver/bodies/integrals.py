@@ -6,12 +6,14 @@ series, ``(I - kappa S) c = e_0`` has those of ``e^(kappa u)``, and ``(I - kappa
 those of the answer to ``P_n*``.
 """
 
+from functools import cache
 from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from ...generated import force_series as recurrence
+from ..arrays import Matrix
 
 Complex: TypeAlias = npt.NDArray[np.complex128]
 
@@ -159,13 +161,29 @@ def moment_rates(a: Complex) -> Complex:
     return found
 
 
-def response_rates(Z: Complex) -> Complex:
-    """Return ``d Z_mn/d kappa`` from ``Z_mn``, one row and one column less."""
-    m, n = np.ogrid[: Z.shape[-2] - 1, : Z.shape[-1] - 1]
-    inner = Z[..., :-1, :-1]
-    left, before = np.zeros_like(inner), np.zeros_like(inner)
-    left[..., 1:, :], before[..., :, 1:] = inner[..., :-1, :], inner[..., :, :-1]
-    found: Complex = recurrence.response_rate(
-        m, n, left, Z[..., 1:, :-1], before, Z[..., :-1, 1:]
-    )
+def response_rates(Z: Complex, series: Complex) -> Complex:
+    """Return ``d Z_mn/d kappa``, times the coefficients of a series for each kappa.
+
+    Parameters
+    ----------
+    Z : ndarray of complex, shape (k, N + 2, N + 2)
+        One row and one column more than the result has.
+    series : ndarray of complex, shape (k, N + 1)
+
+    Returns
+    -------
+    ndarray of complex, shape (k, N + 1)
+    """
+    beside = _neighbours(series.shape[1])
+    by_row = Z[..., :-1] @ series[:, :, None]
+    by_column = Z[:, :-1] @ (series @ beside)[:, :, None]
+    return np.asarray((beside @ by_row - by_column)[:, :, 0])
+
+
+@cache
+def _neighbours(count: int) -> Matrix:
+    """Return the matrix D of ``d Z/d kappa = D Z - Z D^T``, shape (count, count + 1)."""
+    m, found = np.arange(count), np.zeros((count, count + 1))
+    found[m[1:], m[:-1]] = recurrence.response_rate(m[1:], 0, 1, 0, 0, 0)
+    found[m, m + 1] = recurrence.response_rate(m, 0, 0, 1, 0, 0)
     return found

@@ -99,10 +99,16 @@ def _along(
     for piece in np.unique(which):
         here, (E, B) = which == piece, found[piece]
         w = u[here] * pieces - piece
-        basis = np.polynomial.legendre.legvander(2 * w - 1, B.shape[1] - 1)
+        basis = _polynomials(w.tobytes(), B.shape[1] - 1)
         free = (forms * E) @ np.exp(own.poles.s[:, None] * s * w)
         values[:, here] = free.real + (forms @ B).real @ basis.T
     return values
+
+
+@lru_cache(maxsize=32)
+def _polynomials(w: bytes, degree: int) -> Matrix:
+    """Return Legendre polynomials on [0, 1]: motions are compared at the same points."""
+    return np.asarray(np.polynomial.legendre.legvander(2 * np.frombuffer(w) - 1, degree))
 
 
 @lru_cache(maxsize=64)

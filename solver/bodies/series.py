@@ -15,6 +15,7 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from .element import Element, elements_of
+from .integrals import response_rates
 from .layout import Layout, layout
 from .modal import Complex
 from .part import angles_of
@@ -127,7 +128,8 @@ def _system(
         phase, law = element.phase, element.phase.law
         contacts, count = len(law.turn), phase.degree + 1
         rows = np.einsum("ki,in,iu->nku", law.poles, element.a, states[e]).real
-        own_rows = np.einsum("ki,inm,ic->nkmc", law.poles, element.Z, own.poles.b).real
+        Z = element.Z[:, :-1, :-1]
+        own_rows = np.einsum("ki,inm,ic->nkmc", law.poles, Z, own.poles.b).real
         for n in range(count):
             own_rows[n, :, n] += phase.direct / (2 * n + 1) / element.duration
         rows[:, :, element.columns] += element.duration * own_rows.reshape(count, contacts, -1)
@@ -183,9 +185,10 @@ def _rates(
         count, l = phase.degree + 1, unknowns[element.columns].reshape(phase.degree + 1, -1)
         rows = np.einsum("ki,in,iw->nkw", law.poles, element.a, starts[e]).real
         begun = states[e] @ unknowns
-        kappa = (own.poles.s * element.duration)[:, None, None]
-        forced = (own.poles.b @ l.T)[:, :, None]
-        answered = ((element.Z + kappa * element.Z_rate) @ forced)[:, :, 0]
+        kappa = (own.poles.s * element.duration)[:, None]
+        forced = own.poles.b @ l.T
+        answered = kappa * response_rates(element.Z, forced)
+        answered += (element.Z[:, :-1, :-1] @ forced[:, :, None])[:, :, 0]
         own_rate = (s * element.a_rate * begun[:, None] + answered).T @ law.poles.T
         rows[:, :, p] += part[e] * own_rate.real
         wave = law.turn[None, :] * np.exp(1j * begins[e])

@@ -84,8 +84,9 @@ def test_rates_against_differences(kappa: complex) -> None:
     ahead, behind = (moments(k + q, 8) for q in (h, -h))
     assert moment_rates(moments(k, 9)) == pytest.approx((ahead - behind) / (2 * h), abs=1e-10)
     ahead, behind = (responses(k + q, 8) for q in (h, -h))
-    rates = (ahead - behind) / (2 * h)
-    assert response_rates(responses(k, 9)) == pytest.approx(rates, abs=1e-10)
+    series = np.array([[0.5, -1.0, 0.3 + 1j, 2.0, 0.0, 1.0, -0.7, 0.4j]])
+    rates = ((ahead - behind) / (2 * h) @ series[0])[0]
+    assert response_rates(responses(k, 9), series)[0] == pytest.approx(rates, abs=1e-9)
 
 
 def test_every_recurrence_is_emitted() -> None:
