@@ -56,8 +56,9 @@ def _element(phase: Phase, poles: Poles, s: float) -> Element:
     a_rate = moment_rates(a)
     slope = a[:, :count] + kappa[:, None] * a_rate
     return Element(
-        phase, s, slice(0), a[:, :count], a_rate, Z, turn[:count], moment_rates(turn), np.exp(kappa),
-        _spread(s * signs * a[:, :count], poles.b), _spread(signs * slope, poles.b),
+        phase, s, slice(0), a[:, :count], a_rate, Z, turn[:count], moment_rates(turn),
+        np.exp(kappa), _spread(s * signs * a[:, :count], poles.b),
+        _spread(signs * slope, poles.b),
     )  # fmt: skip
 
 
