@@ -6,7 +6,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Vector
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome, newton
 from ..kernels.kernel import Kernel
@@ -14,14 +14,14 @@ from ..kernels.start import RoughTimes, with_coefficients
 from ..scenes.case import Case
 from ..stability.in_words import in_words
 from . import admissible
-from .motion import Motion
+from .shown import Shown
 
 #: Differences of times, as a part of the largest, of the same solution.
 SAME = 1e-11
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ExactOrbit(Motion):
+class ExactOrbit(Shown):
     """The exact periodic orbit of a case, from the closed-form flow of its phases.
 
     Parameters
@@ -40,19 +40,9 @@ class ExactOrbit(Motion):
         return exact_kernel(self.case.cell)
 
     @property
-    def cell_durations(self) -> Vector:
-        """Durations of the phases of the cell, without units."""
-        return self._kernel.split(self.outcome.unknowns)[0]
-
-    @property
     def times(self) -> Vector:
         """Durations and, if something forces, the phase of the forcing; without units."""
         return self._kernel.times(self.outcome.unknowns)
-
-    @property
-    def angle(self) -> float:
-        """Phase of the forcing at the first switch."""
-        return self._kernel.split(self.outcome.unknowns)[1]
 
     @property
     def memory_values(self) -> tuple[float, ...]:
@@ -60,15 +50,6 @@ class ExactOrbit(Motion):
         count = len(self.case.cell.phases)
         found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
         return tuple(map(float, found))
-
-    def _part(self, p: int, u: Vector, derivative: int) -> Vector:
-        """Return a derivative of the displacement on phase `p` of the cell, without units."""
-        return self._kernel.motion(self.case.cell, self.outcome.unknowns, p, u, derivative)
-
-    def signals(self, p: int, u: Vector) -> Matrix:
-        """Return what linear forms are of on phase `p`, of a body; shape (S, len(u))."""
-        assert self._kernel.signals is not None
-        return self._kernel.signals(self.case.cell, self.outcome.unknowns, p, u)
 
     @cached_property
     def violations(self) -> tuple[str, ...]:
@@ -95,10 +76,6 @@ class ExactOrbit(Motion):
         found = super().facts
         head = {name: found.pop(name) for name in ("scene", "parameters")}
         return head | {"orbit": "exact"} | found | {"stability": in_words(self)}
-
-    @property
-    def _identity(self) -> tuple[object, ...]:
-        return self.case, self.outcome.unknowns.tobytes()
 
     def __repr__(self) -> str:
         return f"<exact orbit of {self.case.scene.label}: {self._times}{self._verdict}>"

@@ -1,7 +1,7 @@
 """A periodic motion of a case, in SI units, made of the motion of each phase."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
 
@@ -9,10 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ..arrays import Matrix, Vector
-from ..presentation.showing import Shown
+from ..iteration.newton import Outcome
+from ..kernels.kernel import Kernel
 from ..scenes.case import Case
 from ..scenes.cell import Cell
-from ..stability.monodromy import NoMultipliersError
 from ..stability.stability import Complex, Stability, stability
 from .extremes import LOOK, extremes
 
@@ -40,61 +40,45 @@ class OrbitPhase:
     velocity: float
 
 
-class Motion(Shown):
-    """Displacement, velocity and acceleration of a periodic motion at any time, in SI units.
+class Motion:
+    """A periodic motion that solves equations of a case: at any time, in SI units.
 
-    A subclass says its case, and without units: durations, forcing phase, motion on a phase.
+    A subclass is a dataclass that says which equations.
     """
 
     case: Case
+    outcome: Outcome
+
+    @cached_property
+    def _kernel(self) -> Kernel:
+        """The equations that it solves."""
+        raise NotImplementedError
+
+    @cached_property
+    def _given(self) -> Any:
+        """What the functions of the kernel take for the case."""
+        return self.case.cell
 
     @property
-    def about(self) -> dict[str, Any]:
-        """Scene, period and parameters, for tables and files."""
-        scene, turn = self.case.scene, self.forcing_phase
-        found: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
-        found |= {"motion": scene.motion} if scene.motion else {}
-        found |= {"cycles": self.case.cycles, "period": self.period}
-        found |= {} if turn is None else {"forcing_phase": turn}
-        phases = " ".join(phase.name for phase in self.phases)
-        return found | {"phases": phases} | dict(self.case.values)
+    def _identity(self) -> tuple[object, ...]:
+        """What makes two motions the same."""
+        how = (name for name in self.__getstate__() if name not in ("outcome", "iterations"))
+        return (*(getattr(self, name) for name in how), self.outcome.unknowns.tobytes())
 
-    @property
-    def facts(self) -> dict[str, str]:
-        """What a notebook shows: what is solved, period, phases, stability."""
-        scene, turn = self.case.scene, self.forcing_phase
-        return {
-            "scene": f"{scene.name}: {scene.title}",
-            "parameters": self.case.description,
-            "period": f"{self.period:.10g} s",
-            "phases": ", ".join(f"{p.name} {p.duration:.8g} s" for p in self.phases),
-            "phase of the forcing": "" if turn is None else f"{turn:.8g} rad",
-        }
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self._identity == other._identity
 
-    @property
-    def _times(self) -> str:
-        """The period, and the durations of the phases of a cell or the phase of the forcing."""
-        words, turn = [f"T = {self.period:.10g} s"], self.forcing_phase
-        if len(self.cell_durations) > 1:
-            of_cell = self.phases[: len(self._of_cell)]
-            words += [f"{p.name} {p.duration:.10g} s" for p in of_cell]
-        if turn is not None:
-            words.append(f"phi = {turn:.10g} rad")
-        return ", ".join(words)
+    def __hash__(self) -> int:
+        return hash(self._identity)
 
-    @property
-    def _verdict(self) -> str:
-        """Whether it is stable, in a word behind a comma; empty where that is not known."""
-        try:
-            stable = self.stable
-        except NoMultipliersError:
-            return ""
-        return "" if stable is None else ", stable" if stable else ", unstable"
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what it was made of, for pickle: what was computed from that is left out."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
     @property
     def cell_durations(self) -> Vector:
         """Durations of the phases of the cell, without units."""
-        raise NotImplementedError
+        return self._kernel.split(self.outcome.unknowns)[0]
 
     @property
     def memory_values(self) -> tuple[float, ...]:
@@ -115,7 +99,7 @@ class Motion(Shown):
     @property
     def angle(self) -> float:
         """Phase of the forcing at the first switch, anywhere on the circle."""
-        raise NotImplementedError
+        return self._kernel.split(self.outcome.unknowns)[1]
 
     def part(self, p: int, u: Vector, derivative: int) -> Vector:
         """Return a derivative of the displacement on phase `p` of the cell, without units.
@@ -131,11 +115,13 @@ class Motion(Shown):
 
     def _part(self, p: int, u: Vector, derivative: int) -> Vector:
         """Return what `part` does, computed anew."""
-        raise NotImplementedError
+        values = self._kernel.motion(self._given, self.outcome.unknowns, p, u, derivative)
+        return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
 
     def signals(self, p: int, u: Vector) -> Matrix:
         """Return what linear forms are of on phase `p`, of a body; shape (S, len(u))."""
-        raise NotImplementedError
+        assert self._kernel.signals is not None
+        return self._kernel.signals(self._given, self.outcome.unknowns, p, u)
 
     @cached_property
     def _parts(self) -> dict[tuple[int, int, bytes], Vector]:

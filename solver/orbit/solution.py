@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Vector
 from ..iteration.newton import Outcome
 from ..kernels import registry
 from ..kernels.kernel import Kernel
@@ -17,7 +17,7 @@ from . import admissible
 from .allowance import by_neighbour, by_residual
 from .errors import Errors, difference
 from .exact_orbit import ExactOrbit, from_times
-from .motion import Motion
+from .shown import Shown
 
 #: Error of the times, as a part of the period, above which an exact solution is not next to one
 #: of an expansion: whether that one is an orbit is not decided by it.
@@ -25,7 +25,7 @@ FAR = 0.05
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Solution(Motion):
+class Solution(Shown):
     """Where Newton's method led, for a case, a method and an order.
 
     Parameters
@@ -64,26 +64,6 @@ class Solution(Motion):
     def unknowns(self) -> Vector:
         """The unknowns of the kernel, without units: coefficients, then times."""
         return self.outcome.unknowns
-
-    @property
-    def cell_durations(self) -> Vector:
-        """Durations of the phases of the cell, without units."""
-        return self._kernel.split(self.unknowns)[0]
-
-    @property
-    def angle(self) -> float:
-        """Phase of the forcing at the first switch, anywhere on the circle."""
-        return self._kernel.split(self.unknowns)[1]
-
-    def _part(self, p: int, u: Vector, derivative: int) -> Vector:
-        """Return a derivative of the displacement on phase `p` of the cell, without units."""
-        values = self._kernel.motion(self._given, self.unknowns, p, u, derivative)
-        return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
-
-    def signals(self, p: int, u: Vector) -> Matrix:
-        """Return what linear forms are of on phase `p`, of a body; shape (S, len(u))."""
-        assert self._kernel.signals is not None
-        return self._kernel.signals(self._given, self.unknowns, p, u)
 
     @property
     def memory_values(self) -> tuple[float, ...]:
@@ -180,7 +160,3 @@ class Solution(Motion):
     def errors(self) -> Errors | None:
         """Errors against the exact orbit; None if there is none to be found."""
         return None if self.exact is None else difference(self, self.exact, self.order)
-
-    @property
-    def _identity(self) -> tuple[object, ...]:
-        return self.case, self.method, self.order, self.functions, self.unknowns.tobytes()

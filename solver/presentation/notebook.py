@@ -4,10 +4,7 @@ import io
 from collections.abc import Callable, Mapping
 from html import escape
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from .showing import Shown
+from typing import Any
 
 #: Inches of a picture beside a table.
 SIZE = (3.6, 2.7)
@@ -36,11 +33,6 @@ def svg(draw: Callable[[Any], Any]) -> str:
     on_axes(draw, SIZE, target)
     text = target.getvalue()
     return text[text.index("<svg") :]
-
-
-def of_motion(motion: "Shown") -> str:
-    """Return a motion as a small table and its phase portrait."""
-    return facts(motion.facts) + svg(motion.plot)
 
 
 def of_rows(head: str, text: str, draw: Callable[[Any], Any]) -> str:

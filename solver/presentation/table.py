@@ -4,6 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+#: What is told of a motion over time, and its units.
+COURSE = {"t": "s", "displacement": "m", "velocity": "m/s", "acceleration": "m/s**2"}
+
 
 @dataclass(frozen=True)
 class Table:

@@ -12,8 +12,7 @@ import numpy.typing as npt
 from ..arrays import Vector
 from ..flow import flow
 from ..presentation.notebook import of_rows
-from ..presentation.showing import UNITS as COURSE
-from ..presentation.table import Table, Tabular
+from ..presentation.table import COURSE, Table, Tabular
 from ..scenes.case import Case
 from ..scenes.cell import Phase
 from ..scenes.orders import Step

@@ -1,6 +1,7 @@
 """Checks of classical harmonic balance (3.1), and of one C1 function beside it (3.2)."""
 
 from itertools import pairwise
+from typing import Any
 
 from ..case import FLOORS, MOST, Case
 from ..words import number, percent, power_of_order
@@ -44,7 +45,7 @@ def half_way(case: Case, end: str) -> Finding:
     In the series, or on normalised time in the exact orbit.
     """
     orbit = case.orbit("hb", MOST)
-    motion = {"series": orbit, "exact": case.exact}[end]
+    motion: Any = {"series": orbit, "exact": case.exact}[end]
     place = motion.t1 / motion.period * orbit.period
     level = -float(orbit.acceleration(place)) / case.belt.largest_jump
     return Finding(abs(level - 0.5) < 0.1, f"{percent(level)} of the jump at N = {MOST}")

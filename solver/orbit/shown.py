@@ -1,0 +1,108 @@
+"""What every periodic motion shows of itself: a line, a table of its course, a picture."""
+
+from typing import Any
+
+import numpy as np
+
+from ..presentation.notebook import facts, svg
+from ..presentation.table import COURSE, Table, Tabular
+from ..stability.monodromy import NoMultipliersError
+from .motion import Motion
+
+#: Times over one period at which the course of a motion is given.
+SAMPLES = 1000
+
+
+class Shown(Motion, Tabular):
+    """A motion that becomes a picture, a table, or text."""
+
+    @property
+    def label(self) -> str:
+        """What a legend calls it: method and order, or ``"exact"``."""
+        raise NotImplementedError
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """Scene, period and parameters, for tables and files."""
+        scene, turn = self.case.scene, self.forcing_phase
+        found: dict[str, Any] = {"scene": scene.name, "class": f"C{scene.k}"}
+        found |= {"motion": scene.motion} if scene.motion else {}
+        found |= {"cycles": self.case.cycles, "period": self.period}
+        found |= {} if turn is None else {"forcing_phase": turn}
+        phases = " ".join(phase.name for phase in self.phases)
+        return found | {"phases": phases} | dict(self.case.values)
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """What a notebook shows: what is solved, period, phases, stability."""
+        scene, turn = self.case.scene, self.forcing_phase
+        return {
+            "scene": f"{scene.name}: {scene.title}",
+            "parameters": self.case.description,
+            "period": f"{self.period:.10g} s",
+            "phases": ", ".join(f"{p.name} {p.duration:.8g} s" for p in self.phases),
+            "phase of the forcing": "" if turn is None else f"{turn:.8g} rad",
+        }
+
+    @property
+    def _times(self) -> str:
+        """The period, and the durations of the phases of a cell or the phase of the forcing."""
+        words, turn = [f"T = {self.period:.10g} s"], self.forcing_phase
+        if len(self.cell_durations) > 1:
+            of_cell = self.phases[: len(self._of_cell)]
+            words += [f"{p.name} {p.duration:.10g} s" for p in of_cell]
+        if turn is not None:
+            words.append(f"phi = {turn:.10g} rad")
+        return ", ".join(words)
+
+    @property
+    def _verdict(self) -> str:
+        """Whether it is stable, in a word behind a comma; empty where that is not known."""
+        try:
+            stable = self.stable
+        except NoMultipliersError:
+            return ""
+        return "" if stable is None else ", stable" if stable else ", unstable"
+
+    def plot(self, ax: Any = None, quantity: str = "plane", **style: Any) -> Any:
+        """Draw the motion and return the axes; needs matplotlib, the extra ``plot``.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where; new ones without it.
+        quantity : {"plane", "displacement", "velocity", "acceleration"}
+            The phase plane, or one of the three against time in periods.
+        **style
+            Of the line, as `matplotlib.axes.Axes.plot` takes it.
+
+        Raises
+        ------
+        ValueError
+            If `quantity` is none of these.
+        MissingExtra
+            An `ImportError`: if matplotlib is not installed.
+        """
+        from ...plots.orbits import draw  # noqa: PLC0415  (an extra)
+
+        return draw(self, ax, quantity, **style)
+
+    def table(self, samples: int = SAMPLES) -> Table:
+        """Return the motion over one period, at equal steps of time.
+
+        `t` in s, `displacement`, `velocity` and `acceleration` in SI units, and the number of
+        the `phase`, from 0; their names are in `about`.
+
+        Parameters
+        ----------
+        samples : int
+            How many times.
+        """
+        t = self.period * np.arange(samples) / samples
+        switches = np.cumsum(self.durations)[:-1]
+        columns = {"t": t} | {name: getattr(self, name)(t) for name in list(COURSE)[1:]}
+        columns["phase"] = np.searchsorted(switches, t, side="right")
+        return Table(("t",), columns, COURSE, self.about)
+
+    def _repr_html_(self) -> str:
+        return facts(self.facts) + svg(self.plot)
