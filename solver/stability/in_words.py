@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .continuum import is_one_of_a_continuum
 from .monodromy import NoMultipliersError
 
 if TYPE_CHECKING:
@@ -16,9 +15,8 @@ LARGE, FEW = 0.5, 8
 #: What `stable` means.
 VERDICTS = {True: "stable", False: "unstable", None: "neither stable nor unstable to rounding"}
 
-#: What a multiplier of 1 means: there are orbits beside this one, or there need not be.
-CONTINUUM = "the orbit is one of a continuum, none isolated"
-FIRST_ORDER = "the orbit is not isolated to first order"
+#: What a multiplier of 1 means: there may be orbits beside this one, or none.
+NOT_ISOLATED = "a multiplier is 1: the orbit is not isolated to first order"
 
 
 def in_words(motion: "Motion") -> str:
@@ -43,8 +41,7 @@ def in_words(motion: "Motion") -> str:
     less = f" and {more} smaller ones" if more > 0 else ""
     verdict = VERDICTS[stable]
     if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
-        many = is_one_of_a_continuum(motion)
-        verdict += f"; a multiplier is 1: {CONTINUUM if many else FIRST_ORDER}"
+        verdict += f"; {NOT_ISOLATED}"
     return f"{name} {_numbers([complex(value) for value in large])}{less}: {verdict}"
 
 
