@@ -6,14 +6,14 @@ is at 0 the next iterate.  Its error is of the size of the product of all errors
 the first squared, and no derivative is formed again.  Where corrections do not shrink fast, it
 begins anew with Newton's step, damped and limited as in `iteration`.
 
-``residual`` and ``jacobian`` are those that `linking` links this module to.
+``residual`` and ``jacobian`` are those that `linking` links it to.
 """
 
 from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Vector
 from .iteration import (
     CONVERGED,
     DURATION_STEP,
@@ -24,6 +24,8 @@ from .iteration import (
     SINGULAR,
     SMALLEST_STEP,
     TOO_MANY,
+    jacobian,
+    residual,
 )
 
 #: A correction that is at most this part of the one before is taken without a derivative.
@@ -31,16 +33,6 @@ FAST = 0.25
 
 #: Most points of the inverse function; they are used up by rounding long before.
 POINTS = 8
-
-
-def residual(work: Any, y: Vector, R: Vector) -> None:
-    """Stand for the residual of the kernel."""
-    raise NotImplementedError
-
-
-def jacobian(work: Any, y: Vector, J: Matrix) -> None:
-    """Stand for its derivative."""
-    raise NotImplementedError
 
 
 def limited(step: float, y: float) -> float:

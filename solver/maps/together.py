@@ -7,9 +7,6 @@ the map of a phase in the place of an integrator.  `iteration.iterate_scene` sol
 What single conditions give is filled in before, exactly: `given_alone`.  Where nothing forces
 and a phase begins in a state that is known then, its duration is a single unknown, then that of
 the next phase: `one_by_one`.
-
-``solve_phases``, ``phase_rates`` and what else stands here with no body are those of the map
-that `linking` links this module to.
 """
 
 from math import pi
@@ -34,63 +31,25 @@ from ...generated.ck import (
     highest,
     joint_rates,
     joints,
+    order_of,
+    residual,
 )
 from ..arrays import Matrix, Vector
-from ..iteration.iteration import SINGULAR
+from ..iteration.iteration import SINGULAR, iterate_scene
 from ..iteration.linear import least_squares
+from ..iteration.single import iterate_single
+from .series import (
+    phase_rate,
+    phase_rates,
+    places_kept,
+    solve_phase,
+    solve_phases,
+    unpack,
+    workplace,
+)
 
 #: In the place of `iteration.FAST`: here a new Jacobian costs little more than a residual.
 FAST = 0.001
-
-
-def order_of(case: Any, z: Vector) -> int:
-    """Stand for the order from the number of unknowns."""
-    raise NotImplementedError
-
-
-def places_kept(case: Any, N: int) -> Any:
-    """Stand for where the unknowns of each phase begin that are solved for together."""
-    raise NotImplementedError
-
-
-def workplace(case: Any, at: Any, N: int) -> Any:
-    """Stand for the room that a map needs."""
-    raise NotImplementedError
-
-
-def solve_phases(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
-    """Stand for the map of the phases."""
-    raise NotImplementedError
-
-
-def phase_rates(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
-    """Stand for its derivatives."""
-    raise NotImplementedError
-
-
-def solve_phase(case: Any, y: Vector, at: Any, N: int, work: Any, p: int, theta: float) -> None:
-    """Stand for the map of one phase."""
-    raise NotImplementedError
-
-
-def phase_rate(case: Any, y: Vector, at: Any, N: int, work: Any, p: int, most: int) -> None:
-    """Stand for its derivatives."""
-    raise NotImplementedError
-
-
-def unpack(case: Any, y: Vector, at: Any, N: int, work: Any, z: Vector) -> None:
-    """Stand for what fills in all unknowns of the whole system."""
-    raise NotImplementedError
-
-
-def residual(case: Any, z: Vector, R: Vector) -> None:
-    """Stand for the residual of the whole system."""
-    raise NotImplementedError
-
-
-def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
-    """Stand for Newton's method on what joins the phases."""
-    raise NotImplementedError
 
 
 def times_of(place: Any) -> tuple[int, int]:
@@ -256,11 +215,6 @@ def event_rate(place: Any, s: Vector, J: Matrix) -> None:
     numbers, by = case[1], work[-1]
     phase_rate(case, y, at, N, work, p, 2)
     J[0, 0] = numbers[p, E_X] * by[0, p, 0, 0] + numbers[p, E_V] * by[0, p, 1, 0]
-
-
-def iterate_single(place: Any, s: Vector, limit: int) -> tuple[int, int, float, float]:
-    """Stand for Newton's method on one duration."""
-    raise NotImplementedError
 
 
 def one_by_one(
