@@ -12,7 +12,7 @@ from typing import Any
 from ...generated import ck
 from ..compiling import Account, rebuilt
 from ..scenes.methods import about
-from .kernel import compiling
+from .kernel import Kernel, compiling
 from .linking import Make, text_of
 
 
@@ -43,6 +43,27 @@ class Family:
         return (self.compiled if compile_it else self.plain)(module_of(method).__name__)
 
     @cache  # noqa: B019  (there are as many families as methods of linking)
+    def kernel(self, layout: Any, compile_it: bool) -> Kernel:
+        """Return the kernel of a method for a scene, by the layout of its unknowns.
+
+        Compiled it is once for all scenes.
+        """
+        found = self.functions(layout.method, compile_it)
+        return Kernel(
+            method=layout.name,
+            durations=len(layout.classes),
+            forced=layout.scene.frequency is not None,
+            lowest=layout.lowest,
+            size=layout.size,
+            coefficients=layout.coefficients,
+            given=layout.given,
+            condensed=layout.condensed,
+            account=None if compile_it else self.account(layout.method),
+            starts=layout.starts,
+            **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
+        )
+
+    @cache  # noqa: B019
     def account_of(self, name: str) -> Account:
         """Return what a module, by its name, has cost in plain Python."""
         return Account(

@@ -1,9 +1,9 @@
 """The kernel of motions that are polynomials on each phase: one for all scenes and classes."""
 
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from types import ModuleType
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -17,10 +17,8 @@ from ..scenes.method_names import with_class_one
 from ..scenes.methods import about
 from . import linking
 from .family import Family, module_of
-from .kernel import Kernel
 
 FAMILY = Family(linking.phase_maps, linking.MAPS + linking.NEWTON, together.iterate_together)
-account = FAMILY.account
 
 
 @dataclass(frozen=True)
@@ -31,15 +29,33 @@ class Layout:
     ----------
     scene : LoadedScene
         Of one motion.
-    classes : tuple of int
-        The class of the functions that begin each phase.
     method : str
         Generic name.
+    class_one : bool
+        Whether functions are of class C^1 at most, where the scene is smoother.
     """
 
     scene: LoadedScene
-    classes: tuple[int, ...]
     method: str
+    class_one: bool = False
+
+    #: See `Kernel`.
+    condensed: ClassVar[bool] = True
+
+    @property
+    def name(self) -> str:
+        """What the kernel calls the method."""
+        return with_class_one(self.method) if self.class_one else self.method
+
+    @property
+    def starts(self) -> bool:
+        """Whether the scene's start is imposed in place of the first event."""
+        return bool(about(self.method).unseen) and self.scene.has_start
+
+    @property
+    def classes(self) -> tuple[int, ...]:
+        """The class of the functions that begin each phase."""
+        return tuple(min(k, 1) if self.class_one else k for k in self.scene.classes)
 
     @property
     def equations(self) -> ModuleType:
@@ -109,36 +125,3 @@ class Layout:
                 found = combinations(self.equations.unseen, tests[p], k, left)
                 tables[p, : tests[p], :left] = found
         return (*arrays, tables)
-
-
-@cache
-def kernel(
-    scene: LoadedScene, method: str, class_one: bool = False, compile_it: bool = False
-) -> Kernel:
-    """Return the kernel of a method of this family for a scene of one motion.
-
-    Parameters
-    ----------
-    scene, method : LoadedScene, str
-        The generic name of the method.
-    class_one : bool
-        Whether functions are of class C^1 at most, where the scene is smoother.
-    compile_it : bool
-        Whether numba is to compile it; once for all scenes.
-    """
-    classes = tuple(min(k, 1) if class_one else k for k in scene.classes)
-    layout = Layout(scene, classes, method)
-    found = FAMILY.functions(method, compile_it)
-    return Kernel(
-        method=with_class_one(method) if class_one else method,
-        durations=len(classes),
-        forced=scene.frequency is not None,
-        lowest=layout.lowest,
-        size=layout.size,
-        coefficients=layout.coefficients,
-        given=layout.given,
-        condensed=True,
-        account=None if compile_it else account(method),
-        starts=bool(about(method).unseen) and scene.has_start,
-        **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
-    )

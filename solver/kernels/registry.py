@@ -127,13 +127,7 @@ def _kernel(
     number: int | None,
     compiles: "Callable[[Account], bool]",
 ) -> "Kernel":
-    """Return the kernel of a method, compiled if that is to be by what it has cost.
-
-    Raises
-    ------
-    UnknownScene
-        If the scene has none.
-    """
+    """Return the kernel of a method, compiled if that is to be by what it has cost."""
     from . import polynomials, series  # noqa: PLC0415  (NumPy: lists of scenes need none)
 
     wanted = generic_method(scene, method)
@@ -146,11 +140,12 @@ def _kernel(
         from . import bodies  # noqa: PLC0415  (SciPy)
 
         return bodies.kernel(scene, name, number)
-    family = series if found.is_series else polynomials
-    compile_it = compiles(family.account(name))
+    layout: polynomials.Layout | series.Layout
     if found.is_series:
-        return series.kernel(scene, name, number or 0, compile_it)
-    return polynomials.kernel(scene, name, wanted != name, compile_it)
+        family, layout = series.FAMILY, series.Layout(scene, name, number or 0)
+    else:
+        family, layout = polynomials.FAMILY, polynomials.Layout(scene, name, wanted != name)
+    return family.kernel(layout, compiles(family.account(name)))
 
 
 def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:

@@ -1,8 +1,7 @@
 """Kernels of motions that are one series over the period: one for all scenes of a method."""
 
 from dataclasses import dataclass
-from functools import cache
-from typing import Any
+from typing import Any, ClassVar
 
 from ..arrays import Vector
 from ..iteration import iteration
@@ -12,10 +11,8 @@ from ..scenes.loaded import LoadedScene
 from ..scenes.methods import about
 from . import linking
 from .family import Family
-from .kernel import Kernel
 
 FAMILY = Family(linking.whole_period, linking.NEWTON, iteration.iterate_scene)
-account = FAMILY.account
 
 
 @dataclass(frozen=True)
@@ -34,6 +31,16 @@ class Layout:
     scene: LoadedScene
     method: str
     functions: int
+
+    #: See `Kernel`.
+    condensed: ClassVar[bool] = False
+    starts: ClassVar[bool] = False
+    lowest: ClassVar[int] = 1
+
+    @property
+    def name(self) -> str:
+        """What the kernel calls the method."""
+        return self.method
 
     @property
     def classes(self) -> tuple[int, ...]:
@@ -84,33 +91,3 @@ class Layout:
         """Return what the functions of the kernel take for a case."""
         beside = [self.functions] * len(self.classes)
         return tuple(arrays_of(case.cell, self.classes, beside))
-
-
-@cache
-def kernel(
-    scene: LoadedScene, method: str, functions: int = 0, compile_it: bool = False
-) -> Kernel:
-    """Return the kernel of a method of this family for a scene of one motion.
-
-    Parameters
-    ----------
-    scene, method : LoadedScene, str
-        The generic name of the method.
-    functions : int
-        Functions beside the harmonics at each switch.
-    compile_it : bool
-        Whether numba is to compile it; once for all scenes.
-    """
-    layout = Layout(scene, method, functions)
-    found = FAMILY.functions(method, compile_it)
-    return Kernel(
-        method=method,
-        durations=len(layout.classes),
-        forced=scene.frequency is not None,
-        lowest=1,
-        size=layout.size,
-        coefficients=layout.coefficients,
-        given=layout.given,
-        account=None if compile_it else account(method),
-        **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
-    )

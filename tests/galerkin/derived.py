@@ -53,9 +53,11 @@ class OfOneScene:
 
     def __init__(self, scene: LoadedScene, method: str, functions=0, class_one=False):
         if about(method).is_series:
-            self.kernel = series.kernel(scene, method, functions)
+            layout = series.Layout(scene, method, functions)
+            self.kernel = series.FAMILY.kernel(layout, False)
         else:
-            self.kernel = polynomials.kernel(scene, method, class_one)
+            layout = polynomials.Layout(scene, method, class_one)
+            self.kernel = polynomials.FAMILY.kernel(layout, False)
         self.scene, self.METHOD, self.size = scene, method, self.kernel.size
         self.coefficients = self.kernel.coefficients
         for name in ("durations", "forced", "lowest"):

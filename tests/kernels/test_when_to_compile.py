@@ -87,7 +87,7 @@ def test_what_is_spent_is_counted_also_where_it_failed(account, monkeypatch) -> 
 
 def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
     case = ns.scene("impact")()
-    of_scene = polynomials.account("ck-tau")
+    of_scene = polynomials.FAMILY.account("ck-tau")
     used = []
 
     def compiled(family, name):
@@ -100,18 +100,18 @@ def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
     assert of_scene.seconds > 0
     monkeypatch.setattr(of_scene, "pays", lambda: True)
     monkeypatch.setattr(Family, "compiled", compiled)
-    polynomials.kernel.cache_clear()
+    Family.kernel.cache_clear()
     assert ns.solve(case, order=7) == first
     assert used
     for order in (7, 60):  # a high order takes what is cached, and compiles nothing
         used.clear()
-        polynomials.kernel.cache_clear()
+        Family.kernel.cache_clear()
         monkeypatch.setattr(of_scene, "pays", lambda: False)
         for is_cached in (False, True):
             monkeypatch.setattr(of_scene, "is_cached", lambda found=is_cached: found)
             registry.quicker_kernel(case.scene, "ck-tau", None, order)
         assert len(used) == (order > compiling.PLAIN_ORDER)
-    polynomials.kernel.cache_clear()
+    Family.kernel.cache_clear()
 
 
 @pytest.mark.long  # it compiles
