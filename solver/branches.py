@@ -263,13 +263,7 @@ def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
 
 
 def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
-    """Return an orbit from which a branch can be followed.
-
-    Raises
-    ------
-    NoOrbit
-        If none is found; with what was tried.
-    """
+    """Return an orbit from which a branch can be followed."""
     own, (low, high) = case.values[parameter], bounds
     values = [own] if low <= own <= high else []
     tried: list[str] = []

@@ -96,7 +96,6 @@ def jit(function: types.FunctionType, *, inlined: bool = False) -> Any:
 
     Parameters
     ----------
-    function : function
     inlined : bool
         Whether LLVM copies it into what calls it, however large it is: handing over an array
         takes as long as some ten operations.
@@ -123,12 +122,7 @@ def jit(function: types.FunctionType, *, inlined: bool = False) -> Any:
 def _cached(function: types.FunctionType, source: Path, options: dict[str, Any]) -> Any:
     """Return a function of the folder `source` compiled, with numba's cache.
 
-    Raises
-    ------
-    NotPrivate
-        If others may write to the cache.
-    RuntimeError
-        If there is no folder for it.
+    `NotPrivate` is raised if others may write to it, a RuntimeError if there is no folder.
     """
     import numba  # noqa: PLC0415  (see `jit`)
 

@@ -32,13 +32,6 @@ def owned() -> Iterator[None]:
 def check_cache(cached: Any, source: Path) -> None:
     """Check that no one can have written to a cache of numba who cannot change the source.
 
-    Parameters
-    ----------
-    cached : cache of numba
-        Of a function.
-    source : Path
-        The folder of its file.
-
     Raises
     ------
     NotPrivate
@@ -59,7 +52,6 @@ def guard(cached: Any, name: str, say: Callable[[str, str], None]) -> None:
 
     Parameters
     ----------
-    cached : cache of numba
     name : str
         Of its function: it is part of the hash.
     say : callable

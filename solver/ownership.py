@@ -23,7 +23,6 @@ def check_private(path: Path, like: Path | None = None) -> None:
 
     Parameters
     ----------
-    path : Path
     like : Path, optional
         A folder whose files are run in any case: who owns it, or may write to it, is trusted.
 

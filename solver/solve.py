@@ -233,13 +233,7 @@ class _Search:
         return registry.quicker_kernel(self.case.scene, self.method, self.functions, self.order)
 
     def run(self) -> Orbit:
-        """Return an orbit.
-
-        Raises
-        ------
-        NoOrbit
-            If none is found.
-        """
+        """Return an orbit."""
         for times in self.starts():
             found = self.orbit(times)
             if found is not None:

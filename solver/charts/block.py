@@ -54,12 +54,8 @@ def block_of(
 
     Parameters
     ----------
-    planes : sequence of Plane
-        The orders of phases, those that go before others first.
     A, B : ndarray
         The parameters of the columns and of these rows, from -1 to 1 over the map.
-    wide : float
-        Distance of rows.
     seeds : sequence of ndarray, shape (m, n + 2)
         Known orbits of each plane.
 
@@ -124,15 +120,10 @@ def _larger(orbits: tuple[Any, ...], points: int, n: int, size: int) -> tuple[An
 
 
 def stability_of(plane: Plane, maps: Any) -> Integers:
-    """Return whether orbits are stable, by the maps of their cells.
+    """Return whether orbits are stable, by `maps` of their cells, shape (m, 2, n, n).
 
-    Where rounding might change the verdict, it is that of `stability.of_monodromy`.
-
-    Parameters
-    ----------
-    plane : Plane
-    maps : ndarray, shape (m, 2, n, n)
-        See `cell_map`.
+    Where rounding might change the verdict, it is that of `stability.of_monodromy`.  See
+    `cell_map`.
     """
     cell = plane.course.cell(plane.case.numbers)
     known = np.isfinite(maps).all(axis=(1, 2, 3))

@@ -37,20 +37,9 @@ OF_THE_ORBIT = {"fold": -1, "branch-point": -1, "torus": -2, "flip": -3}
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """A curve of events.
+    """A curve of events: orbits of a plane on which a gauge vanishes; see `gauges_at`.
 
-    Parameters
-    ----------
-    kind : str
-        The word for what happens.
-    plane : Plane
-        Of the orbits on it.
-    gauge : int
-        What vanishes on it; see `following.gauges_at`.
-    points : tuple of ndarray
-        Unknowns and both parameters, from the one end to the other.
-    why : (str, str)
-        Why it ends there.
+    Its points are unknowns and both parameters; `why` it ends there, at either end.
     """
 
     kind: str

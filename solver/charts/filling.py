@@ -45,15 +45,10 @@ def row_of(plane: Any, b: float) -> Any:
 
 
 def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, float]:
-    """Lead `z` to the orbit at a point.
+    """Lead `z` to the orbit at a point; whether it gets there, and how.
 
-    Returns
-    -------
-    converged : bool
-    fall : float
-        The second correction as a part of the first; 0 where there is none.
-    sign : float
-        Of the determinant of the equations.
+    Then the second correction as a part of the first, 0 where there is none, and the sign of
+    the determinant of the equations.
     """
     case, n, weights = case_at(row_of(plane, b), a), len(z), plane[4]
     J, scales, rows = np.empty((n, n)), np.empty(n), np.empty(n, np.int64)
@@ -211,20 +206,12 @@ def fill(
 
     Parameters
     ----------
-    plane, table
-        See `plane.Plane` and `watch`.
-    A, B : ndarray
-        The parameters on the grid, from -1 to 1.
     begin, count : int
         The first orbit from which to go on, and how many there are.
     orbits : tuple of ndarray
         Of each: unknowns, point, sign of the determinant, orbits to the right, left, up and
         down; of each point its last orbit; of each orbit the one before at its point, and the
         map of its cell.
-
-    Returns
-    -------
-    begin, count : int
     """
     Z, at, signs, links, _, _, _ = orbits
     while begin < count:

@@ -20,15 +20,9 @@ VALUES = 5
 
 @dataclass(frozen=True)
 class Stretch:
-    """Orbits of one order of phases on a line.
+    """Orbits of one order of phases on a line: the case of that in the middle, and `points`.
 
-    Parameters
-    ----------
-    course : Course
-    case : Case
-        With the parameters of the orbit in the middle.
-    points : ndarray, shape (m, n + 2)
-        Unknowns and both parameters of each, in SI units.
+    Each point has the unknowns and both parameters, in SI units; shape (m, n + 2).
     """
 
     course: Course
@@ -44,20 +38,9 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Happening:
-    """Something that happens on a line.
+    """Something that happens on a line: the word for it, and where, as in `Stretch`.
 
-    Parameters
-    ----------
-    kind : str
-        The word for it.
-    course : Course
-        Of the orbits there.
-    gauge : tuple
-        What vanishes: see `gauge_of`.
-    point : ndarray, shape (n + 2,)
-        Unknowns and both parameters, in SI units.
-    across : int
-        Which parameter does not vary on the line.
+    What vanishes is as `gauge_of` has it; the parameter `across` does not vary on the line.
     """
 
     kind: str
@@ -77,10 +60,6 @@ def line_of(case: Case, names: tuple[str, str], bounds: Bounds, across: int) -> 
     ----------
     case : Case
         With the value of the parameter that does not vary on the line.
-    names : (str, str)
-        Both parameters.
-    bounds : ((float, float), (float, float))
-        Their ranges.
     across : int
         Which of them does not vary.
     """

@@ -35,7 +35,6 @@ class Plane:
 
     Parameters
     ----------
-    course : Course
     case : Case
         Whose units are used.
     indices : (int, int)
@@ -44,7 +43,6 @@ class Plane:
         Of their ranges, in SI units.
     series : Along
         Its series over both parameters, of shape (entries, terms, terms).
-    rows : tuple of Row
     table : ndarray of int
         What is watched.
     """
@@ -65,8 +63,6 @@ class Plane:
 
         Parameters
         ----------
-        course, indices, bounds
-            See `Plane`.
         case : Case
             With the parameters of an orbit of this order, of which nothing is special.
         z : ndarray
@@ -119,13 +115,7 @@ class Plane:
 def _series(
     course: Course, case: Case, indices: tuple[int, int], bounds: Bounds, rows: Sequence[Row]
 ) -> Matrix:
-    """Return the Chebyshev coefficients of all entries over a rectangle.
-
-    Raises
-    ------
-    ArithmeticError
-        If so many terms do not resolve them.
-    """
+    """Return the Chebyshev coefficients of all entries over a rectangle."""
     ends = [np.divide(bounds[i], unit_of(case, indices[i])) for i in (0, 1)]
     for terms in TERMS:
         at, table = chebyshev(terms)

@@ -43,13 +43,7 @@ SAME = 1e-7
 
 
 def solutions(case: "Case") -> Iterator[ExactOrbit]:
-    """Yield solutions of the exact equations of a body, orbits or not, each once.
-
-    Parameters
-    ----------
-    case : Case
-        Of a body, of one motion.
-    """
+    """Yield solutions of the exact equations of a body, orbits or not, each once."""
     found: list[ExactOrbit] = []
     for start in _starts(case.cell):  # type: ignore[arg-type]
         solution = from_times(case, start)
@@ -70,12 +64,7 @@ def listed(cell: "BodyCell") -> bool:
 
 
 def slow(cell: "BodyCell") -> "BodyCell":
-    """Return a cell with the slow modes of its body; the others answer statically.
-
-    Parameters
-    ----------
-    cell : BodyCell
-    """
+    """Return a cell with the slow modes of its body; the others answer statically."""
     body = cell.body
     speed = np.sqrt(np.abs(body.squares))
     count = max(SLOW, int((speed <= BELOW * cell.omega).sum()))

@@ -85,15 +85,7 @@ class Pieces:
 
 
 def roots(function: Function, edges: Vector) -> Roots:
-    """Return the roots between the first and the last of some edges.
-
-    Parameters
-    ----------
-    function : callable
-        See `Function`.
-    edges : ndarray
-        Of the first pieces, ascending.
-    """
+    """Return the roots of `Function` between the first and the last of ascending edges."""
     parts = _pieces(function, edges)
     which, low, high, doubtful = _isolated(parts)
     places, signs = _bisected(parts, which, low, high)

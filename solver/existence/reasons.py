@@ -24,15 +24,8 @@ def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
 
     Parameters
     ----------
-    case : Case
-        Of one motion.
     tried : iterable of str
         What searches came to: of that, what simulations settle on is repeated.
-
-    Returns
-    -------
-    NoOrbit or None
-        None where nothing is shown: not all solutions can be listed, or there is an orbit.
     """
     found = known(case)
     if not found.none:
@@ -95,15 +88,7 @@ def not_decided(case: Case) -> Iterator[str]:
 class WithoutSwitches:
     """A periodic motion that stays in one phase: its response to the forcing.
 
-    Parameters
-    ----------
-    case : Case
-    phase : str
-        Its name.
-    least, largest : float
-        Displacement in m.
-    stable : bool or None
-        Whether small perturbations die out; None where they last.
+    From `least` to `largest` displacement in m; `stable` is None where perturbations last.
     """
 
     case: Case

@@ -25,15 +25,12 @@ def motion(
 
     Parameters
     ----------
-    phase : Phase
-        Its equation of motion.
     start : ndarray, shape (2,)
         Displacement and velocity at ``t = 0``.
     angle, omega : float
         The forcing is ``cos(omega t + angle)``.
     t : ndarray
         Times, not negative.
-    derivative : {0, 1, 2}
     """
     t = np.asarray(t, dtype=float)
     if phase.held:

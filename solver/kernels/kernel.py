@@ -83,8 +83,6 @@ def pays(spent: Account, order: int) -> bool:
 
     Parameters
     ----------
-    spent : Account
-        What it has cost.
     order : int
         For which it is wanted: of a high order it is compiled from the first, if it is in
         numba's cache.

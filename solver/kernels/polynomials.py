@@ -23,16 +23,9 @@ FAMILY = Family(linking.phase_maps, linking.MAPS + linking.NEWTON, together.iter
 
 @dataclass(frozen=True)
 class Layout:
-    """Which unknowns a scene has in such a method.
+    """Which unknowns a scene of one motion has in such a method, by its generic name.
 
-    Parameters
-    ----------
-    scene : LoadedScene
-        Of one motion.
-    method : str
-        Generic name.
-    class_one : bool
-        Whether functions are of class C^1 at most, where the scene is smoother.
+    `class_one` says that functions are of class C^1 at most, where the scene is smoother.
     """
 
     scene: LoadedScene

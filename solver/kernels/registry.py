@@ -28,12 +28,7 @@ def names() -> tuple[str, ...]:
 
 
 def load(name: str) -> LoadedScene:
-    """Return a shipped scene.
-
-    Parameters
-    ----------
-    name : str
-        As `names` has it; with underscores for dashes as well.
+    """Return a shipped scene by its name, as `names` has it; also with underscores.
 
     Raises
     ------

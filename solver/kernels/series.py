@@ -17,16 +17,7 @@ FAMILY = Family(linking.whole_period, linking.NEWTON, iteration.iterate_scene)
 
 @dataclass(frozen=True)
 class Layout:
-    """Which unknowns a scene has in such a method.
-
-    Parameters
-    ----------
-    scene : LoadedScene
-        Of one motion.
-    method : str
-    functions : int
-        Functions beside the harmonics at each switch.
-    """
+    """Which unknowns a scene has in such a method, with functions beside the harmonics."""
 
     scene: LoadedScene
     method: str

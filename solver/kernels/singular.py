@@ -28,15 +28,7 @@ def is_reversible(cell: Cell) -> bool:
 
 
 def is_singular(kernel: Kernel, case: Case, order: int, times: Vector) -> bool:
-    """Return whether the Jacobian of a kernel is singular at given times.
-
-    Parameters
-    ----------
-    kernel, case, order : Kernel, Case, int
-        See `attempt`.
-    times : ndarray
-        Durations and, if the scene is forced, the phase of the forcing; without units.
-    """
+    """Return whether the Jacobian of a kernel is singular at given times; see `attempt`."""
     given = kernel.given(case, order)
     z = with_coefficients(kernel, given, kernel.size(order), times)
     J = np.empty((len(z), len(z)))

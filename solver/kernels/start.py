@@ -68,16 +68,7 @@ def _splits(cell: Cell) -> Iterator[tuple[tuple[float, ...], str]]:
 def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Vector:
     """Return the unknowns of a kernel: the coefficients of best fit, and the given times.
 
-    Parameters
-    ----------
-    kernel : Kernel
-        Whose conditions are linear in the coefficients.
-    case : object
-        What its residual takes.
-    size : int
-        Number of unknowns.
-    times : ndarray
-        Durations, and the phase of the forcing if the kernel is forced.
+    Its conditions are linear in the coefficients; `case` is what its residual takes.
     """
     count = size - len(times)
     z = np.concatenate([np.zeros(count), times])

@@ -21,20 +21,9 @@ def combinations(
 ) -> Matrix:
     """Return Z: what coefficients from `rows` on of the residual make of those before.
 
-    A residual that is orthogonal to all tests of a phase that begins C^k is a combination of a
-    few polynomials; their weights by degree are a triangle at the top.
-
-    Parameters
-    ----------
-    unseen : function
-        ``unseen(m, l, k)`` of a generated module: the weights.
-    rows, k, count : int
-        Tests of the phase, its class, how many polynomials they do not see.
-
-    Returns
-    -------
-    ndarray, shape (rows, count)
-        Each to rounding.
+    A residual that is orthogonal to all tests of a phase that begins C^k is a combination of as
+    many polynomials as `count`; their weights by degree, ``unseen(m, l, k)`` of a generated
+    module, are a triangle at the top.  Shape (rows, count), each to rounding.
 
     Examples
     --------

@@ -51,8 +51,6 @@ def violations(
 
     Parameters
     ----------
-    orbit : Motion
-        A solution of the equations.
     allowed : callable
         How far below 0 a demand may fall; see `allowance` for those of an expansion.
     unmet : float

@@ -82,11 +82,7 @@ def by_residual(orbit: Motion) -> Allowance:
 def by_neighbour(orbit: Motion, near: Motion | None) -> Allowance:
     """Return what demands of a body's orbit may fall below 0: twice what it differs by there.
 
-    Parameters
-    ----------
-    orbit : Motion
-    near : Motion, optional
-        The exact solution next to it.
+    It is compared with the exact solution next to it, if there is one.
     """
     if near is None:
         return only_rounding

@@ -19,10 +19,6 @@ def attempt(
 
     Parameters
     ----------
-    kernel : Kernel
-        Of the method.
-    case, order : Case, int
-        What to solve.
     times : ndarray
         Durations and, if the scene is forced, the phase of the forcing; without units.
     functions : int, optional

@@ -25,7 +25,6 @@ def met_before(orbit: Motion, p: int, allowed: float) -> float | None:
 
     Parameters
     ----------
-    orbit : Motion
     p : int
         A phase of its cell with no demand that ends with it.
     allowed : float

@@ -45,8 +45,6 @@ def difference(found: Motion, reference: Motion, waves: int) -> Errors:
 
     Parameters
     ----------
-    found, reference : Motion
-        The two.
     waves : int
         Most waves of either on a phase, for quadrature.
     """
@@ -91,11 +89,6 @@ def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
 
     Parameters
     ----------
-    motion : Motion
-    p : int
-        The phase of the cell.
-    u : ndarray
-        Local times in [0, 1].
     order : int
         Of the derivative; of orders above 2 by interpolation of the acceleration.
     """
@@ -110,12 +103,7 @@ def derivative(motion: Motion, p: int, u: Vector, order: int) -> Vector:
 def acceleration_error(found: Motion, reference: Motion, waves: int) -> float:
     """Return (22) of the paper: the relative L2 difference over normalised time.
 
-    Parameters
-    ----------
-    found, reference : Motion
-        The two, whose accelerations are compared.
-    waves : int
-        Most waves of either on a period, for quadrature.
+    `waves` are the most that either has on a period, for quadrature.
     """
     breaks = [
         float(end) for each in (found, reference) for end in _ends(each)[1:-1] / _ends(each)[-1]

@@ -24,12 +24,7 @@ SAME = 1e-11
 class ExactOrbit(Shown):
     """The exact periodic orbit of a case, from the closed-form flow of its phases.
 
-    Parameters
-    ----------
-    case : Case
-        The oscillator.
-    outcome : Outcome
-        States and times without units, and how Newton's method found them.
+    Its outcome has states and times without units, and how Newton's method found them.
     """
 
     case: Case

@@ -30,8 +30,6 @@ class Solution(Shown):
 
     Parameters
     ----------
-    case : Case
-        The oscillator.
     method : str
         Generic name of the method.
     order : int

@@ -35,13 +35,7 @@ def precision(digits: int) -> Iterator[None]:
 
 
 def residual_in_balls(residual: Callable[..., None]) -> Residual:
-    """Return the residual of a generated module over balls, at the precision in force.
-
-    Parameters
-    ----------
-    residual : callable
-        That of the module, in plain Python.
-    """
+    """Return the residual of a generated module over balls, at the precision in force."""
     functions = _functions(residual.__code__.co_filename, ctx.dps)
     found: Residual = functions[residual.__name__]
     return found

@@ -17,11 +17,6 @@ def condition(orbit: ExactOrbit) -> float:
     exact arithmetic too.  Times are durations, and the phase of the forcing over its angular
     frequency.  By the implicit function theorem on the exact equations, with differences for
     the derivatives by the parameters.
-
-    Parameters
-    ----------
-    orbit : ExactOrbit
-        The exact orbit of a case.
     """
     case, kernel = orbit.case, exact_kernel(orbit.case.cell)
     z, numbers = orbit.outcome.unknowns, case.numbers

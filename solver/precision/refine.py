@@ -25,14 +25,9 @@ class PrecisionError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Refined:
-    """A solution in high precision.
+    """A solution in high precision: durations and the forcing's phase, without units.
 
-    Parameters
-    ----------
-    times : tuple of arb
-        Durations and, if the scene is forced, the phase of the forcing; without units.
-    steps : int
-        Evaluations of the residual in balls.
+    `steps` are the evaluations of the residual in balls.
     """
 
     times: tuple[Any, ...]
@@ -54,8 +49,6 @@ def refine(
         In plain Python: a generated one, or with `in_balls` any.
     arguments : object
         What its functions call the case; floats stand for their exact binary values.
-    start : ndarray
-        The unknowns as float64 found them.
     digits : int
         Decimal digits of the times, relative to their sum.
     in_balls : callable, optional

@@ -55,7 +55,6 @@ class Chart(Tabular):
     index, stable : ndarray of int, shape (rows, columns)
         The number of the motion, -1 where none is found; 1 if it is stable, 0 if it is not,
         -1 where that is not known.
-    curves : tuple of EventCurve
     """
 
     case: Case

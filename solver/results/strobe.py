@@ -95,11 +95,9 @@ class Basins(Tabular):
 
     Parameters
     ----------
-    case : Case
     x, v : ndarray
         Displacements in m and velocities in m/s at the start, where the phase of the forcing
         is 0.
-    attractors : tuple of Attractor
     index : ndarray of int, shape (len(v), len(x))
         The number of the attractor from each start; -1 where the motion has not come to one
         that repeats itself, -2 where no phase takes the start or the motion ends.

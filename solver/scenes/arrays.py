@@ -49,7 +49,6 @@ def arrays_of(
 
     Parameters
     ----------
-    cell : Cell
     classes : sequence of int
         The k of the switch that begins each phase; 1 without them.
     beside : sequence of int

@@ -118,7 +118,6 @@ class Memory:
 
     Parameters
     ----------
-    name : str
     phase : int
         Whose beginning sets it.
     power : int
@@ -139,14 +138,10 @@ class Cell:
 
     Parameters
     ----------
-    phases : tuple of Phase
-        In order.
     frequency : float or None
         Angular frequency of the forcing.
     sign : {1, -1}
         What the next cell is multiplied by: -1 where ``x(t + T/2) = -x(t)``.
-    k : int
-        Class of the motion.
     guess : tuple of float
         Rough durations, if the scene has them.
     cycles : int

@@ -19,8 +19,6 @@ class About:
 
     Parameters
     ----------
-    title : str
-        What it is.
     power : bool
         Whether its errors fall as a power of the order; else by a factor with each order.
     look : dict

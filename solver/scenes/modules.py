@@ -21,7 +21,6 @@ def module_of(path: Path, kept: Kept | None = None) -> types.ModuleType:
 
     Parameters
     ----------
-    path : Path
     kept : mapping of str to bytes, optional
         What was read of its folder: then the files themselves, and what Python keeps of them in
         ``__pycache__``, are not looked at.

@@ -35,14 +35,9 @@ class Step(NamedTuple):
 
 @dataclass(frozen=True)
 class Order:
-    """An order of phases.
+    """An order of phases: the steps of one cell of the motion.
 
-    Parameters
-    ----------
-    steps : tuple of Step
-        Of one cell of the motion.
-    half_period : bool
-        Whether the next cell is the mirror image of this one.
+    Of `half_period` the next cell is the mirror image of this one.
     """
 
     steps: tuple[Step, ...]
@@ -85,12 +80,7 @@ def half_if_mirrored(cell: Cell, order: Order) -> Order:
 class OrderedScene(LoadedScene):
     """A scene whose motion has its phases in another order than those that are declared.
 
-    Parameters
-    ----------
-    base : LoadedScene
-        The scene of one motion, of which the phases are.
-    order : Order
-        Theirs.
+    They are those of `base`, a scene of one motion.
     """
 
     base: LoadedScene

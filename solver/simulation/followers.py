@@ -27,18 +27,11 @@ HIGHEST = 4
 
 
 def may_follow(machine: AnyMachine, one: Step, other: Step) -> bool:
-    """Whether a phase may begin where another ends by its event.
+    """Whether a phase of a machine may begin where another ends by its event.
 
     Something must change there: the equation or the velocity.  And just behind the event each
     demand, or its first derivative that does not vanish there for every state, must not be a
     negative number.
-
-    Parameters
-    ----------
-    machine : Machine or BodyMachine
-        Of the cell that the phases are of.
-    one, other : Step
-        The phase that ends, and that which begins.
     """
     before, after = machine.node(one), machine.node(other)
     if not before.changes_velocity and _numbers(before) == _numbers(after):

@@ -18,19 +18,8 @@ ROUNDING = 2e-15
 def lasts(phase: Phase, x: float, v: float, omega: float, angle: float) -> bool:
     """Return whether it is shown that a phase lasts for ever from a state on.
 
-    Parameters
-    ----------
-    phase : Phase
-        With numbers for the memory.
-    x, v : float
-        Displacement and velocity, without units.
-    omega, angle : float
-        The forcing is ``cos(omega s + angle)``, `s` from that state.
-
-    Returns
-    -------
-    bool
-        False where it ends, and where that is not shown.
+    The phase has numbers for the memory, and the forcing is ``cos(omega s + angle)``, `s` from
+    that state; all without units.  False where it ends, and where that is not shown.
     """
     steady = _steady(phase, x, v, omega, angle)
     if steady is None:

@@ -15,11 +15,5 @@ AnyState: TypeAlias = Any
 
 
 def machine_of(cell: Cell) -> AnyMachine:
-    """Return the phases of a cell, and the rules by which one follows another.
-
-    Raises
-    ------
-    BodyError
-        A `ValueError`: if a law of a body does not fix its force.
-    """
+    """Return the phases of a cell, and the rules by which one follows another."""
     return BodyMachine.of(cell) if isinstance(cell, BodyCell) else Machine.of(cell)

@@ -20,20 +20,9 @@ from .steps.column import NONE
 
 @dataclass(frozen=True)
 class Node:
-    """One phase that a motion can be in.
+    """One phase that a motion can be in: of the cell, by its index, or the mirror image of one.
 
-    Parameters
-    ----------
-    phase : Phase
-        In the coordinates of the motion.
-    index : int
-        Its place in the cell.
-    mirrored : bool
-        Whether it is the mirror image of a phase of the cell.
-    event : int
-        The surface of its event, by number.
-    demands : tuple of int
-        The surfaces of its demands.
+    `event` and `demands` are numbers of surfaces: of its event, and of its demands.
     """
 
     phase: Phase
@@ -91,14 +80,7 @@ def nodes(cell: Cell) -> tuple[Node, ...]:
 class InState(NamedTuple):
     """What linear forms are of in a phase, by the entries of a state with the forcing and 1.
 
-    Parameters
-    ----------
-    rows : ndarray
-        One an entry of a form; the second is the velocity.
-    generator : ndarray
-        Of the state.
-    one : int
-        Which entry is 1.
+    Of the rows, one an entry of a form, the second is the velocity; the entry `one` is 1.
     """
 
     rows: Matrix

@@ -37,18 +37,12 @@ class Segment:
     ----------
     phase : Phase
         In the coordinates of the motion.
-    index : int
-        Its place in the cell.
-    mirrored : bool
-        Whether it is the mirror image of a phase of the cell.
     t : Fraction
         When it starts: the exact sum of the durations before, behind any number of phases.
     angle : float
         The angle of the forcing there, rounded once from the angle at the start and `t`.
     x, v : float
         The state in which it starts, after the switch.
-    s : float
-        How long it lasts.
     step : Step or None
         What an order of phases calls it: the phase whose event ends it, or None if none does.
     """

@@ -53,18 +53,10 @@ NO_TIME = 1e-7
 
 @dataclass(frozen=True)
 class Settled:
-    """What a simulation came to.
+    """What a simulation came to, in words; with times of a cell of the declared order, if any.
 
-    Parameters
-    ----------
-    times : RoughTimes or None
-        Of a cell of the declared order; None if it did not settle on one.
-    words : str
-        What it settled on, or that it did not.
-    other : Other or None
-        Another order on which it settled.
-    conclusive : bool
-        Whether it came to anything: a periodic motion, or one without switches.
+    `other` is another order on which it settled; `conclusive` whether it came to anything: a
+    periodic motion, or one without switches.
     """
 
     times: RoughTimes | None
@@ -77,12 +69,7 @@ class Settled:
 class Other:
     """An order of phases that is not the declared one, with times of a cell.
 
-    Parameters
-    ----------
-    order : Order
-    times : RoughTimes
-    cycles : int
-        Periods of the forcing in a period of the motion.
+    Its motion takes so many `cycles` of the forcing.
     """
 
     order: Order
@@ -95,7 +82,6 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
 
     Parameters
     ----------
-    case : Case
     phases : int
         How many are simulated at most; see `PHASES`.
 

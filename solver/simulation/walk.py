@@ -25,17 +25,9 @@ STRETCH = 10
 
 @dataclass(frozen=True)
 class Place:
-    """Where a phase of a motion begins.
+    """Where a phase of a machine begins: a `State` or a `BodyState`.
 
-    Parameters
-    ----------
-    phase : int
-        Which of the machine's.
-    state : State or BodyState
-    clock : Clock
-        Which says the angle of the forcing.
-    t : Fraction
-        The exact sum of the durations before.
+    The clock says the angle of the forcing; `t` is the exact sum of the durations before.
     """
 
     phase: int
@@ -81,11 +73,6 @@ def walk(
 
     Parameters
     ----------
-    case : Case
-    machine : Machine or BodyMachine
-        Of its cell.
-    place : Place
-        Where to begin.
     until : float
         The time at which it ends, without units.
     most : float

@@ -34,7 +34,6 @@ class Attached:
 
     Parameters
     ----------
-    structure : Structure
     values : mapping
         Its parameters in SI units, by name.
     a : Fraction

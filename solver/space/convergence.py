@@ -69,11 +69,8 @@ class Convergence(Tabular):
 
     Parameters
     ----------
-    attached : Attached
     number : int
         Of the mode, from 1.
-    lines : tuple of Line
-    rows : tuple of ConvergenceRow
     """
 
     attached: Attached

@@ -20,9 +20,6 @@ def shape_errors(
 
     Parameters
     ----------
-    attached : Attached
-    shape : Shape
-    exact : ExactModes
     number : int
         Of the mode, from 1.
     waves : int

@@ -41,12 +41,8 @@ class Modes(Tabular, Sequence[Mode]):
 
     Parameters
     ----------
-    attached : Attached
-    method : str
-    order : int
     forced : int
         Forced modes beside the sines.
-    unknowns : int
     found : tuple of Mode
     exact : ExactModes
         The exact modes of these numbers.

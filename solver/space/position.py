@@ -58,11 +58,7 @@ def as_position(value: object) -> Fraction:
 def sines(numbers_: Integers, a: Fraction) -> tuple[Vector, Vector]:
     """Return ``sin(n pi a)`` and ``cos(n pi a)``; zero where they are zero exactly.
 
-    Parameters
-    ----------
-    numbers_ : ndarray of int
-        ``n``; up to `EXACTLY` they are reduced in whole numbers.
-    a : Fraction
+    Up to `EXACTLY` the multiples are reduced in whole numbers.
     """
     P, Q = a.numerator, a.denominator
     n = np.asarray(numbers_)

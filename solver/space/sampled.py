@@ -20,14 +20,8 @@ UNITS = ("kg^(-1/2)", "kg^(-1/2) m^-1", "kg^(-1/2) N", "kg^(-1/2) N m^-1")
 class Shapes(Tabular):
     """The shapes of the lowest modes, each with a modal mass of 1 kg.
 
-    Parameters
-    ----------
-    attached : Attached
-    how : mapping
-        Method, order, forced modes, unknowns.
-    modes : tuple of Mode
-    points : int
-        Evenly spaced, the ends included.
+    `how` has method, order, forced modes and unknowns; `points` are evenly spaced, the ends
+    included.
     """
 
     attached: Attached

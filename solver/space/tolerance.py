@@ -26,11 +26,8 @@ def to_tolerance(
     ----------
     at_order : callable
         What an order has; a ValueError where it has fewer modes than wanted.
-    off : callable
-        How far that is off.
     orders : range
         From the order that has enough modes, to the highest.
-    tol : float
     name : str
         Of the method, for the message.
 

@@ -35,10 +35,6 @@ def cell_map(
 
     Parameters
     ----------
-    case : tuple
-        The arrays of a cell; see `scenes.arrays`.
-    z : ndarray
-        The unknowns of its exact equations.
     reached : ndarray, shape (P, 2)
         Velocity and acceleration where each phase ends.
     speed : float

@@ -52,11 +52,6 @@ class Stability:
 def stability(motion: "Motion") -> Stability:
     """Return the multipliers of an orbit, at its own times and states.
 
-    Parameters
-    ----------
-    motion : Motion
-        An orbit: of an expansion or exact.
-
     Raises
     ------
     NoMultipliersError

@@ -17,7 +17,6 @@ class Trial:
 
     Parameters
     ----------
-    method, order : str, int
     estimate : Errors or None
         Of its errors; None where it has no orbit.
     seconds : float or None

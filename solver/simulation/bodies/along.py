@@ -25,16 +25,7 @@ STILL = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Along:
-    """Some forms along a phase.
-
-    Parameters
-    ----------
-    regime : Regime
-    Y : ndarray, shape (W,)
-        The state where it begins.
-    rows : ndarray, shape (F, W)
-        The forms.
-    """
+    """Some forms along a phase: `rows`, shape (F, W), from the state `Y` where it begins."""
 
     regime: Regime
     Y: Vector
@@ -55,14 +46,7 @@ class Along:
         return np.asarray(modes + waves + np.abs(self.rows[:, self._n + 2 :]) @ self._constant)
 
     def bounds(self, order: int, t: Vector, h: float) -> Matrix:
-        """Return what a derivative never exceeds from times on, for a time; shape (F, len(t)).
-
-        Parameters
-        ----------
-        order : int
-        t : ndarray
-        h : float
-        """
+        """Return what a derivative never exceeds from times on, for h; shape (F, len(t))."""
         parts, omega = self._parts, self.regime.part.flow.omega
         grow = np.exp(np.minimum(np.maximum(parts.s.real, 0.0) * h, 700.0))[:, None]
         decay = np.exp(np.minimum(np.outer(parts.s.real, t), 700.0))
@@ -144,11 +128,8 @@ class _Parts:
         By which each is in each form.
     start, own : ndarray of complex, shape (m,)
         Of each pole where the phase begins, and what of it is free; 0 of one near a drive.
-    near : ndarray of bool, shape (m,)
     drive : ndarray, shape (m,)
         What drives those that are near.
-    wave : ndarray of complex, shape (F,)
-    constant : ndarray, shape (F,)
     """
 
     s: Complex

@@ -27,7 +27,9 @@ STEPS = 60
 def first_event(
     along: Along, zeros: "np.ndarray[tuple[int], np.dtype[np.bool_]]", most: float
 ) -> tuple[float, int, int]:
-    """Return where the first of some forms vanishes.
+    """Return where the first of some forms vanishes: a time, how it ended, and which form.
+
+    How is `EVENT`, `CUT`, `BEYOND` or `LOST`.
 
     Parameters
     ----------
@@ -37,15 +39,6 @@ def first_event(
         Which forms are known to be zero there.
     most : float
         Time after which the search ends.
-
-    Returns
-    -------
-    s : float
-        How long the phase lasted.
-    how : int
-        `EVENT`, `CUT`, `BEYOND` or `LOST`.
-    form : int
-        Which form vanishes, if one does.
     """
     zero = [
         along.regime.leading(row, along.Y, bool(known))

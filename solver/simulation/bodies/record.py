@@ -18,13 +18,8 @@ UNSEEN = 1e-3
 class BodySegment(Segment):
     """One phase of a simulated motion of a body; see `Segment`.
 
-    Parameters
-    ----------
-    Y : ndarray, shape (W,)
-        The state in which it starts: ``(y, cos, sin, 1, memory)``.
-    regime : Regime
-    watched : ndarray, shape (F, W)
-        The forms that may end it.
+    It starts in the state ``Y = (y, cos, sin, 1, memory)``; the forms in `watched`, shape
+    (F, W), may end it.
     """
 
     Y: Vector

@@ -27,17 +27,9 @@ RESOLVED = 4
 
 
 class BodyState(NamedTuple):
-    """A state of a body, without units.
+    """A state of a body, without units: y of the modes, the angle of the forcing, the memory.
 
-    Parameters
-    ----------
-    y : tuple of float
-        Of the modes; see `bodies.laws`.
-    angle : float
-        Of the forcing.
-    surface : int
-        The surface that it is known to be on, or `NONE`.
-    memory : tuple of float
+    The surface that it is known to be on, or `NONE`; see `bodies.laws` for y.
     """
 
     y: tuple[float, ...]

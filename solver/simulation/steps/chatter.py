@@ -20,12 +20,7 @@ LEFT = 1e-16
 def time_left(at: Local, rho: float) -> float:
     """Return how long the jumps at a wall still go on; 0 while that is not known.
 
-    Parameters
-    ----------
-    at : Local
-        The motion behind a jump.
-    rho : float
-        Velocity behind a jump over the velocity before.
+    `at` is the motion behind a jump, `rho` the velocity there over that before.
     """
     v, a, jerk = at.derivatives[1], at.derivatives[2], at.derivatives[3]
     if not (-1 < rho <= 0 and v * a < 0):
@@ -54,11 +49,6 @@ def accumulates(last: Sequence[float]) -> bool:
 def end_of(t: float, before: float, last: float) -> float:
     """Return when the switches accumulate, as a geometric series, without units.
 
-    Parameters
-    ----------
-    t : float
-        When the last phase ends.
-    before, last : float
-        Durations of the last two.
+    The last phase ends at t; the last two take the times `before` and `last`.
     """
     return t + last * last / (before - last) if 0 < last < before else t

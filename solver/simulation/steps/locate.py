@@ -59,12 +59,7 @@ class Reached(NamedTuple):
 def sign_after(at: Local, form: Form, zero: bool) -> int:
     """Return the sign of a form just after a state: of its first derivative but zeros.
 
-    Parameters
-    ----------
-    at : Local
-    form : Form
-    zero : bool
-        Whether the form itself is known to be zero there, whatever rounding makes of it.
+    `zero` says that the form itself is known to be zero there, whatever rounding makes of it.
     """
     values, sizes = taylor(at, form)
     leading = _leading(values, sizes, zero)
@@ -103,10 +98,6 @@ def first_event(
 
     Parameters
     ----------
-    phase : Equation
-        Which motion is followed.
-    x, v, angle : float
-        Displacement, velocity, and the angle of the forcing at its start.
     placed : bool
         Whether the displacement at the start is exact to its own rounding.
     forms : sequence of Form

@@ -28,9 +28,6 @@ def run(rules: Rules, state: State, cycles: int) -> tuple[Matrix, Integers, int]
 
     Parameters
     ----------
-    rules : Rules
-    state : State
-        Where it begins.
     cycles : int
         How many turns it is followed.
 
@@ -74,10 +71,7 @@ def strobe(
 ) -> int:  # fmt: skip
     """Fill in the states at the whole turns within a phase that lasts a time.
 
-    Returns
-    -------
-    int
-        How many are filled in then, where `count` were before.
+    Return how many are filled in then, where `count` were before.
     """
     phase = equation_of(rules, p, state.memory)
     while count < len(states):

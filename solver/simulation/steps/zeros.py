@@ -17,18 +17,10 @@ STEPS = 4
 
 
 def first_zero(powers: Polynomial) -> float:
-    """Return the first zero on (0, 1] of a polynomial that is positive at 0.
+    """Return the first zero on (0, 1] of a polynomial, by its coefficients, positive at 0.
 
-    Parameters
-    ----------
-    powers : tuple of 7 floats
-        Its coefficients, that of the power 0 first: positive.
-
-    Returns
-    -------
-    float
-        Not above the first zero, and as near to it as Newton's method comes; infinite if there
-        is none.
+    It is not above the first zero, and as near to it as Newton's method comes; infinite if
+    there is none.
 
     Examples
     --------

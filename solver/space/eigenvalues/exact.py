@@ -32,7 +32,6 @@ class ExactModes:
 
     Parameters
     ----------
-    attached : Attached
     n : ndarray of int, shape (count,)
     offset : ndarray, shape (count,)
     untouched : ndarray of bool, shape (count,)

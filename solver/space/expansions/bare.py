@@ -51,7 +51,6 @@ class BareModes:
         Of a compliance, the mean square of what they leave of the function with a unit jump.
     unknowns : int
         How many unknown coefficients the expansion has.
-    shapes : Shapes
     off : float
         By how much the sum of ``r_i^2/(Lambda_i - lambda)`` may be off, at most, but for
         the rounding of its terms.

@@ -98,8 +98,6 @@ def ritz_forced(attached: Attached, N: int, chosen: tuple[int, ...]) -> BareMode
 
     Parameters
     ----------
-    attached : Attached
-    N : int
     chosen : tuple of int
         Which forced modes, ascending; ``(1, 2)`` are the first two.
     """

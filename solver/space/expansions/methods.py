@@ -55,24 +55,12 @@ def check_forced(structure: Structure, method: str, forced: int | None) -> int:
 
 
 def check_order(method: str, order: object) -> int:
-    """Return the order of a method.
-
-    Raises
-    ------
-    ValueError
-        If it is not a whole number in the range of the method.
-    """
+    """Return the order of a method; a ValueError if it is not one in its range."""
     return check_whole("order", order, HIGHEST[method], f" for {method}")
 
 
 def check_whole(name: str, value: object, most: float = math.inf, of: str = "") -> int:
-    """Return a whole number from 1, which has a name, to the most that is `of` something.
-
-    Raises
-    ------
-    ValueError
-        If it is none.
-    """
+    """Return a whole number from 1 to the most that is `of` something; else a ValueError."""
     if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= most:
         last = f" to {most}" if math.isfinite(most) else ""
         raise ValueError(f"{name}: got {value!r}, expected a whole number from 1{last}{of}")
@@ -86,9 +74,6 @@ def bare_modes(
 
     Parameters
     ----------
-    attached : Attached
-    method, order : str, int
-        Checked.
     forced : int or sequence of int
         How many forced modes, the first ones, or which.
     """

@@ -13,15 +13,9 @@ from .bare import BareModes
 
 @dataclass(frozen=True)
 class Shape:
-    """A mode shape in the bare modes of an expansion, with a mean square of one.
+    """A mode shape with a mean square of one: coefficients of bare modes.
 
-    Parameters
-    ----------
-    bare : BareModes
-    coefficients : ndarray
-        Of the bare modes.
-    hinge : float
-        Of the function with a unit jump, of a compliance.
+    Of a compliance, `hinge` is that of the function with a unit jump.
     """
 
     bare: BareModes

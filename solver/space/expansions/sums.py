@@ -21,12 +21,7 @@ FEWEST, MOST, TURNS = 1_000, 50_000, 4
 class LeftOut:
     """Sums of ``r_n^2/mu_n^q`` over ``n > N``, of a compliance ``r_n^2/mu_n^(q+1)``.
 
-    Parameters
-    ----------
-    sums : ndarray
-        For q = 1, 2, ...
-    error : float
-        By how much the first may be off.
+    For q = 1, 2, ...; `error` says by how much the first may be off.
     """
 
     sums: Vector
