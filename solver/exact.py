@@ -5,12 +5,11 @@ from itertools import islice
 
 import numpy as np
 
-from .any_motion import of_any_motion
 from .existence.known import is_stable, known, known_orbits
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .in_order import settled_cases
 from .kernels.start import PATIENCE, RoughTimes, rough_times
-from .no_orbit import NoOrbit
+from .no_orbit import NoOrbit, of_any_motion
 from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case
 from .scenes.orders import OrderedScene

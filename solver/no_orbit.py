@@ -1,4 +1,13 @@
-"""What is raised where there is no orbit to return."""
+"""What is raised where there is no orbit to return, and scenes with several motions."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from .scenes.case import Case
+
+# What is found for the case of one motion.
+Found = TypeVar("Found")
 
 
 class NoOrbit(Exception):  # noqa: N818  (a finding about the oscillator, not a fault)
@@ -38,3 +47,32 @@ class NoOrbit(Exception):  # noqa: N818  (a finding about the oscillator, not a 
     def status(self) -> str:
         """``"no-orbit"`` if that is shown, else ``"not-converged"``."""
         return "no-orbit" if self.proven else "not-converged"
+
+
+def of_any_motion(case: "Case", find: "Callable[[Case], Found]") -> Found:
+    """Return what is found for the first motion of a case for which there is something.
+
+    Raises
+    ------
+    NoOrbit
+        If there is nothing for any; with the reasons of each.
+    """
+    tried: list[str] = []
+    iterations, proven = 0, True
+    for each in case.each_motion:
+        try:
+            return find(each)
+        except NoOrbit as finding:
+            if not case.scene.motions:
+                raise
+            tried += [f"{each.scene.motion}: {why}" for why in finding.reasons]
+            iterations += finding.iterations
+            proven = proven and finding.proven
+    motions = ", ".join(case.scene.motions)
+    error = NoOrbit(
+        f"{case.scene.name}: no admissible orbit of any motion ({motions}) was found",
+        proven,
+        tuple(tried),
+    )
+    error.iterations = iterations
+    raise error

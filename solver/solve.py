@@ -9,7 +9,6 @@ from itertools import chain, islice, product
 
 import numpy as np
 
-from .any_motion import of_any_motion
 from .arrays import Vector
 from .exact import ExactOrbit, exact_orbit, settled_orbit
 from .existence.known import is_stable, known, known_orbits
@@ -17,9 +16,8 @@ from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .in_order import cases_in_order
 from .kernels import registry
 from .kernels.kernel import Kernel
-from .kernels.singular import is_reversible, is_singular
-from .kernels.start import PATIENCE, rough_times
-from .no_orbit import NoOrbit
+from .kernels.start import PATIENCE, is_reversible, is_singular, rough_times
+from .no_orbit import NoOrbit, of_any_motion
 from .orbit.attempt import attempt
 from .orbit.solution import Solution
 from .results.orbit import Orbit

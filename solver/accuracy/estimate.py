@@ -16,12 +16,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..flow.exact_system import exact_kernel, unknowns_of
 from ..kernels import registry
 from ..orbit.attempt import attempt
 from ..orbit.errors import Errors, difference
+from ..orbit.motion import Motion
 from ..orbit.solution import Solution
 from ..scenes.methods import FIRST
-from .skeel import condition
 
 #: The order of the better orbit: so many more than the orbit's, and no less than that; nor more
 #: than that, where the orbit is of a method whose errors are far larger at any order.
@@ -98,3 +99,41 @@ def _neighbour(orbit: Solution, order: int, is_orbit: bool) -> tuple[Solution, E
 def _same(change: Errors) -> bool:
     """Whether two solutions are so near to each other that either is an orbit if one is."""
     return change.times <= SAME and change.discontinuous <= SAME_DERIVATIVE
+
+
+def condition(motion: Motion) -> float:
+    """Return Skeel's condition number of the exact equations, near one of their solutions.
+
+    ``|J^-1| |J| |z|`` with the Jacobian J at the unknowns z, of the time that answers most, as
+    a part of the period: if each term is rounded by a part e, no time moves by more than e
+    times this.  It does not depend on the units of conditions and unknowns, and is infinite
+    where J is singular.
+
+    Parameters
+    ----------
+    motion : Motion
+        An orbit, of an expansion or exact.
+
+    Examples
+    --------
+    >>> from nonsmooth.solver.kernels import registry
+    >>> from nonsmooth.solver.exact import exact_orbit
+    >>> round(condition(exact_orbit(registry.load("impact")())), 1)
+    5.3
+    """
+    cell, kernel = motion.case.cell, exact_kernel(motion.case.cell)
+    z = unknowns_of(motion)
+    z = kernel.times(z) if kernel.condensed else z
+    J = np.empty((len(z), len(z)))
+    kernel.jacobian(cell, z, J)
+    J /= np.abs(J).max(axis=1, keepdims=True)
+    sizes = np.abs(z)
+    if cell.forced:
+        sizes[-1] = max(1.0, sizes[-1])  # a cosine is rounded at a small angle too
+    try:
+        moved = kernel.times(np.abs(np.linalg.inv(J)) @ np.abs(J) @ sizes)
+    except np.linalg.LinAlgError:
+        return math.inf
+    if cell.forced:
+        moved[-1] /= cell.omega
+    return float(moved.max() / np.sum(motion.cell_durations)) / cell.cells

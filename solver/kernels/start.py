@@ -3,6 +3,11 @@
 All conditions are linear in the coefficients, so at frozen times they are a linear system, with
 more equations than unknowns; its rows are scaled and it is solved by least squares.  That never
 needs a flow, and the square part of it may be singular.
+
+A cell of undamped phases may be run through backwards: with ``x(t)`` also ``x(-t)`` solves it.
+At an orbit that is its own reflection, the Jacobian maps even changes to even conditions and
+odd ones to odd ones.  If there are not as many of either kind, it is singular, whatever the
+order: see ``docs/digits.md``.
 """
 
 import math
@@ -13,6 +18,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Vector
+from ..scaling import equilibrated
+from ..scenes.case import Case
 from ..scenes.cell import Cell
 from .kernel import Kernel
 
@@ -21,6 +28,9 @@ ANGLES = 12
 
 #: Starts that are tried where exact orbits can be listed, and their times have led nowhere.
 PATIENCE = 6
+
+#: The least singular value that is rounding, as a part of the largest.
+ROUNDING = 1e-12
 
 #: Duration of one phase, as a part of the others', where equal ones have led nowhere.
 UNEQUAL = ((1.5, "long"), (0.2, "short"))
@@ -81,3 +91,23 @@ def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Ve
     if np.isfinite(A).all() and np.isfinite(R).all():
         z[:count] = np.linalg.lstsq(A / rows[:, None], -R / rows)[0]
     return z
+
+
+def is_reversible(cell: Cell) -> bool:
+    """Return whether a motion of a cell, run through backwards, is another one or itself."""
+    return not cell.memory and all(
+        phase.c == 0 and not phase.held and (phase.rho, phase.d) == (1, 0)
+        for phase in cell.phases
+    )
+
+
+def is_singular(kernel: Kernel, case: Case, order: int, times: Vector) -> bool:
+    """Return whether the Jacobian of a kernel is singular at given times; see `attempt`."""
+    given = kernel.given(case, order)
+    z = with_coefficients(kernel, given, kernel.size(order), times)
+    J = np.empty((len(z), len(z)))
+    kernel.jacobian(given, z, J)
+    if not np.isfinite(J).all():
+        return False
+    values = np.linalg.svd(equilibrated(J), compute_uv=False)
+    return bool(values[-1] <= ROUNDING * values[0])

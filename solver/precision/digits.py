@@ -20,7 +20,6 @@ from ..scenes.methods import EXACT, in_order
 from ..scenes.parameter_error import ParameterError
 from ..solve import number_of_functions
 from . import exact_balls
-from .condition import condition
 from .refine import PrecisionError, refine
 
 #: Digits of the solution in balls: enough to judge float64.
@@ -29,6 +28,9 @@ DIGITS = 22
 #: Largest error of the times that float64 may make, as a part of the period, where the orbit
 #: answers to its parameters no more than they change; elsewhere, times its condition number.
 TARGET = 1e-13
+
+#: Relative change of a parameter: the error of the central difference is its square.
+STEP = 2.0**-17
 
 #: What one rounding is, as a part of a number.
 EPSILON = float(np.finfo(float).eps)
@@ -58,7 +60,7 @@ class Kept:
     condition : float or None
         Condition number of the Jacobian, its rows and columns scaled.
     orbit_condition : float or None
-        That of the orbit itself: `condition.condition`.
+        That of the orbit itself: `condition`.
     iterations : int
         Jacobians formed.
     """
@@ -222,3 +224,34 @@ def _kept(
         off[-1] /= case.cell.omega
     period = float(np.sum(kernel.split(z)[0])) * case.cell.cells
     return Kept(*head, "ok", max(off) / period, number, *tail)
+
+
+def condition(orbit: ExactOrbit) -> float:
+    """Return the condition number of the times of an orbit as functions of its parameters.
+
+    The sum over the parameters of ``|p dt/dp|``, for the time t that answers most, as a part
+    of the period: a parameter rounded by a part e moves some time by up to that times e, in
+    exact arithmetic too.  Times are durations, and the phase of the forcing over its angular
+    frequency.  By the implicit function theorem on the exact equations, with differences for
+    the derivatives by the parameters.
+    """
+    case, kernel = orbit.case, exact_kernel(orbit.case.cell)
+    z, numbers = orbit.outcome.unknowns, case.numbers
+    J = np.empty((len(z), len(z)))
+    kernel.jacobian(case.cell, z, J)
+    changes = []
+    for i, value in enumerate(numbers):
+        ends = []
+        for side in (1, -1):
+            moved = (*numbers[:i], value * (1 + side * STEP), *numbers[i + 1 :])
+            R = np.empty(len(z))
+            kernel.residual(case.scene.cell(moved, case.cycles, case.units), z, R)
+            ends.append(R)
+        changes.append((ends[0] - ends[1]) / (2 * STEP))
+    rows = np.abs(J).max(axis=1)
+    by_parameters = np.linalg.solve(J / rows[:, None], np.array(changes).T / rows[:, None])
+    moved_by = np.abs(kernel.times(by_parameters)).sum(axis=1)
+    if case.cell.forced:
+        moved_by[-1] /= case.cell.omega
+    period = float(np.sum(orbit.cell_durations)) * case.cell.cells
+    return float(moved_by.max()) / period

@@ -26,8 +26,7 @@ from .expansions.methods import (
     shown,
 )
 from .expansions.shapes import jump_mismatch, shape_of
-from .mode import Mode
-from .sampled import Shapes
+from .mode import Mode, Shapes
 from .structure import Structure, load
 from .tolerance import to_tolerance
 

@@ -10,8 +10,7 @@ from ..scenes.methods import about, in_order
 from ..scenes.parameter_error import is_number
 from ..solve import number_of_functions, solve_case
 from .choice import Choice, TooSlow, Trial, size
-from .measured import FACTOR_ORDERS, POWER_ORDERS
-from .timing import median_seconds
+from .measured import FACTOR_ORDERS, POWER_ORDERS, median_seconds
 
 
 def choose_within(

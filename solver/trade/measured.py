@@ -1,5 +1,7 @@
 """Time against error for a case: each method at some orders, and the exact flow, timed."""
 
+import statistics
+import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
@@ -10,11 +12,13 @@ from ..no_orbit import NoOrbit
 from ..scenes.case import Case
 from ..scenes.methods import EXACT, about, in_order
 from ..solve import number_of_functions, solve_case
-from .timing import median_seconds
 
 #: Orders of a method whose errors fall by a power of the order, and by a factor with each.
 POWER_ORDERS = (1, 2, 4, 8, 16, 32, 64)
 FACTOR_ORDERS = (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18, 20)
+
+#: Seconds and rounds that are spent on measuring one piece of work.
+MEASURED, MOST_ROUNDS = 0.01, 25
 
 #: An error below this is as good as any other in float64.
 ROUNDING = 2e-16
@@ -129,3 +133,14 @@ def front(points: Sequence[tuple[float, float]]) -> set[int]:
             best = points[index][1]
             found.add(index)
     return found
+
+
+def median_seconds(work: Callable[[], object]) -> float:
+    """Return the median time of `work`, after one run that fills the caches."""
+    work()
+    seen: list[float] = []
+    while len(seen) < MOST_ROUNDS and sum(seen) < MEASURED:
+        begin = time.perf_counter()
+        work()
+        seen.append(time.perf_counter() - begin)
+    return statistics.median(seen)

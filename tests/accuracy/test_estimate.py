@@ -15,7 +15,7 @@ import nonsmooth as ns
 from nonsmooth.report.case import DEFAULT
 from nonsmooth.solver.accuracy import estimate as estimates
 from nonsmooth.solver.accuracy.estimate import EPSILON, ROUNDING
-from nonsmooth.solver.accuracy.skeel import condition as skeel
+from nonsmooth.solver.accuracy.estimate import condition as skeel
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.flow.exact_system import exact_kernel
@@ -25,7 +25,7 @@ from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.orbit.errors import difference
 from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.precision import exact_balls
-from nonsmooth.solver.precision.condition import condition
+from nonsmooth.solver.precision.digits import condition
 from nonsmooth.solver.precision.refine import refine
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.case import Case

@@ -6,7 +6,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.solver import solve
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.kernels.singular import is_reversible, is_singular
+from nonsmooth.solver.kernels.start import is_reversible, is_singular
 from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.trade import tolerance
 

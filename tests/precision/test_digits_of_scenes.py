@@ -10,7 +10,7 @@ pytest.importorskip("flint")
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.precision import digits
-from nonsmooth.solver.precision.condition import condition
+from nonsmooth.solver.precision.digits import condition
 from nonsmooth.solver.scenes.parameter_error import ParameterError
 
 #: ck-tau has singular equations for orbits that are their own reflection in time.

@@ -8,10 +8,10 @@ from known import NAMES, attached
 from nonsmooth.solver.space.eigenvalues import secular
 from nonsmooth.solver.space.eigenvalues.bracketing import EPS
 from nonsmooth.solver.space.eigenvalues.exact import exact_modes
+from nonsmooth.solver.space.expansions.bare import Sines
 from nonsmooth.solver.space.expansions.beyond import ROUNDINGS, beyond
 from nonsmooth.solver.space.expansions.forced import ForcedModes, ritz_forced
 from nonsmooth.solver.space.expansions.pieces import piecewise
-from nonsmooth.solver.space.expansions.sines import Sines
 from nonsmooth.solver.space.modes import at_order, modes
 
 

@@ -14,8 +14,7 @@ from scipy.linalg import LinAlgError, eigh
 
 from ...arrays import Vector
 from ..attached import Attached
-from ..expansions.bare import BareModes
-from ..expansions.sines import ritz
+from ..expansions.bare import BareModes, ritz
 from ..expansions.sums import left_out
 from . import secular
 from .secular import Roots

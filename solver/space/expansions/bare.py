@@ -1,4 +1,4 @@
-"""What an expansion makes of the bare structure: modes, and what is felt of each."""
+"""What an expansion makes of the bare structure, and the simplest one: sines, its modes."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias
@@ -7,6 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ...arrays import Matrix, Vector
+from ..attached import Attached
+from .sums import left_out
 
 #: Values of one function, or of several, a row each.
 Values: TypeAlias = npt.NDArray[np.floating[Any]]
@@ -66,3 +68,39 @@ class BareModes:
     shapes: Shapes
     off: float
     inexact: Vector
+
+
+@dataclass(frozen=True)
+class Sines:
+    """The functions ``sqrt(2) sin(n pi x)``, n = 1, ..., N."""
+
+    N: int
+
+    def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
+        """Return a derivative of each at places `x`, shape (N, len(x))."""
+        wave = np.pi * np.arange(1, self.N + 1)[:, None]
+        turned = wave * np.asarray(x)[None, :] + derivative * np.pi / 2
+        return np.asarray(np.sqrt(2.0) * wave**derivative * np.sin(turned))
+
+    def hinge(self, x: Vector, derivative: int, side: int = 0) -> Vector:
+        """Return zeros: sines have no jump."""
+        return np.zeros_like(np.asarray(x, dtype=float))
+
+
+def ritz(attached: Attached, N: int) -> BareModes:
+    """Return the bare modes of the expansion in N sines.
+
+    Of a compliance nothing is felt of any: sines have no jump in the slope.
+    """
+    n, kind = np.arange(1, N + 1), attached.structure.kind
+    rest = left_out(attached, N, 1) if kind == "stiffness" else None
+    return BareModes(
+        eigenvalues=attached.bare(n),
+        felt=np.zeros(N) if kind == "compliance" else attached.felt(n),
+        static_rest=float(rest.sums[0]) if rest else 0.0,
+        hinge_rest=0.0,
+        unknowns=N,
+        shapes=Sines(N),
+        off=0.0,
+        inexact=np.ones(N),
+    )

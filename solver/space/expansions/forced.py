@@ -16,9 +16,8 @@ from scipy.linalg import eigh
 from ...arrays import Matrix, Vector
 from ..attached import Attached
 from ..structure import Structure
-from .bare import BareModes, joined
+from .bare import BareModes, Sines, joined, ritz
 from .beyond import beyond
-from .sines import Sines, ritz
 from .sums import left_out
 
 

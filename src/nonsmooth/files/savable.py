@@ -23,8 +23,8 @@ def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
     TypeError
         If it is not a result, or not one that is saved.
     """
+    from nonsmooth.solver.space.mode import Shapes  # noqa: PLC0415
     from nonsmooth.solver.space.modes import Modes  # noqa: PLC0415  (SciPy)
-    from nonsmooth.solver.space.sampled import Shapes  # noqa: PLC0415
 
     alone = {Sweep: "sweep", Chart: "map", Branch: "branch", Family: "family", Shapes: "shapes"}
     for each, kind in alone.items():
