@@ -13,7 +13,7 @@ from pathlib import Path
 from ..ownership import check_private, check_status
 
 #: The file with the hash of all others, and the endings of these.
-SEAL, ENDINGS = "seal", (".py", ".code", ".npz")
+SEAL, ENDINGS = "seal", (".py", ".npz")
 
 #: What a folder holds, by place; folders in it have a slash behind their name.
 Kept = Mapping[str, bytes]

@@ -16,7 +16,7 @@ from nonsmooth.codegen import generate
 from nonsmooth.codegen.scenes import dry_friction
 from nonsmooth.scene_files import find, store
 from nonsmooth.solver import ownership
-from nonsmooth.solver.scenes import modules, sealed
+from nonsmooth.solver.scenes import sealed
 
 HAS_USERS = pytest.mark.skipif(not hasattr(os, "getuid"), reason="no numbers of users")
 
@@ -249,17 +249,3 @@ def test_motions_are_kept_and_checked_as_well(tmp_path: Path, monkeypatch) -> No
     with pytest.raises(sealed.Damaged):
         pickle.loads(pickle.dumps(sliding))
     assert store.stored(scene.folder.name) is None
-
-
-def test_code_of_another_python_is_compiled(kept: Path) -> None:
-    content = sealed.read(kept)
-    path, name = kept / "scene.py", f"scene{modules.CODE}"
-    code = modules._code(path, content)
-    others = (
-        {q: text for q, text in content.items() if q != name},
-        {**content, name: b"magic" + content[name][4:]},
-        modules.with_code({path.name: content[path.name]}, Path("/elsewhere")),
-    )
-    for other in others:
-        assert modules._code(path, other) == code
-        assert modules._code(path, other).co_filename == str(path)

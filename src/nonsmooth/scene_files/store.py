@@ -15,7 +15,6 @@ from platformdirs import user_cache_path
 
 from nonsmooth.solver.ownership import NotPrivate, check_private
 from nonsmooth.solver.scenes import sealed
-from nonsmooth.solver.scenes.modules import with_code
 
 from .error import SceneFileError
 
@@ -97,7 +96,7 @@ def _put(files: Mapping[str, str | bytes], target: Path, say: Say) -> None:
     temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=".making-"))
     try:
         made = temporary / target.name
-        _write(files, made, target)
+        _write(files, made)
         if _is_whole(target):
             return
         if os.path.lexists(target):
@@ -116,7 +115,7 @@ def _for_now(key: str, files: Mapping[str, str | bytes]) -> Path:
     try:
         temporary = Path(tempfile.mkdtemp(prefix="nonsmooth-scene-"))
         atexit.register(shutil.rmtree, temporary, ignore_errors=True)
-        _write(files, temporary / key, temporary / key)
+        _write(files, temporary / key)
     except OSError as error:
         raise SceneFileError(
             f"no folder can be written, neither a cache nor a temporary one: {error.strerror}"
@@ -125,11 +124,11 @@ def _for_now(key: str, files: Mapping[str, str | bytes]) -> Path:
     return temporary / key
 
 
-def _write(files: Mapping[str, str | bytes], folder: Path, target: Path) -> None:
-    """Write a folder that is to become `target`."""
+def _write(files: Mapping[str, str | bytes], folder: Path) -> None:
+    """Write a folder that is new."""
     folder.mkdir(mode=0o700)
     contents = {
         name: content if isinstance(content, bytes) else content.encode()
         for name, content in files.items()
     }
-    sealed.write(with_code(contents, target.resolve()), folder)
+    sealed.write(contents, folder)
