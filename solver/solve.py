@@ -1,6 +1,5 @@
 """One orbit of a case by one method, or the reason why there is none."""
 
-import operator
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -24,6 +23,7 @@ from .results.orbit import Orbit
 from .scenes.case import Case
 from .scenes.methods import FIRST, about
 from .scenes.orders import OrderedScene
+from .scenes.parameter_error import whole
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
@@ -88,8 +88,7 @@ def solve_case(
         functions = number_of_functions(case, method, None)
 
     def search(each: Case) -> _Search:
-        kernel = registry.kernel(each.scene, method, functions)
-        return _Search(each, method, check_order(kernel, order), functions)
+        return _search(each, method, order, functions)
 
     def settled() -> Orbit | None:
         exact = settled_orbit(case)
@@ -190,8 +189,7 @@ def orbits_of(
         functions = number_of_functions(case, method, None)
     found: list[Orbit] = []
     for each in case.each_motion:
-        kernel = registry.kernel(each.scene, method, functions)
-        search = _Search(each, method, check_order(kernel, order), functions)
+        search = _search(each, method, order, functions)
         own = [search.from_exact(exact) for exact in known(each).orbits]
         found += [orbit for orbit in own if orbit is not None]
         if not known(each).complete and not own:
@@ -210,6 +208,11 @@ def number_of_functions(case: Case, method: str, wanted: int | None) -> int | No
     if not registry.functions(case.scene, method):
         return None
     return (2 if case.scene.k == 0 else 1) if wanted is None else wanted
+
+
+def _search(case: Case, method: str, order: int, functions: int | None) -> "_Search":
+    kernel = registry.kernel(case.scene, method, functions)
+    return _Search(case, method, check_order(kernel, order), functions)
 
 
 @dataclass
@@ -393,11 +396,4 @@ def check_order(kernel: Kernel, value: object) -> int:
     ValueError
         If it is not one.
     """
-    try:
-        number = -1 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
-    except TypeError:
-        number = -1
-    if not kernel.lowest <= number <= HIGHEST_ORDER:
-        expected = f"a whole number from {kernel.lowest} to {HIGHEST_ORDER}"
-        raise ValueError(f"order: got {value!r}, expected {expected} for {kernel.method}")
-    return number
+    return whole("order", value, kernel.lowest, HIGHEST_ORDER, f" for {kernel.method}")

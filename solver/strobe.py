@@ -11,7 +11,7 @@ from .results.strobe import Attractor, Basins, Diagram
 from .scenes.arrays import Integers
 from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
-from .scenes.parameter_error import ParameterError, is_number
+from .scenes.parameter_error import ParameterError, is_number, whole
 from .simulation.machine import Machine
 from .simulation.steps.state import State
 from .simulation.walk import strobed
@@ -73,9 +73,9 @@ def diagram(
         expected = f"one of {', '.join(names)}"
         raise ParameterError([f"parameter: got {parameter!r}, expected {expected}"])
     cases = [case.with_value(parameter, value).of_fullest() for value in values]
-    _check_whole("values", len(cases), 1, MOST_VALUES)
-    _check_whole("transient", transient, 0, MOST_CYCLES)
-    _check_whole("cycles", cycles, 1, MOST_CYCLES)
+    whole("values", len(cases), 1, MOST_VALUES)
+    whole("transient", transient, 0, MOST_CYCLES)
+    whole("cycles", cycles, 1, MOST_CYCLES)
     states: list[Matrix] = []
     last: Vector | None = None
     for each in cases:
@@ -125,9 +125,9 @@ def basins(
            1  x = -0.634615 m, x' = 0.207692 m/s, each period
     """
     _check_forced(case, "basins")
-    _check_whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
+    whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
     xs, vs = (_axis(name, values) for name, values in (("x", x), ("v", v)))
-    _check_whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
+    whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
     case, each = case.of_fullest(), map if executor is None else executor.map
     rows = each(_tails, repeat(case), repeat(xs), vs, repeat(cycles))
     tails = []
@@ -225,13 +225,6 @@ def _check_forced(case: Case, what: str) -> None:
     if case.scene.frequency is None:
         words = "there is no period at which its states could be looked at"
         raise ValueError(f"scene: nothing forces {case.scene.name}: {words}")
-
-
-def _check_whole(name: str, value: object, least: int, most: int) -> None:
-    whole = isinstance(value, int) and not isinstance(value, bool)
-    if not (whole and least <= value <= most):  # type: ignore[operator]
-        expected = f"a whole number from {least} to {most}"
-        raise ValueError(f"{name}: got {value!r}, expected {expected}")
 
 
 def _axis(name: str, values: Sequence[float]) -> Vector:

@@ -36,7 +36,10 @@ class Rate:
 
     def text(self, name: str) -> str:
         """Return one rate as it is printed."""
-        return as_text(self.kind, getattr(self, name))
+        found: float | None = getattr(self, name)
+        if found is None:
+            return TOO_FEW
+        return f"N^{-found:.3f}" if self.kind == "power" else f"10^({-found:.2f} N)"
 
 
 def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
@@ -102,16 +105,3 @@ def slope(
         first = min(int(np.searchsorted(x, (x[0] + x[-1]) / 2)), len(x) - FEWEST)
         x, y = x[first:], y[first:]
     return float(-np.polyfit(x, y, 1)[0])
-
-
-def as_text(kind: str, rate: float | None) -> str:
-    """Return a rate as it is printed.
-
-    Examples
-    --------
-    >>> as_text("power", 2.0), as_text("geometric", 0.5), as_text("power", None)
-    ('N^-2.000', '10^(-0.50 N)', 'too few orders')
-    """
-    if rate is None:
-        return TOO_FEW
-    return f"N^{-rate:.3f}" if kind == "power" else f"10^({-rate:.2f} N)"

@@ -28,14 +28,11 @@ class Solutions:
     found : tuple of (float, float, float)
         Displacement and velocity where the phase starts, and the phase of the forcing; without
         units.  Empty if there are infinitely many.
-    dependent : bool
-        Whether the rows depend on each other.
     none : bool
         Whether it is shown that there is none.
     """
 
     found: tuple[tuple[float, float, float], ...]
-    dependent: bool
     none: bool
 
 
@@ -62,9 +59,9 @@ def solutions(cell: Cell) -> Solutions:
     rank = int(np.sum(singular > ROUNDING))
     particular = np.linalg.lstsq(A, b, rcond=ROUNDING)[0]
     if np.abs(A @ particular - b).max() > ROUNDING:
-        return Solutions((), True, True)
+        return Solutions((), none=True)
     if rank < len(b):
-        return Solutions((), True, False)
+        return Solutions((), none=False)
     return _on_the_circle(particular, directions[-1])
 
 
@@ -90,13 +87,13 @@ def _on_the_circle(point: Vector, direction: Vector) -> Solutions:
     p, n = point[2:], direction[2:]
     a, half, c = float(n @ n), float(p @ n), float(p @ p) - 1.0
     if a <= ROUNDING**2:
-        return Solutions((), abs(c) <= ROUNDING, abs(c) > ROUNDING)
+        return Solutions((), none=abs(c) > ROUNDING)
     square = half * half - a * c
     if square < -ROUNDING * (half * half + abs(a * c)):
-        return Solutions((), False, True)
+        return Solutions((), none=True)
     root = math.sqrt(max(square, 0.0))
     large = -(half + math.copysign(root, half))
     at = (large / a, c / large if large else 0.0)
     ends = [point + q * direction for q in sorted(at)]
     found = tuple((float(u[0]), float(u[1]), math.atan2(u[3], u[2])) for u in ends)
-    return Solutions(found, False, False)
+    return Solutions(found, none=False)

@@ -134,13 +134,8 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
     """
     n, (durations, forced) = len(z), times_of(case)
     J, rows, vectors = np.empty((n, n)), np.empty(n, dtype=np.int64), np.empty((5, n))
-    R, scales, step, following, trial = (
-        vectors[0],
-        vectors[1],
-        vectors[2],
-        vectors[3],
-        vectors[4],
-    )
+    R, scales, step = vectors[0], vectors[1], vectors[2]
+    following, trial = vectors[3], vectors[4]
     residual(case, z, R)
     damping, previous, correction = 1.0, np.inf, np.inf
     for iteration in range(1, limit + 1):

@@ -6,6 +6,7 @@ that is compiled with them, so that a change finds nothing old.
 """
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
 
@@ -67,6 +68,10 @@ class Kernel:
     account: Account | None = None
     starts: bool = False
     signals: Callable[[Any, Vector, int, Vector], Matrix] | None = None
+
+    def spending(self) -> AbstractContextManager[None]:
+        """Count the time within as what the kernel costs in plain Python."""
+        return nullcontext() if self.account is None else self.account.spending()
 
     def times(self, z: Vector) -> Vector:
         """Return the durations and, if the scene is forced, the phase of the forcing."""

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Vector
+from ..iteration.newton import Outcome, newton
 from ..scaling import equilibrated
 from ..scenes.case import Case
 from ..scenes.cell import Cell
@@ -91,6 +92,15 @@ def with_coefficients(kernel: Kernel, case: Any, size: int, times: Vector) -> Ve
     if np.isfinite(A).all() and np.isfinite(R).all():
         z[:count] = np.linalg.lstsq(A / rows[:, None], -R / rows)[0]
     return z
+
+
+def solved(kernel: Kernel, given: Any, size: int, times: Vector) -> Outcome:
+    """Return where Newton's method leads from rough times: see `with_coefficients`."""
+    if kernel.condensed:
+        z = np.concatenate([np.zeros(size - len(times)), times])
+    else:
+        z = with_coefficients(kernel, given, size, times)
+    return newton(kernel.iterate, given, z)
 
 
 def is_reversible(cell: Cell) -> bool:

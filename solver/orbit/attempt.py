@@ -1,13 +1,8 @@
 """One way from rough times to a solution of a method's equations."""
 
-from contextlib import nullcontext
-
-import numpy as np
-
 from ..arrays import Vector
-from ..iteration.newton import newton
 from ..kernels.kernel import Kernel
-from ..kernels.start import with_coefficients
+from ..kernels.start import solved
 from ..scenes.case import Case
 from .solution import Solution
 
@@ -24,11 +19,7 @@ def attempt(
     functions : int, optional
         See `Solution`.
     """
-    with nullcontext() if kernel.account is None else kernel.account.spending():
-        size, given = kernel.size(order), kernel.given(case, order)
-        if kernel.condensed:
-            start = np.concatenate([np.zeros(size - len(times)), times])
-        else:
-            start = with_coefficients(kernel, given, size, times)
-        outcome = newton(kernel.iterate, given, start)
+    with kernel.spending():
+        given = kernel.given(case, order)
+        outcome = solved(kernel, given, kernel.size(order), times)
     return Solution(case, kernel.method, order, outcome, outcome.iterations, functions)

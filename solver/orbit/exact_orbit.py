@@ -1,6 +1,5 @@
 """The exact motion of a case, made of the closed-form flow of its phases."""
 
-from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -10,7 +9,7 @@ from ..arrays import Vector
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome, newton
 from ..kernels.kernel import Kernel
-from ..kernels.start import RoughTimes, with_coefficients
+from ..kernels.start import RoughTimes, solved
 from ..scenes.case import Case
 from ..stability.in_words import in_words
 from . import admissible
@@ -79,13 +78,11 @@ class ExactOrbit(Shown):
 def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     """Return where Newton's method leads from rough times: an orbit only if it says so."""
     kernel = exact_kernel(case.cell)
-    times = [*start.durations, start.angle] if kernel.forced else [*start.durations]
-    if kernel.condensed:
-        z = np.append(np.zeros(kernel.size(1) - len(times)), times)
-        return _kept(of_unknowns(case, z))
-    with nullcontext() if kernel.account is None else kernel.account.spending():
-        z = with_coefficients(kernel, case.cell, kernel.size(1), np.array(times))
-    return of_unknowns(case, z)
+    times = np.array([*start.durations, *([start.angle] if kernel.forced else [])])
+    with kernel.spending():
+        outcome = solved(kernel, case.cell, kernel.size(1), times)
+    orbit = case.presented(ExactOrbit(case, outcome))
+    return _kept(orbit) if kernel.condensed else orbit
 
 
 @lru_cache(maxsize=8)
@@ -112,6 +109,6 @@ def _kept(orbit: ExactOrbit) -> ExactOrbit:
 def of_unknowns(case: Case, z: Vector) -> ExactOrbit:
     """Return where Newton's method leads from unknowns of the exact equations."""
     kernel = exact_kernel(case.cell)
-    with nullcontext() if kernel.account is None else kernel.account.spending():
+    with kernel.spending():
         outcome = newton(kernel.iterate, case.cell, z)
     return case.presented(ExactOrbit(case, outcome))

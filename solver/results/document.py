@@ -23,16 +23,7 @@ def document(orbit: "Orbit") -> dict[str, Any]:
     """Return an orbit as a document of JSON: numbers, text, lists; None for what is unknown."""
     exact, errors = orbit.exact, orbit.errors
     content = {
-        "schema": SCHEMA,
-        "scene": orbit.case.scene.name,
-        "class": orbit.smoothness,
-        "classes": [f"C{k}" for k in classes(orbit.case.cell)],
-        "motion": orbit.case.scene.motion,
-        "cycles": orbit.case.cycles,
-        "method": orbit.case.called(orbit.method),
-        "order": orbit.order,
-        "functions": orbit.functions,
-        "parameters": dict(orbit.case.values),
+        **_head(orbit.case, orbit.method, orbit.order, orbit.functions),
         "converged": orbit.converged,
         "iterations": orbit.iterations,
         "residual_norm": orbit.residual_norm,
@@ -69,16 +60,7 @@ def document_without_orbit(
     """Return the document of an orbit that is not there: the same keys, and its status."""
     ends = dict.fromkeys(("displacement", "velocity"))
     content = {
-        "schema": SCHEMA,
-        "scene": case.scene.name,
-        "class": f"C{case.scene.k}",
-        "classes": [] if case.scene.motions else [f"C{k}" for k in classes(case.cell)],
-        "motion": case.scene.motion,
-        "cycles": case.cycles,
-        "method": case.called(method),
-        "order": order,
-        "functions": functions,
-        "parameters": dict(case.values),
+        **_head(case, method, order, functions),
         "converged": False,
         "iterations": finding.iterations,
         "residual_norm": None,
@@ -103,6 +85,24 @@ def document_without_orbit(
     }
     content = case.completed(content, exact)
     return {name: _finite(value) for name, value in content.items()}
+
+
+def _head(
+    case: "Case", method: str, order: int | None, functions: int | None
+) -> dict[str, Any]:
+    """Return what was asked for."""
+    return {
+        "schema": SCHEMA,
+        "scene": case.scene.name,
+        "class": f"C{case.scene.k}",
+        "classes": [] if case.scene.motions else [f"C{k}" for k in classes(case.cell)],
+        "motion": case.scene.motion,
+        "cycles": case.cycles,
+        "method": case.called(method),
+        "order": order,
+        "functions": functions,
+        "parameters": dict(case.values),
+    }
 
 
 def _phases(case: "Case") -> "tuple[Phase, ...]":

@@ -1,4 +1,4 @@
-"""What parameters must be, whatever the scene: finite numbers, and the error that says so."""
+"""What numbers must be, whatever the scene: finite, or whole; and errors that say so."""
 
 import math
 import numbers
@@ -23,3 +23,21 @@ def is_number(value: object) -> bool:
         return math.isfinite(float(value))
     except OverflowError:
         return False
+
+
+def whole(
+    name: str, value: object, least: int = 1, most: float = math.inf, of: str = ""
+) -> int:
+    """Return a whole number from the least to the most that is `of` something; no bool.
+
+    Raises
+    ------
+    ValueError
+        With its name, if it is not one.
+    """
+    right = isinstance(value, numbers.Integral) and not isinstance(value, bool)
+    if not (right and least <= value <= most):  # type: ignore[operator]
+        last = f" to {most}" if math.isfinite(most) else ""
+        expected = f"a whole number from {least}{last}{of}"
+        raise ValueError(f"{name}: got {value!r}, expected {expected}")
+    return int(value)  # type: ignore[call-overload, no-any-return]

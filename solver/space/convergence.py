@@ -6,16 +6,20 @@ from typing import Any
 
 import numpy as np
 
+from ..orbit.quadrature import panels
 from ..presentation.table import Table, Tabular, flat
+from ..scenes.parameter_error import whole
 from .attached import Attached
 from .eigenvalues import secular
-from .eigenvalues.exact import exact_modes, of_frequency
-from .errors import shape_errors
-from .expansions.methods import available, bare_modes, check_order, check_whole, shown
-from .expansions.shapes import jump_mismatch, shape_of
+from .eigenvalues.exact import ExactModes, exact_modes, of_frequency
+from .expansions.methods import available, bare_modes, check_order, shown
+from .expansions.shapes import Shape, jump_mismatch, shape_of
 
 #: Relative error of an eigenvalue below which rounding, and not the expansion, is seen.
 ROUNDING = 1e-14
+
+#: Panels of quadrature at least, of 20 points each: one for each half wave that is integrated.
+LEAST = 2
 
 #: Order from which a rate is fitted.
 FROM = 4
@@ -177,7 +181,7 @@ def convergence(
     >>> f"{study.rate(study.lines[0]):.0f}", study.expected(study.lines[0])
     ('-5', -5)
     """
-    check_whole("mode", number)
+    whole("mode", number)
     rows = []
     for line in lines:
         for order in orders:
@@ -206,3 +210,27 @@ def _row(attached: Attached, line: Line, order: int, number: int) -> Convergence
         discontinuous=errors[-1],
         jump_mismatch=None if exact.untouched[i] else jump_mismatch(attached, shape, value),
     )
+
+
+def shape_errors(
+    attached: Attached, shape: Shape, exact: ExactModes, number: int, waves: int
+) -> tuple[float, ...]:
+    """Return the relative L2 error of a mode and of each derivative up to the broken one.
+
+    Parameters
+    ----------
+    number : int
+        Of the mode, from 1.
+    waves : int
+        Half waves of the finest function in `shape`.
+    """
+    x, weights = panels([float(attached.a)], max(LEAST, waves + number))
+    u, u_exact = shape.values(x, 0), exact.shape(number, x, 0)
+    scale = 1 / np.sqrt(weights @ u_exact**2)
+    scale = scale if weights @ (u * u_exact) > 0 else -scale
+    found = []
+    for derivative in range(attached.structure.broken + 1):
+        wanted = scale * exact.shape(number, x, derivative)
+        off = shape.values(x, derivative) - wanted
+        found.append(float(np.sqrt(weights @ off**2 / (weights @ wanted**2))))
+    return tuple(found)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..presentation.notebook import of_rows
 from ..presentation.table import Table, Tabular, flat
-from ..scenes.parameter_error import is_number
+from ..scenes.parameter_error import is_number, whole
 from .attached import POSITION, Attached, attach
 from .eigenvalues import bounds, secular
 from .eigenvalues.exact import ExactModes, exact_modes, of_frequency
@@ -21,7 +21,6 @@ from .expansions.methods import (
     check_count,
     check_forced,
     check_order,
-    check_whole,
     generic_method,
     shown,
 )
@@ -141,7 +140,7 @@ class Modes(Tabular, Sequence[Mode]):
         points : int
             From 2, else a ValueError; the ends are two of them.
         """
-        if check_whole("points", points) < 2:
+        if whole("points", points) < 2:
             raise ValueError(f"points: got {points}, expected a whole number from 2")
         return Shapes(self.attached, self._how, self.found, points)
 

@@ -1,8 +1,8 @@
 """The three expansions by name, and what can be had of each."""
 
-import math
 from collections.abc import Sequence
 
+from ...scenes.parameter_error import whole
 from ..attached import Attached
 from ..eigenvalues.secular import number
 from ..structure import Structure
@@ -51,20 +51,12 @@ def check_forced(structure: Structure, method: str, forced: int | None) -> int:
         if forced is not None:
             raise ValueError(f"forced: got {forced!r}, {method} has no forced modes")
         return 0
-    return check_whole("forced", 1 if forced is None else forced, structure.most_forced)
+    return whole("forced", 1 if forced is None else forced, 1, structure.most_forced)
 
 
 def check_order(method: str, order: object) -> int:
     """Return the order of a method; a ValueError if it is not one in its range."""
-    return check_whole("order", order, HIGHEST[method], f" for {method}")
-
-
-def check_whole(name: str, value: object, most: float = math.inf, of: str = "") -> int:
-    """Return a whole number from 1 to the most that is `of` something; else a ValueError."""
-    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= most:
-        last = f" to {most}" if math.isfinite(most) else ""
-        raise ValueError(f"{name}: got {value!r}, expected a whole number from 1{last}{of}")
-    return value
+    return whole("order", order, 1, HIGHEST[method], f" for {method}")
 
 
 def bare_modes(
@@ -98,7 +90,7 @@ def check_count(there_are: int, count: int | None, usual: int, method: str, orde
     """
     if count is None:
         return min(usual, there_are)
-    if check_whole("count", count) > there_are:
+    if whole("count", count) > there_are:
         raise ValueError(
             f"count: got {count}, {method} at order {order} has {there_are} modes; "
             "expected fewer, or a higher order"
