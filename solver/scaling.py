@@ -10,17 +10,7 @@ from .arrays import Matrix
 def product_of_powers(value: float, *factors: tuple[float, int]) -> float:
     """Return `value` times ``base**exponent`` of each factor, without overflow on the way.
 
-    Parameters
-    ----------
-    value : float
-        Any finite number.
-    factors : (float, int)
-        Positive bases, and whole exponents up to a few hundred.
-
-    Returns
-    -------
-    float
-        Infinite, or zero, only where the product itself is beyond float64.
+    Bases are positive; infinite, or zero, only where the product is beyond float64 itself.
 
     Examples
     --------

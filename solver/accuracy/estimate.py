@@ -109,11 +109,6 @@ def condition(motion: Motion) -> float:
     times this.  It does not depend on the units of conditions and unknowns, and is infinite
     where J is singular.
 
-    Parameters
-    ----------
-    motion : Motion
-        An orbit, of an expansion or exact.
-
     Examples
     --------
     >>> from nonsmooth.solver.kernels import registry

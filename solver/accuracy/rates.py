@@ -43,14 +43,7 @@ class Rate:
 
 
 def rate(method: str, errors: Sequence[tuple[int, dict[str, float]]]) -> Rate:
-    """Return the rate of a method from its orders and their errors.
-
-    Parameters
-    ----------
-    method : str
-        Its generic name; `about` says whether it converges by a power.
-    errors : sequence of (int, dict)
-        Order, and the errors by the names of `FLOORS`.
+    """Return the rate of a method from its orders and their errors by the names of `FLOORS`.
 
     Examples
     --------
@@ -71,6 +64,8 @@ def slope(
 ) -> float | None:
     """Return minus the slope of the logarithm of an error, by least squares.
 
+    None if fewer than six orders are above rounding.
+
     Parameters
     ----------
     errors : iterable of (int, float)
@@ -82,17 +77,10 @@ def slope(
     upper_half : bool
         Whether to the upper half of that scale, but never to fewer than six orders.
 
-    Returns
-    -------
-    float or None
-        None if fewer than six orders are above rounding.
-
     Examples
     --------
     >>> slope([(N, N**-2.0) for N in range(2, 8)], 0.0, power=True)  # doctest: +ELLIPSIS
     2.0...
-    >>> slope([(N, N**-2.0) for N in range(2, 7)], 0.0, power=True) is None
-    True
     """
     known = {order: abs(error) for order, error in errors}
     above = sorted(order for order, error in known.items() if floor < error < math.inf)

@@ -19,13 +19,6 @@ from .real_roots import Polynomial, isolate, refine
 def isolated(order: int, alpha: float) -> list[tuple[float, float]]:
     """Return ``t1`` and ``s`` of every real solution at an order, ascending in `s`.
 
-    Parameters
-    ----------
-    order : int
-        ``N``.
-    alpha : float
-        Of the oscillator, positive.
-
     Raises
     ------
     ArithmeticError

@@ -21,15 +21,9 @@ ROUNDING = 1e-11
 
 @dataclass(frozen=True)
 class Solutions:
-    """What there is of solutions.
+    """Displacement and velocity where the phase starts, and the phase of the forcing.
 
-    Parameters
-    ----------
-    found : tuple of (float, float, float)
-        Displacement and velocity where the phase starts, and the phase of the forcing; without
-        units.  Empty if there are infinitely many.
-    none : bool
-        Whether it is shown that there is none.
+    Without units; `found` is empty if there are infinitely many, or shown to be `none`.
     """
 
     found: tuple[tuple[float, float, float], ...]

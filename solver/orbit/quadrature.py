@@ -21,12 +21,7 @@ def _rule() -> tuple[Vector, Vector]:
 def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
     """Return nodes and weights of a composite Gauss rule on ``(0, 1)``.
 
-    Parameters
-    ----------
-    breaks : list of float
-        Where an integrand may jump, besides 0 and 1.
-    waves : int
-        Waves of the highest harmonic on ``(0, 1)``; at least one panel each.
+    An integrand may jump at the breaks; each wave of the highest harmonic has a panel.
     """
     x, w = _rule()
     edges = np.array(sorted({0.0, *breaks, 1.0}))

@@ -103,12 +103,7 @@ class Kept:
 
 
 def extremes(case: Case) -> tuple[tuple[str, Case], ...]:
-    """Return a case and its extremes, each with its words.
-
-    Parameters
-    ----------
-    case : Case
-        What differs at an extreme is put in place of its parameters.
+    """Return a case and its extremes, in place of its parameters, each with its words.
 
     Raises
     ------

@@ -49,13 +49,7 @@ class About:
 
 
 def about(method: str) -> About:
-    """Return what is known of a method by its generic name; little of one without a record.
-
-    Examples
-    --------
-    >>> about(FIRST).power, about("another").title
-    (False, 'another')
-    """
+    """Return what is known of a method by its generic name; little of one without a record."""
     own: dict[str, Any] = {"title": method, "power": False, "kernel": ""}
     own |= {"unseen": (), "functions": (), "alone": False, "is_series": False}
     own |= {"bodies": False}
@@ -68,13 +62,7 @@ def about(method: str) -> About:
 
 
 def in_order(methods: Iterable[str]) -> tuple[str, ...]:
-    """Return methods in the order in which they are told; one without a record comes last.
-
-    Examples
-    --------
-    >>> in_order(["another", *reversed(METHODS)]) == (*METHODS, "another")
-    True
-    """
+    """Return methods in the order in which they are told; one without a record comes last."""
     known = [*METHODS]
     place = {method: i for i, method in enumerate(known)}
     return tuple(sorted(methods, key=lambda m: (place.get(without_class(m), len(known)), m)))

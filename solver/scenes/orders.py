@@ -343,12 +343,6 @@ def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) 
 
 
 def _numbered(names: Sequence[str]) -> list[str]:
-    """Return names with a number behind those that occurred before.
-
-    Examples
-    --------
-    >>> _numbered(["slide", "stop", "slide"])
-    ['slide', 'stop', 'slide_2']
-    """
+    """Return names with a number behind those that occurred before."""
     counts = [names[: i + 1].count(name) for i, name in enumerate(names)]
     return [f"{name}_{n}" if n > 1 else name for name, n in zip(names, counts, strict=True)]

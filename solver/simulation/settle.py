@@ -80,10 +80,7 @@ class Other:
 def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Settled]:
     """Yield what simulations of a case come to, from rest and from each constraint.
 
-    Parameters
-    ----------
-    phases : int
-        How many are simulated at most; see `PHASES`.
+    At most so many phases are simulated; see `PHASES`.
 
     Examples
     --------

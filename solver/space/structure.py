@@ -87,13 +87,7 @@ class Structure:
 
 
 def names() -> tuple[str, ...]:
-    """Return the names of the structures.
-
-    Examples
-    --------
-    >>> "beam-mass" in names()
-    True
-    """
+    """Return the names of the structures."""
     return tuple(_records())
 
 

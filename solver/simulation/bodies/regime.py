@@ -62,12 +62,7 @@ class Regime:
     def sign_after(self, row: Vector, Y: Vector, zero: bool) -> int:
         """Return the sign of a form just after a state: of its first derivative but zeros.
 
-        Parameters
-        ----------
-        row, Y : ndarray, shape (W,)
-            The form and the state.
-        zero : bool
-            Whether the state is known to be on its surface, whatever rounding makes of it.
+        `zero` says that the state is known to be on its surface, whatever rounding makes of it.
         """
         order = self.leading(row, Y, zero)
         for _ in range(order):

@@ -74,17 +74,10 @@ def _with_radau_tail(attached: Attached, N: int, K: int) -> BareModes | None:
 
 
 def _radau(moments: Vector) -> tuple[Vector, Vector]:
-    """Return nodes and weights of the quadrature on [0, 1] with a node at 1.
+    """Return nodes and weights of the quadrature on [0, 1] with a node at 1, that one first.
 
-    Parameters
-    ----------
-    moments : ndarray, shape (2 n + 1,)
-        Of the measure: integrals of 1, x, ..., for n free nodes.
-
-    Returns
-    -------
-    tuple of ndarray
-        The nodes, that at 1 first and then descending, and their weights.
+    `moments` are those of the measure: integrals of 1, x, ..., shape (2 n + 1,) for n free
+    nodes, which are descending.
     """
     n = (len(moments) - 1) // 2
     if n == 0:

@@ -93,13 +93,7 @@ class WithForcedModes:
 
 
 def ritz_forced(attached: Attached, N: int, chosen: tuple[int, ...]) -> BareModes:
-    """Return the bare modes of N sines and some forced modes.
-
-    Parameters
-    ----------
-    chosen : tuple of int
-        Which forced modes, ascending; ``(1, 2)`` are the first two.
-    """
+    """Return the bare modes of N sines and the chosen forced modes, ascending; from 1."""
     if not chosen:
         return ritz(attached, N)
     compliant = attached.structure.kind == "compliance"
