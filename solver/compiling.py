@@ -33,12 +33,7 @@ START, LOAD, COMPILE = 0.5, 0.05, 8.0
 class Account:
     """What a kernel has cost in plain Python in this process, and whether compiling it pays.
 
-    Parameters
-    ----------
-    file : str
-        That of the function by which the kernel is found in numba's cache.
-    name : str
-        Of that function, with its fingerprint.
+    It is found in numba's cache by the file and the name of a function, with its fingerprint.
     """
 
     #: What all kernels have cost.

@@ -44,18 +44,11 @@ FACTOR = 8.0
 
 @dataclass(frozen=True)
 class Roots:
-    """What there is of roots.
+    """What there is of roots: their places, and the signs of D there: ``D = sign * R``.
 
-    Parameters
-    ----------
-    places : ndarray
-        Where they are, to about 1e-12 of the distance from the nearer end.
-    signs : ndarray
-        Of D there: ``D = sign * R``.
-    doubtful : ndarray, shape (n, 2)
-        Intervals in which there may be others, or none.
-    resolved : bool
-        Whether the functions are resolved on all pieces.
+    Places are right to about 1e-12 of the distance from the nearer end.  In `doubtful`
+    intervals, shape (n, 2), there may be others, or none; `resolved` says whether the functions
+    are resolved on all pieces.
     """
 
     places: Vector

@@ -40,16 +40,10 @@ ROUNDING = 1e-11
 
 @dataclass(frozen=True)
 class Solutions:
-    """The durations and the phase of the forcing at each solution.
+    """The durations and the phase of the forcing at each solution, without units.
 
-    Parameters
-    ----------
-    found : tuple of ((float, float), float)
-        Without units, right to a part in 1e-9 and better; Newton's method does the rest.
-    doubtful : tuple of ((float, float), float)
-        Where there may be a solution, or none.
-    complete : bool
-        Whether there are no solutions but those that were found.
+    Those that were found are right to a part in 1e-9 and better; Newton's method does the rest.
+    Where it is `doubtful` there may be a solution, or none; `complete` if there are no others.
     """
 
     found: tuple[tuple[tuple[float, float], float], ...]

@@ -20,14 +20,8 @@ from .linking import Make, text_of
 class Family:
     """Methods whose generated modules are linked in one way.
 
-    Parameters
-    ----------
-    link : callable
-        ``link(module, make)``: the functions of a generated module and what solves it.
-    modules : tuple of module
-        What is compiled with it.
-    entry : function
-        By which a compiled kernel is found in numba's cache.
+    ``link(module, make)`` gives the functions of a generated module and what solves it;
+    `modules` are compiled with it, and by `entry` it is found in numba's cache.
     """
 
     link: Callable[[ModuleType, Make], dict[str, Any]]

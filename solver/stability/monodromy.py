@@ -30,15 +30,9 @@ class NoMultipliersError(ArithmeticError):
 class Monodromy:
     """What one cell makes of small perturbations of the state at its first switch.
 
-    Parameters
-    ----------
-    matrix : ndarray, shape (n, n)
-        Of the cell, before its motion is mirrored.
-    size : ndarray, shape (n, n)
-        The same product of absolute values: rounding errors are parts of it.
-    forgotten : int
-        How many multipliers are exactly 0: as many as the phase or the switch that forgets
-        most; see `forgotten`.
+    The matrix is that of the cell, before its motion is mirrored; `size` the same product of
+    absolute values, of which rounding errors are parts; shape (n, n) each.  As many multipliers
+    are exactly 0 as are `forgotten` at the phase or the switch that forgets most.
     """
 
     matrix: Matrix

@@ -15,12 +15,7 @@ MARGIN = 0.9
 class Trial:
     """One order that was tried.
 
-    Parameters
-    ----------
-    estimate : Errors or None
-        Of its errors; None where it has no orbit.
-    seconds : float or None
-        Of one solve, measured; None where nothing was to be measured.
+    `estimate` is None where it has no orbit, `seconds` where none were to be measured.
     """
 
     method: str

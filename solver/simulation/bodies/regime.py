@@ -26,8 +26,6 @@ class Regime:
 
     Parameters
     ----------
-    part : Part
-        The body under the laws of the phase, and its flow.
     generator : ndarray, shape (W, W)
         Of ``Y' = generator Y``.
     event : ndarray, shape (W,)

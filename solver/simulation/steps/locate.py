@@ -35,18 +35,9 @@ EVENT, CUT, BEYOND, LOST = range(4)
 
 
 class Reached(NamedTuple):
-    """Where a phase ends.
+    """Where a phase ends: how long it lasted, and the state there, before the switch.
 
-    Parameters
-    ----------
-    s : float
-        How long it lasted.
-    x, v : float
-        The state there, before the switch.
-    how : int
-        `EVENT`, `CUT`, `BEYOND`, or `LOST`.
-    form : int
-        Which of the forms vanishes, if one does.
+    How is `EVENT`, `CUT`, `BEYOND` or `LOST`; of an event, which of the forms vanishes.
     """
 
     s: float

@@ -23,15 +23,8 @@ Values: TypeAlias = Sequence[float] | Vector
 class State(NamedTuple):
     """Displacement, velocity, angle of the forcing and memory, without units.
 
-    Parameters
-    ----------
-    x, v, angle : float
-    surface : int
-        The surface that it is known to be on, that of the event that has just happened, or
-        `NONE`.
-    placed : bool
-        Whether the displacement is that of the surface, to its own rounding.
-    memory : Values
+    The surface that it is known to be on, that of the event that has just happened, or `NONE`;
+    `placed` if the displacement is that of the surface, to its own rounding.
     """
 
     x: float

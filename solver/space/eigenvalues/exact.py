@@ -72,18 +72,9 @@ class ExactModes:
         return float(off) / float(self.eigenvalues[i])
 
     def shape(self, number: int, x: Vector, derivative: int) -> Vector:
-        """Return a derivative of a mode, in units of the length; its scale is any.
+        """Return a derivative, up to ``2m - 1``, of a mode by its number; lengths are parts.
 
-        At the attachment itself, the mean of both sides.
-
-        Parameters
-        ----------
-        number : int
-            From 1.
-        x : ndarray
-            Places in units of the length.
-        derivative : int
-            Up to ``2m - 1``.
+        Its scale is any; at the attachment itself it is the mean of both sides.
         """
         x, i = np.asarray(x, dtype=float), number - 1
         n, offset = int(self.n[i]), float(self.offset[i])

@@ -34,17 +34,11 @@ ROUNDINGS = 4
 
 @dataclass(frozen=True)
 class Roots:
-    """Eigenvalues, the lowest first: ``origin + shift``.
+    """Eigenvalues, the lowest first: ``origin + shift``; shape (n,) each.
 
-    Parameters
-    ----------
-    origin, shift : ndarray, shape (n,)
-        The end of the bracket that is nearer, 0 or an eigenvalue of the bare structure, and
-        the distance from it.
-    untouched : ndarray of int, shape (n,)
-        Which of the bare modes it is, where the attachment feels nothing of it; else -1.
-    rounding : ndarray, shape (n,)
-        By how much rounding may have moved each of them.
+    The origin is the end of the bracket that is nearer, 0 or an eigenvalue of the bare
+    structure.  `untouched` says which of the bare modes it is, where the attachment feels
+    nothing of it, else -1; `rounding` by how much rounding may have moved it.
     """
 
     origin: Vector
