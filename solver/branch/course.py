@@ -11,9 +11,9 @@ import numpy as np
 
 from ...generated.ck import F, angles
 from ..arrays import Matrix, Vector
-from ..compiling import Account
 from ..flow.exact_system import arrays, phase_numbers, places
 from ..flow.flow import state_at
+from ..kernels.compiling import Account
 from ..kernels.kernel import pays
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
 from ..scenes.arrays import Integers

@@ -8,8 +8,8 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from ..branch import walk
 from ..branch.walk import MODULES
-from ..compiling import Account, rebuilt
 from ..kernels import linking
+from ..kernels.compiling import Account, rebuilt
 from ..kernels.family import Family
 from ..kernels.kernel import pays
 from ..scenes.arrays import Integers

@@ -10,8 +10,8 @@ from types import ModuleType
 from typing import Any
 
 from ...generated import ck
-from ..compiling import Account, rebuilt
 from ..scenes.methods import about
+from .compiling import Account, rebuilt
 from .kernel import Kernel, compiling
 from .linking import Make, text_of
 

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..arrays import Matrix, Vector
-from ..compiling import PLAIN_ORDER, Account, jit, rebuilt
 from ..iteration.iteration import Iteration
 from ..scenes.case import Case
+from .compiling import PLAIN_ORDER, Account, jit, rebuilt
 from .linking import Make
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from ..arrays import Matrix, Vector
-from ..compiling import rebuilt
 from ..iteration import iteration, linear, single
 from ..iteration.iteration import Iteration
 from ..maps import band, series, together
+from .compiling import rebuilt
 
 #: Modules of Newton's method, for several unknowns and for one.
 SEVERAL, ONE = (linear, iteration), (single,)

@@ -1,21 +1,24 @@
 """The kernel of motions that are polynomials on each phase: one for all scenes and classes."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from fractions import Fraction
+from functools import cache, cached_property
+from math import prod
 from types import ModuleType
 from typing import Any, ClassVar
 
 import numpy as np
 
-from ..arrays import Vector
+from ..arrays import Matrix, Vector
 from ..maps import together
-from ..maps.unseen import combinations
 from ..scenes.arrays import arrays_of
 from ..scenes.case import Case
 from ..scenes.loaded import LoadedScene
 from ..scenes.method_names import with_class_one
 from ..scenes.methods import about
 from . import linking
+from .compiling import rebuilt
 from .family import Family, module_of
 
 FAMILY = Family(linking.phase_maps, linking.MAPS + linking.NEWTON, together.iterate_together)
@@ -118,3 +121,37 @@ class Layout:
                 found = combinations(self.equations.unseen, tests[p], k, left)
                 tables[p, : tests[p], :left] = found
         return (*arrays, tables)
+
+
+def _rising(x: int, k: int) -> Fraction:
+    return Fraction(prod(range(x, x + k)))
+
+
+@cache
+def combinations(
+    unseen: Callable[[int, int, int], float], rows: int, k: int, count: int
+) -> Matrix:
+    """Return Z: what coefficients from `rows` on of the residual make of those before.
+
+    A residual that is orthogonal to all tests of a phase that begins C^k is a combination of as
+    many polynomials as `count`; their weights by degree, ``unseen(m, l, k)`` of a generated
+    module, are a triangle at the top.  Shape (rows, count), each to rounding.
+
+    Examples
+    --------
+    >>> from nonsmooth.generated.ck import unseen
+    >>> combinations(unseen, 2, 0, 1).tolist()
+    [[0.2], [-0.6]]
+    """
+    weight = rebuilt(unseen, {"rising": _rising})
+    above = range(rows, rows + count)
+    found = np.empty((rows, count))
+    for l in range(rows):
+        row: list[Fraction] = []
+        for m in above:
+            pairs = zip(row, above, strict=False)
+            taken = sum(q * Fraction(weight(m, degree, k)) for q, degree in pairs)
+            row.append((Fraction(weight(m, l, k)) - taken) / Fraction(weight(m, m, k)))
+        found[l] = [float(q) for q in row]
+    found.flags.writeable = False
+    return found

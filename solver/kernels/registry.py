@@ -14,7 +14,7 @@ from ..scenes.method_names import methods as methods  # noqa: PLC0414  (its own,
 from ..scenes.methods import about
 
 if TYPE_CHECKING:
-    from ..compiling import Account
+    from .compiling import Account
     from .kernel import Kernel
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated"

@@ -5,15 +5,18 @@ right.  So a folder is read at once, and used only if it is its user's alone and
 it was written; what was read is what runs, whatever becomes of the files.
 """
 
+import errno
 import hashlib
 import os
+import stat
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..ownership import check_private, check_status
-
 #: The file with the hash of all others, and the endings of these.
 SEAL, ENDINGS = "seal", (".py", ".npz")
+
+#: Permission of the group, and of all others, to write.
+OTHERS = stat.S_IWGRP | stat.S_IWOTH
 
 #: What a folder holds, by place; folders in it have a slash behind their name.
 Kept = Mapping[str, bytes]
@@ -21,6 +24,13 @@ Kept = Mapping[str, bytes]
 
 class Damaged(ValueError):  # noqa: N818  (named like the other errors of the package)
     """A folder that is not as it was written."""
+
+
+class NotPrivate(PermissionError):  # noqa: N818  (named like the other errors of the package)
+    """A file or folder that another user owns or may write to, and that is not used."""
+
+    def __str__(self) -> str:
+        return f"{self.filename} {self.strerror}"
 
 
 def write(files: Kept, folder: Path) -> None:
@@ -88,3 +98,35 @@ def _seal(name: str, files: Kept) -> bytes:
     for place, content in sorted(files.items()):
         digest.update(f"\0{place}\0{len(content)}\0".encode() + content)
     return digest.hexdigest().encode()
+
+
+def check_private(path: Path, like: Path | None = None) -> None:
+    """Check that a file or folder is its user's alone, and a link to it as well.
+
+    Where a system has no numbers of users, as Windows, nothing is checked.
+
+    Parameters
+    ----------
+    like : Path, optional
+        A folder whose files are run in any case: who owns it, or may write to it, is trusted.
+
+    Raises
+    ------
+    NotPrivate
+        If another user owns it, or others may write to it.
+    FileNotFoundError
+        If there is nothing.
+    """
+    check_status(path, path.stat(), like.stat() if like else None)
+
+
+def check_status(path: Path, there: os.stat_result, like: os.stat_result | None = None) -> None:
+    """Check the same where the status of what the path leads to is known."""
+    owners = {there.st_uid, path.lstat().st_uid}
+    if not hasattr(os, "getuid"):
+        return
+    trusted, allowed = ({like.st_uid}, like.st_mode) if like else (set(), 0)
+    if owners - trusted - {os.getuid()}:
+        raise NotPrivate(errno.EPERM, "belongs to another user", str(path))
+    if there.st_mode & OTHERS & ~allowed:
+        raise NotPrivate(errno.EPERM, "may be written by others", str(path))

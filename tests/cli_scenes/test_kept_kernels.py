@@ -15,7 +15,6 @@ import nonsmooth as ns
 from nonsmooth.codegen import generate
 from nonsmooth.codegen.scenes import dry_friction
 from nonsmooth.scene_files import find, store
-from nonsmooth.solver import ownership
 from nonsmooth.solver.scenes import sealed
 
 HAS_USERS = pytest.mark.skipif(not hasattr(os, "getuid"), reason="no numbers of users")
@@ -159,7 +158,7 @@ def test_another_user_does_not_run_what_this_one_kept(
     other = os.getuid() + 1
     monkeypatch.setattr(os, "getuid", lambda: other)
     assert store.stored(kept.name) is None
-    with pytest.raises(ownership.NotPrivate, match="belongs to another user"):
+    with pytest.raises(sealed.NotPrivate, match="belongs to another user"):
         sealed.read(kept)
 
 

@@ -13,8 +13,8 @@ from numpy.polynomial import legendre
 from nonsmooth.codegen.emission.whole_period import LAST
 from nonsmooth.codegen.expansions.hb_ck import beta
 from nonsmooth.generated import hb, hb_c1
-from nonsmooth.solver.compiling import rebuilt
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.precision.balls import as_balls, precision, residual_in_balls
 from nonsmooth.solver.scenes.arrays import Arrays, arrays_of
 

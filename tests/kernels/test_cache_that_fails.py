@@ -18,8 +18,8 @@ import pytest
 
 import nonsmooth
 from nonsmooth.cli.problems import print_warnings
-from nonsmooth.solver import compiling
-from nonsmooth.solver.compiling import CacheWarning, jit
+from nonsmooth.solver.kernels import compiling
+from nonsmooth.solver.kernels.compiling import CacheWarning, jit
 
 
 @pytest.fixture

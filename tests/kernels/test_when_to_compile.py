@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver import compiling
-from nonsmooth.solver.compiling import COMPILE, LOAD, START, Account
-from nonsmooth.solver.kernels import polynomials, registry
+from nonsmooth.solver.kernels import compiling, polynomials, registry
+from nonsmooth.solver.kernels.compiling import COMPILE, LOAD, START, Account
 from nonsmooth.solver.kernels.family import Family
 from nonsmooth.solver.orbit.attempt import attempt
 

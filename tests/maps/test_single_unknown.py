@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nonsmooth.solver.compiling import rebuilt
 from nonsmooth.solver.iteration.iteration import (
     CONVERGED,
     DURATION_STEP,
@@ -17,6 +16,7 @@ from nonsmooth.solver.iteration.iteration import (
     SINGULAR,
     TOO_MANY,
 )
+from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import ONE, made
 
 

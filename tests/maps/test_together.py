@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from nonsmooth.generated import ck
-from nonsmooth.solver.compiling import rebuilt
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import phase_maps
 from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.solve import solve_case

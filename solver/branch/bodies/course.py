@@ -10,8 +10,8 @@ import numpy as np
 from ...arrays import Matrix, Vector
 from ...bodies.exact import evaluated, opened
 from ...bodies.laws import under
-from ...compiling import rebuilt
 from ...kernels import linking
+from ...kernels.compiling import rebuilt
 from ...kernels.start import RoughTimes
 from ...orbit.exact_orbit import ExactOrbit, from_times
 from ...scenes.arrays import Integers

@@ -13,8 +13,8 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from nonsmooth.solver.ownership import NotPrivate, check_private
 from nonsmooth.solver.scenes import sealed
+from nonsmooth.solver.scenes.sealed import NotPrivate, check_private
 
 from .error import SceneFileError
 

@@ -66,28 +66,28 @@ MUTANTS = (
     ),
     Mutant(
         "a folder of another user is trusted",
-        "solver/ownership.py",
+        "solver/scenes/sealed.py",
         "if owners - trusted - {os.getuid()}:",
         "if False:",
         (f"{KEPT}::test_another_user_does_not_run_what_this_one_kept",),
     ),
     Mutant(
         "compiled code is run whatever its hash",
-        "solver/numba_cache.py",
+        "solver/kernels/numba_cache.py",
         "if found != hash_of(content):",
         "if False:",
         (f"{CACHE}::test_damaged_files_are_compiled_anew",),
     ),
     Mutant(
         "compiled code of one function is run for another",
-        "solver/numba_cache.py",
+        "solver/kernels/numba_cache.py",
         'f"{name}\\0{types}\\0".encode() + content',
         "content",
         (f"{CACHE}::test_code_in_the_place_of_another_is_not_run",),
     ),
     Mutant(
         "a damaged cache ends the command",
-        "solver/numba_cache.py",
+        "solver/kernels/numba_cache.py",
         "    except Exception:  # pickle raises any, of bytes that are not its own\n"
         "        cached.flush()\n",
         "    except ZeroDivisionError:\n        cached.flush()\n",
@@ -95,7 +95,7 @@ MUTANTS = (
     ),
     Mutant(
         "a cache that others could have written is used",
-        "solver/numba_cache.py",
+        "solver/kernels/numba_cache.py",
         "    check_private(folder, source)\n",
         "",
         (f"{CACHE}::test_what_others_could_have_written_is_not_run",),

@@ -20,7 +20,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from .ownership import NotPrivate
+from ..scenes.sealed import NotPrivate
 
 #: Up to this order a kernel begins as plain Python; beyond, one solve takes as long as loading.
 PLAIN_ORDER = 48

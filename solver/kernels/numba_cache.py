@@ -15,7 +15,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from .ownership import OTHERS, check_private
+from ..scenes.sealed import OTHERS, check_private
 
 
 @contextmanager
