@@ -22,7 +22,8 @@ from .scenes.case import Case
 from .scenes.loaded import UnknownScene
 from .scenes.methods import FIRST
 from .scenes.parameter_error import ParameterError
-from .solve import check_order, number_of_functions, orbit_beside
+from .search import check_order
+from .solve import number_of_functions, orbit_beside
 
 #: Order of an expansion beside a branch, where none is named.
 ORDER = 10

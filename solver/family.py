@@ -17,7 +17,8 @@ from .results.family import Family, FamilyInterrupted, FamilyRow
 from .results.orbit import Orbit
 from .scenes.case import Case
 from .scenes.methods import FIRST
-from .solve import check_order, number_of_functions, orbit_beside, solve_case
+from .search import check_order
+from .solve import number_of_functions, orbit_beside, solve_case
 from .stability.monodromy import NoMultipliersError
 
 #: Order at which the times of a smooth motion in each phase are at rounding.

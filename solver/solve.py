@@ -1,40 +1,17 @@
 """One orbit of a case by one method, or the reason why there is none."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
-from functools import cached_property, lru_cache
-from itertools import chain, islice, product
 
-import numpy as np
-
-from .arrays import Vector
 from .exact import ExactOrbit, exact_orbit, settled_orbit
 from .existence.known import is_stable, known, known_orbits
-from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .in_order import cases_in_order
 from .kernels import registry
-from .kernels.kernel import Kernel
-from .kernels.start import PATIENCE, is_reversible, is_singular, rough_times
 from .no_orbit import NoOrbit, of_any_motion
-from .orbit.attempt import attempt
-from .orbit.solution import Solution
 from .results.orbit import Orbit
 from .scenes.case import Case
-from .scenes.methods import FIRST, about
-from .scenes.orders import OrderedScene
-from .scenes.parameter_error import whole
-from .simulation.settle import FEW, PHASES, rough_times_by_simulation
-
-#: Orders of the method from whose times every other starts: it converges from rough times at
-#: the first, and where a motion has too many waves for that, at the second.
-COARSE = (5, 12)
-
-#: Added to them for each further cycle of the forcing.
-WAVES = 4
-
-#: Most unknowns are dense: beyond, a system takes seconds and nothing is gained.
-HIGHEST_ORDER = 400
+from .scenes.methods import FIRST
+from .search import COARSE, Search, search_of
 
 
 def solve_case(
@@ -87,8 +64,8 @@ def solve_case(
     if functions is None:
         functions = number_of_functions(case, method, None)
 
-    def search(each: Case) -> _Search:
-        return _search(each, method, order, functions)
+    def search(each: Case) -> Search:
+        return search_of(each, method, order, functions)
 
     def settled() -> Orbit | None:
         exact = settled_orbit(case)
@@ -116,7 +93,7 @@ def orbit_beside(
     exact: ExactOrbit, method: str, order: int, functions: int | None = None
 ) -> Orbit | None:
     """Return the orbit of a method next to an exact one, if it has one; see `solve_case`."""
-    return _Search(exact.case, method, order, functions).from_exact(exact)
+    return Search(exact.case, method, order, functions).from_exact(exact)
 
 
 def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = None) -> Case:
@@ -189,7 +166,7 @@ def orbits_of(
         functions = number_of_functions(case, method, None)
     found: list[Orbit] = []
     for each in case.each_motion:
-        search = _search(each, method, order, functions)
+        search = search_of(each, method, order, functions)
         own = [search.from_exact(exact) for exact in known(each).orbits]
         found += [orbit for orbit in own if orbit is not None]
         if not known(each).complete and not own:
@@ -208,192 +185,3 @@ def number_of_functions(case: Case, method: str, wanted: int | None) -> int | No
     if not registry.functions(case.scene, method):
         return None
     return (2 if case.scene.k == 0 else 1) if wanted is None else wanted
-
-
-def _search(case: Case, method: str, order: int, functions: int | None) -> "_Search":
-    kernel = registry.kernel(case.scene, method, functions)
-    return _Search(case, method, check_order(kernel, order), functions)
-
-
-@dataclass
-class _Search:
-    """The ways to an orbit of a case of one motion, and what each came to."""
-
-    case: Case
-    method: str
-    order: int
-    functions: int | None
-    words: str = ""
-    iterations: int = 0
-    exact: bool = False
-    tried: list[str] = field(default_factory=list)
-
-    @cached_property
-    def kernel(self) -> Kernel:
-        """The method's kernel in the form that is quicker by now."""
-        return registry.quicker_kernel(self.case.scene, self.method, self.functions, self.order)
-
-    def run(self) -> Orbit:
-        """Return an orbit."""
-        for times in self.starts():
-            found = self.orbit(times)
-            if found is not None:
-                return found
-        name = f"{self.case.scene.label}, {self.kernel.method}, N = {self.order}"
-        words = "; ".join([f"{name}: no admissible orbit was found", *self._what_else()])
-        tried = tuple(dict.fromkeys(self.tried))
-        shown = shown_to_be_none(self.case, tried)
-        shown = shown or self.case.none(self.method, self.order, tried)
-        error = shown or NoOrbit(words, False, tried)
-        error.iterations = self.iterations
-        raise error
-
-    def _what_else(self) -> Iterator[str]:
-        """Yield what explains that no orbit was found, as far as that is known."""
-        if self.exact or known(self.case).orbits:
-            yield "there is an exact orbit, and from its times there is no way to one"
-            return
-        yield from not_decided(self.case)
-        yield from without_switches(self.case)
-
-    def from_exact(self, exact: ExactOrbit) -> Orbit | None:
-        """Return the orbit of the method next to an exact one, if it has one."""
-        self.words = "the times of the exact orbit"
-        starts = chain([exact.times], self.aside(exact.times))
-        return next((orbit for orbit in map(self.orbit, starts) if orbit is not None), None)
-
-    def aside(self, times: Vector) -> Iterator[Vector]:
-        """Yield times in which one switch is half a wave of the highest harmonic off, if any.
-
-        Where the velocity jumps, harmonics have times that are that wrong, and between these
-        and the exact ones there may be no way.
-        """
-        count = len(self.case.cell.phases)
-        if count == 1 or not about(self.method).is_series:
-            return
-        wave = times[:count].sum() * self.case.cell.cells / self.order
-        for p, step in product(range(count), (wave / 2, -wave / 2)):
-            moved = times.copy()
-            moved[p - 1 if p else count - 1] += step
-            moved[p] -= step
-            if p == 0 and self.case.cell.forced:
-                moved[-1] += self.case.cell.omega * step
-            self.words = "the times of the exact orbit, one of them half a wave aside"
-            yield moved
-
-    def orbit(self, times: Vector) -> Orbit | None:
-        """Return the orbit to which times lead, if they lead to one."""
-        found = self.note(attempt(self.kernel, self.case, self.order, times, self.functions))
-        if not found.confirmed:
-            found = self.less_smooth(found, times)
-        return found if found.confirmed else None
-
-    def note(self, found: Solution) -> Orbit:
-        """Return a result with all iterations, after its failure, if it is one, was noted."""
-        total = self.iterations + found.outcome.iterations
-        orbit = Orbit.of(replace(found, iterations=total))
-        self.count(orbit)
-        return orbit
-
-    def count(self, found: Solution) -> None:
-        """Count the iterations of a result, and note its failure if it is one.
-
-        Of a coarse one only its own is: what the exact equations say is asked of the last.
-        """
-        self.iterations += found.outcome.iterations
-        why = "" if found.converged else found.outcome.reason
-        whole = isinstance(found, Orbit)
-        why = why or "; ".join(found.violations if whole else found.own_violations)
-        if why:
-            self.tried.append(f"from {self.words}: {found.method}, N = {found.order}: {why}")
-
-    def less_smooth(self, failed: Orbit, times: Vector) -> Orbit:
-        """Return the orbit by functions of class C^1, if no smoother ones can be told apart.
-
-        That is so where the conditions of the method are singular at that orbit.  In any other
-        case what failed is returned.
-        """
-        name = registry.class_one(self.case.scene, failed.method)
-        if name is None:
-            return failed
-        kernel = registry.kernel(self.case.scene, name)
-        found = self.note(attempt(kernel, self.case, failed.order, times))
-        there = kernel.times(found.unknowns)
-        if found.converged and is_singular(self.kernel, self.case, failed.order, there):
-            return found
-        return failed
-
-    def starts(self) -> Iterator[Vector]:
-        """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
-
-        Then those on which a simulation settles, or why there are none: first, if the order of
-        the phases is not declared.  At last those of the exact orbit, which may be found where
-        a coarse one is not.  Where it is shown that there is none, a simulation alone: it says
-        what there is instead.
-        """
-        if self.case.scene.has_body:  # all else that is known was looked at
-            yield from self._settled(FEW if known(self.case).listed else PHASES)
-            return
-        listed, undeclared = known(self.case).listed, isinstance(self.case.scene, OrderedScene)
-        if not (undeclared or known(self.case).none):
-            yield from self._coarse()
-        yield from self._settled(FEW if listed else PHASES)
-        if undeclared:
-            yield from self._coarse()
-        if listed:
-            return
-        try:
-            exact = exact_orbit(self.case)
-        except NoOrbit:
-            return
-        self.exact, self.words = True, "the times of the exact orbit"
-        yield exact.times
-
-    def _settled(self, phases: int) -> Iterator[Vector]:
-        """Yield the times on which simulations settle, and note what others come to."""
-        for settled in rough_times_by_simulation(self.case, phases):
-            self.words = settled.words
-            if settled.times is None:
-                self.tried.append(settled.words)
-            else:
-                angle = (settled.times.angle,) if self.kernel.forced else ()
-                yield np.array([*settled.times.durations, *angle])
-
-    def _coarse(self) -> Iterator[Vector]:
-        """Yield the times of orbits by a coarse method, from rough times."""
-        scene = self.case.scene
-        available = FIRST in registry.methods(scene)
-        once = is_reversible(self.case.cell) and registry.class_one(scene, FIRST)
-        method = once or FIRST
-        waves = WAVES * (self.case.cycles - 1)
-        orders = [q + waves for q in COARSE] if available else COARSE[:1]
-        ways = product(orders, rough_times(self.case.cell))
-        for order, rough in islice(ways, PATIENCE if known(self.case).listed else None):
-            self.words = rough.words
-            angle = (rough.angle,) if self.kernel.forced else ()
-            times = np.array([*rough.durations, *angle])
-            if not available:
-                yield times
-                continue
-            found = _coarse_orbit(self.case, method, order, tuple(times))
-            self.count(found)
-            if found.converged and not found.own_violations:
-                yield registry.kernel(scene, method).times(found.unknowns)
-
-
-@lru_cache(maxsize=512)
-def _coarse_orbit(case: Case, method: str, order: int, times: tuple[float, ...]) -> Solution:
-    """Return where a coarse method leads from rough times; every method asks for the same."""
-    kernel = registry.quicker_kernel(case.scene, method, None, order)
-    return attempt(kernel, case, order, np.array(times))
-
-
-def check_order(kernel: Kernel, value: object) -> int:
-    """Return an order as a whole number that the method can compute.
-
-    Raises
-    ------
-    ValueError
-        If it is not one.
-    """
-    return whole("order", value, kernel.lowest, HIGHEST_ORDER, f" for {kernel.method}")

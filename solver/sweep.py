@@ -8,7 +8,8 @@ from .no_orbit import NoOrbit
 from .results.sweep import Sweep, SweepRow
 from .scenes.case import Case
 from .scenes.methods import in_order
-from .solve import check_order, number_of_functions, solve_case, with_motion
+from .search import check_order
+from .solve import number_of_functions, solve_case, with_motion
 
 
 def sweep_case(

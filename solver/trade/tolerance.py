@@ -18,7 +18,8 @@ from ..scenes.case import Case
 from ..scenes.method_names import shown
 from ..scenes.methods import FIRST, about
 from ..scenes.parameter_error import is_number
-from ..solve import COARSE, HIGHEST_ORDER, number_of_functions, solve_case, with_motion
+from ..search import COARSE, HIGHEST_ORDER
+from ..solve import number_of_functions, solve_case, with_motion
 from .choice import MARGIN, Choice, NotCertified, Trial, size
 
 #: Up to here every order is tried; beyond, each is larger than the last by a part of it.

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver import solve
+from nonsmooth.solver import search
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import is_reversible, is_singular
 from nonsmooth.solver.orbit.attempt import attempt
@@ -101,7 +101,7 @@ def test_sweeps_say_which_functions_they_have(orbit, tmp_path):
 
 
 def test_without_them_it_is_said_that_there_is_an_exact_orbit(monkeypatch):
-    monkeypatch.setattr(solve.registry, "class_one", lambda scene, method: None)
+    monkeypatch.setattr(search.registry, "class_one", lambda scene, method: None)
     with pytest.raises(ns.NoOrbit, match="there is an exact orbit, and from its times"):
         ns.solve(UNDAMPED, method="ck-tau", order=10)
 
@@ -111,6 +111,6 @@ def test_what_fails_where_nothing_is_singular_is_not_replaced():
     times = ns.exact(case).times
     far = attempt(kernel, case, 10, times * 10.0)
     assert not far.converged
-    search = solve._Search(case, "ck-tau", 10, None)
-    assert search.less_smooth(far, times) is far
-    assert search.iterations > 0  # it was tried
+    searched = search.Search(case, "ck-tau", 10, None)
+    assert searched.less_smooth(far, times) is far
+    assert searched.iterations > 0  # it was tried

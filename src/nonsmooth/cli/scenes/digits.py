@@ -63,7 +63,7 @@ def run(
     )
     from nonsmooth.solver.scenes.method_names import shown
     from nonsmooth.solver.scenes.parameter_error import ParameterError
-    from nonsmooth.solver.solve import HIGHEST_ORDER
+    from nonsmooth.solver.search import HIGHEST_ORDER
 
     if quick and orders is not None:
         raise Problem(f"--quick: got --orders {orders} beside it, expected one of them")
