@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import product
 
+from ..nearest import one_of
 from .existence.known import known
 from .kernels.start import RoughTimes
 from .scenes.case import Case
@@ -12,7 +13,6 @@ from .scenes.orders import (
     MIRRORED,
     Order,
     Step,
-    choices,
     half_if_mirrored,
     in_order,
     pairs,
@@ -95,6 +95,43 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
         scene = in_order(base.scene, other.order)
         if scene.motion not in declared:
             yield Case(scene, case.values, case.cycles), other.times
+
+
+def choices(base: LoadedScene, name: str) -> list[Step]:
+    """Return the phases that have a name, with a minus in front the mirror images.
+
+    Raises
+    ------
+    UnknownScene
+        If there is none.
+    """
+    plain = name.removeprefix("-")
+    found = [Step(p, name != plain) for p, each in enumerate(base.phases) if each == plain]
+    if not found or (name != plain and not base.half_period):
+        raise UnknownScene(f"phases: got {name!r}, expected {one_of(plain, base.phases)}")
+    return found
+
+
+def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
+    """Return a scene of one motion by the name of the motion.
+
+    That of an order which is not declared is `OrderedScene.motion`; of several phases of one
+    name it means the first.
+
+    Raises
+    ------
+    UnknownScene
+        If there is no such motion.
+    """
+    if motion == scene.motion:
+        return scene
+    scene = scene.whole
+    names = motion.split(",") if isinstance(motion, str) else []
+    if motion in scene.motions or names[:1] == [] or names[0].lstrip("-") not in scene.phases:
+        return scene.of_motion(motion)
+    half = names[-1] == MIRRORED
+    steps = (choices(scene.fullest, name)[0] for name in (names[:-1] if half else names))
+    return in_order(scene.fullest, Order(tuple(steps), half))
 
 
 def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:

@@ -47,3 +47,25 @@ def same(one: Form, other: Form) -> bool:
     powers = other_power - power
     ratios = np.ldexp(q / p, np.clip(powers - powers[0], -4, 4))
     return bool((np.abs(ratios - ratios[0]) <= ROUNDING * np.abs(ratios[0])).all())
+
+
+def is_image(one: Phase, other: Phase) -> bool:
+    """Whether a phase without a memory is the mirror image of another."""
+
+    def numbers(q: Phase) -> tuple[object, ...]:
+        own = q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.rho, q.d
+        return (own, q.jumps) if isinstance(q, BodyPhase) else own
+
+    def laws(q: Phase) -> tuple[Form, ...]:
+        return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
+
+    there = mirror(one)
+    alike = numbers(there) == numbers(other) and all(map(same, laws(there), laws(other)))
+    forms, others = ([form for _, form in q.demands] for q in (there, other))
+    demands = all(any(_demand_the_same(a, b) for b in others) for a in forms)
+    return alike and demands and len(forms) == len(others) and not (one.memory or other.memory)
+
+
+def _demand_the_same(one: Form, other: Form) -> bool:
+    """Whether two forms are not negative at the same states."""
+    return same(one, other) and all(a * b >= 0 for a, b in zip(one, other, strict=True))

@@ -11,12 +11,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
-from ...nearest import one_of
-from .bodies.cell import BodyPhase
 from .cell import Cell, Form, Memory, Phase
 from .classes import HIGHEST, classes
 from .loaded import LoadedScene, UnknownScene
-from .mirror import mirror, same
+from .mirror import is_image, mirror
 from .parameter_error import ParameterError
 
 if TYPE_CHECKING:
@@ -92,11 +90,6 @@ class OrderedScene(LoadedScene):
     @property
     def _identity(self) -> tuple[object, ...]:
         return *self.base._identity, self.order
-
-    @property
-    def motions(self) -> tuple[str, ...]:
-        """None: it is one motion."""
-        return ()
 
     @property
     def motion(self) -> str:
@@ -202,43 +195,6 @@ def in_order(base: LoadedScene, order: Order) -> OrderedScene:
     return OrderedScene(base.module, base.folder, base.kept, base=base, order=order)
 
 
-def choices(base: LoadedScene, name: str) -> list[Step]:
-    """Return the phases that have a name, with a minus in front the mirror images.
-
-    Raises
-    ------
-    UnknownScene
-        If there is none.
-    """
-    plain = name.removeprefix("-")
-    found = [Step(p, name != plain) for p, each in enumerate(base.phases) if each == plain]
-    if not found or (name != plain and not base.half_period):
-        raise UnknownScene(f"phases: got {name!r}, expected {one_of(plain, base.phases)}")
-    return found
-
-
-def motion_of(scene: LoadedScene, motion: object) -> LoadedScene:
-    """Return a scene of one motion by the name of the motion.
-
-    That of an order which is not declared is `OrderedScene.motion`; of several phases of one
-    name it means the first.
-
-    Raises
-    ------
-    UnknownScene
-        If there is no such motion.
-    """
-    if motion == scene.motion:
-        return scene
-    scene = scene.whole
-    names = motion.split(",") if isinstance(motion, str) else []
-    if motion in scene.motions or names[:1] == [] or names[0].lstrip("-") not in scene.phases:
-        return scene.of_motion(motion)
-    half = names[-1] == MIRRORED
-    steps = (choices(scene.fullest, name)[0] for name in (names[:-1] if half else names))
-    return in_order(scene.fullest, Order(tuple(steps), half))
-
-
 def in_cell(cell: Cell, order: Order) -> Cell:
     """Return a cell with its phases in another order; its classes are not known."""
     sign = -1 if order.half_period else 1
@@ -278,28 +234,6 @@ def is_odd(cell: Cell) -> bool:
     [True, False]
     """
     return None not in [image(cell, Step(p)) for p in range(len(cell.phases))]
-
-
-def is_image(one: Phase, other: Phase) -> bool:
-    """Whether a phase without a memory is the mirror image of another."""
-
-    def numbers(q: Phase) -> tuple[object, ...]:
-        own = q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.rho, q.d
-        return (own, q.jumps) if isinstance(q, BodyPhase) else own
-
-    def laws(q: Phase) -> tuple[Form, ...]:
-        return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
-
-    there = mirror(one)
-    alike = numbers(there) == numbers(other) and all(map(same, laws(there), laws(other)))
-    forms, others = ([form for _, form in q.demands] for q in (there, other))
-    demands = all(any(_demand_the_same(a, b) for b in others) for a in forms)
-    return alike and demands and len(forms) == len(others) and not (one.memory or other.memory)
-
-
-def _demand_the_same(one: Form, other: Form) -> bool:
-    """Whether two forms are not negative at the same states."""
-    return same(one, other) and all(a * b >= 0 for a, b in zip(one, other, strict=True))
 
 
 def _settings(at: Sequence[int], order: Order) -> list[tuple[int, int]]:

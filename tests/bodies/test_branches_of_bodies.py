@@ -15,8 +15,8 @@ from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
 from nonsmooth.solver.branch.change import doubled
 from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.scenes.case import Case
-from nonsmooth.solver.scenes.orders import motion_of
 from nonsmooth.solver.stability.stability import stability
 
 #: Bodies of the reference file, and ranges of the frequency.

@@ -7,13 +7,14 @@ import pytest
 from bodies.reference_bodies import case, of, references
 
 from nonsmooth.solver.existence.known import known_orbits
+from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import UnknownScene
 from nonsmooth.solver.scenes.mirror import mirror
-from nonsmooth.solver.scenes.orders import MIRRORED, Order, Step, image, in_order, motion_of
+from nonsmooth.solver.scenes.orders import MIRRORED, Order, Step, image, in_order
 
 SHIPPED = [scene for scene in map(registry.load, registry.names()) if scene.has_body]
 

@@ -12,8 +12,8 @@ import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import known_orbits
+from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.scenes.case import Case
-from nonsmooth.solver.scenes.orders import motion_of
 from nonsmooth.solver.solve import with_order
 
 SPRING = {"force": 0.3, "damping": 0.1, "gap": 1.0}

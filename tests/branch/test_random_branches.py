@@ -6,10 +6,10 @@ from one_mass import NAMES
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.scenes.case import Case
-from nonsmooth.solver.scenes.orders import motion_of
 
 #: Scenes of bodies, and how many modes these have.
 BODIES = sorted(set(registry.names()) - set(NAMES))

@@ -9,6 +9,7 @@ import numpy as np
 
 from nonsmooth.kim_perkins import StickSlip, StickSlipErrors, as_in_paper
 from nonsmooth.scene import find
+from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.iteration.newton import Outcome
 from nonsmooth.solver.kernels.registry import generic_method, kernel, mathematics
 from nonsmooth.solver.orbit.errors import Errors
@@ -19,7 +20,6 @@ from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.results.sweep import Sweep, SweepRow
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene, UnknownScene
-from nonsmooth.solver.scenes.orders import motion_of
 
 from . import checks
 from .file_errors import FileError, other_kind
