@@ -1,6 +1,6 @@
 """Newton's method on coefficients and times of any scene, plain or compiled.
 
-Damped by the natural monotonicity test like `solver.newton`, and with limits that keep the
+Damped by the natural monotonicity test, and with limits that keep the
 times meaningful: no step changes a duration by more than 40 %, nor the phase of the forcing by
 more than 0.8 rad.  The rows are scaled to a largest entry of 1 before they are solved:
 conditions of different physical kind stand beside each other, and pivots are chosen by size.

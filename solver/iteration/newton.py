@@ -22,7 +22,7 @@ REASONS = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """Where an iteration ended: as `solver.newton.Outcome`, of coefficients and times."""
+    """Where an iteration ended, on coefficients and times."""
 
     unknowns: Vector
     converged: bool

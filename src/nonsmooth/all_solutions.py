@@ -1,12 +1,24 @@
-"""All real solutions of the C1 series of the paper, (18) to (20), orbits or not."""
+"""All real solutions of the C1 series of the paper (Section 3.3), orbits or not.
+
+Without units: time in ``1/omega_n``, length in ``V/omega_n``.  The slip acceleration is a
+series ``p_0 .. p_N`` of shifted Legendre polynomials, and (20) is ``p_0 = 0``.  Given the slip
+duration ``s``, equations (18) are linear in ``p_1/s .. p_N/s`` and in ``y(t1)/s``, with
+coefficients rational in ``s**2``; (19) then gives ``t1``.  What is left is ``alpha = y_0(s)``
+with a rational function, so every solution is a positive root of one polynomial
+``alpha D(s**2) - s E(s**2)``, isolated in exact arithmetic: that none of them is an orbit is
+then a fact, not a failed iteration.
+"""
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from math import gcd, lcm
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .solver.existence.isolated import isolated
+from .solver.existence.real_roots import Polynomial, isolate, refine
 from .solver.kernels.registry import kernel
 from .solver.orbit.attempt import attempt
 
@@ -58,3 +70,162 @@ def solutions(belt: "StickSlip", order: int) -> list[RealSolution]:
             violations = (f"{words} at V", *violations)
         found.append(RealSolution(rest, stick, stick + rest, violations, off))
     return found
+
+
+def isolated(order: int, alpha: float) -> list[tuple[float, float]]:
+    """Return ``t1`` and ``s`` of every real solution at an order, ascending in `s`.
+
+    Raises
+    ------
+    ArithmeticError
+        If two solutions coincide.
+
+    Examples
+    --------
+    >>> [(round(t1, 6), round(s, 6)) for t1, s in isolated(3, 1.0)]
+    [(2.066468, 4.624313), (0.710579, 5.740552), (3.377437, 14.341854)]
+    """
+    p = polynomial(order, alpha)
+    found = []
+    for slip in (refine(p, *interval) for interval in isolate(p)):
+        D, _, W = (_evaluate(part, slip**2) for part in _rational_function(order))
+        found.append((float(slip * W / D), float(slip)))
+    return found
+
+
+def alpha_of(order: int, slip: float) -> float:
+    """Return the `alpha` of which a slip duration solves (18) to (20) at an order.
+
+    For the exact orbit it is ``-tan(s/2)``.
+    """
+    D, E, _ = _rational_function(order)
+    square = Fraction(slip) ** 2
+    return float(Fraction(slip) * _evaluate(E, square) / _evaluate(D, square))
+
+
+def polynomial(order: int, alpha: float) -> Polynomial:
+    """Return ``alpha D(s**2) - s E(s**2)`` with coprime integer coefficients."""
+    below, above, _ = _rational_function(order)
+    exact = Fraction(alpha)
+    coefficients = []
+    for D, E in zip(below, above, strict=True):
+        coefficients += [exact * D, -E]
+    while coefficients[-1] == 0:
+        coefficients.pop()
+    scale = lcm(*(c.denominator for c in coefficients))
+    integers = [int(c * scale) for c in coefficients]
+    common = gcd(*integers)
+    return [c // common for c in integers]
+
+
+@cache
+def _rational_function(
+    order: int,
+) -> tuple[list[Fraction], list[Fraction], list[Fraction]]:
+    """Return ``D``, ``E``, ``W``: ``alpha = s E/D`` and ``t1 = s W/D``, constants first.
+
+    Polynomials in ``s**2``, interpolated from exact values at ``order + 2`` places.
+    """
+    places: list[Fraction] = []
+    below: list[Fraction] = []
+    above: list[Fraction] = []
+    travel: list[Fraction] = []
+    square = Fraction(0)
+    while len(places) < order + 2:
+        square += 1
+        found = _eliminate(_system(order, square))
+        if found is not None:
+            determinant, solution = found
+            places.append(square)
+            below.append(determinant)
+            t1 = square * solution[0] / 6 - 1  # (19): t1 + s = s**2 p_1/6
+            above.append(determinant * (t1 - solution[-1]))
+            travel.append(determinant * t1)
+    D, E, W = (_interpolate(places, values) for values in (below, above, travel))
+    return D, E, W
+
+
+@cache
+def _parts(n: int) -> dict[int, Fraction]:
+    """Return ``P_n*``, integrated twice from 0, by parts in ``P_l*``; ``P_(-1-l)* = -P_l*``."""
+    found: dict[int, Fraction] = {}
+    for l, below in (
+        (n + 2, 4 * (2 * n + 1) * (2 * n + 3)),
+        (n, -2 * (2 * n - 1) * (2 * n + 3)),
+        (n - 2, 4 * (2 * n - 1) * (2 * n + 1)),
+    ):
+        sign, index = (1, l) if l >= 0 else (-1, -1 - l)
+        found[index] = found.get(index, Fraction(0)) + Fraction(sign, below)
+    return found
+
+
+def _project(k: int, rho: dict[int, Fraction]) -> Fraction:
+    """Return the inner product of a series with the test function ``k`` of (18)."""
+    products = (q * rho[l] / (2 * l + 1) for l, q in _parts(k).items() if l in rho)
+    return sum(products, Fraction(0))
+
+
+def _system(order: int, square: Fraction) -> list[list[Fraction]]:
+    """Return the augmented linear system for ``p_1/s .. p_N/s, y(t1)/s`` at ``s**2``."""
+    columns = []
+    for n in range(1, order + 1):
+        rho = {l: square * q for l, q in _parts(n).items()}
+        rho[n] = rho.get(n, Fraction(0)) + 1
+        columns.append(rho)
+    columns.append({0: Fraction(1)})
+    line = {0: Fraction(1, 2), 1: Fraction(1, 2)}
+    return [
+        [*(_project(k, rho) for rho in columns), -_project(k, line)] for k in range(order + 1)
+    ]
+
+
+def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | None:
+    """Return determinant and solution of the augmented system, which is overwritten.
+
+    By Gauss, from the ends of the band on: what is zero is skipped.
+    """
+    determinant, size = Fraction(1), len(rows)
+    filled: list[list[int]] = []
+    for i in range(size):
+        pivot = next((r for r in range(i, size) if rows[r][i]), None)
+        if pivot is None:
+            return None
+        if pivot != i:
+            rows[i], rows[pivot] = rows[pivot], rows[i]
+            determinant = -determinant
+        head = rows[i][i]
+        determinant *= head
+        filled.append([c for c in range(i + 1, size + 1) if rows[i][c]])
+        for r in range(i + 1, size):
+            if rows[r][i]:
+                factor = rows[r][i] / head
+                for c in filled[i]:
+                    rows[r][c] -= factor * rows[i][c]
+    solution = [Fraction(0)] * size
+    for i in reversed(range(size)):
+        known = sum((rows[i][c] * solution[c] for c in filled[i] if c < size), Fraction(0))
+        solution[i] = (rows[i][size] - known) / rows[i][i]
+    return determinant, solution
+
+
+def _interpolate(places: list[Fraction], values: list[Fraction]) -> list[Fraction]:
+    """Return the coefficients of the polynomial through the values (Newton's form)."""
+    table = list(values)
+    for level in range(1, len(places)):
+        for i in range(len(places) - 1, level - 1, -1):
+            table[i] = (table[i] - table[i - 1]) / (places[i] - places[i - level])
+    result = [table[-1]]
+    for i in range(len(places) - 2, -1, -1):
+        shifted = [Fraction(0), *result]
+        for power, value in enumerate(result):
+            shifted[power] -= places[i] * value
+        shifted[0] += table[i]
+        result = shifted
+    return result
+
+
+def _evaluate(coefficients: list[Fraction], x: Fraction) -> Fraction:
+    total = Fraction(0)
+    for c in reversed(coefficients):
+        total = total * x + c
+    return total

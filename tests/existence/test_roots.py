@@ -9,8 +9,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
+from nonsmooth import all_solutions as isolated
 from nonsmooth.all_solutions import solutions
-from nonsmooth.solver.existence import isolated, real_roots
+from nonsmooth.solver.existence import real_roots
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.attempt import attempt
 

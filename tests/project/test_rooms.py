@@ -44,7 +44,7 @@ PAPER = frozenset({"belt", "alpha", "t1", "backlash"})
 
 #: Rooms that may name a scene.
 OWN = re.compile(
-    r"/report/|/(kim_perkins|all_solutions|one_function|isolated)\.py$|/cli/paper\.py$"
+    r"/report/|/(kim_perkins|all_solutions|one_function)\.py$|/cli/paper\.py$"
     r"|^(codegen/(scenes|expansions)|generated)/"
 )
 

@@ -230,7 +230,7 @@ MUTANTS = (
     ),
     Mutant(
         "of the paper: all solutions of (18) to (20) for the other sign of alpha",
-        "solver/existence/isolated.py",
+        "src/nonsmooth/all_solutions.py",
         "coefficients += [exact * D, -E]",
         "coefficients += [exact * D, E]",
         ("tests/existence/test_roots.py",),
