@@ -85,3 +85,24 @@ def substitute(
             if wide:
                 value -= D[i, PAD - 3] * B[i - 3, c] + D[i, PAD - 4] * B[i - 4, c]
             B[i, c] = value * D[i, PAD]
+
+
+def solve(
+    D: Matrix, exchanged: Any, wide: bool, rows: int, B: Matrix, first: int, last: int
+) -> None:
+    """Overwrite columns with the solutions of the band."""
+    eliminate(D, exchanged, rows, B, first, last)
+    solve_block(D, B, first, last)
+    substitute(D, wide, B, 0, rows, first, last)
+
+
+def add_full(full: Matrix, rows: int, B: Matrix, first: int, last: int, needed: int) -> None:
+    """Add to columns, solutions of the band, what its two full columns change."""
+    i, j = PAD + rows - 2, PAD + rows - 1
+    a, b, c, d = 1 - full[i, 0], -full[i, 1], -full[j, 0], 1 - full[j, 1]
+    inverse = 1.0 / (a * d - b * c)
+    for column in range(first, last):
+        before, behind = B[i, column], B[j, column]
+        one, two = (d * before - b * behind) * inverse, (a * behind - c * before) * inverse
+        for low in range(PAD, PAD + needed):
+            B[low, column] += one * full[low, 0] + two * full[low, 1]

@@ -4,15 +4,10 @@ The rows of a phase are banded in the coefficients ``d_n`` of its acceleration. 
 in which it begins, memory, times and its last coefficients, as many as there are conditions on
 derivatives above the second, they determine the others.  Where there is a part of the residual
 that no test sees, rows above the tests say what it is; with that put in, two columns of the
-matrix are full,
+matrix ``B_low - Z B_top`` are full, and Z, of `tables`, depends on order and class alone.
 
-    (B_low - Z B_top) d = r_low - Z r_top,
-
-and Z, of `tables`, depends on the order and the class alone.
-
-Right sides and what is solved for stand in columns: the value; the derivatives by duration,
-angle of the forcing, constant force, displacement and velocity at the begin; by the last
-coefficients.
+Right sides and solutions stand in columns: the value; the derivatives by duration, angle of
+the forcing, constant force, displacement and velocity at the begin; by the last coefficients.
 """
 
 from typing import Any
@@ -44,7 +39,17 @@ from ...generated.ck import (
     unseen,
 )
 from ..arrays import Matrix, Vector
-from .band import BLOCK, PAD, SIDE, eliminate, factorise_band, solve_block, substitute
+from .band import (
+    BLOCK,
+    PAD,
+    SIDE,
+    add_full,
+    eliminate,
+    factorise_band,
+    solve,
+    solve_block,
+    substitute,
+)
 
 #: Columns: of these, force, displacement and velocity stand in the first two rows alone.
 VALUE, DURATION, ANGLE, FORCE, STATE, LAST = 0, 1, 2, 3, 4, 6
@@ -124,27 +129,6 @@ def solve_phase(case: Any, y: Vector, at: Any, N: int, work: Any, p: int, theta:
             end += part
             begin += part if (n + order) % 2 == 0 else -part
         ends[0, p, order], ends[1, p, order] = end, begin
-
-
-def solve(
-    D: Matrix, exchanged: Any, wide: bool, rows: int, B: Matrix, first: int, last: int
-) -> None:
-    """Overwrite columns with the solutions of the band."""
-    eliminate(D, exchanged, rows, B, first, last)
-    solve_block(D, B, first, last)
-    substitute(D, wide, B, 0, rows, first, last)
-
-
-def add_full(full: Matrix, rows: int, B: Matrix, first: int, last: int, needed: int) -> None:
-    """Add to columns, solutions of the band, what its two full columns change."""
-    i, j = PAD + rows - 2, PAD + rows - 1
-    a, b, c, d = 1 - full[i, 0], -full[i, 1], -full[j, 0], 1 - full[j, 1]
-    inverse = 1.0 / (a * d - b * c)
-    for column in range(first, last):
-        before, behind = B[i, column], B[j, column]
-        one, two = (d * before - b * behind) * inverse, (a * behind - c * before) * inverse
-        for low in range(PAD, PAD + needed):
-            B[low, column] += one * full[low, 0] + two * full[low, 1]
 
 
 def fill_band(case: Any, N: int, work: Any, p: int, s: float, theta: float) -> None:
@@ -291,8 +275,7 @@ def fill_columns(case: Any, y: Vector, at: Any, N: int, work: Any, p: int) -> No
 def unpack(case: Any, y: Vector, at: Any, N: int, work: Any, z: Vector) -> None:
     """Fill in all unknowns of the whole system, where the phases were solved last."""
     kinds, numbers, setting = case[:3]
-    place, tail = 0, len(y) - at[len(kinds)]
-    at_s = at[len(kinds)] + len(setting)
+    place, at_s = 0, at[len(kinds)] + len(setting)
     for p in range(len(kinds)):
         number, rows = terms(kinds, p, N), tests(kinds, p, N)
         z[place], z[place + 1] = y[at[p]], y[at[p] + 1]
@@ -313,5 +296,5 @@ def unpack(case: Any, y: Vector, at: Any, N: int, work: Any, z: Vector) -> None:
                 value -= m * unseen(rows + j, l, kinds[p, CLASS]) * z[place + j]
             z[place + i] = value / (m * unseen(l, l, kinds[p, CLASS]))
         place += left
-    for i in range(tail):
+    for i in range(len(y) - at[len(kinds)]):
         z[place + i] = y[at[len(kinds)] + i]

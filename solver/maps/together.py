@@ -1,12 +1,10 @@
 """Newton's method on what joins the phases: states, memory and times only.
 
-Given these, each phase is solved for by itself, by its expansion or by its exact flow.  What
-joins the phases is a system of as many equations, whatever the order: multiple shooting, with
-the map of a phase in the place of an integrator.  `iteration.iterate_scene` solves it.
+Given these, each phase is solved for by itself, by its expansion.  What joins the phases is a
+system of as many equations, whatever the order, which `iteration.iterate_scene` solves.
 
-What single conditions give is filled in before, exactly: `given_alone`.  Where nothing forces
-and a phase begins in a state that is known then, its duration is a single unknown, then that of
-the next phase: `one_by_one`.
+What single conditions give is filled in before, exactly.  Where nothing forces and a phase
+begins in a state that is known then, durations are single unknowns: `one_by_one`.
 """
 
 from math import pi

@@ -212,9 +212,7 @@ def _kept(
         precise = refine(kernel, arguments, z, DIGITS, made)
     except PrecisionError:
         return Kept(*head, "not-converged", None, number, *tail)
-    off = [
-        float(abs(a - float(b))) for a, b in zip(precise.times, kernel.times(z), strict=True)
-    ]
+    off = [float(abs(a - float(b))) for a, b in zip(precise, kernel.times(z), strict=True)]
     if case.cell.forced:
         off[-1] /= case.cell.omega
     period = float(np.sum(kernel.split(z)[0])) * case.cell.cells

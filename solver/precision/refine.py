@@ -5,7 +5,6 @@ is left is the radius of a ball about each time.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,25 +22,14 @@ class PrecisionError(ArithmeticError):
     """The refinement did not converge: no solution of the equations is near the float64 one."""
 
 
-@dataclass(frozen=True)
-class Refined:
-    """A solution in high precision: durations and the forcing's phase, without units.
-
-    `steps` are the evaluations of the residual in balls.
-    """
-
-    times: tuple[Any, ...]
-    steps: int
-
-
 def refine(
     kernel: Kernel,
     arguments: Any,
     start: Vector,
     digits: int,
     in_balls: Callable[[], Residual] | None = None,
-) -> Refined:
-    """Refine a solution of a kernel's equations to `digits` digits of its times.
+) -> tuple[Any, ...]:
+    """Return the times of a solution of a kernel's equations to so many digits, as balls.
 
     Parameters
     ----------
@@ -85,14 +73,14 @@ def _inverse(J: Matrix) -> Matrix:
 def _refined(
     kernel: Kernel, residual: Residual, arguments: Any, start: Vector, inverse: Matrix,
     digits: int,
-) -> Refined | None:  # fmt: skip
+) -> tuple[Any, ...] | None:  # fmt: skip
     """Refine at the precision in force; None if its balls are too wide for `digits`."""
     first = len(start) - kernel.durations - kernel.forced
     z = np.array([arb(float(value)) for value in start], dtype=object)
     R = np.full(len(z), arb(0), dtype=object)
     goal = arb(10) ** -(digits + 2) * float(np.sum(start[first : first + kernel.durations]))
     shortest = arb("inf")
-    for step in range(1, STEPS + digits):
+    for _ in range(1, STEPS + digits):
         residual(arguments, z, R)
         radii = np.array([float(arb(value).rad()) for value in R])
         rounding = float((np.abs(inverse[first:]) @ radii).max())
@@ -106,7 +94,7 @@ def _refined(
         length = scale * float(np.abs(correction[first:]).max())
         if length < goal:
             radius = (length + rounding).upper()
-            return Refined(tuple(arb(value, radius) for value in z[first:]), step)
+            return tuple(arb(value, radius) for value in z[first:])
         if not length < 4 * shortest:
             raise PrecisionError(f"{kernel.method}: the refinement does not converge")
         shortest = min(shortest, length)

@@ -46,8 +46,8 @@ class Parameter:
     unit: str
     default: float
     what: str
-    bound: str
-    most: float | None
+    bound: str = ""
+    most: float | None = None
 
     @property
     def expected(self) -> str:

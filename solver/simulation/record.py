@@ -87,10 +87,8 @@ class SimulatedPhase:
 
     Parameters
     ----------
-    name : str
-        Of the scene.
-    mirrored : bool
-        Whether it is the mirror image of that phase.
+    name, mirrored : str, bool
+        Which of the scene's phases, and whether it is the mirror image of that.
     start, duration : float
         In s.
     displacement, velocity : float

@@ -6,23 +6,13 @@ from importlib import import_module
 from typing import Any
 
 from ...nearest import one_of
+from ..scenes.loaded import Parameter
 
 _GENERATED = f"{__package__.rpartition('.solver')[0]}.generated.space"
 
 
 class UnknownStructure(ValueError):  # noqa: N818  (named like the other errors of the package)
     """There is no structure of the name that was given."""
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A parameter of a structure, in SI units."""
-
-    name: str
-    symbol: str
-    unit: str
-    default: float
-    what: str
 
 
 @dataclass(frozen=True)

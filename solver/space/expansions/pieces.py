@@ -127,9 +127,7 @@ def _hat(lengths: tuple[float, float]) -> Pieces:
     )
 
 
-def piecewise(
-    attached: Attached, N: int, continuity: int | None = None, natural: bool = False
-) -> BareModes:
+def piecewise(attached: Attached, N: int, continuity: int | None = None) -> BareModes:
     """Return the bare modes of the series of functions of one class.
 
     Parameters
@@ -140,15 +138,13 @@ def piecewise(
     continuity : int, optional
         The class k; that of the structure if not given.  A higher one than the exact modes
         have never converges to them.
-    natural : bool
-        Whether the moment of a beam is made zero at the ends, too.
     """
     structure = attached.structure
     m, k = structure.m, structure.k if continuity is None else continuity
     compliant = structure.kind == "compliance"
     degree = N + max(k + 1, m) - m
     start = _orthonormal(attached, degree)
-    rows = _conditions(start, m, max(k, m - 1), natural)
+    rows = _conditions(start, m, max(k, m - 1))
     basis = start.combined(_nullspace(rows, start.left.shape[1]))
     u = _integrals(basis, attached)
     each, sigma, turned = np.linalg.svd(u.orthonormal(attached), full_matrices=False)
@@ -195,15 +191,12 @@ def _orthonormal(attached: Attached, degree: int) -> Pieces:
     )
 
 
-def _conditions(start: Pieces, m: int, k: int, natural: bool) -> list[Vector]:
+def _conditions(start: Pieces, m: int, k: int) -> list[Vector]:
     """Return the rows that are zero of ``u^(m)``: continuity at `a`, and of a string, ends."""
     rows = []
     for derivative in range(k - m + 1):
-        first, left, right, last = start.ends(derivative)
+        _, left, right, _ = start.ends(derivative)
         rows.append(right - left)
-    if natural:
-        first, _, _, last = start.ends(0)
-        rows += [first, last]
     if m == 1:  # the integral over the length
         rows.append(
             sum(
