@@ -89,7 +89,7 @@ def _followed(kind: str, plane: Plane, gauge: int, y: Vector, across: int) -> li
 
 def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[Vector], str]:
     """Return the points behind one, on the side of a direction, and why they end."""
-    first, ahead, weights = y, direction, _weights(plane)
+    first, ahead, weights = y, direction, np.append(plane.series.weights, 1.0)
     watched = np.abs(_gauges(plane, y)) > ROUNDING  # or there is none as yet
     watched |= np.isnan(_gauges(plane, y))
     watched[-OWN:], watched[gauge] = False, False
@@ -158,10 +158,6 @@ def _unit(size: int, which: int) -> Vector:
     found = np.zeros(size)
     found[which - 2] = 1.0
     return found
-
-
-def _weights(plane: Plane) -> Vector:
-    return np.append(plane.series.weights, 1.0)
 
 
 def _gauges(plane: Plane, y: Vector) -> Vector:

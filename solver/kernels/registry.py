@@ -40,7 +40,7 @@ def load(name: str) -> LoadedScene:
     if wanted not in known:
         raise UnknownScene(f"scene: got {name!r}, expected {one_of(name, known)}")
     module = importlib.import_module(f"{_GENERATED}.{wanted.replace('-', '_')}.{SCENE}")
-    return LoadedScene(module, _folder(module))
+    return LoadedScene(module, Path(str(module.__file__)).parent)
 
 
 def functions(scene: LoadedScene, method: str) -> tuple[int, ...]:
@@ -157,7 +157,3 @@ def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
 def _module(method: str) -> types.ModuleType:
     """Return the generated module of a method."""
     return importlib.import_module(f"{_GENERATED}.{about(method).kernel}")
-
-
-def _folder(module: types.ModuleType) -> Path:
-    return Path(str(module.__file__)).parent

@@ -27,7 +27,7 @@ def dataset(table: "Table") -> Any:
     import xarray as xr  # noqa: PLC0415
 
     variables = {
-        name: (dimensions, values, _unit(table, name))
+        name: (dimensions, values, {"units": table.units[name]} if name in table.units else {})
         for name, (dimensions, values) in arrays(table).items()
     }
     coordinates = {name: variables.pop(name) for name in table.index}
@@ -64,10 +64,6 @@ def column(values: Any) -> Any:
     if known and len(known) == len(values) and all(isinstance(v, int) for v in known):
         return np.array(values)
     return np.array([np.nan if value is None else value for value in values], dtype=float)
-
-
-def _unit(table: "Table", name: str) -> dict[str, str]:
-    return {"units": table.units[name]} if name in table.units else {}
 
 
 def _grid(index: "list[Vector]") -> "tuple[list[Vector], Any]":

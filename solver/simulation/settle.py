@@ -253,13 +253,10 @@ def _in_order(cell: Cell, repeated: tuple[Segment, ...], cycles: int) -> Other |
     steps = tuple(q.step for q in repeated if q.step is not None)
     if len(steps) < len(repeated):
         return None
-    turns = [i for i in range(len(steps)) if steps[i:] + steps[:i] == min(_rotations(steps))]
+    turned = [steps[i:] + steps[:i] for i in range(len(steps))]
+    turns = [i for i, each in enumerate(turned) if each == min(turned)]
     i = max(turns, key=lambda turn: repeated[turn].s)  # of several, by the longest phase
     order = half_if_mirrored(cell, Order(steps[i:] + steps[:i]))
     own = (repeated[i:] + repeated[:i])[: len(order.steps)]
     times = RoughTimes(tuple(q.s for q in own), own[0].angle, "the times of a simulation")
     return Other(order, times, cycles)
-
-
-def _rotations(steps: tuple[Step, ...]) -> list[tuple[Step, ...]]:
-    return [steps[i:] + steps[:i] for i in range(len(steps))]

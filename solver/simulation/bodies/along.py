@@ -43,7 +43,9 @@ class Along:
         parts = self._parts
         waves = np.hypot(*self.rows[:, self._n : self._n + 2].T)
         modes = np.abs(parts.basis) @ np.abs(parts.start)
-        return np.asarray(modes + waves + np.abs(self.rows[:, self._n + 2 :]) @ self._constant)
+        return np.asarray(
+            modes + waves + np.abs(self.rows[:, self._n + 2 :]) @ np.abs(self.Y[self._n + 2 :])
+        )
 
     def bounds(self, order: int, t: Vector, h: float) -> Matrix:
         """Return what a derivative never exceeds from times on, for h; shape (F, len(t))."""
@@ -88,10 +90,6 @@ class Along:
     @property
     def _n(self) -> int:
         return self.regime.states
-
-    @property
-    def _constant(self) -> Vector:
-        return np.abs(self.Y[self._n + 2 :])
 
     @cached_property
     def _parts(self) -> "_Parts":
