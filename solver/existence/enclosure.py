@@ -78,7 +78,7 @@ class Pieces:
 
 
 def roots(function: Function, edges: Vector) -> Roots:
-    """Return the roots of `Function` between the first and the last of ascending edges."""
+    """Return the roots of a function between the first and the last of ascending edges."""
     parts = _pieces(function, edges)
     which, low, high, doubtful = _isolated(parts)
     places, signs = _bisected(parts, which, low, high)
