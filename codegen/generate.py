@@ -88,10 +88,7 @@ def differences(folder: Path = FOLDER) -> list[str]:
 def write(folder: Path = FOLDER) -> list[str]:
     """Bring `folder` up to date and return what changed, a line each.
 
-    Raises
-    ------
-    OSError
-        If the folder cannot be written.
+    An `OSError` is raised if the folder cannot be written.
     """
     fresh, present = sources(), _present(folder)
     changes = []

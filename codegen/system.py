@@ -143,10 +143,7 @@ class GalerkinSystem:
 def require_zero(claims: Iterable[tuple[str, sp.Expr]]) -> None:
     """Check that SymPy reduces each expression to zero.
 
-    Raises
-    ------
-    DerivationError
-        Naming the first claim that does not hold.
+    A `DerivationError` names the first claim that does not hold.
     """
     for claim, difference in claims:
         remainder = sp.expand(sp.expand_func(difference))

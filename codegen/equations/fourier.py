@@ -22,12 +22,7 @@ SECTIONS = ("3.1", "3.2")
 
 
 class Fourier:
-    """The equations of a scene as a Fourier series, with functions beside it or without.
-
-    Parameters
-    ----------
-    conditions : GalerkinConditions
-    """
+    """The equations of a scene as a Fourier series, with functions beside it or without."""
 
     def __init__(self, conditions: GalerkinConditions) -> None:
         self.conditions = conditions

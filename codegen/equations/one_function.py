@@ -20,12 +20,7 @@ G, q = sp.Function("G")(t), sp.Function("q")(t)
 
 @dataclass(frozen=True)
 class OneFunction:
-    """The function of `hb_c1`; it is shown as `Breaks` are.
-
-    Parameters
-    ----------
-    notation : Notation
-    """
+    """The function of `hb_c1`; it is shown as `Breaks` are."""
 
     notation: Notation
     numbers: ClassVar = {"expansion": "11", "residual": "13"}

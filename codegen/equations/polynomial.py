@@ -32,12 +32,7 @@ S = sp.Function("S")(t)
 
 
 class Polynomial:
-    """The equations of a scene whose motion is a polynomial on each phase.
-
-    Parameters
-    ----------
-    conditions : GalerkinConditions
-    """
+    """The equations of a scene whose motion is a polynomial on each phase."""
 
     section = SECTION
 

@@ -69,10 +69,7 @@ def _derived(
 def motion_named(scene: Scene, motion: str) -> Scene:
     """Return a scene with one of its motions alone.
 
-    Raises
-    ------
-    ValueError
-        Naming the nearest motion that there is.
+    A `ValueError` names the nearest motion that there is.
     """
     if motion not in scene.motions:
         known = list(scene.motions)
@@ -125,10 +122,7 @@ def is_path(name: str) -> bool:
 def scene_named(scene: str | Scene) -> Scene:
     """Return a scene by its name or the path of its file.
 
-    Raises
-    ------
-    ValueError
-        Naming the nearest scene that there is.
+    A `ValueError` names the nearest scene that there is.
     """
     known = scene_files()
     if isinstance(scene, Scene):

@@ -94,10 +94,7 @@ def orthogonality(harmonics: Harmonics) -> Iterator[Condition]:
 def derive(scene: Scene) -> GalerkinConditions:
     """Return the conditions of a scene.
 
-    Raises
-    ------
-    ValueError
-        If it is not one that it `applies` to.
+    A `ValueError` is raised if it is not one that it `applies` to.
     """
     if not applies(scene):
         raise ValueError(f"{METHOD}: got {scene.label}, expected a held and a free phase")

@@ -97,13 +97,7 @@ class GalerkinConditions:
     conditions: tuple[Condition, ...]
 
     def check_count(self) -> None:
-        """Check that there are as many conditions as unknowns.
-
-        Raises
-        ------
-        ValueError
-            If not.
-        """
+        """Check that there are as many conditions as unknowns; a `ValueError` if not."""
         unknowns = sum((b.count for b in self.blocks), sp.Integer(len(self.times.unknown)))
         rows = sum((c.count for c in self.conditions), sp.Integer(0))
         if sp.expand(unknowns - rows) != 0:

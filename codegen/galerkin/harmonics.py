@@ -41,13 +41,7 @@ def equations(scene: Scene, memory: tuple[sp.Symbol, ...] = ()) -> tuple[LinearP
 
 @dataclass(frozen=True)
 class Harmonics:
-    """The harmonics of a scene, and integrals of them in entries of tables.
-
-    Parameters
-    ----------
-    scene : Scene
-    times : Times
-    """
+    """The harmonics of a scene, and integrals of them in entries of tables."""
 
     scene: Scene
     times: Times

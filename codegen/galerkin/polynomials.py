@@ -104,10 +104,8 @@ def reach(test: Test, k: int) -> int:
 def check_rest(test: Test, rest: Rest | None, k: int) -> None:
     """Check that what is said to be orthogonal to the tests is, up to degree `CHECKED`.
 
-    Raises
-    ------
-    ValueError
-        If not, or if nothing is said though the tests reach beyond their index.
+    A `ValueError` is raised if not, or if nothing is said though the tests reach beyond their
+    index.
     """
     if rest is None:
         if reach(test, k):
@@ -179,7 +177,7 @@ def _events(
 def derive(
     scene: Scene, method: str, title: str, test: Test, rest: Rest | None = None
 ) -> GalerkinConditions:
-    """Return the conditions of a scene in an expansion.
+    """Return the conditions of a scene in an expansion; a `ValueError` if the tests see them.
 
     Parameters
     ----------
@@ -190,11 +188,6 @@ def derive(
         The functions that the residual is tested with.
     rest : callable, optional
         The polynomials that these do not see; without it they are those of high degree.
-
-    Raises
-    ------
-    ValueError
-        If the tests see them.
     """
     times, found = Times.of(scene), switches(scene)
     for switch in found:

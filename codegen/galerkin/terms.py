@@ -34,10 +34,7 @@ class Term:
 def terms(condition: Condition, blocks: Sequence[Block]) -> list[Term]:
     """Return the terms of a condition: single unknowns, sums, and what stands alone.
 
-    Raises
-    ------
-    ValueError
-        If the condition is not linear in the unknowns.
+    A `ValueError` is raised if the condition is not linear in the unknowns.
     """
     expression = condition.expression
     if expression.has(sp.Sum):

@@ -8,10 +8,7 @@ import sympy as sp
 def weights(expression: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
     """Return what multiplies each symbol that is there, and the rest as that of 1.
 
-    Raises
-    ------
-    ValueError
-        If the expression is not linear in the symbols.
+    A `ValueError` is raised if the expression is not linear in the symbols.
     """
     found: dict[sp.Expr, list[sp.Expr]] = {}
     for part in sp.Add.make_args(expression):

@@ -25,10 +25,7 @@ SCALES = {"mass": "kg", "time": "s", "length": "m"}
 def check(scene: SceneData) -> None:
     """Check a scene.
 
-    Raises
-    ------
-    SceneError
-        Naming the first field that is wrong, what was found and what was expected.
+    A `SceneError` names the first field that is wrong, what was found and what was expected.
     """
     check_entries(scene)
     check_called("name", scene.name)

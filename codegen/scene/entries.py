@@ -18,10 +18,7 @@ _NO_NUMBERS = (sp.I, sp.nan, sp.oo, -sp.oo, sp.zoo)
 def check_entries(scene: SceneData) -> None:
     """Check that every field holds what its type says.
 
-    Raises
-    ------
-    SceneError
-        Naming the first that does not.
+    A `SceneError` names the first that does not.
     """
     for name in ("name", "title", "source"):
         _expect(name, getattr(scene, name), str, "text")

@@ -36,17 +36,14 @@ def named(field: str) -> Iterator[None]:
 def check_kind(expression: sp.Expr, memory: Sequence[sp.Symbol], modulus: bool = False) -> None:
     """Check that time enters by `forcing` alone, and state and memory linearly.
 
+    A `SceneError` says what is not so, and what a scene can be.
+
     Parameters
     ----------
     expression : Expr
     memory : sequence of Symbol
     modulus : bool
         Whether an ``Abs`` may stand there, as in a demand.
-
-    Raises
-    ------
-    SceneError
-        Saying what is not so, and what a scene can be.
     """
     times = {q for q in expression.free_symbols if q.name == t.name}
     if times:
@@ -61,17 +58,14 @@ def check_kind(expression: sp.Expr, memory: Sequence[sp.Symbol], modulus: bool =
 def check_linear(expression: sp.Expr, symbols: Sequence[sp.Symbol], expected: str = "") -> None:
     """Check that an expression is linear in symbols together.
 
+    A `SceneError` names a term that is not, and the symbols in it.
+
     Parameters
     ----------
     expression : Expr
     symbols : sequence of Symbol
     expected : str
         What to say of a term that is not; without it, what it is and what to do with it.
-
-    Raises
-    ------
-    SceneError
-        Naming a term that is not, and the symbols in it.
     """
     expanded = sp.expand(expression)
     if not _is_linear(expanded, symbols):

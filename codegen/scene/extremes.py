@@ -13,10 +13,7 @@ from .units import balance, dimension_of, spelled
 def check_extremes(scene: SceneData) -> None:
     """Check that each extreme gives parameters of the scene values that they may have.
 
-    Raises
-    ------
-    SceneError
-        Naming the first that does not.
+    A `SceneError` names the first that does not.
     """
     if not isinstance(scene.extremes, Mapping):
         raise SceneError("extremes: expected a mapping {words: {symbol: value}}")

@@ -58,17 +58,14 @@ def _parts(expression: sp.Expr, symbols: tuple[sp.Symbol, ...], what: str) -> li
 def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
     """Return the coefficients of the equation of motion of a phase.
 
+    A `SceneError` is raised if it is not linear in acceleration, velocity, displacement and
+    forcing, or has no acceleration.
+
     Parameters
     ----------
     phase : Phase
     memory : sequence of Symbol
         What is to have coefficients of its own; else it is part of `f`.
-
-    Raises
-    ------
-    SceneError
-        If it is not linear in acceleration, velocity, displacement and forcing, or has no
-        acceleration.
     """
     what = f"phase {phase.name}: equation"
     m, c, k, g, *others, f = _parts(phase.equation, (a, v, x, forcing, *memory), what)
@@ -80,10 +77,7 @@ def linear_phase(phase: Phase, memory: Sequence[sp.Symbol] = ()) -> LinearPhase:
 def state_row(expression: sp.Expr, what: str, memory: Sequence[sp.Symbol] = ()) -> State:
     """Return a linear form in displacement, velocity, forcing and memory.
 
-    Raises
-    ------
-    SceneError
-        If `expression` is not one; the message begins with `what`.
+    A `SceneError` is raised if `expression` is not one; the message begins with `what`.
     """
     if sp.sympify(expression).has(a):
         raise SceneError(f"{what}: {expression} has the acceleration a, expected x, v, forcing")
@@ -106,13 +100,8 @@ def without_modulus(
 ) -> tuple[sp.Expr, ...]:
     """Return what must not be negative for ``bound - Abs(...)``: both signs.
 
-    `states` are what may stand in the modulus beside parameters.
-
-    Raises
-    ------
-    SceneError
-        If a modulus of the state stands there in another way: then both signs are not what
-        is demanded.
+    `states` are what may stand in the modulus beside parameters.  A `SceneError` is raised if a
+    modulus of the state stands there in another way: then both signs are not what is demanded.
     """
     found = [q for q in expression.atoms(sp.Abs) if q.has(*states)]
     if not found:

@@ -16,10 +16,7 @@ def check_memory(
 ) -> dict[sp.Symbol, Dimension]:
     """Check the memory of a scene, and return the unit of each.
 
-    Raises
-    ------
-    SceneError
-        Naming the field that is wrong.
+    A `SceneError` names the field that is wrong.
     """
     found: dict[sp.Symbol, Dimension] = {}
     for memory in scene.memory:

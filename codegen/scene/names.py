@@ -40,13 +40,7 @@ _OF_A_PHASE = r"(s|x|v|d|J|C|S|c\d+|tau\d*|mu|nu|beta|G\d+)_{0}(_\w+)?"
 
 
 def check_name(field: str, name: str) -> None:
-    """Check that a name can be one in Python.
-
-    Raises
-    ------
-    SceneError
-        If it cannot.
-    """
+    """Check that a name can be one in Python; a `SceneError` if it cannot."""
     if keyword.iskeyword(name):
         raise SceneError(f"{field}: got {name!r}, a word of Python")
     if not name.isidentifier():
@@ -56,10 +50,7 @@ def check_name(field: str, name: str) -> None:
 def check_called(field: str, name: str) -> None:
     """Check that a scene or a motion can be called so on the command line.
 
-    Raises
-    ------
-    SceneError
-        If it cannot.
+    A `SceneError` is raised if it cannot.
     """
     if not _CALLED.fullmatch(name):
         expected = "lower-case letters, digits and dashes, beginning with a letter"
@@ -70,10 +61,7 @@ def check_called(field: str, name: str) -> None:
 def check_meaning(field: str, name: str, phases: Iterable[str]) -> None:
     """Check that a name has no other meaning in the equations.
 
-    Raises
-    ------
-    SceneError
-        If it has, with the names that are taken.
+    A `SceneError` is raised if it has, with the names that are taken.
     """
     if reserved(name, phases):
         raise SceneError(

@@ -14,10 +14,7 @@ from .units import dimension_of
 def check_parameters(parameters: Sequence[Parameter], phases: Sequence[str]) -> None:
     """Check names, symbols, units and defaults, and that nothing is there twice.
 
-    Raises
-    ------
-    SceneError
-        Naming the first that is wrong.
+    A `SceneError` names the first that is wrong.
     """
     for q in parameters:
         field = f"parameter {q.name}"

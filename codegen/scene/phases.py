@@ -15,7 +15,7 @@ Units = Mapping[sp.Symbol, Dimension]
 def check_phase(
     phase: Phase, units: Units, forced: bool, memory: Sequence[sp.Symbol] = ()
 ) -> None:
-    """Check one phase by itself.
+    """Check one phase by itself; a `SceneError` names the field that is wrong.
 
     Parameters
     ----------
@@ -26,11 +26,6 @@ def check_phase(
         Whether there is forcing.
     memory : sequence of Symbol
         In which, beside the state, all must be linear.
-
-    Raises
-    ------
-    SceneError
-        Naming the field that is wrong.
     """
     field = f"phase {phase.name}"
     for name, expression in _fields(phase):
@@ -98,16 +93,13 @@ def _check_jump(phase: Phase, units: Units, memory: Sequence[sp.Symbol]) -> None
 def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:
     """Check that a phase leads into a phase that is held.
 
+    A `SceneError` is raised if its event and its jump lead to another velocity.
+
     Parameters
     ----------
     phase, after : Phase
     sign : int
         What the motion is multiplied by between them.
-
-    Raises
-    ------
-    SceneError
-        If its event and its jump lead to another velocity.
     """
     if after.held is None:
         return
@@ -126,10 +118,7 @@ def check_neighbours(phase: Phase, after: Phase, sign: int) -> None:
 def check_same_units(phases: tuple[Phase, ...], units: Units) -> None:
     """Check that the equations of all free phases are in the same unit.
 
-    Raises
-    ------
-    SceneError
-        If two are not: their residuals cannot be added.
+    A `SceneError` is raised if two are not: their residuals cannot be added.
     """
     free = [phase for phase in phases if phase.held is None]
     found = [balance(sp.expand(phase.equation), units) for phase in free]

@@ -13,12 +13,7 @@ def scales(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
     What the scene does not say: the mass that moves; ``1/Omega``, or ``sqrt(m/k)`` where
     nothing forces; what the force amounts to in that time, or the distance that a held mass
-    travels in it.
-
-    Raises
-    ------
-    SceneError
-        If one of them cannot be worked out.
+    travels in it.  A `SceneError` is raised if one of them cannot be worked out.
     """
     if scene.body is not None:
         return scales_of_body(scene)

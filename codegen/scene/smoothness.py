@@ -53,10 +53,7 @@ class Switch:
 def switches(scene: SceneData) -> tuple[Switch, ...]:
     """Return the switches of a cell: that which begins the first phase, the second, and so on.
 
-    Raises
-    ------
-    SceneError
-        If nothing changes at a switch.
+    A `SceneError` is raised if nothing changes at a switch.
     """
     phases = scene.cell
     return tuple(

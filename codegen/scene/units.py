@@ -36,10 +36,7 @@ _SLASH = re.compile(r"/(?![^(]*\))")
 def dimension_of(unit: str) -> Dimension:
     """Return the powers of kg, m, s of a unit such as ``"N s/m"`` or ``"m/s^2"``.
 
-    Raises
-    ------
-    SceneError
-        If it is not made of kg, m, s, N, rad.
+    A `SceneError` is raised if it is not made of kg, m, s, N, rad.
 
     Examples
     --------
@@ -81,10 +78,7 @@ def spelled(dimension: Dimension) -> str:
 def balance(expression: sp.Expr, units: Mapping[sp.Symbol, Dimension]) -> Dimension:
     """Return the dimension of an expression, all of whose terms must have the same.
 
-    Raises
-    ------
-    SceneError
-        Naming two terms whose units clash, or a symbol that has none.
+    A `SceneError` names two terms whose units clash, or a symbol that has none.
     """
     if expression.is_Add:
         return _balance_of_sum(expression, units)

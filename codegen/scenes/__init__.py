@@ -16,13 +16,7 @@ def names() -> tuple[str, ...]:
 
 @cache
 def load(name: str) -> Scene:
-    """Return the scene of this name.
-
-    Raises
-    ------
-    ValueError
-        If there is none.
-    """
+    """Return the scene of this name; a `ValueError` if there is none."""
     if name not in names():
         raise ValueError(f"scene: got {name!r}, expected one of {', '.join(names())}")
     scene: Scene = _file(name).SCENE

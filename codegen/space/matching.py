@@ -43,12 +43,8 @@ def check_determinant(structure: Structure) -> sp.Expr:
     """Return determinant over characteristic equation: a number times a power of `beta`.
 
     Sines and cosines are atoms of a polynomial ring, reduced by ``cos^2 = 1 - sin^2`` and the
-    like, which decides in a second what `sympy.simplify` does not.
-
-    Raises
-    ------
-    DerivationError
-        If the two differ by more than such a factor.
+    like, which decides in a second what `sympy.simplify` does not.  A `DerivationError` is
+    raised if the two differ by more than such a factor.
     """
     determinant = _as_polynomial(matrix(structure).det(method="berkowitz"))
     wanted = _as_polynomial(characteristic(structure))

@@ -119,10 +119,7 @@ STRUCTURES: Mapping[str, Structure] = MappingProxyType({q.name: q for q in _ALL}
 def structure_named(name: str) -> Structure:
     """Return a structure by its name.
 
-    Raises
-    ------
-    ValueError
-        Naming the nearest structure that there is.
+    A `ValueError` names the nearest structure that there is.
     """
     if name not in STRUCTURES:
         raise ValueError(f"structure: got {name!r}, expected {one_of(name, STRUCTURES)}")

@@ -1,8 +1,7 @@
 """Functions with a break at a switch: their ends, and their residual in the rows of harmonics.
 
 For the switch that begins phase p, ``beta_n`` is a function of ``u = (t - t_p)/T`` on the cell
-that begins there, and ``d beta_n/du = beta_(n-1)``.  Functions that stand here with no body are
-closed forms, which the generator writes.
+that begins there, and ``d beta_n/du = beta_(n-1)``.
 """
 
 from math import pi
@@ -13,20 +12,10 @@ from .fourier import cosine_place, moved, number
 from .joints import BESIDE, CLASS, C, K, M
 from .moments import legendre_moments
 
-
-def in_the_middle():
-    """Stand for beta_0, beta_1, ... in the middle of the cell."""
-    raise NotImplementedError
-
-
-def in_the_middle_mirrored():
-    """Stand for them where the motion repeats with the opposite sign."""
-    raise NotImplementedError
-
-
-def integral(l):
-    """Stand for what P_(l-1)*, P_(l+1)* of a function are in its integral, in P_l*."""
-    raise NotImplementedError
+#: Closed forms, which the generator writes.
+in_the_middle = None  # beta_0, beta_1, ... in the middle of the cell
+in_the_middle_mirrored = None  # them where the motion repeats with the opposite sign
+integral = None  # what P_(l-1)*, P_(l+1)* of a function are in its integral, in P_l*
 
 
 def top(kinds):

@@ -3,8 +3,7 @@
 And what stands beside (3), on a phase.
 
 A scene is arrays, as in `joints`.  Harmonics are counted by i: their numbers are 0, 1, ..., N,
-or the N odd ones where the motion repeats with the opposite sign after a cell.  Functions
-that stand here with no body are closed forms, which the generator writes.
+or the N odd ones where the motion repeats with the opposite sign after a cell.
 """
 
 from math import pi
@@ -15,17 +14,15 @@ from numpy.polynomial import legendre
 from .harmonics import multiples
 from .joints import BESIDE, CLASS
 
+#: Closed forms, which the generator writes.
+by_time = None  # the derivatives of sine and cosine by time
+
 
 def legendre_on_phase(series, duration, u, derivative):
     """Return a series of shifted Legendre polynomials on a phase, or a derivative by time."""
     w = 2 * np.asarray(u, dtype=float) - 1
     slope = legendre.legder(series, derivative, scl=2)
     return legendre.legval(w, slope) / duration**derivative
-
-
-def by_time(omega, sine, cosine):
-    """Stand for the derivatives of sine and cosine by time."""
-    raise NotImplementedError
 
 
 def odd(sign):

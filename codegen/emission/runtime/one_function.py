@@ -2,7 +2,7 @@
 
 For a held phase and a free one without damping, which nothing forces.  Unknowns are the
 constant, which is twice the mean, sines, cosines, the coefficient of the function, and the two
-durations.  Functions that stand here with no body are closed forms, which the generator writes.
+durations.
 """
 
 from math import cos, pi, sin
@@ -23,30 +23,12 @@ from .moments import spherical_bessel
 from .orthogonality import add_force, add_harmonics
 from .whole_period import add_state
 
-
-def on_phases(held, free):
-    """Stand for T**2 G'', T G', G on both phases, as Legendre series one behind the other."""
-    raise NotImplementedError
-
-
-def on_phases_by_s_held(held, free):
-    """Stand for their derivatives by the duration of the held phase."""
-    raise NotImplementedError
-
-
-def on_phases_by_s_free(held, free):
-    """Stand for those by the duration of the free phase."""
-    raise NotImplementedError
-
-
-def by_itself(m, k, held, free):
-    """Stand for the integral of the left side for G with G, and its two derivatives."""
-    raise NotImplementedError
-
-
-def force_by(f, held, free):
-    """Stand for that of the force with G, and its two derivatives."""
-    raise NotImplementedError
+#: Closed forms, which the generator writes.
+on_phases = None  # T**2 G'', T G', G on both phases, as Legendre series one behind another
+on_phases_by_s_held = None  # their derivatives by the duration of the held phase
+on_phases_by_s_free = None  # those by the duration of the free phase
+by_itself = None  # the integral of the left side for G with G, and its two derivatives
+force_by = None  # that of the force with G, and its two derivatives
 
 
 def function_series(held, free, rates):

@@ -1,8 +1,7 @@
 """The residual of a motion is orthogonal to the harmonics of its period: (5), (6), (7).
 
 What is filled is `rows`: of each condition its left side and, if wanted, behind it the
-derivatives by all unknowns.  Functions that stand here with no body are closed forms, which the
-generator writes.
+derivatives by all unknowns.
 """
 
 from math import cos, pi, sin
@@ -13,20 +12,10 @@ from .fourier import by_time, cosine_place, jumps, moved, number, odd
 from .harmonics import weighted_integrals
 from .joints import MEMORY, F, G, K, M
 
-
-def products(j, n, C, S):
-    """Stand for integrals of harmonics j and n: sine with sine, cosine; cosine with those."""
-    raise NotImplementedError
-
-
-def alone(above, own):
-    """Stand for `products` with C[j + n] and C[j - n] the only entries of the tables."""
-    raise NotImplementedError
-
-
-def of_forcing(j, cycles, cosine, sine, C, S):
-    """Stand for the integrals of sine and cosine j with the forcing."""
-    raise NotImplementedError
+#: Closed forms, which the generator writes.
+products = None  # integrals of harmonics j and n: sine with sine, cosine; cosine with those
+alone = None  # `products` with C[j + n] and C[j - n] the only entries of the tables
+of_forcing = None  # the integrals of sine and cosine j with the forcing
 
 
 def is_same(numbers, column):

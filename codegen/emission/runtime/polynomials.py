@@ -1,7 +1,6 @@
 """Residual and Jacobian of a motion that is a polynomial on each phase, for any phases.
 
-A scene is arrays, as in `joints`.  The functions that stand here with no body are closed forms,
-which the generator writes.
+A scene is arrays, as in `joints`.
 """
 
 import numpy as np
@@ -24,70 +23,20 @@ from .joints import (
 from .moments import legendre_moments
 from .phases import phase_motion
 
-
-def row_0(m, c, k, s):
-    """Stand for the coefficients of degree 0: of x, v, d_0, d_1, d_2."""
-    raise NotImplementedError
-
-
-def row_1(m, c, k, s):
-    """Stand for those of degree 1: of v, d_0 to d_3."""
-    raise NotImplementedError
-
-
-def row_l(l, m, c, k, s):
-    """Stand for those of degree l: of d_(l-2) to d_(l+2)."""
-    raise NotImplementedError
-
-
-def row_0_by_s(m, c, k, s):
-    """Stand for the derivatives of `row_0` by the duration."""
-    raise NotImplementedError
-
-
-def row_1_by_s(m, c, k, s):
-    """Stand for those of `row_1`."""
-    raise NotImplementedError
-
-
-def row_l_by_s(l, m, c, k, s):
-    """Stand for those of `row_l`."""
-    raise NotImplementedError
-
-
-def displacement_gained(s):
-    """Stand for what a phase adds to the displacement: coefficients of v, d_0, d_1."""
-    raise NotImplementedError
-
-
-def displacement_gained_by_s(s):
-    """Stand for their derivatives by the duration."""
-    raise NotImplementedError
-
-
-def derivative_at_end(n, q, s):
-    """Stand for the part of d_n in derivative q of the acceleration where a phase ends."""
-    raise NotImplementedError
-
-
-def derivative_at_end_by_s(n, q, s):
-    """Stand for its derivative by the duration."""
-    raise NotImplementedError
-
-
-def unseen(m, l, k):
-    """Stand for the weight of P_l* in the polynomial of degree m that no test sees."""
-    raise NotImplementedError
-
-
-def of_moment(l, force):
-    """Stand for the force in the row of degree l, of a moment of the forcing."""
-    raise NotImplementedError
-
-
-def moment_by_kappa(l):
-    """Stand for the derivative of a moment, by moments l - 1, l, l + 1 a quarter turn on."""
-    raise NotImplementedError
+#: Closed forms, which the generator writes.
+row_0 = None  # the coefficients of degree 0: of x, v, d_0, d_1, d_2
+row_1 = None  # those of degree 1: of v, d_0 to d_3
+row_l = None  # those of degree l: of d_(l-2) to d_(l+2)
+row_0_by_s = None  # the derivatives of `row_0` by the duration
+row_1_by_s = None  # those of `row_1`
+row_l_by_s = None  # those of `row_l`
+displacement_gained = None  # what a phase adds to the displacement: coefficients of v, d_0, d_1
+displacement_gained_by_s = None  # their derivatives by the duration
+derivative_at_end = None  # the part of d_n in derivative q of the acceleration at the end
+derivative_at_end_by_s = None  # its derivative by the duration
+unseen = None  # the weight of P_l* in the polynomial of degree m that no test sees
+of_moment = None  # the force in the row of degree l, of a moment of the forcing
+moment_by_kappa = None  # the derivative of a moment, by moments a quarter turn on
 
 
 def row(l, m, c, k, s):

@@ -17,12 +17,7 @@ z = sp.Function("z_j")
 
 
 class Forces:
-    """The equations of a body whose contact forces are expanded.
-
-    Parameters
-    ----------
-    conditions : BodyConditions
-    """
+    """The equations of a body whose contact forces are expanded."""
 
     section = ""
 

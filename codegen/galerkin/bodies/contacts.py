@@ -26,10 +26,6 @@ class Contacts:
     ``z_j' = lambda_j z_j + sum chi_j f`` and ``x = Re sum psi_j z_j + Re(X e^(i angle)) + D f``
     at each contact; ``Y``, the mobility of the modes that are kept, is what a force adds to the
     acceleration.
-
-    Parameters
-    ----------
-    scene : Scene
     """
 
     scene: Scene

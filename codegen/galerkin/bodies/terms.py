@@ -21,12 +21,7 @@ beta, rho = sp.Function("beta"), sp.Function("rho")
 
 
 class Function(NamedTuple):
-    """A function of a force with a break where a phase begins.
-
-    Parameters
-    ----------
-    phase, n, contact : int
-    """
+    """A function of a force with a break where a phase begins."""
 
     phase: int
     n: int

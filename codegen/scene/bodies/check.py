@@ -31,10 +31,7 @@ def units_of_contacts(body: Body) -> dict[sp.Symbol, Dimension]:
 def check_body(scene: SceneData, units: Units) -> None:
     """Check the body of a scene, with the defaults of its parameters.
 
-    Raises
-    ------
-    SceneError
-        Naming the matrix that is wrong, and how.
+    A `SceneError` names the matrix that is wrong, and how.
     """
     body = scene.body
     if not isinstance(body, Body):
@@ -115,13 +112,7 @@ def _check_units(body: Body, units: Units) -> None:
 
 
 def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
-    """Check one phase of a body by itself.
-
-    Raises
-    ------
-    SceneError
-        Naming the field that is wrong.
-    """
+    """Check one phase of a body by itself; a `SceneError` names the field that is wrong."""
     field, memory = f"phase {phase.name}", [q.symbol for q in scene.memory]
     contacts = list(body_of(scene).at.values())
     fields = [
@@ -178,12 +169,8 @@ def scales_of_body(scene: SceneData) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Return the units of mass, time and length of a body, in the parameters and SI numbers.
 
     The mass that its first contact picks; ``1/Omega``, or what the stiffness there gives; what
-    the forcing amounts to in that time, or the distance that a held contact travels.
-
-    Raises
-    ------
-    SceneError
-        If one cannot be worked out.
+    the forcing amounts to in that time, or the distance that a held contact travels.  A
+    `SceneError` is raised if one cannot be worked out.
     """
     given = {name: sp.sympify(value) for name, value in scene.scales.items()}
     mass = given.get("mass", _at_contact(body_of(scene), "M"))

@@ -36,10 +36,7 @@ def form(
 ) -> tuple[sp.Expr, ...]:
     """Return a linear form in the signals of a scene's body and, with it, in its memory.
 
-    Raises
-    ------
-    SceneError
-        If `expression` is not one; the message begins with `what`.
+    A `SceneError` is raised if `expression` is not one; the message begins with `what`.
     """
     own = [q.symbol for q in scene.memory] if memory else []
     known = [*signals(body_of(scene)), *own]
@@ -61,10 +58,8 @@ def laws(phase: Phase) -> tuple[sp.Expr, ...]:
 def law_rows(phase: Phase, scene: SceneData) -> list[tuple[sp.Expr, ...]]:
     """Return the laws of a phase as linear forms, one a contact.
 
-    Raises
-    ------
-    SceneError
-        If there are not as many as contacts, or one does not say what the force is.
+    A `SceneError` is raised if there are not as many as contacts, or one does not say what the
+    force is.
     """
     field, found = f"phase {phase.name}: equation", laws(phase)
     contacts = list(body_of(scene).at.values())

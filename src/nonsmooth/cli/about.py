@@ -43,10 +43,7 @@ class Given(Generic[About]):
     def table(self) -> dict[str, object]:
         """Return what the case file gives; nothing without one.
 
-        Raises
-        ------
-        Problem
-            If it cannot be read, or is not of this scene or structure.
+        A `Problem` is raised if it cannot be read, or is not of this scene or structure.
         """
         return {} if self.file is None else read_case(self.file, tables_of(self.about.name))
 

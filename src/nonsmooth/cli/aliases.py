@@ -50,10 +50,7 @@ class OneOrder(IntegerType):
     ) -> int:
         """Return the order.
 
-        Raises
-        ------
-        Problem
-            If these are several; it says which command takes them.
+        A `Problem` is raised if these are several; it says which command takes them.
         """
         try:
             return int(value)  # one that is out of range is refused with the range
@@ -85,10 +82,7 @@ def split_methods(text: str | None) -> list[str]:
 def check_one_method(names: list[str], beside: str) -> None:
     """Check that there is at most one method where an option takes no more.
 
-    Raises
-    ------
-    Problem
-        Naming the methods and the option.
+    A `Problem` names the methods and the option.
     """
     if len(names) > 1:
         raise Problem(f"--method: got {','.join(names)!r} beside {beside}, expected one method")

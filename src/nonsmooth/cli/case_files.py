@@ -38,10 +38,7 @@ def said_first(
 def read_case(path: Path, tables: Sequence[str]) -> dict[str, object]:
     """Return the one table of a case file, under one of its names.
 
-    Raises
-    ------
-    Problem
-        If the file cannot be read, is not TOML, or has no such table.
+    A `Problem` is raised if the file cannot be read, is not TOML, or has no such table.
     """
     content = read_toml(path)
     name = next((each for each in tables if each in content), tables[0])
@@ -55,13 +52,7 @@ def read_case(path: Path, tables: Sequence[str]) -> dict[str, object]:
 
 
 def read_toml(path: Path) -> dict[str, object]:
-    """Return the content of a case file.
-
-    Raises
-    ------
-    Problem
-        If it cannot be read, or is not TOML.
-    """
+    """Return the content of a case file; a `Problem` if it cannot be read, or is not TOML."""
     try:
         text = path.read_bytes().decode("utf-8-sig")  # editors on Windows write a mark first
         return tomllib.loads(text)

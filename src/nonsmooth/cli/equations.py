@@ -92,11 +92,8 @@ def equations(
 def _format(format_: str | None, output: Path | None) -> str:
     """Return the format that the flag or the name of the file asks for.
 
-    Raises
-    ------
-    Problem
-        If they contradict each other, if the name says nothing that is known, or if a PDF
-        has no file or no TeX.
+    A `Problem` is raised if they contradict each other, if the name says nothing that is known,
+    or if a PDF has no file or no TeX.
     """
     suffix = "" if output is None else output.suffix.lower()
     named = SUFFIXES.get(suffix)

@@ -16,12 +16,8 @@ PAGE, MARK = "index.html", 'name="generator" content="nonsmooth '
 def check_folder(path: Path, files: Set[str]) -> None:
     """Check that a folder of these files can be put at `path`.
 
-    It may be new, empty, or an earlier result: a page that we made, and no other files.
-
-    Raises
-    ------
-    Problem
-        Naming the path and what was expected.
+    It may be new, empty, or an earlier result: a page that we made, and no other files.  A
+    `Problem` names the path and what was expected.
     """
     path = Path(os.path.abspath(path))
     there = set()
@@ -45,10 +41,7 @@ def _ours(page: Path) -> bool:
 def write_folder(path: Path, write: Callable[[Path], None]) -> None:
     """Let `write` fill a temporary folder beside `path`, then put it in its place.
 
-    Raises
-    ------
-    Problem
-        If it cannot be written; then what was there before is still there.
+    A `Problem` is raised if it cannot be written; then what was there before is still there.
     """
     path = Path(os.path.abspath(path))
     temporary = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}-"))

@@ -29,12 +29,8 @@ if TYPE_CHECKING:
 def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
     """Check that `path` has one of the suffixes and that its folder takes a file.
 
-    Without suffixes it may have any, and is not a picture.
-
-    Raises
-    ------
-    Problem
-        Naming the path and what was expected.
+    Without suffixes it may have any, and is not a picture.  A `Problem` names the path and what
+    was expected.
     """
     if path is None:
         return
@@ -56,10 +52,7 @@ def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
 def check_folder_of(path: Path) -> None:
     """Check that the folder of a path is there and takes another file.
 
-    Raises
-    ------
-    Problem
-        If it does not.
+    A `Problem` is raised if it does not.
     """
     folder = path.parent
     if not folder.is_dir():
@@ -73,10 +66,7 @@ def check_folder_of(path: Path) -> None:
 def need(library: str, what: str, extra: str, package: str = "") -> None:
     """Check that a library of an extra is installed, which may be that of another package.
 
-    Raises
-    ------
-    Problem
-        Saying what needs it, and how to install it.
+    A `Problem` says what needs it, and how to install it.
     """
     if find_spec(library) is None:
         raise Problem(f"{what} needs {package or library}: pip install 'nonsmooth[{extra}]'")
@@ -84,13 +74,7 @@ def need(library: str, what: str, extra: str, package: str = "") -> None:
 
 @contextmanager
 def telling(path: Path) -> Iterator[None]:
-    """Say that a file or folder is written, once it is.
-
-    Raises
-    ------
-    Problem
-        If it cannot be.
-    """
+    """Say that a file or folder is written, once it is; a `Problem` if it cannot be."""
     try:
         yield
     except OSError as error:
@@ -101,10 +85,7 @@ def telling(path: Path) -> Iterator[None]:
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     """Let `write` make a temporary file beside `path`, then put it in its place.
 
-    Raises
-    ------
-    Problem
-        If the file cannot be written; then nothing is left of it.
+    A `Problem` is raised if the file cannot be written; then nothing is left of it.
     """
     with telling(path), whole(path) as temporary:
         write(temporary)

@@ -67,10 +67,7 @@ def parameter_options(command: Callable[..., Any]) -> Callable[..., Any]:
 def belt_from(case: Path | None, flags: dict[str, Any]) -> "StickSlip":
     """Return the oscillator that the command line describes.
 
-    Raises
-    ------
-    Problem
-        With all mistakes at once.
+    A `Problem` has all mistakes at once.
     """
     from nonsmooth.kim_perkins import StickSlip
     from nonsmooth.solver.scenes.parameter_error import ParameterError

@@ -16,13 +16,7 @@ PATIENCE = 120
 
 
 def engine() -> str:
-    """Return the path of ``pdflatex``.
-
-    Raises
-    ------
-    Problem
-        Saying what to install.
-    """
+    """Return the path of ``pdflatex``; a `Problem` says what to install."""
     found = shutil.which("pdflatex")
     if found is None:
         raise Problem(
@@ -35,10 +29,7 @@ def engine() -> str:
 def pdf(document: str) -> bytes:
     """Return the PDF that ``pdflatex`` makes of `document`.
 
-    Raises
-    ------
-    Problem
-        If there is no TeX, or with the first error of its log.
+    A `Problem` is raised if there is no TeX, or with the first error of its log.
     """
     with tempfile.TemporaryDirectory(prefix="nonsmooth-") as name:
         folder = Path(name)

@@ -14,13 +14,7 @@ SAME = 1e-9
 
 
 def check(right: bool, problem: str) -> None:
-    """Check what is said to be right.
-
-    Raises
-    ------
-    NotRightError
-        If it is not.
-    """
+    """Check what is said to be right; a `NotRightError` if it is not."""
     if not right:
         raise NotRightError(problem)
 

@@ -64,10 +64,8 @@ def digest(document: Mapping[str, Any]) -> str:
 def parsed(path: Path, text: bytes | str) -> dict[str, Any]:
     """Return the document that is the text of a file, or stands in it.
 
-    Raises
-    ------
-    FileError
-        If it is not the text of a document, or of one of a schema that is not known here.
+    A `FileError` is raised if it is not the text of a document, or of one of a schema that is
+    not known here.
     """
     try:
         document = json.loads(text if isinstance(text, str) else text.decode("utf-8"))
@@ -80,13 +78,7 @@ def parsed(path: Path, text: bytes | str) -> dict[str, Any]:
 
 
 def check_schema(path: Path, schema: object) -> None:
-    """Check that the file is of a schema known here.
-
-    Raises
-    ------
-    FileError
-        If it is not.
-    """
+    """Check that the file is of a schema known here; a `FileError` if it is not."""
     if isinstance(schema, Integral) and int(schema) > SCHEMA:
         newer = f"schema {schema} is from a newer nonsmooth"
         raise FileError(path, f"{newer}; this one knows up to {SCHEMA}")

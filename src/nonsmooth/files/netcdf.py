@@ -36,10 +36,7 @@ HOW = ("method", "order")
 def write(kind: str, several: Sequence[Any], target: Path) -> None:
     """Write results of a kind, and seal the file when it is complete.
 
-    Raises
-    ------
-    OSError
-        If it cannot be written.
+    An `OSError` is raised if it cannot be written.
     """
     document, file = document_of(kind, several), arrays_of(kind, several)
     for variable in file.variables.values():
@@ -104,10 +101,7 @@ def _joined(tables: Sequence[Table]) -> Table:
 def read(path: Path) -> xr.Dataset:
     """Return what a file holds, in memory.
 
-    Raises
-    ------
-    FileError
-        If it is damaged, or not a file of a schema known here.
+    A `FileError` is raised if it is damaged, or not a file of a schema known here.
     """
     check_seal(path)
     with (
@@ -123,12 +117,8 @@ def read(path: Path) -> xr.Dataset:
 def check_seal(path: Path) -> None:
     """Check the bytes of a file that is sealed, before HDF5 sees them: some would crash it.
 
-    A file that another program wrote has no seal.
-
-    Raises
-    ------
-    FileError
-        If the file has a seal, and its bytes are others.
+    A file that another program wrote has no seal.  A `FileError` is raised if the file has a
+    seal, and its bytes are others.
     """
     with path.open("rb") as file:
         size = max(path.stat().st_size - SEALED, 0)
@@ -147,10 +137,7 @@ def _seal(content: bytes) -> bytes:
 def check_same(file: xr.Dataset, expected: xr.Dataset) -> None:
     """Check that the arrays of a file say what its document does.
 
-    Raises
-    ------
-    NotRightError
-        Naming the first that does not.
+    A `NotRightError` names the first that does not.
     """
     for name, variable in expected.variables.items():
         check(name in file.variables, f"{name} is missing")

@@ -14,14 +14,11 @@ from nonsmooth.solver.results.sweep import Sweep
 def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
     """Return the kind of what is to be saved, and its results: one, or several.
 
+    A `TypeError` is raised if it is not a result, or not one that is saved.
+
     Returns
     -------
     {"orbits", "sweep", "family", "branch", "map", "modes", "shapes"}, sequence
-
-    Raises
-    ------
-    TypeError
-        If it is not a result, or not one that is saved.
     """
     from nonsmooth.solver.space.mode import Shapes  # noqa: PLC0415
     from nonsmooth.solver.space.modes import Modes  # noqa: PLC0415  (SciPy)

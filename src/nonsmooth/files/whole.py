@@ -12,13 +12,9 @@ from pathlib import Path
 def whole(path: Path) -> Iterator[Path]:
     """Yield a temporary file beside `path`, which takes its place if all goes well.
 
-    Of a symbolic link, what it points to is replaced.  A file that is replaced keeps its
-    permissions: what only its owner may read stays so.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written; then nothing is left of it.
+    Of a symbolic link, what it points to is replaced. A file that is replaced keeps its
+    permissions: what only its owner may read stays so.  An `OSError` is raised if it cannot be
+    written; then nothing is left of it.
     """
     asked = path
     path = Path(os.path.realpath(path))

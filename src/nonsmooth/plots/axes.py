@@ -37,10 +37,7 @@ def axes_or_new(ax: Any) -> Any:
 def check_quantity(quantity: object, known: Collection[str]) -> None:
     """Check that what is to be drawn is one of those that can be.
 
-    Raises
-    ------
-    ValueError
-        If it is not.
+    A `ValueError` is raised if it is not.
     """
     if quantity not in known:
         raise ValueError(f"quantity: got {quantity!r}, expected one of {', '.join(known)}")

@@ -88,13 +88,9 @@ def _draw_mode(
 def modes_figure(found: "Sequence[Modes]") -> Figure:
     """Draw mode shapes, and beside each the first discontinuous derivative.
 
-    The exact ones are drawn below them; what is left and right of the attachment is not
-    joined.  The modes stand below one another, many of them in several pairs of columns.
-
-    Raises
-    ------
-    ValueError
-        If there are more than a picture can show.
+    The exact ones are drawn below them; what is left and right of the attachment is not joined.
+    The modes stand below one another, many of them in several pairs of columns.  A `ValueError`
+    is raised if there are more than a picture can show.
     """
     count = max(map(len, found))
     if count > MOST:
@@ -191,6 +187,8 @@ def draw_convergence(
 ) -> Any:
     """Draw one error of a study against the unknowns, a line an expansion; return the axes.
 
+    A `ValueError` is raised if `quantity` is none of these.
+
     Parameters
     ----------
     study : Convergence
@@ -201,11 +199,6 @@ def draw_convergence(
         The field of `ConvergenceRow`.
     **style
         Of the lines, as `matplotlib.axes.Axes.plot` takes it.
-
-    Raises
-    ------
-    ValueError
-        If `quantity` is none of these.
     """
     check_quantity(quantity, ERRORS)
     axes = axes_or_new(ax)

@@ -28,10 +28,7 @@ def draw_diagram(
 ) -> Any:
     """Draw the states of a diagram as points and return the axes.
 
-    Raises
-    ------
-    ValueError
-        If `quantity` is not one that there is.
+    A `ValueError` is raised if `quantity` is not one that there is.
     """
     check_quantity(quantity, QUANTITIES)
     axes, column = axes_or_new(ax), list(QUANTITIES).index(quantity)

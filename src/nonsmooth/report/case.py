@@ -44,13 +44,7 @@ class Case:
         return ExactStickSlipOrbit.of(ns.exact(self.belt))
 
     def orbit(self, method: str, order: int) -> StickSlipOrbit:
-        """Return one orbit.
-
-        Raises
-        ------
-        NoOrbit
-            If there is none, or none was found.
-        """
+        """Return one orbit; a `NoOrbit` if there is none, or none was found."""
         key = method, order
         if key not in self._found:
             try:

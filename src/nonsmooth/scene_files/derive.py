@@ -16,6 +16,9 @@ PATIENCE = 2.0
 def derive(scene: "Scene", where: str, say: Say) -> dict[str, str | bytes]:
     """Return the content of each generated file of a scene, by name.
 
+    A `SceneFileError` is raised if the name is that of a shipped scene, or an expansion cannot
+    be derived.
+
     Parameters
     ----------
     scene : Scene
@@ -24,11 +27,6 @@ def derive(scene: "Scene", where: str, say: Say) -> dict[str, str | bytes]:
         What names it in an error: its file.
     say : callable
         Takes the progress, a line at a time.
-
-    Raises
-    ------
-    SceneFileError
-        If the name is that of a shipped scene, or an expansion cannot be derived.
     """
     from nonsmooth.codegen.generate import scene_sources  # noqa: PLC0415  (SymPy)
 
@@ -51,13 +49,7 @@ def derive(scene: "Scene", where: str, say: Say) -> dict[str, str | bytes]:
 
 
 def check_name(name: str, where: str) -> None:
-    """Check that a scene's name is not that of a shipped one.
-
-    Raises
-    ------
-    SceneFileError
-        If it is.
-    """
+    """Check that a scene's name is not that of a shipped one; a `SceneFileError` if it is."""
     from nonsmooth.solver.kernels.registry import names  # noqa: PLC0415  (as light as needed)
 
     if name.replace("_", "-") in names():

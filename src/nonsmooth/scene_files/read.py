@@ -19,10 +19,7 @@ NAME = "SCENE"
 def text_of(path: Path) -> bytes:
     """Return the bytes of a scene file.
 
-    Raises
-    ------
-    SceneFileError
-        If there is none, or it cannot be read.
+    A `SceneFileError` is raised if there is none, or it cannot be read.
     """
     if path.is_dir():
         raise SceneFileError(f"{path}: a folder, expected a scene file")
@@ -38,10 +35,8 @@ def text_of(path: Path) -> bytes:
 def read_scene(path: Path, text: bytes) -> "Scene":
     """Run the text of a scene file and return the scene that it defines.
 
-    Raises
-    ------
-    SceneFileError
-        If it is not Python, raises an exception, or does not define a scene.
+    A `SceneFileError` is raised if it is not Python, raises an exception, or does not define a
+    scene.
     """
     from nonsmooth.codegen.scene import Scene  # noqa: PLC0415  (SymPy)
 

@@ -134,10 +134,7 @@ def _start(
 ) -> "tuple[Case, ExactOrbit | None]":
     """Return the case, and the exact orbit next to one in a file, if one is named.
 
-    Raises
-    ------
-    Problem
-        If the file holds no orbit, or has parameters beside it.
+    A `Problem` is raised if the file holds no orbit, or has parameters beside it.
     """
     if from_orbit is None:
         return case_from(given), None

@@ -21,10 +21,7 @@ if TYPE_CHECKING:
 def vary_of(given: "Given[LoadedScene]", text: str, log: bool) -> Vary[float]:
     """Return what ``--vary`` asks for, of a scene.
 
-    Raises
-    ------
-    Problem
-        If it cannot be computed, or a flag gives the parameter as well.
+    A `Problem` is raised if it cannot be computed, or a flag gives the parameter as well.
     """
     from nonsmooth.solver.family import MOST_VALUES
 
@@ -43,10 +40,8 @@ def run(
 ) -> int:  # fmt: skip
     """Follow the orbit, show it, write it; the exit status.
 
-    Raises
-    ------
-    Problem
-        If an argument is wrong; or after Ctrl-C, once what was computed is shown and written.
+    A `Problem` is raised if an argument is wrong; or after Ctrl-C, once what was computed is
+    shown and written.
     """
     from nonsmooth.files import documents
     from nonsmooth.solver.family import ORDER, family_case

@@ -87,10 +87,7 @@ def run(
 def _axes(given: "Given[LoadedScene]", texts: tuple[str, ...]) -> "list[Vary[float]]":
     """Return the two parameters that vary.
 
-    Raises
-    ------
-    Problem
-        If there are not two, or one is given by a flag as well.
+    A `Problem` is raised if there are not two, or one is given by a flag as well.
     """
     from nonsmooth.solver.chart import MOST_VALUES
 

@@ -78,12 +78,8 @@ def _help(q: "Parameter") -> str:
 def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
     """Return the case that the command line describes, of the motion that it names if any.
 
-    Without a case file, what no flag gives has its default; `others` is given beside them.
-
-    Raises
-    ------
-    Problem
-        With all mistakes at once.
+    Without a case file, what no flag gives has its default; `others` is given beside them.  A
+    `Problem` has all mistakes at once.
     """
     from nonsmooth.kim_perkins import as_in_paper
     from nonsmooth.solver.scenes.case import Case

@@ -48,12 +48,8 @@ class Wanted:
 def search(case: "Case", wanted: Wanted) -> "tuple[Choice | None, dict[str, Orbit | NoOrbit]]":
     """Return what a tolerance or a budget chose, and what was found by method.
 
-    Where the scene has several motions, that which occurs is found first.
-
-    Raises
-    ------
-    Problem
-        If something wanted cannot be computed.
+    Where the scene has several motions, that which occurs is found first.  A `Problem` is
+    raised if something wanted cannot be computed.
     """
     from nonsmooth.solver.kernels.registry import generic_method, methods
     from nonsmooth.solver.no_orbit import NoOrbit

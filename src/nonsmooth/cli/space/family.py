@@ -31,13 +31,7 @@ def vary_of(text: str, log: bool, attached: Attached) -> Vary[Fraction]:
 
 
 def structures_of(vary: Vary[Fraction], attached: Attached) -> list[Attached]:
-    """Return the structure with each of the values.
-
-    Raises
-    ------
-    Problem
-        If one of them cannot be.
-    """
+    """Return the structure with each of the values; a `Problem` if one of them cannot be."""
     found = []
     for value in values_of(vary):
         given: dict[str, Any] = {"position": attached.a, **attached.values}

@@ -23,10 +23,7 @@ def is_structure(name: str | None) -> bool:
 def structure_named(name: str) -> "Structure":
     """Return a structure by its name.
 
-    Raises
-    ------
-    UsageError
-        Naming the nearest structure that there is.
+    A `UsageError` names the nearest structure that there is.
     """
     from nonsmooth.solver.space.structure import UnknownStructure, load
 

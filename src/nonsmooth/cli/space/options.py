@@ -44,12 +44,8 @@ def _range(structure: "Structure", name: str) -> str:
 def attached_from(given: "Given[Structure]") -> "Attached":
     """Return the structure that the command line describes.
 
-    What neither a flag nor the case file gives has its default.
-
-    Raises
-    ------
-    Problem
-        With all mistakes at once.
+    What neither a flag nor the case file gives has its default.  A `Problem` has all mistakes
+    at once.
     """
     from nonsmooth.solver.scenes.parameter_error import ParameterError
     from nonsmooth.solver.space.attached import attach

@@ -55,10 +55,7 @@ def command(structure: "Structure", said: str) -> click.Command:
 def lines_of(structure: "Structure", methods: str | None, forced: str | None) -> "list[Line]":
     """Return the expansions that ``--methods`` and ``--forced`` name.
 
-    Raises
-    ------
-    Problem
-        If one of them is unknown.
+    A `Problem` is raised if one of them is unknown.
     """
     from nonsmooth.solver.space.convergence import Line
     from nonsmooth.solver.space.expansions.methods import METHODS, check_forced, generic_method

@@ -17,10 +17,8 @@ ALL = "all"
 def compute(attached: Attached, wanted: dict[str, Any]) -> list[Modes]:
     """Return the modes by the method that is wanted, or by each.
 
-    Raises
-    ------
-    Problem
-        If there are none such; with status 1 if no order is within the tolerance.
+    A `Problem` is raised if there are none such; with status 1 if no order is within the
+    tolerance.
     """
     given = {name: value for name, value in wanted.items() if value is not None}
     methods = METHODS if given.get("method") == ALL else (given.get("method"),)

@@ -16,17 +16,15 @@ def is_whole(text: str) -> bool:
 def parse_orders(text: str) -> list[int]:
     """Return the orders that `text` names, ascending, each once.
 
+    A `Problem` is raised if a part is neither a number nor a range from a lower to a higher
+    one.
+
     Examples
     --------
     >>> parse_orders("1-4,10")
     [1, 2, 3, 4, 10]
     >>> parse_orders("10,100,...,10000")
     [10, 100, 1000, 10000]
-
-    Raises
-    ------
-    Problem
-        If a part is neither a number nor a range from a lower to a higher one.
     """
     orders: set[int] = set()
     parts = [part.strip() for part in text.split(",")]

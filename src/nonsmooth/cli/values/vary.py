@@ -34,6 +34,8 @@ def parse_vary(
 ) -> Vary[Number]:  # fmt: skip
     """Return what ``--vary`` asks for.
 
+    A `Problem` is raised if `text` is not of this form, or its numbers make no range.
+
     Parameters
     ----------
     text : str
@@ -55,11 +57,6 @@ def parse_vary(
     --------
     >>> parse_vary("my-gap=0.1:10:3", True, ["my_gap"], 100, "", float)
     Vary(parameter='my_gap', first=0.1, last=10.0, count=3, log=True)
-
-    Raises
-    ------
-    Problem
-        If `text` is not of this form, or its numbers make no range.
     """
     form = "NAME=FROM:TO" if most is None else "NAME=FROM:TO:POINTS"
     expected = f"expected {form}, such as {example}"

@@ -196,13 +196,7 @@ SKETCHES: dict[str, list[Part]] = {
 
 
 def sketch(axes: Any, name: str) -> None:
-    """Draw the oscillator of this name.
-
-    Raises
-    ------
-    KeyError
-        If there is no drawing of it.
-    """
+    """Draw the oscillator of this name; a `KeyError` if there is no drawing of it."""
     for draw, *arguments in SKETCHES[name]:
         draw(axes, *arguments)
     axes.set(xlim=(-0.2, 10.2), ylim=(-1.8, 4.8), aspect="equal")
