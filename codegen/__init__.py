@@ -15,7 +15,6 @@ Nothing else in the package imports SymPy.
 
 from typing import TYPE_CHECKING
 
-from . import readers as readers  # the records are read by what it names
 from .system import DerivationError, Equation, GalerkinSystem
 
 if TYPE_CHECKING:
@@ -57,9 +56,11 @@ def derive(
     >>> derive("ck-tau", scene="impact").title
     'functions of class `C^0`, tested with Legendre polynomials'
     """
-    from .equations import derive_scene  # noqa: PLC0415  (its sections are those of this package)
+    from ..scene_files.read import is_path  # noqa: PLC0415
+    from .equations import registry  # noqa: PLC0415  (its sections are those of this package)
 
-    return derive_scene(scene, method, functions)
+    named = isinstance(scene, str) and not is_path(scene)
+    return (registry.derived if named else registry.derive_scene)(scene, method, functions)
 
 
 __all__ = ["DerivationError", "Equation", "GalerkinSystem", "derive"]

@@ -5,11 +5,10 @@ table of the methods, their kernels, a folder for each scene, and one for the st
 `space`.
 """
 
-import os
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from ..whole import whole
 from . import expansions, scenes
 from .emission import force_formulas, one_function, phase_maps, scene_numbers, whole_period
 from .emission import method_table as methods
@@ -40,10 +39,15 @@ def sources() -> dict[str, Content]:
     for name, expansion in expansions.modules().items():
         if expansions.kernel_name(expansion) == name and hasattr(expansion, "test"):
             files[f"{name}.py"] = phase_maps.module_source(expansion)
-    for scene in map(scenes.load, scenes.names()):
-        folder = scene.name.replace("-", "_")
-        files |= {f"{folder}/{name}": content for name, content in scene_sources(scene)}
+    for name in scenes.names():
+        files |= _in_its_folder(name)
     return files | space.sources()
+
+
+def _in_its_folder(name: str) -> dict[str, Content]:
+    """Return the content of each file of a scene's folder, by its place."""
+    found, folder = scene_sources(scenes.load(name)), name.replace("-", "_")
+    return {f"{folder}/{place}": content for place, content in found}
 
 
 def scene_sources(scene: Scene) -> Iterator[tuple[str, Content]]:
@@ -61,11 +65,6 @@ def scene_sources(scene: Scene) -> Iterator[tuple[str, Content]]:
             yield f"{folder}/{name}", content
 
 
-def encoded(content: Content) -> bytes:
-    """Return the bytes of a generated file."""
-    return content.encode() if isinstance(content, str) else content
-
-
 def _present(folder: Path) -> dict[str, Content]:
     found: dict[str, Content] = {}
     for path in sorted(q for q in folder.rglob("*") if q.suffix in (".py", ".npz")):
@@ -75,9 +74,22 @@ def _present(folder: Path) -> dict[str, Content]:
     return found
 
 
-def differences(folder: Path = FOLDER) -> list[str]:
-    """Return what `folder` and a fresh derivation do not agree on, a line each."""
-    fresh, present = sources(), _present(folder)
+def _both(folder: Path, scene: str | None) -> tuple[dict[str, Content], dict[str, Content]]:
+    """Return what is derived and what is there, of everything or of one scene."""
+    present = _present(folder)
+    if scene is None:
+        return sources(), present
+    name = scene.replace("_", "-")
+    own = f"{name.replace('-', '_')}/"
+    return _in_its_folder(name), {q: v for q, v in present.items() if q.startswith(own)}
+
+
+def differences(folder: Path, scene: str | None = None) -> list[str]:
+    """Return what `folder` and a fresh derivation do not agree on, a line each.
+
+    Of one scene alone, if it is named; a `ValueError` if there is none of this name.
+    """
+    fresh, present = _both(folder, scene)
     missing = [f"{name}: missing" for name in fresh.keys() - present.keys()]
     extra = [f"{name}: not generated" for name in present.keys() - fresh.keys()]
     common = fresh.keys() & present.keys()
@@ -85,32 +97,21 @@ def differences(folder: Path = FOLDER) -> list[str]:
     return sorted(missing + extra + changed)
 
 
-def write(folder: Path = FOLDER) -> list[str]:
-    """Bring `folder` up to date and return what changed, a line each.
+def write(folder: Path, scene: str | None = None) -> list[str]:
+    """Bring `folder` up to date and return what changed, a line each; see `differences`.
 
     An `OSError` is raised if the folder cannot be written.
     """
-    fresh, present = sources(), _present(folder)
+    fresh, present = _both(folder, scene)
     changes = []
     for name, content in fresh.items():
         if present.get(name) != content:
-            _replace(folder / name, content)
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            with whole(folder / name) as temporary:
+                made = content.encode() if isinstance(content, str) else content
+                temporary.write_bytes(made)
             changes.append(f"{name}: written")
     for name in sorted(present.keys() - fresh.keys()):
         (folder / name).unlink()
         changes.append(f"{name}: removed")
     return changes
-
-
-def _replace(path: Path, content: Content) -> None:
-    """Write `path` whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(encoded(content))
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise

@@ -1,18 +1,17 @@
-"""Stage 3: the record that a derivation ends in, and that printing and emission read.
+"""The record that a derivation ends in, for a reader.
 
 A `GalerkinSystem` is data: the equations as a reader is shown them, dimensional, in the paper's
 notation, with its numbers.  It is frozen; nothing downstream of it derives anything.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
 
-#: What the methods of a record call to be read: `readers` fills it, of stages that import this
-#: one.  A record itself holds no printer and knows of none.
-READERS: dict[str, Callable[..., Any]] = {}
+from .printing.latex import displayed, equation_latex, in_notebook
+from .printing.text import equation_text
 
 
 class DerivationError(Exception):
@@ -28,9 +27,17 @@ class Inner(sp.Function):  # type: ignore[misc]
         left, right = (printer._print(argument) for argument in self.args)
         return rf"\left\langle {left},\, {right} \right\rangle"
 
-    def _sympystr(self, printer: Any) -> str:
-        left, right = (printer._print(argument) for argument in self.args)
-        return f"<{left}, {right}>"
+
+class ShiftedLegendre(sp.Function):  # type: ignore[misc]
+    """``P_n*(u) = P_n(2 u - 1)``, unevaluated, for printing."""
+
+    nargs = 2
+
+
+class TwiceIntegrated(sp.Function):  # type: ignore[misc]
+    """``Q_n(u)``, unevaluated, for printing."""
+
+    nargs = 2
 
 
 @dataclass(frozen=True)
@@ -61,17 +68,26 @@ class Equation:
 
     def latex(self) -> str:
         """Return the equation as displayed LaTeX, with its number as the tag."""
-        return str(READERS["latex"](self))
+        return displayed(self)
 
     def text(self, unicode: bool = True) -> str:
         """Return the equation as text for a terminal, in Unicode or in plain ASCII."""
-        return str(READERS["text"](self, unicode))
+        return equation_text(self, unicode)
 
     def __str__(self) -> str:
         return self.text()
 
     def _repr_latex_(self) -> str:
         return self.latex()
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of a document: a heading, its equations, and a sentence between the two."""
+
+    heading: str
+    equations: tuple[Equation, ...]
+    note: str = ""
 
 
 @dataclass(frozen=True)
@@ -127,7 +143,7 @@ class GalerkinSystem:
 
     def latex(self) -> str:
         """Return the equations as LaTeX, numbered as in the paper, without a preamble."""
-        return str(READERS["all latex"](self.equations))
+        return "\n".join(map(equation_latex, self.equations))
 
     def text(self, unicode: bool = True) -> str:
         """Return the equations as text for a terminal, in Unicode or in plain ASCII."""
@@ -137,7 +153,7 @@ class GalerkinSystem:
         return self.text()
 
     def _repr_latex_(self) -> str:
-        return str(READERS["notebook"](self.equations))
+        return in_notebook(self.equations)
 
 
 def require_zero(claims: Iterable[tuple[str, sp.Expr]]) -> None:

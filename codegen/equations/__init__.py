@@ -8,9 +8,8 @@ condition from its statement to its closed form, what it looks up, and what each
 Nothing here names a scene; an expansion is told by what its conditions hold.
 """
 
-from .document import sections
 from .method import method_equations
 from .of_scene import scene_equations
-from .registry import derive_scene, scene_named
+from .registry import derive_scene, scene_named, sections
 
 __all__ = ["derive_scene", "method_equations", "scene_equations", "scene_named", "sections"]

@@ -10,8 +10,7 @@ from ..galerkin import Condition, GalerkinConditions, polynomials
 from ..galerkin.legendre import Moments, l, n, repeated_integral
 from ..galerkin.polynomials import Rest, Test, moments, series
 from ..scene import linear_phase
-from ..system import Equation, Inner
-from ..unevaluated import ShiftedLegendre, TwiceIntegrated
+from ..system import Equation, Inner, ShiftedLegendre, TwiceIntegrated
 from .functions import R, Rate, member, t, u, x
 from .joining import statements
 from .notation import Notation

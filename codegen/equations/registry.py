@@ -1,111 +1,119 @@
-"""Scenes and expansions by their names: those of the folders, whatever is in them."""
+"""Scenes and expansions by their names, and the documents on them.
 
-from collections.abc import Mapping
+A document on a scene consists of what it is, then of each expansion: equations, Jacobian.
+"""
+
+from collections.abc import Iterable, Mapping
 from functools import cache
-from importlib import import_module
 from pathlib import Path
-from pkgutil import iter_modules
 from types import MappingProxyType, ModuleType
 
 from ...nearest import one_of
+from ...scene_files.read import is_path, read_scene, text_of
 from .. import expansions, scenes
 from ..galerkin import GalerkinConditions
 from ..scene import Scene, switches
-from ..system import GalerkinSystem
-from .method import method_equations, spelled
+from ..system import GalerkinSystem, Section
+from .bodies import body_equations
+from .method import ONE_CYCLE, method_equations, spelled, unknowns
+from .of_scene import scene_equations
 
 
 def derive_scene(
-    scene: str | Scene, method: str, functions: int | None = None, motion: str | None = None
+    scene: str | Scene, method: str, functions: int | None = None
 ) -> GalerkinSystem:
-    """Return the equations of a scene in an expansion, for showing.
+    """Return the equations of a scene in an expansion; see `nonsmooth.codegen.derive`.
 
-    Parameters
-    ----------
-    scene : str or Scene
-        A name of ``codegen/scenes``, the path of a scene file, or a scene.
-    method : str
-        A name of ``codegen/expansions``, generic or with the class of the scene.
-    functions : int, optional
-        How many functions with a break there are at each switch, for a method that has them;
-        without it one, and two where the velocity jumps.
-    motion : str, optional
-        Of a scene with several motions, which; without it the first.
-
-    Returns
-    -------
-    GalerkinSystem
-        Derived once in a process for a scene of the folder.
-
-    Raises
-    ------
-    ValueError
-        Naming what is unknown, and the nearest name that is not.
+    Of several motions, those of the first.
 
     Examples
     --------
     >>> derive_scene("impact", "c0-tau").equations[2].text(unicode=False).splitlines()[0]
     '    -  expansion in flight; 0 <= t < T'
     """
-    if isinstance(scene, Scene) or is_path(scene):
-        return _derived(scene_named(scene), method, functions, motion)
-    return _of_the_folder(scene, method, functions, motion)
+    return method_equations(conditions(scene_named(scene).each_motion[0], method, functions))
 
 
-@cache
-def _of_the_folder(
-    scene: str, method: str, functions: int | None, motion: str | None
-) -> GalerkinSystem:
-    return _derived(scene_named(scene), method, functions, motion)
+#: The same once in a process, of a scene that is given by its name.
+derived = cache(derive_scene)
 
 
-def _derived(
-    scene: Scene, method: str, functions: int | None, motion: str | None
-) -> GalerkinSystem:
-    one = scene.each_motion[0] if motion is None else motion_named(scene, motion)
-    return method_equations(conditions(one, method, functions))
+def sections(
+    scene: str | Scene,
+    names: Iterable[str] = (),
+    functions: int | None = None,
+    motion: str | None = None,
+) -> list[Section]:
+    """Return the sections on a scene: what it is, and for each method equations and Jacobian.
 
+    Of several motions, one after the other.
 
-def motion_named(scene: Scene, motion: str) -> Scene:
-    """Return a scene with one of its motions alone.
+    Parameters
+    ----------
+    scene : str or Scene
+    names : iterable of str
+        Of methods; without any, all.
+    functions : int, optional
+        For methods that have functions with breaks; see `nonsmooth.codegen.derive`.
+    motion : str, optional
+        The one that is shown, of a scene with several.
 
-    A `ValueError` names the nearest motion that there is.
+    Raises
+    ------
+    ValueError
+        If a name is unknown.
     """
+    found = scene_named(scene)
+    parts = found.each_motion if motion is None else (_motion_named(found, motion),)
+    listed = tuple(names)
+    return [section for part in parts for section in _of_motion(part, listed, functions)]
+
+
+def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:
+    of_scene = scene_equations if found.body is None else body_equations
+    heading = f"{found.label} (`C^{_class(found)}`): {found.title}"
+    shown = [Section(heading, of_scene(found), _parameters(found))]
+    for name in names or tuple(methods(found)):
+        record = conditions(found, name, functions)
+        system = method_equations(record)
+        section = f"Section {system.section}: " if system.section else ""
+        title = f"{section}{system.title} ({system.method})"
+        listed = "; ".join(f"`{q}`: {what}" for q, what in unknowns(record))
+        shown.append(Section(title, system.equations, f"Unknowns: {listed}."))
+        if system.jacobian:
+            note = "The conditions are linear in the coefficients: their factors are the rest."
+            shown.append(Section(f"Jacobian of {system.method}", system.jacobian, note))
+    return shown
+
+
+def _parameters(scene: Scene) -> str:
+    listed = "; ".join(
+        f"`{q.symbol}`: {q.what}{f' in {q.unit}' if q.unit else ''}" for q in scene.parameters
+    )
+    forced = f"  {ONE_CYCLE}" if scene.frequency is not None else ""
+    source = f"  After {scene.source}." if scene.source else ""
+    return f"Parameters: {listed}.{source}{forced}"
+
+
+def scene_named(scene: str | Scene) -> Scene:
+    """Return a scene by its name or the path of its file.
+
+    A `ValueError` names the nearest scene that there is.
+    """
+    if isinstance(scene, Scene):
+        return scene
+    if is_path(scene):
+        return read_scene(Path(scene), text_of(Path(scene)))
+    return scenes.load(scene)
+
+
+def _motion_named(scene: Scene, motion: str) -> Scene:
+    """Return a scene with one of its motions alone."""
     if motion not in scene.motions:
         known = list(scene.motions)
         expected = one_of(motion, known) if known else f"none: {scene.name} has only one"
         raise ValueError(f"motion: got {motion!r}, expected {expected}")
     return scene.of_motion(motion)
-
-
-def conditions(scene: Scene, method: str, functions: int | None = None) -> GalerkinConditions:
-    """Return the conditions of a scene in an expansion; see `derive_scene`."""
-    expansion = _expansion(scene, method)
-    derive = expansion.derive if scene.body is None else expansion.of_body
-    if not hasattr(expansion, "FUNCTIONS"):
-        if functions is not None:
-            raise ValueError(f"functions: got {functions}, {method} has none with a break")
-        found: GalerkinConditions = derive(scene)
-        return found
-    if functions is None:
-        functions = 2 if _class(scene) == 0 else 1
-    if not isinstance(functions, int) or functions < 1:
-        raise ValueError(f"functions: got {functions!r}, expected a whole number from 1")
-    with_breaks: GalerkinConditions = derive(scene, functions)
-    return with_breaks
-
-
-def _class(scene: Scene) -> int:
-    return min(switch.k for switch in switches(scene))
-
-
-@cache
-def scene_files() -> Mapping[str, Scene]:
-    """Return the scenes of the folder by their names."""
-    found = (
-        import_module(f"{scenes.__name__}.{q.name}") for q in iter_modules(scenes.__path__)
-    )
-    return MappingProxyType({module.SCENE.name: module.SCENE for module in found})
 
 
 def methods(scene: Scene) -> Mapping[str, ModuleType]:
@@ -114,32 +122,26 @@ def methods(scene: Scene) -> Mapping[str, ModuleType]:
     return MappingProxyType({module.METHOD: module for module in made_for_it})
 
 
-def is_path(name: str) -> bool:
-    """Whether a scene is given by the path of its file."""
-    return name.endswith(".py") or "/" in name
-
-
-def scene_named(scene: str | Scene) -> Scene:
-    """Return a scene by its name or the path of its file.
-
-    A `ValueError` names the nearest scene that there is.
-    """
-    known = scene_files()
-    if isinstance(scene, Scene):
-        found = scene
-    elif is_path(scene):
-        found = _from_file(Path(scene))
-    elif scene in known:
-        found = known[scene]
-    else:
-        raise ValueError(f"scene: got {scene!r}, expected {one_of(scene, list(known))}")
+def conditions(scene: Scene, method: str, functions: int | None = None) -> GalerkinConditions:
+    """Return the conditions of a scene in an expansion; see `nonsmooth.codegen.derive`."""
+    expansion = _expansion(scene, method)
+    derive = expansion.derive if scene.body is None else expansion.of_body
+    found: GalerkinConditions
+    if not hasattr(expansion, "FUNCTIONS"):
+        if functions is not None:
+            raise ValueError(f"functions: got {functions}, {method} has none with a break")
+        found = derive(scene)
+        return found
+    if functions is None:
+        functions = 2 if _class(scene) == 0 else 1
+    if not isinstance(functions, int) or functions < 1:
+        raise ValueError(f"functions: got {functions!r}, expected a whole number from 1")
+    found = derive(scene, functions)
     return found
 
 
-def _from_file(path: Path) -> Scene:
-    from ...scene_files.read import read_scene, text_of  # noqa: PLC0415  (read in one place)
-
-    return read_scene(path, text_of(path))
+def _class(scene: Scene) -> int:
+    return min(switch.k for switch in switches(scene))
 
 
 def _expansion(scene: Scene, method: str) -> ModuleType:

@@ -12,8 +12,6 @@ from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
-from ..system import Inner
-from ..unevaluated import ShiftedLegendre, TwiceIntegrated
 from .order import factors, in_given_order, terms
 
 SUBSCRIPTS = str.maketrans("0123456789+-()ijklmnrs", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ᵢⱼₖₗₘₙᵣₛ")
@@ -161,7 +159,7 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
             *stringPict.next("H", prettyForm(*self._print(expr.args[0]).parens()))
         )
 
-    def _print_Inner(self, expr: Inner) -> prettyForm:
+    def _print_Inner(self, expr: sp.Expr) -> prettyForm:
         left, right = ("⟨", "⟩") if self._use_unicode else ("<", ">")
         first, second = map(self._print, expr.args)
         return prettyForm(*stringPict.next(left, first, ", ", second, right))
@@ -189,10 +187,10 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         argument = prettyForm(*self._print(expr.args[1]).parens())
         return prettyForm(*stringPict.next(self._name(f"j{expr.args[0]}"), argument))
 
-    def _print_ShiftedLegendre(self, expr: ShiftedLegendre) -> prettyForm:
+    def _print_ShiftedLegendre(self, expr: sp.Expr) -> prettyForm:
         return self._with_index("P*", expr)
 
-    def _print_TwiceIntegrated(self, expr: TwiceIntegrated) -> prettyForm:
+    def _print_TwiceIntegrated(self, expr: sp.Expr) -> prettyForm:
         return self._with_index("Q", expr)
 
 

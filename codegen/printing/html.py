@@ -7,16 +7,18 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from html import escape
+from typing import TYPE_CHECKING
 
 import sympy as sp
 from latex2mathml.converter import convert
 
-from ..system import Equation
 from .drawing import drawn
 from .latex import latex_piece, width
 from .pieces import pieces
-from .sections import Section
 from .words import words_and_mathematics
+
+if TYPE_CHECKING:
+    from ..system import Equation, Section
 
 #: A term that is wider, in characters of the drawing, is cut at its brackets: for a phone.
 WIDEST = 30
@@ -79,7 +81,7 @@ def _prose(title: str) -> str:
     )
 
 
-def _sides(equation: Equation) -> str:
+def _sides(equation: "Equation") -> str:
     """Return the sides, a block each, in pieces between which the browser may wrap."""
     first, *others = map(_in_pieces, equation.sides)
     for side in others:
@@ -100,7 +102,7 @@ def _in_pieces(side: sp.Expr) -> list[str]:
     return [parts[0].removeprefix("{} "), *parts[1:]]
 
 
-def _equation(equation: Equation, anchor: str) -> str:
+def _equation(equation: "Equation", anchor: str) -> str:
     number = f'<a class="number" href="#{anchor}">({equation.number})</a>\n' if anchor else ""
     place = f' id="{anchor}"' if anchor else ""
     return (
@@ -111,7 +113,7 @@ def _equation(equation: Equation, anchor: str) -> str:
     )
 
 
-def _section(section: Section, seen: Counter[str]) -> str:
+def _section(section: "Section", seen: Counter[str]) -> str:
     """Return a section; a number that was seen before gets an anchor of its own."""
     parts = [f"<h2>{_prose(section.heading)}</h2>\n"]
     if section.note:
@@ -124,12 +126,12 @@ def _section(section: Section, seen: Counter[str]) -> str:
     return "".join(parts)
 
 
-def fragment_of(shown: Iterable[Section]) -> str:
+def fragment_of(shown: "Iterable[Section]") -> str:
     """Return sections as a fragment of a page."""
     seen: Counter[str] = Counter()
     return "\n".join(_section(section, seen) for section in shown)
 
 
-def page_of(shown: Iterable[Section], title: str) -> str:
+def page_of(shown: "Iterable[Section]", title: str) -> str:
     """Return a page, complete, with these sections under a title."""
     return PAGE.format(title=escape(title), style=STYLE, body=fragment_of(shown))

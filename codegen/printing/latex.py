@@ -5,16 +5,18 @@ Input: the records.  Output: one string.
 
 import re
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import sympy as sp
 from sympy.printing.pretty.stringpict import prettyForm
 
-from ..system import Equation
 from .drawing import drawn, with_word
 from .pieces import Piece, bracket_of, filled, pieces, signed
-from .sections import Section
 from .typeset import latex
 from .words import words_and_mathematics
+
+if TYPE_CHECKING:
+    from ..system import Equation, Section
 
 #: Widest line of mathematics, in characters of the drawing, and of a part not to be cut.
 LINE = 70
@@ -98,7 +100,7 @@ def _measured(expression: sp.Expr, sign: bool = False) -> prettyForm:
     return drawn(expression.xreplace(short), sign=sign)
 
 
-def aligned(equation: Equation) -> str:
+def aligned(equation: "Equation") -> str:
     """Return the mathematics of one equation, a line a side or more."""
     first, *others = equation.sides
     if not others:  # a relation by itself
@@ -120,18 +122,18 @@ def _rows(begin: str, side: sp.Expr, limit: int) -> list[str]:
     return [f"{begin} {head}", *(rf"&\quad {line}" for line in more)]
 
 
-def displayed(equation: Equation) -> str:
+def displayed(equation: "Equation") -> str:
     """Return one equation as a displayed environment with its number, without words."""
     tag = rf"\tag{{{equation.number}}}" if equation.number else r"\notag"
     return f"\\begin{{equation}}\n{aligned(equation)}\n{tag}\n\\end{{equation}}\n"
 
 
-def equation_latex(equation: Equation) -> str:
+def equation_latex(equation: "Equation") -> str:
     """Return one equation as a displayed environment under its words."""
     return f"\\paragraph{{}}{_prose(equation.words)}\n{displayed(equation)}"
 
 
-def in_notebook(equations: Iterable[Equation]) -> str:
+def in_notebook(equations: "Iterable[Equation]") -> str:
     """Return equations under their words as MathJax reads them, and LaTeX, too."""
     return "\n\n".join(f"{_prose(e.words)}\n{displayed(e)}" for e in equations)
 
@@ -151,7 +153,7 @@ def _prose(title: str) -> str:
     return "".join(parts)
 
 
-def _body(shown: Iterable[Section]) -> str:
+def _body(shown: "Iterable[Section]") -> str:
     parts = []
     for section in shown:
         parts.append(f"\\section*{{{_prose(section.heading)}}}\n")
@@ -161,12 +163,12 @@ def _body(shown: Iterable[Section]) -> str:
     return "\n".join(parts)
 
 
-def document_of(shown: Iterable[Section], title: str) -> str:
+def document_of(shown: "Iterable[Section]", title: str) -> str:
     """Return a LaTeX document, complete, with these sections under a title."""
     preamble = PREAMBLE.replace("<title>", _prose(title))
     return f"{preamble}\n{_body(shown)}\n\\end{{document}}\n"
 
 
-def fragment_of(shown: Iterable[Section]) -> str:
+def fragment_of(shown: "Iterable[Section]") -> str:
     """Return the same without a preamble."""
     return f"{FRAGMENT}\n{_body(shown)}"

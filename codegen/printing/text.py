@@ -6,15 +6,17 @@ Input: the records.  Output: text, in Unicode or in plain ASCII.
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from textwrap import fill
+from typing import TYPE_CHECKING
 
 import sympy as sp
 from sympy.printing.pretty.stringpict import prettyForm, stringPict
 
-from ..system import Equation
 from .drawing import drawn
 from .pieces import Piece, bracket_of, filled, pieces, signed
-from .sections import Section
 from .words import KEPT, spoken
+
+if TYPE_CHECKING:
+    from ..system import Equation, Section
 
 #: Columns for the mathematics, and of the margin left of it.
 COLUMNS, MARGIN = 73, 7
@@ -117,7 +119,7 @@ def _mathematics(sides: Sequence[sp.Expr], unicode: bool) -> list[str]:
     return _stacked(rows)
 
 
-def equation_text(equation: Equation, unicode: bool = True) -> str:
+def equation_text(equation: "Equation", unicode: bool = True) -> str:
     """Return one equation as text for a terminal."""
     number = f"({equation.number})" if equation.number else "-"
     lines = _mathematics(equation.sides, unicode)
@@ -131,7 +133,7 @@ def _filled(words: str, indent: str = "") -> str:
     return fill(words, COLUMNS + MARGIN, subsequent_indent=indent).replace(KEPT, " ")
 
 
-def text_of(shown: Iterable[Section], unicode: bool = True) -> str:
+def text_of(shown: "Iterable[Section]", unicode: bool = True) -> str:
     """Return sections as text for a terminal."""
     parts = []
     for section in shown:

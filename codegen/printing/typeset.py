@@ -8,7 +8,6 @@ import re
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from ..unevaluated import ShiftedLegendre, TwiceIntegrated
 from .drawing import with_word
 from .order import factors, in_given_order, terms
 
@@ -86,11 +85,11 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         first, second = map(self._print, expr.args)
         return rf"\delta_{{{first}, {second}}}"
 
-    def _print_ShiftedLegendre(self, expr: ShiftedLegendre, exp: str | None = None) -> str:
+    def _print_ShiftedLegendre(self, expr: sp.Expr, exp: str | None = None) -> str:
         index, argument = map(self._print, expr.args)
         return rf"P^{{*}}_{{{index}}}\left({argument}\right)"
 
-    def _print_TwiceIntegrated(self, expr: TwiceIntegrated, exp: str | None = None) -> str:
+    def _print_TwiceIntegrated(self, expr: sp.Expr, exp: str | None = None) -> str:
         index, argument = map(self._print, expr.args)
         return rf"Q_{{{index}}}\left({argument}\right)"
 

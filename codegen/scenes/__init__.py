@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 from types import ModuleType
 
+from ...nearest import one_of
 from ..scene import Scene
 
 
@@ -18,7 +19,7 @@ def names() -> tuple[str, ...]:
 def load(name: str) -> Scene:
     """Return the scene of this name; a `ValueError` if there is none."""
     if name not in names():
-        raise ValueError(f"scene: got {name!r}, expected one of {', '.join(names())}")
+        raise ValueError(f"scene: got {name!r}, expected one of {one_of(name, names())}")
     scene: Scene = _file(name).SCENE
     return scene
 

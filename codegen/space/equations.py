@@ -5,8 +5,7 @@ from functools import partial
 
 import sympy as sp
 
-from ..printing.sections import Section
-from ..system import Equation, Inner
+from ..system import Equation, Inner, Section
 from . import collapse, forced_modes, green, matching, series
 from .data import Structure, a, beta, lam, s, x
 from .structures import structure_named

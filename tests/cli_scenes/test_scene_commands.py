@@ -335,7 +335,7 @@ def test_generate_of_one_scene(run, tmp_path: Path, monkeypatch) -> None:
     status, out, _ = run("generate", "stick-slip", "--check")
     assert (status, out) == (
         1,
-        "stick_slip/__init__.py: differs\nstick_slip/scene.py: differs\n",
+        "stick_slip/__init__.py: missing\nstick_slip/scene.py: missing\n",
     )
     assert list((tmp_path / "generated").iterdir()) == []
     status, out, _ = run("generate", "stick-slip")

@@ -15,7 +15,7 @@ from user_files import BALL, kernels_of_impact, write
 import nonsmooth as ns
 from nonsmooth.codegen import generate
 from nonsmooth.scene import Event, Parameter, Phase, Scene, a, forcing, v, x
-from nonsmooth.scene_files import content, find, store
+from nonsmooth.scene_files import content, read, store
 from nonsmooth.solver.scenes import sealed
 
 pytestmark = pytest.mark.usefixtures("cache")
@@ -261,6 +261,6 @@ def test_a_case_file_of_a_users_scene(run, tmp_path: Path, derivations) -> None:
 
 @pytest.mark.skipif(os.sep != "/", reason="paths as on POSIX")
 def test_what_is_a_path() -> None:
-    assert [find.is_path(q) for q in ("impact", "./impact", "a/b", "impact.py", "a.b")] == [
+    assert [read.is_path(q) for q in ("impact", "./impact", "a/b", "impact.py", "a.b")] == [
         False, True, True, True, False,
     ]  # fmt: skip

@@ -23,9 +23,8 @@ from reading.tokens import ReadingError, Token
 from nonsmooth.codegen.equations.functions import Member, Rate
 from nonsmooth.codegen.printing.html import fragment_of
 from nonsmooth.codegen.printing.latex import aligned
-from nonsmooth.codegen.printing.sections import Section
 from nonsmooth.codegen.printing.words import spoken
-from nonsmooth.codegen.system import Equation
+from nonsmooth.codegen.system import Equation, Section
 
 _RAISED = "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ"
 _WORD = re.compile(rf"(?<=[^\W\d])[{_RAISED}]{{3,}}")

@@ -17,9 +17,8 @@ from nonsmooth.cli import tex
 from nonsmooth.codegen.equations import sections
 from nonsmooth.codegen.printing.html import page_of
 from nonsmooth.codegen.printing.latex import aligned, document_of, fragment_of
-from nonsmooth.codegen.printing.sections import Section
 from nonsmooth.codegen.printing.text import text_of
-from nonsmooth.codegen.system import Equation
+from nonsmooth.codegen.system import Equation, Section
 
 __all__ = ["functions"]
 

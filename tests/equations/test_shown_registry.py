@@ -11,15 +11,15 @@ from shown_scenes import EVERY_RUN, SCENES
 import nonsmooth as ns
 from nonsmooth.codegen.equations import derive_scene, scene_equations, scene_named
 from nonsmooth.codegen.equations.functions import Rate
-from nonsmooth.codegen.equations.registry import conditions, methods, scene_files
+from nonsmooth.codegen.equations.registry import conditions, methods
 from nonsmooth.codegen.scene import Scene, forcing, switches, v, x
 from nonsmooth.codegen.scene.smoothness import place
-from nonsmooth.codegen.scenes import impact, stick_slip
+from nonsmooth.codegen.scenes import impact, names, stick_slip
 
 
 def test_every_scene_and_expansion_of_the_folders_is_found() -> None:
     folder = Path(impact.__file__).parent
-    assert len(scene_files()) == len([q for q in folder.glob("*.py") if q.stem != "__init__"])
+    assert len(names()) == len([q for q in folder.glob("*.py") if q.stem != "__init__"])
     assert set(methods(impact.SCENE)) == {"hb", "hb-ck", "ck", "ck-tau"}
     assert set(methods(stick_slip.SCENE)) - set(methods(impact.SCENE)) == {"hb-c1"}
 

@@ -11,8 +11,7 @@ from functools import cache
 
 import sympy as sp
 
-from nonsmooth.codegen.system import Inner
-from nonsmooth.codegen.unevaluated import ShiftedLegendre, TwiceIntegrated
+from nonsmooth.codegen.system import Inner, ShiftedLegendre, TwiceIntegrated
 
 
 @cache

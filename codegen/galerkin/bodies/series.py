@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from ...scene import Scene
-from ...unevaluated import ShiftedLegendre
+from ...system import ShiftedLegendre
 from .. import force_series
 from ..condition import Block, Condition, N
 from ..force_series import kappa

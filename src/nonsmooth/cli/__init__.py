@@ -17,9 +17,9 @@ from typing import Any, NoReturn
 import click
 
 from . import equations, paper
+from .generate import generate
 from .named import SCENES, STRUCTURES, NamedCommand
 from .problems import Problem, print_warnings, say
-from .scenes import generate
 from .scenes import simulate as simulation
 from .scenes.named import EXAMPLE
 from .scenes.shown import listing
@@ -122,7 +122,7 @@ simulate = NamedCommand(
 
 for command in (
     listing.scenes,
-    generate.generate,
+    generate,
     equations.equations,
     *_verbs(),
     simulate,

@@ -17,7 +17,7 @@ from .scenes.named import DEFAULT
 from .space.named import is_structure
 
 if TYPE_CHECKING:
-    from nonsmooth.codegen.printing.sections import Section
+    from nonsmooth.codegen.system import Section
 
 #: What the suffix of a file says about its format.
 SUFFIXES = {".txt": "text", ".tex": "latex", ".html": "html", ".pdf": "pdf"}

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import click
 
-from nonsmooth.files.whole import whole
+from nonsmooth.whole import whole
 
 from .problems import Problem
 

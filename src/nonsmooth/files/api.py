@@ -11,12 +11,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from ..whole import whole
 from . import csv_rows, documents
 from .file_errors import FileError, other_kind, refused
 from .json_text import check_digest, parsed, sealed
 from .restore_orbits import result_in
 from .savable import kind_of
-from .whole import whole
 
 #: An orbit, a sweep or a family of any oscillator, modes; or several orbits or modes.
 Savable: TypeAlias = Any

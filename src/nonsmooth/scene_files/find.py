@@ -1,6 +1,5 @@
 """Find a scene by whatever names it: a name, a path, an object."""
 
-import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -13,7 +12,7 @@ from nonsmooth.solver.scenes.loaded import LoadedScene
 from .content import key_of_scene, key_of_text
 from .derive import check_name, derive
 from .error import SceneFileError
-from .read import read_scene, text_of
+from .read import is_path, read_scene, text_of
 from .store import Say, keep, stored
 
 
@@ -52,17 +51,6 @@ def find_scene(what: object, say: Say = say_on_stderr) -> LoadedScene:
     raise TypeError(
         f"scene: got {what!r:.80}, expected a name, the path of a scene file, or a Scene"
     )
-
-
-def is_path(text: str) -> bool:
-    """Whether a text is the path of a scene file, and not the name of a scene.
-
-    Examples
-    --------
-    >>> is_path("impact"), is_path("./impact"), is_path("impact.py")
-    (False, True, True)
-    """
-    return text.endswith(".py") or any(q in text for q in (os.sep, os.altsep) if q)
 
 
 def names() -> tuple[str, ...]:

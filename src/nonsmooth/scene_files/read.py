@@ -1,5 +1,6 @@
 """Read a scene file: it is Python, and it is run; every mistake is one line."""
 
+import os
 import sys
 from contextlib import redirect_stdout
 from pathlib import Path
@@ -14,6 +15,17 @@ if TYPE_CHECKING:
 
 #: What a scene file defines.
 NAME = "SCENE"
+
+
+def is_path(text: str) -> bool:
+    """Whether a text is the path of a scene file, and not the name of a scene.
+
+    Examples
+    --------
+    >>> is_path("impact"), is_path("./impact"), is_path("impact.py")
+    (False, True, True)
+    """
+    return text.endswith(".py") or any(q in text for q in (os.sep, os.altsep) if q)
 
 
 def text_of(path: Path) -> bytes:

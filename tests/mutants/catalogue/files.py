@@ -24,7 +24,7 @@ MUTANTS = (
     ),
     Mutant(
         "a failed save leaves a part of a file",
-        "src/nonsmooth/files/whole.py",
+        "src/nonsmooth/whole.py",
         "        temporary.unlink(missing_ok=True)\n",
         "        pass\n",
         ("tests/files/test_files.py::test_a_failed_save_leaves_the_old_file",),

@@ -1,0 +1,54 @@
+"""``nonsmooth generate``: derive the equations and write the kernels, of one scene or all."""
+
+import click
+from click.shell_completion import CompletionItem
+
+from nonsmooth.scene_files.read import is_path
+
+from .about import completed
+from .problems import Problem
+from .progress import busy
+from .scenes.named import known, scene_named
+
+EPILOG = """\b
+Examples:
+  nonsmooth generate
+  nonsmooth generate impact
+  nonsmooth generate --check      for a continuous integration
+"""
+
+
+def _names(_: click.Context, __: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    return completed(known(), incomplete)
+
+
+@click.command(epilog=EPILOG)
+@click.argument("scene", required=False, shell_complete=_names)
+@click.option(
+    "--check", is_flag=True, help="Only compare, write nothing; exit 1 on a difference."
+)
+def generate(scene: str | None, check: bool) -> int:
+    """Derive the equations with SymPy and write generated/.
+
+    A file is written only when its text changes. With SCENE, a name of 'nonsmooth scenes'
+    or the path of a scene file, of that scene alone. A scene file is Python and is run; its
+    kernels are derived when it is first used, and kept in the user's cache: this says where.
+    """
+    if scene is not None and is_path(scene):
+        found = scene_named(scene)
+        click.echo(f"{found.name}: its kernels are in {found.folder}")
+        return 0
+    of_scene = "" if scene is None else f" of {scene}"
+    with busy(f"deriving the equations{of_scene}"):
+        from nonsmooth.codegen import generate as stage
+
+        done = stage.differences if check else stage.write
+        try:
+            lines = done(stage.FOLDER, scene)
+        except ValueError as error:
+            raise click.UsageError(str(error), click.get_current_context()) from error
+        except OSError as error:
+            raise Problem(f"cannot write {stage.FOLDER}: {error.strerror}") from error
+    folder = stage.FOLDER.name + ("" if scene is None else f"/{scene.replace('-', '_')}")
+    click.echo("\n".join(lines) or f"{folder}/ {'is' if check else 'was'} up to date")
+    return 1 if check and lines else 0
