@@ -19,7 +19,7 @@ def names() -> tuple[str, ...]:
 def load(name: str) -> Scene:
     """Return the scene of this name; a `ValueError` if there is none."""
     if name not in names():
-        raise ValueError(f"scene: got {name!r}, expected one of {one_of(name, names())}")
+        raise ValueError(f"scene: got {name!r}, expected {one_of(name, names())}")
     scene: Scene = _file(name).SCENE
     return scene
 

@@ -7,7 +7,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.cli.problems import Problem
-from nonsmooth.cli.values.orders import parse_orders
+from nonsmooth.cli.values import parse_orders
 from nonsmooth.report.case import DEFAULT
 from nonsmooth.solver.accuracy.rates import slope
 

@@ -232,16 +232,6 @@ def test_two_at_once_both_have_the_kernels(cache: Path) -> None:
     assert [path.name for path in cache.iterdir()] == ["key"]
 
 
-def test_long_derivations_say_how_far_they_are(monkeypatch, derivations) -> None:
-    from nonsmooth.scene_files import derive
-
-    monkeypatch.setattr(derive, "PATIENCE", 0.0)
-    said: list[str] = []
-    derive.derive(ball(), "scene", said.append)
-    assert said[0] == "deriving the equations of ball, this once"
-    assert "deriving ball: scene done" in said
-
-
 def test_generate_of_a_file_says_where_its_kernels_are(
     run, tmp_path: Path, cache: Path, derivations
 ) -> None:

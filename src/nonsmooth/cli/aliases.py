@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from .problems import Problem
-from .values.orders import parse_orders
+from .values import parse_orders
 
 if TYPE_CHECKING:
     IntegerType = click.ParamType[int]

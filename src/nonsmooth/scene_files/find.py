@@ -10,8 +10,7 @@ from nonsmooth.solver.scenes import loaded, sealed
 from nonsmooth.solver.scenes.loaded import LoadedScene
 
 from .content import key_of_scene, key_of_text
-from .derive import check_name, derive
-from .error import SceneFileError
+from .error import SceneFileError, one_line
 from .read import is_path, read_scene, text_of
 from .store import Say, keep, stored
 
@@ -87,10 +86,39 @@ def _kept(key: str, made: Callable[[], Any], where: str, say: Say) -> LoadedScen
     """Return the scene of a key, if it is kept; else that which is made, derived and kept."""
     folder = stored(key)
     if folder is None:
-        folder = keep(key, derive(made(), where, say), say)
+        folder = keep(key, _derived(made(), where, say), say)
     try:
         found = loaded.load_folder(folder, sealed.read(folder))
     except Exception as error:
         raise SceneFileError(f"{where}: its kernels cannot be read ({error})") from error
-    check_name(found.name, where)
+    _check_name(found.name, where)
     return found
+
+
+def _derived(scene: Any, where: str, say: Say) -> dict[str, str | bytes]:
+    """Return the content of each generated file of a scene, by name.
+
+    A `SceneFileError` is raised if its name is that of a shipped one, or it cannot be derived.
+    """
+    from nonsmooth.codegen.generate import scene_sources  # noqa: PLC0415  (SymPy)
+
+    _check_name(scene.name, where)
+    say(f"deriving the equations of {scene.name}, this once")
+    files: dict[str, str | bytes] = {}
+    try:
+        for name, content in scene_sources(scene):
+            files[name] = content
+    except Exception as error:
+        after = f" (after {list(files)[-1]})" if files else ""
+        raise SceneFileError(
+            f"{where}: {scene.name} cannot be derived{after}: {one_line(error)}"
+        ) from error
+    return files
+
+
+def _check_name(name: str, where: str) -> None:
+    """Check that a scene's name is not that of a shipped one; else a `SceneFileError`."""
+    if name.replace("_", "-") in registry.names():
+        raise SceneFileError(
+            f"{where}: name: got {name!r}, the name of a shipped scene; expected another"
+        )

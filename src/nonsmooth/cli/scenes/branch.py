@@ -10,8 +10,7 @@ from ..aliases import Aliased
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
 from ..progress import busy
-from ..values.vary import parse_vary
-from .options import case_from, command_of, method_names, motion_options
+from .options import case_from, command_of, method_names, motion_options, vary_from
 from .solve import FUNCTIONS
 from .wanted import tell
 
@@ -84,10 +83,7 @@ def run(
     from nonsmooth.solver.no_orbit import NoOrbit
     from nonsmooth.solver.results.branch import BranchInterrupted
 
-    names = [q.name for q in given.about.parameters]
-    last = given.about.parameters[-1]
-    example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default:g}"
-    along = parse_vary(vary, False, names, None, example, float)
+    along = vary_from(given, vary, None)
     if every and from_orbit is not None:
         raise Problem(f"--from-orbit: got {from_orbit} beside --all, expected one of them")
     suffix = "" if output is None else output.suffix.lower()

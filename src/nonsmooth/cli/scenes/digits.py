@@ -10,7 +10,7 @@ from ..about import Given, Output
 from ..output import PICTURES, need, write_result
 from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
-from ..values.orders import parse_orders
+from ..values import parse_orders
 from .options import case_from, command_of, method_names, motion_options
 
 if TYPE_CHECKING:

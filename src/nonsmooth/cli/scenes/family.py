@@ -9,8 +9,8 @@ from ..about import Given
 from ..output import drawn_by, write_result
 from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
-from ..values.orders import is_whole
-from ..values.vary import Vary, parse_vary, values_of
+from ..values import Vary, is_whole, values_of
+from .options import check_not_given, vary_from
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.family import FamilyRow
@@ -19,18 +19,11 @@ if TYPE_CHECKING:
 
 
 def vary_of(given: "Given[LoadedScene]", text: str, log: bool) -> Vary[float]:
-    """Return what ``--vary`` asks for, of a scene.
-
-    A `Problem` is raised if it cannot be computed, or a flag gives the parameter as well.
-    """
+    """Return what ``--vary`` asks for; a `Problem` if a flag gives the parameter as well."""
     from nonsmooth.solver.family import MOST_VALUES
 
-    parameters = given.about.parameters
-    names, last = [q.name for q in parameters], parameters[-1]
-    example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default:g}:20"
-    vary = parse_vary(text, log, names, MOST_VALUES, example, float)
-    if vary.parameter in given.flags:
-        raise Problem(f"--{vary.flag}: given beside --vary {vary.flag}, which sets it")
+    vary = vary_from(given, text, MOST_VALUES, ":20", log)
+    check_not_given(given, vary)
     return vary
 
 

@@ -1,7 +1,7 @@
 """``nonsmooth map SCENE --vary ... --vary ...``: motions over two parameters."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -9,8 +9,8 @@ from ..about import Given, Output
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
 from ..progress import progress
-from ..values.vary import Vary, parse_vary
-from .options import case_from, command_of
+from ..values import Vary
+from .options import case_from, check_not_given, command_of, vary_from
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -91,14 +91,9 @@ def _axes(given: "Given[LoadedScene]", texts: tuple[str, ...]) -> "list[Vary[flo
     """
     from nonsmooth.solver.chart import MOST_VALUES
 
-    names = [q.name for q in given.about.parameters]
-    last = given.about.parameters[-1]
-    example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default or 1:g}:40"
-    how: Any = False, names, MOST_VALUES, example, float
-    found = [parse_vary(text, *how) for text in texts]
+    found = [vary_from(given, text, MOST_VALUES, ":40") for text in texts]
     if len({each.parameter for each in found}) != 2 or len(found) != 2:
         raise Problem(f"--vary: got {' and '.join(texts)}, expected two parameters")
     for each in found:
-        if each.parameter in given.flags:
-            raise Problem(f"--{each.flag}: given beside --vary {each.flag}, which sets it")
+        check_not_given(given, each)
     return found

@@ -8,6 +8,7 @@ from click.shell_completion import CompletionItem
 
 from ..about import PREFIX, CommandAbout, Given, Output, completed, flag
 from ..problems import Problem, Verbose, as_problems
+from ..values import Vary, parse_vary
 from .named import known
 
 if TYPE_CHECKING:
@@ -68,6 +69,25 @@ def method_names(scene: "LoadedScene") -> list[str]:
     from nonsmooth.solver.scenes.methods import in_order
 
     return [shown(scene, method) for method in in_order(methods(scene))]
+
+
+def vary_from(
+    given: "Given[LoadedScene]",
+    text: str,
+    most: int | None,
+    points: str = "",
+    log: bool = False,
+) -> Vary[float]:
+    """Return what ``--vary`` asks for, of a scene; see `parse_vary`."""
+    names, last = [q.name for q in given.about.parameters], given.about.parameters[-1]
+    example = f"{flag(last.name)[2:]}={last.default / 2:g}:{last.default or 1:g}{points}"
+    return parse_vary(text, log, names, most, example, float)
+
+
+def check_not_given(given: "Given[LoadedScene]", vary: Vary[float]) -> None:
+    """Check that no flag gives a parameter that varies; a `Problem` if one does."""
+    if vary.parameter in given.flags:
+        raise Problem(f"--{vary.flag}: given beside --vary {vary.flag}, which sets it")
 
 
 def _help(q: "Parameter") -> str:

@@ -9,8 +9,8 @@ from ..about import Given, Output
 from ..output import PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
 from ..progress import busy, progress
-from ..values.vary import parse_vary, values_of
-from .options import case_from, command_of
+from ..values import parse_vary, values_of
+from .options import case_from, command_of, vary_from
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.strobe import Basins, Diagram
@@ -150,10 +150,10 @@ def _one(
     if json_:
         click.echo(text, nl=False)
     else:
-        from .shown import captions, transient
+        from .shown import captions, tables
 
         click.echo(captions.caption(case))
-        transient.table(motion)
+        tables.transient(motion)
     if motion.ended:
         click.echo(f"nonsmooth: ended at t = {motion.time:.6g} s: {motion.ended}", err=True)
     figure = drawn_by("simulations.simulation_figure", motion)
@@ -169,10 +169,7 @@ def _diagram(
     from nonsmooth.solver.scenes.parameter_error import ParameterError
     from nonsmooth.solver.strobe import diagram
 
-    names = [q.name for q in given.about.parameters]
-    last = given.about.parameters[-1]
-    example = f"{last.name.replace('_', '-')}={last.default / 2:g}:{last.default:g}:200"
-    along = parse_vary(vary, False, names, MOST, example, float)
+    along = vary_from(given, vary, MOST, ":200")
     case = case_from(given, **{along.parameter: along.first})
     with as_problems(), progress(along.count, "simulate") as advance:
 

@@ -9,7 +9,7 @@ import click
 from ..about import Given, Output
 from ..aliases import Aliased, OneOrder, split_methods
 from ..output import DATA, PICTURES
-from ..values.seconds import parse_seconds
+from ..values import parse_seconds
 from .options import case_from, command_of, method_names, motion_options
 from .wanted import ORDER, Wanted, exact_near, search, write_orbits
 

@@ -10,7 +10,7 @@ from ..aliases import Aliased, split_methods
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
-from ..values.orders import parse_orders
+from ..values import parse_orders
 from . import family
 from .options import case_from, command_of, method_names, motion_options
 from .solve import FUNCTIONS

@@ -14,9 +14,9 @@ from nonsmooth.solver.space.modes import Modes
 from ..output import drawn_by, write_result
 from ..problems import Problem
 from ..progress import progress
-from ..values.vary import Vary, parse_vary, values_of
+from ..values import Vary, parse_vary, values_of
 from . import mode_tables
-from .wanted import ALL, compute
+from .options import ALL, compute
 
 #: Points of a family.
 MOST_POINTS = 10_000

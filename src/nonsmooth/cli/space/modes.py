@@ -9,7 +9,7 @@ from ..about import Given, Output
 from ..named import STRUCTURES, NamedCommand
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
-from .options import attached_from, command_of
+from .options import attached_from, command_of, compute
 
 if TYPE_CHECKING:
     from nonsmooth.solver.space.attached import Attached
@@ -116,7 +116,6 @@ def _run_once(
     from nonsmooth.files import documents
 
     from . import mode_tables
-    from .wanted import compute
 
     found = compute(attached, wanted)
     text = documents.text_of_modes(attached.structure, documents.of_modes(found))

@@ -1,4 +1,4 @@
-"""The flags of a structure, and what they and a case file describe."""
+"""The flags of a structure, and what they and a case file describe; the modes wanted."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..about import PREFIX, CommandAbout, Given, Output, flag
-from ..problems import Problem
+from ..problems import Problem, as_problems
 
 if TYPE_CHECKING:
     from nonsmooth.solver.space.attached import Attached
+    from nonsmooth.solver.space.modes import Modes
     from nonsmooth.solver.space.structure import Structure
 
 
@@ -61,3 +62,38 @@ def attached_from(given: "Given[Structure]") -> "Attached":
 def _as_flag(error: str) -> str:
     name, colon, rest = error.partition(": ")
     return f"{flag(name)}{colon}{rest}" if colon and " " not in name else error
+
+
+#: What asks for every expansion.
+ALL = "all"
+
+
+def compute(attached: "Attached", wanted: dict[str, Any]) -> "list[Modes]":
+    """Return the modes by the method that is wanted, or by each.
+
+    A `Problem` is raised if there are none such; with status 1 if no order is within the
+    tolerance.
+    """
+    from nonsmooth.solver.space.expansions.methods import METHODS
+    from nonsmooth.solver.space.modes import modes
+    from nonsmooth.solver.space.tolerance import ToleranceNotMet
+
+    given = {name: value for name, value in wanted.items() if value is not None}
+    methods = METHODS if given.get("method") == ALL else (given.get("method"),)
+    given.pop("method", None)
+    forced = given.pop("forced", None)
+    found = []
+    for method in methods:
+        arguments = given | ({} if method is None else {"method": method})
+        if forced is not None and (len(methods) == 1 or method == "ritz-ck"):
+            arguments["forced"] = forced
+        try:
+            with as_problems():
+                found.append(modes(attached, **arguments))
+        except Problem as problem:
+            if isinstance(problem.__cause__, ToleranceNotMet):
+                raise Problem(str(problem), 1) from problem
+            if str(problem).startswith("--method"):
+                raise Problem(f"{problem}; or {ALL}") from problem
+            raise
+    return found

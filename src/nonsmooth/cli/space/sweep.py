@@ -9,7 +9,7 @@ from ..about import Given, Output
 from ..output import PICTURES, drawn_by, write_result
 from ..problems import PLURAL, Problem, as_problems
 from ..progress import progress
-from ..values.orders import parse_orders
+from ..values import parse_orders
 from .options import attached_from, command_of
 
 if TYPE_CHECKING:

@@ -1,13 +1,98 @@
-"""``--vary NAME=FROM:TO:POINTS``: what varies, from where to where, at how many points."""
+"""What is written on the command line for numbers: orders, times, ranges."""
 
 import math
-from collections.abc import Callable, Collection
+import re
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Generic, TypeVar
 
-from ..problems import Problem
-from .orders import is_whole
+from .problems import Problem
+
+#: Most figures of a whole number.
+MOST_FIGURES = 18
+
+
+def is_whole(text: str) -> bool:
+    """Return whether `text` is a whole number, and of a length that makes sense."""
+    return text.isdecimal() and len(text) <= MOST_FIGURES
+
+
+def parse_orders(text: str) -> list[int]:
+    """Return the orders that `text` names, ascending, each once.
+
+    A `Problem` is raised if a part is neither a number nor a range from a lower to a higher
+    one.
+
+    Examples
+    --------
+    >>> parse_orders("1-4,10")
+    [1, 2, 3, 4, 10]
+    >>> parse_orders("10,100,...,10000")
+    [10, 100, 1000, 10000]
+    """
+    orders: set[int] = set()
+    parts = [part.strip() for part in text.split(",")]
+    for index, part in enumerate(parts):
+        if part == "...":
+            orders.update(_between(parts[:index][-2:], parts[index + 1 :][:1], text))
+        else:
+            orders.update(_range(part, text))
+    return sorted(orders)
+
+
+def _between(before: list[str], after: list[str], text: str) -> Iterable[int]:
+    """Return the orders that ``...`` stands for: by the factor of the two before it."""
+    neighbours = [*before, *after]
+    expected = 'expected "..." between numbers a, b and c, where b/a multiplies on to c'
+    problem = Problem(f"--orders: got {text!r}, {expected}")
+    if len(neighbours) != 3 or not all(map(is_whole, neighbours)):
+        raise problem
+    first, second, last = map(int, neighbours)
+    factor = second // first if first else 0
+    if factor < 2 or factor * first != second:
+        raise problem
+    orders = []
+    while second < last:
+        orders.append(second)
+        second *= factor
+    if second != last:
+        raise problem
+    return orders
+
+
+def _range(part: str, text: str) -> Iterable[int]:
+    expected = "expected numbers from 1 and ranges, like 1-40 or 1,3,10-20"
+    first, dash, last = part.partition("-")
+    if not (is_whole(first) and (is_whole(last) or not dash)):
+        raise Problem(f"--orders: got {text!r}, {expected}")
+    low, high = int(first), int(last or first)
+    if low < 1:
+        raise Problem(f"--orders: got {text!r}, expected orders not below 1")
+    if high < low:
+        raise Problem(f"--orders: got {text!r}, expected ranges from low to high, not {part}")
+    if high - low >= 10**6:
+        raise Problem(f"--orders: got {text!r}, expected less than a million orders")
+    return range(low, high + 1)
+
+
+UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
+
+
+def parse_seconds(text: str) -> float:
+    """Return a time in seconds; a `Problem` if it is not a positive number and a unit.
+
+    Examples
+    --------
+    >>> parse_seconds("250us"), parse_seconds("1.5 ms"), parse_seconds("2s")
+    (0.00025, 0.0015, 2.0)
+    """
+    found = re.fullmatch(r"(\d+(?:\.\d*)?(?:e-?\d+)?)\s*(us|ms|s)", text.strip())
+    value = float(found[1]) * UNITS[found[2]] if found else 0.0
+    if not 0 < value < float("inf"):
+        raise Problem(f"--budget: got {text!r}, expected a time like 200us, 1ms or 2s")
+    return value
+
 
 Number = TypeVar("Number", float, Fraction)
 
@@ -100,7 +185,7 @@ def values_of(vary: Vary[Number]) -> list[Number]:
     found: list[Number] = [vary.first]
     for i in range(1, steps):
         if vary.log:
-            between = _between(float(vary.first), float(vary.last), i / steps)
+            between = _part_of_the_way(float(vary.first), float(vary.last), i / steps)
             found.append(number(repr(between)))
         else:
             found.append(vary.first + i * ((vary.last - vary.first) / steps))
@@ -108,7 +193,7 @@ def values_of(vary: Vary[Number]) -> list[Number]:
     return found
 
 
-def _between(first: float, last: float, part: float) -> float:
+def _part_of_the_way(first: float, last: float, part: float) -> float:
     """Return the number at a part of the way by a constant factor, whatever that is."""
     factor = last / first
     if 0 < factor < math.inf:

@@ -1,1 +1,0 @@
-"""What is written on the command line for numbers: orders, times, ranges."""
