@@ -6,7 +6,7 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
-from nonsmooth.codegen.space import STRUCTURES, collapse
+from nonsmooth.codegen.space import STRUCTURES, forced_modes
 from nonsmooth.codegen.space.data import lam
 
 DIGITS = 60
@@ -14,7 +14,7 @@ DIGITS = 60
 
 @cache
 def _tail(K: int) -> Any:
-    return sp.lambdify([lam, *collapse.sums(2 * K)], collapse.tail(K), "mpmath")
+    return sp.lambdify([lam, *forced_modes.sums(2 * K)], forced_modes.tail(K), "mpmath")
 
 
 class ManyDigits:

@@ -10,7 +10,6 @@ from ..expansions import hb_c1
 from ..galerkin import Times
 from ..galerkin.legendre import in_legendre
 from ..scene import Event, Parameter, Phase, Scene, a, v, x
-from .closed_forms import ClosedForm
 from .runtime import (
     fourier,
     harmonics,
@@ -20,7 +19,7 @@ from .runtime import (
     orthogonality,
     whole_period,
 )
-from .text import functions_of, module_text
+from .text import ClosedForm, functions_of, module_text
 from .whole_period import called
 from .whole_period import closed_forms as of_harmonics
 

@@ -13,11 +13,10 @@ from .. import expansions
 from ..galerkin.legendre import Moments, PhaseSeries, l
 from ..galerkin.legendre import n as degree
 from ..galerkin.polynomials import Rest
-from ..galerkin.weights import weights
+from ..galerkin.terms import weights
 from ..scene import LinearPhase
-from .closed_forms import ClosedForm
 from .runtime import joints, moments, phases, polynomials
-from .text import functions_of, module_text
+from .text import ClosedForm, functions_of, module_text
 
 DOCUMENT = '''"""Motions that are polynomials on each phase: {methods}, for any scene.
 

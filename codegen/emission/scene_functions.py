@@ -9,8 +9,8 @@ from ..python_text import python
 from ..scene import Phase, Scene, forcing, linear_phase, state_row, v, x
 from ..scene.bodies.body import Body, force
 from ..scene.bodies.law import form, law_rows, place
-from ..scene.extremes import at_extremes
 from ..scene.linear import without_modulus
+from ..scene.parameters import at_extremes
 from ..scene.scales import scales
 
 

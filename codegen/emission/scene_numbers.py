@@ -10,7 +10,7 @@ from .. import expansions
 from ..python_text import digest, math_names
 from ..scene import Parameter, Scene, switches
 from ..scene.bodies.body import Body
-from ..scene.memory import power_of_time
+from ..scene.parameters import power_of_time
 from ..scene.smoothness import classes_of
 from ..scene.units import dimension_of
 from .scene_functions import Function, extremes, guess, of_phases, start, whole, words_of

@@ -13,16 +13,15 @@ import sympy as sp
 
 from ..expansions import hb, hb_ck
 from ..galerkin import Times
+from ..galerkin.condition import cycles, phi
 from ..galerkin.harmonics import Harmonics, a, b, j, n
 from ..galerkin.legendre import integrated, l
-from ..galerkin.times import cycles, phi
-from ..galerkin.weights import weights
+from ..galerkin.terms import weights
 from ..scene import Event, Parameter, Phase, Scene, forcing, v, x
 from ..scene import a as acceleration
 from ..scene.smoothness import HIGHEST
-from .closed_forms import ClosedForm
 from .runtime import breaking, fourier, harmonics, joints, moments, orthogonality, whole_period
-from .text import functions_of, module_text
+from .text import ClosedForm, functions_of, module_text
 
 DOCUMENT = '''"""Motions that are one series over the period: `hb` and `hb-ck`, for any scene.
 

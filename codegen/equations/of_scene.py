@@ -9,10 +9,20 @@ from ..scene import Scene
 from ..scene.scales import scales
 from ..scene.smoothness import place
 from ..system import Equation
-from .equation_of_motion import balanced, during, equation_of_motion, not_negative
 from .functions import T, state, t, x
 from .notation import Notation
-from .switching import at_the_end, event, jump, law, perturbations, set_to
+from .switching import (
+    at_the_end,
+    balanced,
+    during,
+    equation_of_motion,
+    event,
+    jump,
+    law,
+    not_negative,
+    perturbations,
+    set_to,
+)
 
 ORDINAL = {1: "first", 2: "second", 3: "third"}
 

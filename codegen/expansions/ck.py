@@ -8,10 +8,10 @@ belong to this weight.
 
 import sympy as sp
 
-from ..expansion import About
 from ..galerkin import GalerkinConditions, polynomials
 from ..galerkin.legendre import repeated_integral
 from ..scene import Scene
+from . import About
 
 METHOD = "ck"
 TITLE = "functions of class C^k, tested with themselves"

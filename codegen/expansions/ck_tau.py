@@ -7,10 +7,10 @@ method of Lanczos), not the functions themselves: then the times converge about 
 
 import sympy as sp
 
-from ..expansion import About
 from ..galerkin import GalerkinConditions, polynomials
 from ..galerkin.bodies import BodyConditions, series
 from ..scene import Scene
+from . import About
 
 METHOD = "ck-tau"
 KERNEL = "ck"

@@ -9,13 +9,13 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.bodies import BodyConditions
 from ..galerkin.bodies import harmonics as of_forces
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, angle, b, equations, j, n
 from ..scene import Scene, Switch, switches, v
+from . import About
 
 METHOD = "hb"
 KERNEL = "hb"

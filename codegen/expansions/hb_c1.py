@@ -15,12 +15,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.condition import N
 from ..galerkin.harmonics import Harmonics, a, a0, b, equations, n
 from ..scene import Scene, switches
-from . import hb
+from . import About, hb
 
 METHOD = "hb-c1"
 KERNEL = "hb_c1"

@@ -19,13 +19,12 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ..expansion import About
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.bodies import BodyConditions
 from ..galerkin.bodies import harmonics as of_forces
 from ..galerkin.harmonics import Harmonics, equations, j
 from ..scene import Scene, Switch, switches, v
-from . import hb
+from . import About, hb
 
 METHOD = "hb-ck"
 KERNEL = "hb"

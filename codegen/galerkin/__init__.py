@@ -5,7 +5,6 @@ the rows in closed form with symbolic indices: orthogonality, continuity at the 
 events, period.  Every row is linear in the coefficients.
 """
 
-from .condition import Block, Condition, GalerkinConditions
-from .times import Times, cycles
+from .condition import Block, Condition, GalerkinConditions, Times, cycles
 
 __all__ = ["Block", "Condition", "GalerkinConditions", "Times", "cycles"]

@@ -8,8 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 import sympy as sp
 
 from ..scene import Scene, Switch, forcing, v, x
-from .condition import Block, Condition
-from .times import Times
+from .condition import Block, Condition, Times
 
 #: ``(phase, order)``: a derivative of the displacement at an end of a phase.
 End = Callable[[int, int], sp.Expr]

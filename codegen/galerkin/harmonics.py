@@ -13,7 +13,7 @@ import sympy as sp
 from sympy.simplify.fu import TR8
 
 from ..scene import LinearPhase, Scene, linear_phase
-from .times import Times, cycles, phi
+from .condition import Times, cycles, phi
 
 n, j = sp.symbols("n j", integer=True, positive=True)
 angle = sp.Symbol("angle", real=True)

@@ -17,9 +17,8 @@ import sympy as sp
 
 from ..scene import Phase, Scene, Switch, linear_phase, switches
 from . import closure
-from .condition import Block, Condition, GalerkinConditions, N
+from .condition import Block, Condition, GalerkinConditions, N, Times
 from .legendre import Moments, PhaseSeries, l
-from .times import Times
 
 #: ``test(l, k)``: the test function of index l on a phase that begins C^k, as weights of
 #: shifted Legendre polynomials by their degree.

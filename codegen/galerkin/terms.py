@@ -1,13 +1,12 @@
-"""A condition as linear terms: what is multiplied by which unknown."""
+"""A condition, or an expression, as linear terms: what is multiplied by which unknown."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
 
 from .condition import Block, Condition
-from .weights import weights
 
 
 @dataclass(frozen=True)
@@ -91,3 +90,31 @@ def _unknowns(expression: sp.Expr, block: Block) -> list[sp.Expr]:
         return [block.symbol] if expression.has(block.symbol) else []
     there = [q for q in expression.atoms(sp.Indexed) if q.base == block.symbol]
     return sorted(there, key=lambda q: sp.default_sort_key(q.indices[0]))
+
+
+def weights(expression: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
+    """Return what multiplies each symbol that is there, and the rest as that of 1.
+
+    A `ValueError` is raised if the expression is not linear in the symbols.
+    """
+    found: dict[sp.Expr, list[sp.Expr]] = {}
+    for part in sp.Add.make_args(expression):
+        for symbol, weight in _of_product(part, symbols).items():
+            found.setdefault(symbol, []).append(weight)
+    return {symbol: sp.Add(*parts) for symbol, parts in found.items()}
+
+
+def _of_product(part: sp.Expr, symbols: Collection[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
+    if part in symbols:
+        return {part: sp.S.One}
+    if not part.free_symbols.intersection(symbols):
+        return {sp.S.One: part}
+    if part.is_Mul:
+        linear = [q for q in part.args if q.free_symbols.intersection(symbols)]
+        if len(linear) == 1:
+            rest = sp.Mul(*(q for q in part.args if q is not linear[0]))
+            inner = weights(linear[0], symbols)
+            return {symbol: rest * weight for symbol, weight in inner.items()}
+    elif part.is_Add:
+        return weights(part, symbols)
+    raise ValueError(f"{part}: not linear")

@@ -9,10 +9,8 @@ from .bodies.law import laws
 from .data import STATE_UNITS, Phase, SceneData, forcing, v, x
 from .entries import check_entries
 from .error import SceneError, named
-from .extremes import check_extremes
-from .memory import check_memory
 from .names import COMMANDS, check_called, check_name
-from .parameters import check_parameters
+from .parameters import check_extremes, check_memory, check_parameters
 from .phases import Units, check_neighbours, check_phase, check_same_units
 from .scales import scales
 from .smoothness import switches

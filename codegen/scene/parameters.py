@@ -1,14 +1,15 @@
-"""What is checked of the parameters of a scene."""
+"""What is checked of the parameters of a scene, its memory, and the extremes it names."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from .data import STATE_UNITS, Parameter
+from .data import STATE_UNITS, Memory, Parameter, SceneData, a, forcing, t
 from .error import SceneError, named
+from .linear import state_row
 from .names import TAKEN, check_meaning, check_name
-from .units import dimension_of
+from .units import Dimension, balance, dimension_of, spelled
 
 
 def check_parameters(parameters: Sequence[Parameter], phases: Sequence[str]) -> None:
@@ -59,3 +60,111 @@ def bounds(parameter: Parameter) -> str:
     low = "above 0" if symbol.is_positive else "0 or more" if symbol.is_nonnegative else ""
     high = "" if parameter.most is None else f"at most {parameter.most:g}"
     return "a number " + " and ".join(filter(None, (low, high))) if low or high else "a number"
+
+
+def check_memory(
+    scene: SceneData, units: Mapping[sp.Symbol, Dimension]
+) -> dict[sp.Symbol, Dimension]:
+    """Check the memory of a scene, and return the unit of each.
+
+    A `SceneError` names the field that is wrong.
+    """
+    found: dict[sp.Symbol, Dimension] = {}
+    for memory in scene.memory:
+        field = f"memory {memory.symbol}"
+        _check_remembered(field, memory, scene, {*units, *found})
+        names = [phase.name for phase in scene.phases]
+        if memory.at not in names:
+            raise SceneError(
+                f"{field}: at: got {memory.at!r}, expected one of {', '.join(names)}"
+            )
+        with named(f"{field}: value"):
+            found[memory.symbol] = _unit_of(memory, scene, units)
+    return found
+
+
+def power_of_time(scene: SceneData, memory: Memory) -> int:
+    """Return the p of the unit of a memory, a length over a time to the power p."""
+    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
+    units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
+    return -int(balance(sp.expand(memory.value), units)[2])
+
+
+def _check_remembered(
+    field: str, memory: Memory, scene: SceneData, taken: set[sp.Symbol]
+) -> None:
+    symbol = memory.symbol
+    if symbol != sp.Symbol(symbol.name, real=True):
+        raise SceneError(f"{field}: symbol: got other assumptions, expected real=True")
+    check_name(f"{field}: symbol", symbol.name)
+    if symbol.name in {other.name for other in taken}:
+        raise SceneError(f"{field}: symbol: there is another symbol of that name")
+    check_meaning(f"{field}: symbol", symbol.name, [phase.name for phase in scene.phases])
+
+
+def _unit_of(
+    memory: Memory, scene: SceneData, units: Mapping[sp.Symbol, Dimension]
+) -> Dimension:
+    value = sp.sympify(memory.value)
+    if value.has(t, a):
+        raise SceneError(f"got {value}, expected x, v, forcing and parameters")
+    if value.has(forcing) and scene.frequency is None:
+        raise SceneError("it has forcing, but the scene has no frequency")
+    if value.free_symbols <= {*units} - {*STATE_UNITS}:
+        raise SceneError(f"{value} depends on neither x, v nor forcing")
+    unit = balance(sp.expand(value), units)
+    state_row(value, f"memory {memory.symbol}: value")
+    mass, length, time = unit
+    if mass != 0 or length != 1 or time > 0 or time.denominator != 1:
+        raise SceneError(f"it is in {spelled(unit)}, expected m, m/s, m/s^2, ...")
+    return unit
+
+
+def check_extremes(scene: SceneData) -> None:
+    """Check that each extreme gives parameters of the scene values that they may have.
+
+    A `SceneError` names the first that does not.
+    """
+    if not isinstance(scene.extremes, Mapping):
+        raise SceneError("extremes: expected a mapping {words: {symbol: value}}")
+    units = {symbol: dimension_of(unit) for symbol, unit in STATE_UNITS.items()}
+    units |= {q.symbol: dimension_of(q.unit) for q in scene.parameters}
+    of_symbol = {q.symbol: q for q in scene.parameters}
+    defaults = {q.symbol: q.default for q in scene.parameters}
+    for words, values in scene.extremes.items():
+        with named(f"extremes {words!r}"):
+            if not (isinstance(words, str) and isinstance(values, Mapping) and values):
+                raise SceneError("expected text, and a mapping {symbol: value}")
+            for symbol, value in values.items():
+                if symbol not in of_symbol:
+                    raise SceneError(f"{symbol} is not a parameter of the scene")
+                expression = _expression(value)
+                strange = sorted(expression.free_symbols - set(of_symbol), key=str)
+                if strange:
+                    raise SceneError(f"{strange[0]} is not a parameter of the scene")
+                if not expression.is_number:  # a number is in SI
+                    unit = balance(expression, units)
+                    if unit != dimension_of(of_symbol[symbol].unit):
+                        raise SceneError(
+                            f"{symbol} is set to {value}, which is in {spelled(unit)}, "
+                            f"expected {of_symbol[symbol].unit}"
+                        )
+                at_defaults = complex(expression.subs(defaults))
+                if at_defaults.imag or not within(of_symbol[symbol], at_defaults.real):
+                    raise SceneError(
+                        f"{symbol} is {value} of the default parameters, "
+                        f"expected {bounds(of_symbol[symbol])}"
+                    )
+
+
+def _expression(value: object) -> sp.Expr:
+    try:
+        return sp.sympify(value, strict=True)
+    except sp.SympifyError:
+        raise SceneError(f"got {value!r}, expected a number or an expression") from None
+
+
+def at_extremes(scene: SceneData) -> Iterator[tuple[sp.Expr, ...]]:
+    """Yield all parameters in their order at each extreme; others keep their symbols."""
+    for values in scene.extremes.values():
+        yield tuple(sp.sympify(values.get(symbol, symbol)) for symbol in scene.symbols)

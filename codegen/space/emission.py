@@ -6,9 +6,9 @@ from collections.abc import Iterable
 import sympy as sp
 from sympy.codegen.cfunctions import expm1
 
-from ..emission.closed_forms import ClosedForm, function_source
+from ..emission.text import ClosedForm, function_source
 from ..python_text import digest
-from . import collapse, forced_modes, green, matching, series
+from . import forced_modes, green, matching, series
 from .data import Structure, a, b, beta, x
 from .structures import STRUCTURES
 
@@ -180,7 +180,7 @@ def _record(structure: Structure) -> str:
         "broken": structure.broken,
         "kind": structure.kind,
         "jump": structure.jump_of_load,
-        "rates": tuple(collapse.rate(structure, K) for K in range(forced_modes.MOST + 1)),
+        "rates": tuple(forced_modes.rate(structure, K) for K in range(forced_modes.MOST + 1)),
     }
     lines = "".join(f"        {name!r}: {value!r},\n" for name, value in fields.items())
     rows = (

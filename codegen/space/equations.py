@@ -6,7 +6,7 @@ from functools import partial
 import sympy as sp
 
 from ..system import Equation, Inner, Section
-from . import collapse, forced_modes, green, matching, series
+from . import forced_modes, green, matching, series
 from .data import Structure, a, beta, lam, s, x
 from .structures import structure_named
 
@@ -160,7 +160,7 @@ def _ritz(structure: Structure) -> Iterator[Equation]:
 
 
 def _rate(structure: Structure, K: int) -> Iterator[Equation]:
-    power = collapse.rate(structure, K)
+    power = forced_modes.rate(structure, K)
     forced = f" with {K} forced mode{'s' if K > 1 else ''}" if K else ""
     words = f"the error of the eigenvalue{forced} falls like"
     yield line(words, (N ** sp.Integer(-power),))
@@ -208,8 +208,8 @@ def _tails(structure: Structure, K: sp.Symbol) -> Iterator[Equation]:
     tail = sp.Function("t_K")(lam)
     yield line("all conditions as one equation", (_scalar(structure, N, tail), zero))
     shift = 2 if structure.kind == "compliance" else 0
-    names = {old: left_over[q + 1 + shift] for q, old in enumerate(collapse.sums(2))}
-    one = collapse.tail(1).subs(names, simultaneous=True)
+    names = {old: left_over[q + 1 + shift] for q, old in enumerate(forced_modes.sums(2))}
+    one = forced_modes.tail(1).subs(names, simultaneous=True)
     words = "tail of two forced modes" if shift else "tail of one forced mode"
     yield line(words, (sp.Function("t_2" if shift else "t_1")(lam), one))
     series_ = sp.Sum(lam ** (i - 1) * left_over[i + shift], (i, 1, 2 * K - shift))

@@ -6,6 +6,11 @@ of the bare structure, ``g_q = sum of r_n/mu_n^q phi_n`` with ``r_n = phi_n^(j)(
 
 Input: a structure.  Output: polynomials on each side of `a`, and the sums of
 ``r_n^2/mu_n^q``, which are Bernoulli polynomials of `a`.
+
+With the tails ``t_q = g_q`` less its first N sines, the matrices are diagonal but for a block
+of the sums ``s_q`` of ``r_n^2/mu_n^q`` over ``n > N``, and the attachment has rank one: what is
+left of the determinant is a scalar equation in the receptance, with the tail of it for `K`
+forced modes.
 """
 
 from functools import cache
@@ -13,7 +18,7 @@ from functools import cache
 import sympy as sp
 
 from ..system import DerivationError, require_zero
-from .data import Structure, a, x
+from .data import Structure, a, lam, x
 
 #: Forced modes that are emitted: the third leaves no more than rounding of low modes.
 MOST = 3
@@ -104,3 +109,46 @@ def by_bernoulli(structure: Structure, q: int) -> sp.Expr:
     unit = sp.Integer((-1) ** (p + 1) * 2 ** (2 * p)) / (2 * sp.factorial(2 * p))
     sign = -1 if structure.felt % 2 == 0 else 1
     return unit * (sp.bernoulli(2 * p) + sign * sp.bernoulli(2 * p, a))
+
+
+def sums(count: int) -> tuple[sp.Symbol, ...]:
+    """Return the symbols ``s_1, ..., s_count``."""
+    return tuple(sp.symbols(f"s_1:{count + 1}", positive=True))
+
+
+def tail(K: int) -> sp.Expr:
+    """Return what `K` forced modes make of the sum of ``r_n^2/(mu_n - lambda)`` over ``n > N``.
+
+    ``e^T (H_K - lambda H_M)^(-1) e`` with ``(H_K)_pq = s_(p+q-1)``, ``(H_M)_pq = s_(p+q)``,
+    ``e_q = s_q``: the Schur complement of the block.  Checked to be the ``[K-1/K]`` Pade
+    approximant: its Taylor series has the first ``2 K`` sums as coefficients.
+    """
+    if K == 0:
+        return sp.Integer(0)
+    s = sums(2 * K)
+    block = sp.Matrix(K, K, lambda p, q: s[p + q] - lam * s[p + q + 1])
+    load = sp.Matrix(s[:K])
+    adjugate = block.adjugate()
+    numerator = sp.expand((load.T * adjugate * load)[0, 0])
+    denominator = sp.expand(block.det(method="berkowitz"))
+    _check_pade(numerator, denominator, s)
+    return numerator / denominator
+
+
+def _check_pade(numerator: sp.Expr, denominator: sp.Expr, s: tuple[sp.Symbol, ...]) -> None:
+    """Check that the difference from the series begins at ``lambda^(2K)``."""
+    series = sum(each * lam**power for power, each in enumerate(s))
+    difference = sp.Poly(sp.expand(numerator - denominator * series), lam)
+    require_zero(
+        (f"moment {power + 1} of the tail", difference.coeff_monomial(lam**power))
+        for power in range(len(s))
+    )
+
+
+def rate(structure: Structure, K: int) -> int:
+    """Return the power of ``1/N`` of the error of an eigenvalue.
+
+    The broken derivative ``p`` jumps, so sines leave ``N^-(2p + 1 - 2m)``; each forced mode
+    takes another jump away, ``2m`` derivatives up, which adds ``4m``.
+    """
+    return 2 * structure.broken + 1 - 2 * structure.m + 4 * structure.m * K

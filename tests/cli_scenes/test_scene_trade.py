@@ -7,7 +7,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import nonsmooth as ns
-from nonsmooth.plots.trade import trade_figure
+from nonsmooth.plots.sweeps import trade_figure
 from nonsmooth.solver.kernels.registry import load
 from nonsmooth.solver.scenes.methods import EXACT
 from nonsmooth.solver.trade import budget as budgets

@@ -13,9 +13,14 @@ import nonsmooth as ns
 from nonsmooth.report.pictures import figure
 from nonsmooth.report.scenes import collected, gallery
 from nonsmooth.report.scenes import scene_figures as figures
-from nonsmooth.report.scenes.collected import Collected, collect, overshoot
+from nonsmooth.report.scenes.collected import (
+    Collected,
+    collect,
+    overshoot,
+    rate_of_jump,
+    rate_of_times,
+)
 from nonsmooth.report.scenes.scene_page import GIBBS, multipliers, page
-from nonsmooth.report.scenes.theory import rate_of_jump, rate_of_times
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 from nonsmooth.solver.stability.stability import Stability
 

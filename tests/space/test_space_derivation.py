@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from known import NAMES, attached
 
-from nonsmooth.codegen.space import STRUCTURES, collapse, forced_modes, green, matching, series
+from nonsmooth.codegen.space import STRUCTURES, forced_modes, green, matching, series
 from nonsmooth.codegen.space.data import a, b, beta, s, x
 from nonsmooth.codegen.space.equations import sections
 from nonsmooth.codegen.system import DerivationError
@@ -161,14 +161,14 @@ def test_tails_have_the_moments_of_what_is_left_out() -> None:
     for K in (1, 2, 3):
         pairs = list(zip(nodes[:K], weights, strict=False))
         moments = [sum(w * x**power for x, w in pairs) for power in range(1, 2 * K + 1)]
-        values = dict(zip(collapse.sums(2 * K), moments, strict=True))
+        values = dict(zip(forced_modes.sums(2 * K), moments, strict=True))
         exact = sum(w * x / (1 - lam * x) for x, w in pairs)
-        found = collapse.tail(K).subs(values)
+        found = forced_modes.tail(K).subs(values)
         assert sp.simplify(found.subs(lam, 2) - exact.subs(lam, 2)) == 0
 
 
 def test_rates_by_class_and_forced_modes() -> None:
-    rates = {name: [collapse.rate(STRUCTURES[name], K) for K in range(4)] for name in NAMES}
+    rates = {name: [forced_modes.rate(STRUCTURES[name], K) for K in range(4)] for name in NAMES}
     assert rates["beam-rotational-spring"] == [1, 9, 17, 25]
     assert rates["beam-mass"] == [3, 11, 19, 27]
     assert rates["beam-crack"][1:] == [7, 15, 23]

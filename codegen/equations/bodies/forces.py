@@ -10,7 +10,7 @@ from ...galerkin.bodies.contacts import Contacts, L, j, pole
 from ...system import Equation
 from ..functions import t
 from ..notation import Notation
-from .signals import at, displacement, force
+from .of_body import at, displacement, force
 
 #: State of a pole.
 z = sp.Function("z_j")

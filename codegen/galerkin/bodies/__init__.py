@@ -5,6 +5,6 @@ what the poles of the body answer, events, impulses, memory, period; and the tab
 look up.  No matrix of the body is in it: it is poles, and what the contacts see of them.
 """
 
-from .record import BodyConditions, Table
+from ..condition import BodyConditions, Table
 
 __all__ = ["BodyConditions", "Table"]

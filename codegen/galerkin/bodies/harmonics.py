@@ -11,10 +11,8 @@ from collections.abc import Iterator
 import sympy as sp
 
 from ...scene import Scene
-from ..condition import Block, Condition
-from ..times import cycles, phi
+from ..condition import Block, BodyConditions, Condition, Table, cycles, phi
 from . import joints
-from .record import BodyConditions, Table
 from .tables import tables
 from .terms import Function, T, Terms, beta, m, n, omega_0, t
 

@@ -6,8 +6,7 @@ import sympy as sp
 
 from ...scene import Scene
 from .. import closure
-from ..condition import Block, Condition
-from ..times import Times
+from ..condition import Block, Condition, Times
 from .contacts import Contacts, dot
 
 #: ``(phase, at_end)``: what forms are of there, the forces 0.

@@ -11,12 +11,10 @@ import sympy as sp
 from ...scene import Scene
 from ...system import ShiftedLegendre
 from .. import force_series
-from ..condition import Block, Condition, N
+from ..condition import Block, BodyConditions, Condition, N, Table, Times
 from ..force_series import kappa
-from ..times import Times
 from . import joints
 from .contacts import Contacts, dot, j, pole
-from .record import BodyConditions, Table
 
 m, n = sp.symbols("m n", integer=True, nonnegative=True)
 

@@ -6,8 +6,8 @@ from functools import cache
 import sympy as sp
 
 from .. import force_harmonics
+from ..condition import Table
 from .contacts import L, j, pole
-from .record import Table
 from .terms import Terms, beta, l, m, n, omega_0, rho, t, u
 
 

@@ -6,8 +6,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from ...scene import Scene, switches
-from ..condition import N
-from ..times import Times
+from ..condition import N, Times
 from . import joints
 from .contacts import Contacts, j, pole
 

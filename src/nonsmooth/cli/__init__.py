@@ -17,6 +17,7 @@ from typing import Any, NoReturn
 import click
 
 from . import equations, paper
+from .about import no_such_option
 from .generate import generate
 from .named import SCENES, STRUCTURES, NamedCommand
 from .problems import Problem, print_warnings, say
@@ -24,7 +25,6 @@ from .scenes import simulate as simulation
 from .scenes.named import EXAMPLE
 from .scenes.shown import listing
 from .space import modes
-from .suggest import no_such_option
 from .version import show_version
 
 EXAMPLES = """\b

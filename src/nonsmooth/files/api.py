@@ -6,17 +6,23 @@ Numbers are in SI units, and every file says with which version and which mathem
 made.
 """
 
-from collections.abc import Mapping
+import reprlib
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeAlias
+
+from nonsmooth.solver.results.branch import Branch
+from nonsmooth.solver.results.chart import Chart
+from nonsmooth.solver.results.family import Family
+from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.results.sweep import Sweep
 
 from ..whole import whole
 from . import csv_rows, documents
 from .file_errors import FileError, other_kind, refused
 from .json_text import check_digest, parsed, sealed
 from .restore_orbits import result_in
-from .savable import kind_of
 
 #: An orbit, a sweep or a family of any oscillator, modes; or several orbits or modes.
 Savable: TypeAlias = Any
@@ -138,3 +144,37 @@ def _restored(path: Path, document: Mapping[str, Any], scene: object) -> Loaded:
         if "scene" in document:
             return result_in(path, document, scene)
         raise other_kind(path)
+
+
+def kind_of(thing: Any) -> tuple[str, Sequence[Any]]:
+    """Return the kind of what is to be saved, and its results: one, or several.
+
+    A `TypeError` is raised if it is not a result, or not one that is saved.
+
+    Returns
+    -------
+    {"orbits", "sweep", "family", "branch", "map", "modes", "shapes"}, sequence
+    """
+    from nonsmooth.solver.space.mode import Shapes  # noqa: PLC0415
+    from nonsmooth.solver.space.modes import Modes  # noqa: PLC0415  (SciPy)
+
+    alone = {Sweep: "sweep", Chart: "map", Branch: "branch", Family: "family", Shapes: "shapes"}
+    for each, kind in alone.items():
+        if isinstance(thing, each):
+            return kind, [thing]
+    several: Any = [thing] if isinstance(thing, Orbit | Modes) else thing
+    if _all_are(several, Orbit):
+        return "orbits", several
+    if _all_are(several, Modes) and len({found.structure for found in several}) == 1:
+        return "modes", several
+    kinds = (
+        "an orbit, a branch, a family, a map, modes, their shapes, a sweep, or a sequence of "
+        "orbits or modes"
+    )
+    raise TypeError(f"thing: got {reprlib.repr(thing)}, expected {kinds}")
+
+
+def _all_are(things: Any, kind: type) -> bool:
+    """Return whether it is a sequence, not empty, of things of one kind."""
+    several = isinstance(things, Sequence) and not isinstance(things, str) and len(things) > 0
+    return several and all(isinstance(thing, kind) for thing in things)

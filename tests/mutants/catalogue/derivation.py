@@ -56,7 +56,7 @@ MUTANTS = (
     ),
     Mutant(
         "half a period as long as one of the forcing",
-        "codegen/galerkin/times.py",
+        "codegen/galerkin/condition.py",
         "turns = sp.pi if self.sign == -1 else 2 * sp.pi",
         "turns = 2 * sp.pi",
         (f"{SIDES}[elastic-plastic-ck-tau]",),

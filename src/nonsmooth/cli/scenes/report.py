@@ -39,7 +39,7 @@ def run(said: str, given: "Given[LoadedScene]", output: Path) -> int:
     for library in ("matplotlib", "jinja2"):
         need(library, "report", "report")
     case = case_from(given)
-    from nonsmooth.report.scenes.scene_report import FILES, build, count
+    from nonsmooth.report.scenes.scene_page import FILES, build, count
     from nonsmooth.solver.exact import exact_orbit
     from nonsmooth.solver.no_orbit import NoOrbit
 

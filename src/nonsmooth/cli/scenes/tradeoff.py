@@ -59,5 +59,5 @@ def run(given: "Given[LoadedScene]", json_: bool, output: Path | None) -> int:
         tables.trade(result)
         also = " or of the phase of the forcing" if case.scene.frequency else ""
         click.echo("\n" + LEGEND.format(and_phase=also))
-    write_result(output, text, drawn_by("trade.trade_figure", result))
+    write_result(output, text, drawn_by("sweeps.trade_figure", result))
     return 0

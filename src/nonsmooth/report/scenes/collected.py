@@ -1,5 +1,6 @@
 """All numbers of the page on one oscillator: orbits, errors, rates, overshoots."""
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -163,3 +164,25 @@ def overshoot(orbit: Orbit, exact: Motion) -> float:
     order = exact.case.cell.k + 1
     beyond = derivative(orbit, p, u, order) - derivative(exact, p, u, order)
     return float(np.max(beyond / sizes[p]))
+
+
+def rate_of_times(case: Case, functions: int) -> int:
+    """Return the power of 1/N with which the times of a series with K functions converge.
+
+    The least over the switches, each with its own class; `functions` is 0 of a plain Fourier
+    series.
+    """
+    found, phases = [], case.cell.phases
+    for p, phase in enumerate(phases):
+        k = case.scene.classes[(p + 1) % len(phases)]
+        by_displacement = phase.event[0] != 0
+        smooth = phase.rho == 1 and phase.d == 0
+        r = 0 if by_displacement and smooth else 1
+        q = k + functions + 2 - r
+        found.append(2 * math.ceil(q / 2) - 1)
+    return int(min(found))
+
+
+def rate_of_jump(case: Case, functions: int) -> float:
+    """Return the power of 1/N with which the derivative that jumps converges in L2."""
+    return min(functions + 0.5, float(rate_of_times(case, functions)))

@@ -14,10 +14,9 @@ from nonsmooth.solver.scenes.methods import about
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.style import SETTINGS
 
-from .collected import Collected, collect, overshoot, ways
+from .collected import Collected, collect, overshoot, rate_of_times, ways
 from .scene_figures import FIGURES
 from .scene_page import rates
-from .theory import rate_of_times
 
 
 def page_of(case: Case, done: Callable[[str], None] = lambda what: None) -> Collected:

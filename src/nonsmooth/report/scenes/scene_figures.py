@@ -18,9 +18,8 @@ from nonsmooth.solver.scenes.methods import about
 from nonsmooth.style import EXACT
 
 from ..pictures import ABOVE, Draw, legend
-from .collected import Collected, Way
+from .collected import Collected, Way, rate_of_jump, rate_of_times
 from .sketches import SKETCHES, sketch
-from .theory import rate_of_jump, rate_of_times
 
 #: Points of a phase at which the derivative that jumps is drawn.
 POINTS = 800

@@ -1,7 +1,9 @@
 """The page on one oscillator: what was computed, put into the template."""
 
 import cmath
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 from nonsmooth.codegen import equations as derived
@@ -10,14 +12,16 @@ from nonsmooth.described.scene_document import document
 from nonsmooth.solver.accuracy.rates import rate
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.kernels.registry import mathematics, methods
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
 from nonsmooth.solver.stability.in_words import in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 
 from ..checks.fourier import GIBBS
 from ..html import filled, folded, inline
-from .collected import Collected, overshoot
-from .scene_figures import FIGURES, theory
+from ..pictures import figure, files, write_all
+from .collected import Collected, collect, overshoot, steps
+from .scene_figures import FIGURES, figures_of, theory
 
 #: The errors of an orbit that the page has.
 ERRORS = ("times", "discontinuous")
@@ -151,3 +155,39 @@ def _errors(found: Collected) -> list[dict[str, str]]:
         for way, curve in found.curves.items()
         if curve
     ]
+
+
+#: Every file that there may be in a report on a scene.
+FILES = files(FIGURES)
+
+
+def count(case: Case) -> int:
+    """Return how often progress is told: the orbits, the equations, the pictures, the page."""
+    return steps(case) + 1 + len(FIGURES) + 1
+
+
+def build(
+    case: Case, exact: ExactOrbit, source: str, folder: Path, done: Callable[[str], None]
+) -> None:
+    """Write the report on a case into an empty folder.
+
+    Parameters
+    ----------
+    case : Case
+        The oscillator.
+    source : str
+        The name of its scene, or the path of its file: its equations are derived from it.
+    exact : ExactOrbit
+        Its exact orbit.
+    folder : Path
+        An empty folder.
+    done : callable
+        Called with what has just been done, in words.
+    """
+    found = collect(case, exact, done)
+    equations = equations_of(source)
+    done("equations")
+    figures = {name: partial(figure, draw, found) for name, draw in figures_of(found).items()}
+    pictures = write_all(figures, folder, done)
+    (folder / "index.html").write_text(page(found, pictures, equations), "utf-8")
+    done("index.html")
