@@ -38,8 +38,6 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
     """SymPy's drawing with the paper's symbols, and sums and integrals three lines high."""
 
     def _name(self, label: str) -> str:
-        if self._use_unicode and label.startswith("R_"):
-            return f"R{f'({label[2:]})'.translate(SUBSCRIPTS)}"
         if self._use_unicode and label.endswith(("^+", "^-")):
             return self._name(label[:-2]) + label[-1].translate(SUPERSCRIPTS)
         name, word = with_word(label)
@@ -67,8 +65,6 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         if not self._use_unicode:
             return f"{label}[{index}]"
         name, _, raised = label.partition("^")
-        if name[0] in "CS" and name[1:].isdigit():
-            name, raised = name[0], f"({name[1:]})"
         short, word = with_word(name)
         if word and all(ord(letter) in RAISED for letter in word):
             name, raised = short, word.translate(RAISED)
@@ -142,22 +138,8 @@ class _Drawing(PrettyPrinter):  # type: ignore[misc]
         name = self._name(function.__name__) + "'" * order
         return prettyForm(*stringPict.next(name, prettyForm(*self._print(at).parens())))
 
-    def _print_Subs(self, expr: sp.Subs) -> prettyForm:
-        ((_, order),), (point,) = expr.expr.variable_count, expr.point
-        return self._primed(expr.expr.expr.func, int(order), point)
-
-    def _print_Function(self, expr: sp.Expr, **options: object) -> prettyForm:
-        if isinstance(expr, sp.Function("xdot")):
-            return self._primed(sp.Function("x"), 1, expr.args[0])
-        return super()._print_Function(expr, **options)
-
     def _print_Max(self, expr: sp.Max) -> prettyForm:
         return self._helper_print_function(expr.func, expr.args, func_name="max")
-
-    def _print_Heaviside(self, expr: sp.Heaviside) -> prettyForm:
-        return prettyForm(
-            *stringPict.next("H", prettyForm(*self._print(expr.args[0]).parens()))
-        )
 
     def _print_Inner(self, expr: sp.Expr) -> prettyForm:
         left, right = ("⟨", "⟩") if self._use_unicode else ("<", ">")

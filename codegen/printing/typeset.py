@@ -32,26 +32,17 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         return str(super()._print_Mul(ordered) if ordered.is_Mul else self._print(ordered))
 
     def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
-        names = {"t1": "t_{1}", "a0": "a_{0}", "c1": "c_{1}"}
-        if expr.name.startswith("R_"):
-            return rf"\mathcal{{R}}_{{({expr.name[2:]})}}"
         short, word = with_word(expr.name)
         if word:
             return f"{self._print(sp.Symbol(short))}_{{{_upright(word)}}}"
-        name = names.get(expr.name) or str(super()._print_Symbol(expr))
-        return _WORD.sub(r"\\mathrm{\g<0>}", name)
+        return _WORD.sub(r"\\mathrm{\g<0>}", str(super()._print_Symbol(expr)))
 
     def _print_Indexed(self, expr: sp.Indexed) -> str:
         base, indices = str(expr.base.label), ", ".join(map(self._print, expr.indices))
         name, word = with_word(base)
         if word:
             return rf"{self._print(sp.Symbol(name))}^{{{_upright(word)}}}_{{{indices}}}"
-        name = self._print(expr.base.label)
-        if base[0] in "CS" and base[1:].isdigit():
-            return rf"{base[0]}^{{({base[1:]})}}_{{{indices}}}"
-        if base.startswith("H^"):
-            return rf"H^{{\mathrm{{{base[2:]}}}}}_{{{indices}}}"
-        return f"{name}_{{{indices}}}"
+        return f"{self._print(expr.base.label)}_{{{indices}}}"
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
         (variable, order), *others = expr.variable_count
@@ -69,17 +60,6 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
     def _primed(self, function: sp.Expr, order: int, at: sp.Expr) -> str:
         name = self._print(sp.Symbol(function.func.__name__)) + "'" * order
         return rf"{name}\left({self._print(at)}\right)"
-
-    def _print_Subs(self, expr: sp.Subs) -> str:
-        (point,) = expr.point
-        ((variable, order),) = expr.expr.variable_count
-        if variable != sp.Symbol("t", positive=True):
-            return self._primed(expr.expr.expr, int(order), point)
-        inner = str(self._print(expr.expr))
-        return inner.replace(r"\left(t\right)", rf"\left({self._print(point)}\right)")
-
-    def _print_Heaviside(self, expr: sp.Heaviside, exp: str | None = None) -> str:
-        return rf"H\left({self._print(expr.args[0])}\right)"
 
     def _print_KroneckerDelta(self, expr: sp.KroneckerDelta, exp: str | None = None) -> str:
         first, second = map(self._print, expr.args)
@@ -114,9 +94,7 @@ _SETTINGS = {"mul_symbol": None, "fold_short_frac": False, "order": "none"}
 def latex(expression: sp.Expr) -> str:
     """Return `expression` as LaTeX mathematics."""
     text = str(_Latex(_SETTINGS).doprint(expression))
-    for name in ("R1", "R2", "R3", "g1"):
-        text = text.replace(rf"\operatorname{{{name}}}", f"{name[0]}_{{{name[1]}}}")
-    text = text.replace(r"\operatorname{xdot}", r"\dot{x}").replace(r"\operatorname{q}", "q")
+    text = text.replace(r"\operatorname{q}", "q")
     while (flat := _FLAT.sub(r"(\2)", text)) != text:
         text = flat
     return text

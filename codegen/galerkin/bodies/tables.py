@@ -52,7 +52,7 @@ def _of_phase(own: Terms, p: int) -> Iterator[Table]:
     words = f"integral of a harmonic over {name}, over the cell"
     sides = mean, closed / (sp.I * l * omega_0 * own.cell)
     entry = own.table("I", phase=p)
-    yield Table(entry[l], words, sides, "l != 0")
+    yield Table(entry[l], words, sides, "`l != 0`")
     yield Table(entry[0], words, (own.times.durations[p] / own.cell,))
     if own.contacts.is_given(p):
         return
@@ -80,7 +80,7 @@ def _answers(own: Terms) -> Iterator[Table]:
     else:
         function, mean = sp.euler(k - 1, u) / (2 * sp.factorial(k - 1)), sp.Integer(0)
     where = "`0 <= u <= 1`"
-    yield Table(beta(k, u), "function with a break at u = 0", (function,), where)
+    yield Table(beta(k, u), "function with a break at `u = 0`", (function,), where)
     words = "what pole j answers in every cell to the derivative of the first function"
     yield Table(rho(0, u, j), words, (own.cell * (_answer(own, 0, u) + mean),), where)
     words = "what it answers to a function"
@@ -97,7 +97,7 @@ def _of_breaks(own: Terms) -> Iterator[Table]:
             {force_harmonics.omega: test * own.cell, force_harmonics.n: q.n}
         )
         shifted = closed / own.wave(m, q.phase)
-        where = "m != 0, else 0" if own.times.sign == 1 else ""
+        where = "`m != 0`, else 0" if own.times.sign == 1 else ""
         if q.contact == 0:
             entry = own.table("b", phase=q.phase)[q.n, m]
             yield Table(entry, f"harmonic of beta_{q.n}", (shifted,), where)
