@@ -15,9 +15,7 @@ import nonsmooth as ns
 from nonsmooth.files.json_text import digest, sealed
 from nonsmooth.kim_perkins import SECTION_4
 
-KINDS = pytest.mark.parametrize(
-    "kind", ["orbit", "sweep", "family", "belt-c1", "belt-sweep", "modes"]
-)
+KINDS = pytest.mark.parametrize("kind", ["orbit", "sweep", "family", "belt-c1", "belt-sweep"])
 quiet = pytest.mark.filterwarnings("ignore::nonsmooth.FileWarning")
 
 
@@ -103,10 +101,6 @@ ROWS = {
 }
 
 
-def _mode(**changed):
-    return lambda document: document["modes"][1].update(changed)
-
-
 EDITS = {
     "orbit": ANY | {
         "period is -1": lambda d: d.update(period=-1),
@@ -121,32 +115,6 @@ EDITS = {
     },
     "sweep": ANY | ROWS,
     "family": ANY | ROWS | {"2 rows of 3": lambda d: d["rows"].pop()},
-    "modes": {
-        "mode 2: eigenvalue is 700.0, but its parameters give 716.66": _mode(eigenvalue=700.0),
-        "mode 2: frequency is None": _mode(frequency=None),
-        "mode 2: beta is -5": _mode(beta=-5),
-        "mode 2: exact beta is 5.1": _mode(exact={"beta": 5.1}),
-        "mode 2: error is 1e-09": _mode(error=1e-9),
-        "mode 2: bound is 716.7,": _mode(bounds=[700, 716.7]),
-        "mode 2: bound is None": lambda d: d["modes"][1]["bounds"].__setitem__(0, None),
-        "mode 2: bound is 716.66, but":
-            lambda d: d["modes"][1]["bounds"].__setitem__(0, 716.66),
-        "mode 2: jump_mismatch is 0.5": _mode(jump_mismatch=0.5),
-        "mode 2: node is 3, expected None": _mode(node=3),
-        "mode 2: number is 1, expected 2": _mode(number=1),
-        "strength is 3, but its parameters give 10.0": lambda d: d.update(strength=3),
-        "unknowns is 3, expected 9": lambda d: d.update(unknowns=3),
-        "forced is True, expected|forced: got True": lambda d: d.update(forced=True),
-        "method is 'fem', expected one of": lambda d: d.update(method="fem"),
-        "ParameterError mass: got -1": lambda d: d["parameters"].update(mass=-1),
-        "position: got '2'": lambda d: d.update(position="2"),
-        "order: got 0": lambda d: d.update(order=0),
-        "count: got 0": lambda d: d.update(modes=[]),
-        "KeyError 'order'": lambda d: d.pop("order"),
-        "of another nonsmooth: structure: got 'plate'": lambda d: d.update(structure="plate"),
-        "of other equations": lambda d: d.update(mathematics="0" * 16),
-        "schema 3 is from a newer nonsmooth": lambda d: d.update(schema=3),
-    },
 }  # fmt: skip
 
 
@@ -175,7 +143,6 @@ def test_another_scene_is_given(tmp_path: Path) -> None:
         ("sweep", "period"),
         ("family", "period"),
         ("several", "velocity"),
-        ("modes", "frequency"),
     ],
 )
 @pytest.mark.parametrize("how", ["other", "missing"])
@@ -249,7 +216,7 @@ def test_a_newer_schema(suffix: str, tmp_path: Path, monkeypatch) -> None:
         ns.load(path)
 
 
-OTHER = "holds no orbit, sweep, family or modes: nothing else can be loaded"
+OTHER = "holds no orbit, sweep or family: nothing else can be loaded"
 IMPACT = {"scene": "impact", "parameters": {}}
 
 #: What is not written by `save`: a name, its content, and what is said of it.

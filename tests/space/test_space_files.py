@@ -21,12 +21,6 @@ def several() -> list[ns.Modes]:
     return [*methods, ns.modes("beam-crack", position=0.25, compliance=3, count=2)]
 
 
-def test_a_sequence_of_one_is_that_one(tmp_path: Path) -> None:
-    path, saved = tmp_path / "modes.json", several()
-    ns.save(saved[:1], path)
-    assert ns.load(path) == saved[0]
-
-
 @pytest.mark.skipif(netCDF4 is None, reason="netCDF4 is not installed")
 def test_arrays_are_over_expansion_and_number(tmp_path: Path) -> None:
     path, saved = tmp_path / "modes.nc", several()
@@ -52,21 +46,16 @@ def test_arrays_are_over_expansion_and_number(tmp_path: Path) -> None:
         ("--vary", "bending-stiffness=1:2:2", "--count", "1"),
     ],
 )
-def test_what_the_command_line_writes_is_loaded(arguments, run, tmp_path: Path) -> None:
+def test_what_the_command_line_writes_is_what_it_prints(arguments, run, tmp_path: Path) -> None:
     path = tmp_path / "file.json"
     status, out, _ = run("modes", "beam-mass", *arguments, "--json", "-o", path)
     assert (status, path.read_text("utf-8")) == (0, out)
-    found, document = ns.load(path), json.loads(out)
-    every = document.get("expansions", document.get("points", [document]))
-    several_found = found if isinstance(found, list) else [found]
-    assert isinstance(found, list) == ("modes" not in document)
-    for modes, each in zip(several_found, every, strict=True):
-        assert modes.as_dict() == {name: each[name] for name in modes.as_dict()}
+    with pytest.raises(ns.FileError, match="holds modes or shapes: they are not loaded"):
+        ns.load(path)
     if netCDF4 is not None:
         arrays = tmp_path / "file.nc"
         status, _, err = run("modes", "beam-mass", *arguments, "-o", arrays)
         assert (status, err) == (0, f"wrote {arrays}\n")
-        assert ns.load(arrays) == found
 
 
 def test_csv_has_what_is_needed_to_compute_it_again(run, tmp_path: Path) -> None:
@@ -90,25 +79,8 @@ def test_csv_has_what_is_needed_to_compute_it_again(run, tmp_path: Path) -> None
 def test_a_study_of_convergence_is_not_loaded(run, tmp_path: Path) -> None:
     path = tmp_path / "study.json"
     assert run("sweep", "string-mass", "--orders", "4", "-o", path)[0] == 0
-    with pytest.raises(ns.FileError, match="holds no modes"):
+    with pytest.raises(ns.FileError, match="holds modes or shapes"):
         ns.load(path)
-
-
-def test_other_bits_are_kept_and_said(tmp_path: Path) -> None:
-    """A file of a machine that rounds otherwise reads back with its own bits."""
-    path, made = tmp_path / "modes.json", ns.modes("beam-mass")
-    ns.save(made, path)
-    document = json.loads(path.read_text("utf-8"))
-    row = document["modes"][0]
-    row["eigenvalue"] *= 1 + 1e-15
-    row["jump_mismatch"] += 1e-15
-    row["error"] += 1e-15
-    path.write_text(json.dumps(document), "utf-8")
-    with pytest.warns(ns.FileWarning, match="its digest"):
-        found = ns.load(path)
-    assert found != made
-    assert found[0].eigenvalue == row["eigenvalue"]
-    assert (found[0].jump_mismatch, found[0].error) == (row["jump_mismatch"], row["error"])
 
 
 @pytest.mark.parametrize("name", ["beam-crack", "string-mass"])
@@ -131,7 +103,7 @@ def test_shapes_as_files(name: str, tmp_path: Path) -> None:
     document = json.loads((tmp_path / "shapes.json").read_text("utf-8"))
     assert document["shapes"]["slope"][15] == float(row["slope"])
     assert document["units"]["x"] == "m"
-    with pytest.raises(ValueError, match="shapes of modes, which are not loaded"):
+    with pytest.raises(ValueError, match="they are not loaded"):
         ns.load(tmp_path / "shapes.json")
     if netCDF4 is not None:
         ns.save(shapes, tmp_path / "shapes.nc")

@@ -1,9 +1,9 @@
-"""Orbits, sweeps, families and modes as files that others read, and that read back the same.
+"""Orbits, sweeps and families as files that others read, and that read back the same.
 
 JSON holds everything, with a digest; netCDF (extra ``netcdf``) as well, for tools that work
 on arrays; CSV holds the rows of a sweep, a family or modes, and the motion of an orbit.
 Numbers are in SI units, and every file says with which version and which mathematics it was
-made.
+made.  Modes are written alike, and computed anew, not loaded.
 """
 
 import reprlib
@@ -24,7 +24,7 @@ from .file_errors import FileError, other_kind, refused
 from .json_text import check_digest, parsed, sealed
 from .restore_orbits import result_in
 
-#: An orbit, a sweep or a family of any oscillator, modes; or several orbits or modes.
+#: An orbit, a sweep or a family of any oscillator; several orbits.  Modes are saved as well.
 Savable: TypeAlias = Any
 Loaded: TypeAlias = Any
 
@@ -41,7 +41,7 @@ def save(thing: Savable, path: str | Path) -> None:
         What to save, of a case of any scene, or of one structure.
     path : str or Path
         Ends in ``.json``, ``.csv`` or ``.nc`` (netCDF-4).  A CSV is for other programs, and
-        is not loaded: that of orbits has their motion over one period.
+        is not loaded, nor are modes: that of orbits has their motion over one period.
 
     Raises
     ------
@@ -91,16 +91,15 @@ def load(path: str | Path, scene: object = None) -> Loaded:
 
     Returns
     -------
-    orbit, sweep, family or modes, or a list of orbits or of modes
+    orbit, sweep or family, or a list of orbits
         With the bits of what was saved.
 
     Raises
     ------
     FileError
         A `ValueError`: if the file cannot be right (a period that is not positive, too many
-        or too few numbers, an orbit that does not satisfy its equations, modes that are not
-        those of the structure), is from a newer version, of another kind or scene, or of other
-        equations.
+        or too few numbers, an orbit that does not satisfy its equations), is from a newer
+        version, of another kind or scene, or of other equations.
     SceneFileError
         A `ValueError`: if `scene` is a file that is not as it must be.
     OSError
@@ -138,9 +137,9 @@ def _restored(path: Path, document: Mapping[str, Any], scene: object) -> Loaded:
     check_digest(path, document)
     with refused(path):
         if "structure" in document:
-            from .restore_modes import modes_in  # noqa: PLC0415  (SciPy)
-
-            return modes_in(path, document)
+            raise FileError(
+                path, "holds modes or shapes: they are not loaded, compute them anew"
+            )
         if "scene" in document:
             return result_in(path, document, scene)
         raise other_kind(path)

@@ -43,15 +43,7 @@ def not_negative(name: str, value: Any) -> None:
 
 def same(name: str, value: Any, expected: float, of: str) -> None:
     """Check that a number is what others say."""
-    near(name, value, expected, SAME * abs(expected), of)
-
-
-def near(name: str, value: Any, expected: float | None, most: float, of: str) -> None:
-    """Check that a number is what others say but for so much; both may be None."""
-    if expected is None:
-        right = value is None
-    else:
-        right = is_real(value) and abs(value - expected) <= most
+    right = is_real(value) and abs(value - expected) <= SAME * abs(expected)
     check(right, f"{name} is {value!r}, but {of} give {expected!r}")
 
 

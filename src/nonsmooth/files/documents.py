@@ -52,13 +52,7 @@ def origin_of_modes(structure: "Structure") -> dict[str, Any]:
     """Return units, version and mathematics of modes."""
     units = {q.name: q.unit or "1" for q in structure.parameters}
     units |= {"frequency": "Hz", "omega": "rad/s", "modal_mass": "kg"}
-    return _origin(units, mathematics_of_modes(structure))
-
-
-def mathematics_of_modes(structure: "Structure") -> str:
-    """Return the hash of the closed forms behind the modes of a structure."""
-    found: str = structure.module.MATHEMATICS[:16]
-    return found
+    return _origin(units, structure.module.MATHEMATICS[:16])
 
 
 def _origin(units: dict[str, str], found: str) -> dict[str, Any]:

@@ -32,7 +32,7 @@ class NotRightError(ValueError):
 
 def other_kind(path: Path) -> FileError:
     """Return the error of a file that holds what is written for other programs."""
-    return FileError(path, "holds no orbit, sweep, family or modes: nothing else can be loaded")
+    return FileError(path, "holds no orbit, sweep or family: nothing else can be loaded")
 
 
 def damaged(path: Path, how: str) -> FileError:

@@ -37,13 +37,6 @@ MUTANTS = (
         (CHANGED,),
     ),
     Mutant(
-        "modes of other equations are loaded",
-        "src/nonsmooth/files/restore_modes.py",
-        "if found != mathematics_of_modes(structure):",
-        "if False:",
-        (CHANGED,),
-    ),
-    Mutant(
         "a folder of kernels is read whatever its seal",
         "solver/scenes/sealed.py",
         "if found.pop(SEAL, None) != _seal(folder.name, found):",
