@@ -2,12 +2,11 @@
 
 import sympy as sp
 
-from ..galerkin.closure import START
-from ..galerkin.harmonics import equations
+from ..galerkin.closure import START, differentiated, law
 from ..scene import v, x
 from .functions import state
 from .notation import Notation
-from .switching import event, event_after, law, set_to
+from .switching import event, event_after, set_to
 
 #: The name of a condition, and the statement: zero.
 Statements = dict[str, sp.Expr]
@@ -16,9 +15,13 @@ Statements = dict[str, sp.Expr]
 def statements(notation: Notation) -> Statements:
     """Return continuity, laws of the velocity, events and memory."""
     found: Statements = {}
+    about = notation.scene, notation.times
     for p, switch in enumerate(notation.found):
         sign = notation.scene.sign if p == 0 else 1
-        name, velocity = switch.before, notation.start(p, 1) - law(notation, p)
+        name, velocity = (
+            switch.before,
+            notation.start(p, 1) - law(notation.scene, p, notation.end),
+        )
         found[f"impact_{name}"] = velocity
         found[f"velocity_{name}"] = (
             velocity if switch.k == 0 else _difference(notation, p, 1, sign)
@@ -27,7 +30,9 @@ def statements(notation: Notation) -> Statements:
             key = f"derivative_{order}_{name}" if order else f"displacement_{name}"
             found[key] = _difference(notation, p, order, sign)
         for order in range(switch.jumps, switch.jumps + 9):
-            found[f"jump_{order}_{name}"] = _differentiated(notation, p, order)
+            found[f"jump_{order}_{name}"] = differentiated(
+                *about, p, order, notation.start, notation.end, notation.at
+            )
     for p, phase in enumerate(notation.scene.phases):
         found[f"event_{phase.name}"] = event(notation, p)
         found[f"event_{phase.name}_after"] = event_after(notation, p)
@@ -43,26 +48,3 @@ def _difference(notation: Notation, p: int, order: int, sign: int) -> sp.Expr:
     if p == 0:
         return notation.start(p, order) - sign * notation.end(len(notation.found) - 1, order)
     return state(order, notation.side(p, "+")) - state(order, notation.side(p, "-"))
-
-
-def _differentiated(notation: Notation, p: int, order: int) -> sp.Expr:
-    """Return the equation of motion, differentiated, right of a switch less left of it."""
-    if order == 1:
-        return notation.start(p, 1) - law(notation, p)
-    left = p - 1 if p else len(notation.found) - 1
-    sign = notation.scene.sign if p == 0 else 1
-    phases, times = equations(notation.scene), notation.times
-
-    def side(q: int, at_end: bool) -> sp.Expr:
-        phase, derivative = phases[q], notation.end if at_end else notation.start
-        total = sum(
-            factor * derivative(q, order - step)
-            for step, factor in enumerate((phase.m, phase.c, phase.k))
-        )
-        force = phase.f if order == 2 else sp.Integer(0)
-        if times.frequency is not None:
-            turned = times.angle(notation.at(q + 1 if at_end else q)) + (order - 2) * sp.pi / 2
-            force += phase.g * times.frequency ** (order - 2) * sp.cos(turned)
-        return total - force
-
-    return side(p, False) - sign * side(left, True)

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from ..galerkin.closure import law
 from ..scene import Scene
 from ..scene.scales import scales
 from ..scene.smoothness import place
@@ -18,7 +19,6 @@ from .switching import (
     equation_of_motion,
     event,
     jump,
-    law,
     not_negative,
     perturbations,
     set_to,
@@ -80,7 +80,7 @@ def _switches(notation: Notation) -> Iterator[Equation]:
             sign = notation.scene.sign if q == 0 else 1
             after = state(1, notation.side(p + 1, "+"))
             words = f"the velocity jumps where {phase.name} ends"
-            yield Equation("", words, (after, sign * law(notation, q)))
+            yield Equation("", words, (after, sign * law(notation.scene, q, notation.end)))
         for words, demand in notation.scene.cell[p].ends.demands.items():
             title = f"demanded where {phase.name} ends: {marked(notation.scene, words)}"
             yield Equation("", title, (not_negative(at_the_end(notation, p, demand)),))

@@ -49,15 +49,6 @@ def set_to(notation: Notation, memory: Memory) -> sp.Expr:
     return at_state(memory.value, lambda order: notation.start(p, order), force)
 
 
-def law(notation: Notation, p: int) -> sp.Expr:
-    """Return the velocity where phase `p` begins, from that at the end of the phase before."""
-    phases = notation.scene.phases
-    left = p - 1 if p else len(phases) - 1
-    sign = notation.scene.sign if p == 0 else 1
-    after = sp.sympify(phases[left].ends.jump.get(v, v))
-    return sign * after.subs(v, notation.end(left, 1))
-
-
 def jump(notation: Notation, p: int) -> tuple[sp.Expr, sp.Expr]:
     """Return the first derivative that jumps where phase `p` begins: right less left, its size.
 

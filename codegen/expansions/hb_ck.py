@@ -16,14 +16,15 @@ with the polynomials of Bernoulli and Euler; the jump is 1 by u, and
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 import sympy as sp
 
 from ..galerkin import Block, Condition, GalerkinConditions, Times, closure
 from ..galerkin.bodies import BodyConditions
 from ..galerkin.bodies import harmonics as of_forces
-from ..galerkin.harmonics import Harmonics, equations, j
-from ..scene import Scene, Switch, switches, v
+from ..galerkin.harmonics import Harmonics, j
+from ..scene import Scene, Switch, switches
 from . import About, hb
 
 METHOD = "hb-ck"
@@ -105,48 +106,16 @@ def orthogonality(e: Expansion) -> Iterator[Condition]:
 
 def jumps(e: Expansion) -> Iterator[Condition]:
     """Yield, for each function, the jump of a derivative that the equation demands."""
+    ends = partial(e.smooth, left=False), partial(e.smooth, left=True), e.times.start
     for p, switch in enumerate(e.switches):
         for n in e.orders(p):
             order = n - 1
-            expression = _law(e, p) if order == 1 else _differentiated(e, p, order)
+            expression = closure.differentiated(e.scene, e.times, p, order, *ends)
             yield Condition(
                 f"jump_{order}_{switch.before}",
                 f"jump of derivative {order} where {switch.before} begins",
                 closure.one_sum(expression),
             )
-
-
-def _law(e: Expansion, p: int) -> sp.Expr:
-    """Return the law of an impact."""
-    left = p - 1 if p else len(e.switches) - 1
-    sign = e.scene.sign if p == 0 else 1
-    law = sp.sympify(e.scene.phases[left].ends.jump[v])
-    after, before = e.smooth(p, 1, left=False), e.smooth(left, 1, left=True)
-    return after - sign * law.subs(v, before)
-
-
-def _differentiated(e: Expansion, p: int, order: int) -> sp.Expr:
-    """Return the equation of motion, differentiated, to the right less to the left."""
-    left = p - 1 if p else len(e.switches) - 1
-    sign = e.scene.sign if p == 0 else 1
-    phases = equations(e.scene)
-
-    def side(q: int, at_end: bool) -> sp.Expr:
-        phase = phases[q]
-        total = sp.Add(
-            *(
-                factor * e.smooth(q, order - step, at_end)
-                for step, factor in enumerate((phase.m, phase.c, phase.k))
-            )
-        )
-        force = phase.f if order == 2 else sp.Integer(0)
-        if e.times.frequency is not None and phase.g != 0:
-            turned = e.times.angle(e.times.start(q + 1 if at_end else q))
-            turned += (order - 2) * sp.pi / 2
-            force += phase.g * e.times.frequency ** (order - 2) * sp.cos(turned)
-        return total - force
-
-    return side(p, False) - sign * side(left, True)
 
 
 def derive(scene: Scene, functions: int = 1) -> GalerkinConditions:

@@ -9,6 +9,7 @@ import sympy as sp
 
 from ..scene import Scene, Switch, forcing, v, x
 from .condition import Block, Condition, Times
+from .harmonics import equations
 
 #: ``(phase, order)``: a derivative of the displacement at an end of a phase.
 End = Callable[[int, int], sp.Expr]
@@ -30,6 +31,49 @@ def one_sum(expression: sp.Expr) -> sp.Expr:
     return sp.Add(sp.expand_mul(expression), *sums)
 
 
+def law(scene: Scene, p: int, end: End) -> sp.Expr:
+    """Return the velocity where phase `p` begins, from that at the end of the phase before."""
+    left, sign = _before(scene, p)
+    return sign * sp.sympify(scene.phases[left].ends.jump.get(v, v)).subs(v, end(left, 1))
+
+
+def differentiated(
+    scene: Scene,
+    times: Times,
+    p: int,
+    order: int,
+    start: End,
+    end: End,
+    at: Callable[[int], sp.Expr],
+) -> sp.Expr:
+    """Return what demands the jump of a derivative where phase `p` begins; `at` says when.
+
+    It is the law of the velocity; from the second order on the equation of motion,
+    differentiated, to the right less to the left.
+    """
+    if order == 1:
+        return start(p, 1) - law(scene, p, end)
+    phases = equations(scene)
+
+    def side(q: int, derivative: End, time: sp.Expr) -> sp.Expr:
+        phase = phases[q]
+        parts = enumerate((phase.m, phase.c, phase.k))
+        total = sp.Add(*(factor * derivative(q, order - step) for step, factor in parts))
+        force = phase.f if order == 2 else sp.Integer(0)
+        if times.frequency is not None and phase.g != 0:
+            turned = times.angle(time) + (order - 2) * sp.pi / 2
+            force += phase.g * times.frequency ** (order - 2) * sp.cos(turned)
+        return total - force
+
+    left, sign = _before(scene, p)
+    return side(p, start, at(p)) - sign * side(left, end, at(left + 1))
+
+
+def _before(scene: Scene, p: int) -> tuple[int, int]:
+    """Return the phase before `p`, and what the motion is multiplied by between them."""
+    return (p - 1, 1) if p else (len(scene.phases) - 1, scene.sign)
+
+
 def joints(
     scene: Scene,
     switches: Sequence[Switch],
@@ -38,20 +82,18 @@ def joints(
 ) -> Iterator[Condition]:
     """Yield continuity of displacement, the law of the velocity, and smoothness up to C^k."""
     for p, switch in enumerate(switches):
-        sign = scene.sign if p == 0 else 1
-        left = p - 1 if p else len(scene.phases) - 1
+        left, sign = _before(scene, p)
         name, held = switch.before, scene.phases[p].held is not None
         yield Condition(
             f"displacement_{name}",
             f"displacement is continuous where {name} begins",
             start(p, 0) - sign * end(left, 0),
         )
-        law = sp.sympify(scene.phases[left].ends.jump.get(v, v)).subs(v, end(left, 1))
         jumps = "jumps as the event says" if switch.k == 0 else "is continuous"
         yield Condition(
             f"velocity_{name}",
             f"velocity {jumps} where {name} begins",
-            one_sum(start(p, 1) - sign * law),
+            one_sum(start(p, 1) - law(scene, p, end)),
         )
         for order in range(2, switch.k + 1 if not held else 2):
             yield Condition(

@@ -1,9 +1,10 @@
 """What is checked of a phase: its equation, what ends it, its demands, what holds it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
+from .bodies.law import laws
 from .data import Phase, a, forcing, v, x
 from .error import SceneError, check_kind, named
 from .linear import fixed, linear_phase, state_row, without_modulus
@@ -28,13 +29,11 @@ def check_phase(
         In which, beside the state, all must be linear.
     """
     field = f"phase {phase.name}"
-    for name, expression in _fields(phase):
-        with named(f"{field}: {name}"):
-            value = sp.sympify(expression)
-            check_kind(value, memory, modulus="demand" in name)
-            if value.has(forcing) and not forced:
-                raise SceneError("it has forcing, but the scene has no frequency")
-            balance(sp.expand(value), units)
+    for name, value in checked_fields(phase, units, forced, memory):
+        if "demand" in name:
+            with named(f"{field}: {name}"):
+                for part in without_modulus(value):
+                    state_row(part, f"{field}: {name}", memory)
     with named(f"{field}: equation"):
         m = linear_phase(phase, memory).m
         if m.is_nonpositive:
@@ -44,11 +43,6 @@ def check_phase(
         if row.x == row.v == row.cos == 0:
             raise SceneError(f"{phase.ends.zero} depends on neither x, v nor forcing")
     _check_jump(phase, units, memory)
-    for where, demands in ((field, phase.demands), (f"{field}: ends", phase.ends.demands)):
-        for words, demand in demands.items():
-            with named(f"{where}: demand {words!r}"):
-                for part in without_modulus(sp.sympify(demand)):
-                    state_row(part, f"{where}: demand {words!r}", memory)
     if phase.held is not None:
         with named(f"{field}: held"):
             if sp.simplify(phase.equation / a).has(a) or linear_phase(phase).c != 0:
@@ -62,15 +56,28 @@ def check_phase(
             )
 
 
-def _fields(phase: Phase) -> list[tuple[str, sp.Expr]]:
-    """Return what a phase has in the state of the motion, with the names of the fields."""
-    return [
-        ("equation", phase.equation),
+def checked_fields(
+    phase: Phase, units: Units, forced: bool, memory: Sequence[sp.Symbol]
+) -> Iterator[tuple[str, sp.Expr]]:
+    """Yield what a phase has in the state of the motion, with the names of the fields.
+
+    Each is linear, has forcing only where there is some, and its terms have one unit.
+    """
+    fields = [
+        *(("equation", law) for law in laws(phase)),
         ("ends", phase.ends.zero),
         *(("jump", value) for value in phase.ends.jump.values()),
         *((f"demand {words!r}", value) for words, value in phase.demands.items()),
         *((f"ends: demand {words!r}", value) for words, value in phase.ends.demands.items()),
     ]
+    for name, expression in fields:
+        with named(f"phase {phase.name}: {name}"):
+            value = sp.sympify(expression)
+            check_kind(value, memory, modulus="demand" in name)
+            if value.has(forcing) and not forced:
+                raise SceneError("it has forcing, but the scene has no frequency")
+            balance(sp.expand(value), units)
+        yield name, value
 
 
 def _check_velocity(value: sp.Expr, units: Units) -> None:

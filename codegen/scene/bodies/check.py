@@ -7,13 +7,12 @@ import numpy as np
 import sympy as sp
 
 from ..data import Phase, SceneData, forcing
-from ..error import SceneError, check_kind, named
+from ..error import SceneError, named
 from ..linear import without_modulus
+from ..phases import Units, checked_fields
 from ..units import Dimension, balance, dimension_of, spelled
 from .body import UNITS, Body, Entries
-from .law import body_of, form, law_rows, laws, place
-
-Units = Mapping[sp.Symbol, Dimension]
+from .law import body_of, form, law_rows, place
 
 #: What a difference of two entries may be, as a part of the largest entry.
 ROUNDING = 1e-12
@@ -115,23 +114,12 @@ def check_contact_phase(phase: Phase, scene: SceneData, units: Units) -> None:
     """Check one phase of a body by itself; a `SceneError` names the field that is wrong."""
     field, memory = f"phase {phase.name}", [q.symbol for q in scene.memory]
     contacts = list(body_of(scene).at.values())
-    fields = [
-        *(("equation", law) for law in laws(phase)),
-        ("ends", phase.ends.zero),
-        *((f"demand {words!r}", q) for words, q in phase.demands.items()),
-        *((f"ends: demand {words!r}", q) for words, q in phase.ends.demands.items()),
-    ]
-    for name, expression in fields:
+    for name, value in checked_fields(phase, units, scene.frequency is not None, memory):
         with named(f"{field}: {name}"):
-            value = sp.sympify(expression)
-            check_kind(value, memory, modulus="demand" in name)
-            if value.has(forcing) and scene.frequency is None:
-                raise SceneError("it has forcing, but the scene has no frequency")
-            balance(sp.expand(value), units)
             for part in without_modulus(value, _states(scene)):
                 row = form(part, scene, f"{field}: {name}")
             if name == "ends" and not any(c != 0 for i, c in enumerate(row) if i != 3):
-                raise SceneError(f"{expression} depends on no displacement, velocity or force")
+                raise SceneError(f"{value} depends on no displacement, velocity or force")
     rows = law_rows(phase, scene)
     for symbol, value in phase.ends.jump.items():
         with named(f"{field}: jump"):
