@@ -26,9 +26,7 @@ def test_importing_the_package_imports_nothing_heavy(python: Callable[[str], str
 
 def test_the_symbolic_stage_imports_no_solver(python: Callable[[str], str]) -> None:
     code = "import sys, nonsmooth as ns; ns.equations('c1').latex()\n"
-    code += (
-        "print([m for m in sys.modules if m.startswith(('nonsmooth.so', 'nonsmooth.g'))])"
-    )
+    code += "print([m for m in sys.modules if m.startswith(('nonsmooth.so', 'nonsmooth.g'))])"
     assert python(code) == "[]\n"
 
 

@@ -5,7 +5,9 @@ import pickle
 import random
 import shutil
 from collections.abc import Callable
+from contextlib import redirect_stderr
 from dataclasses import replace
+from io import StringIO
 from pathlib import Path
 
 import pytest
@@ -35,13 +37,14 @@ def scene_file(tmp_path: Path, monkeypatch) -> Path:
 @pytest.fixture
 def kept(scene_file: Path) -> Path:
     """Return the folder in which its kernels are kept."""
-    return find.find_scene(scene_file, lambda line: None).folder
+    return find.find_scene(scene_file).folder
 
 
 def solved(path: Path) -> tuple[float, list[str]]:
     """Return the phase of the forcing of the orbit of a scene file, and what is said."""
-    said: list[str] = []
-    scene = find.find_scene(path, said.append)
+    with redirect_stderr(StringIO()) as text:
+        scene = find.find_scene(path)
+    said = [line.removeprefix("nonsmooth: ") for line in text.getvalue().splitlines()]
     return ns.solve(scene(), "ck-tau", 8).forcing_phase, said
 
 
@@ -106,7 +109,7 @@ def test_what_was_damaged_is_derived_anew(
 
 def test_the_folder_of_another_scene_is_not_taken(scene_file: Path, kept: Path) -> None:
     """Not under the name of this one, and not under one that only ends like it."""
-    other = find.find_scene(write(scene_file.parent, scene_file.read_text() + "#"), print)
+    other = find.find_scene(write(scene_file.parent, scene_file.read_text() + "#"))
     shutil.copytree(kept, kept.with_name(f"a-{kept.name}"))
     shutil.rmtree(kept)
     shutil.copytree(other.folder, kept)
@@ -187,7 +190,7 @@ def test_a_cache_in_a_folder_of_all_users(scene_file: Path, kept: Path, right: f
 def test_what_is_kept_is_the_users_alone(mask: int, scene_file: Path) -> None:
     before = os.umask(mask)
     try:
-        kept = find.find_scene(scene_file, print).folder
+        kept = find.find_scene(scene_file).folder
     finally:
         os.umask(before)
     for path in (kept, *kept.parents[:2], *kept.rglob("*")):
@@ -214,7 +217,7 @@ def test_what_cannot_be_read(scene_file: Path, kept: Path, right: float) -> None
 
 def test_what_was_read_is_what_runs(scene_file: Path, right: float) -> None:
     """Whatever the files are when a method is used, and nothing else is kept of them."""
-    scene = find.find_scene(scene_file, print)
+    scene = find.find_scene(scene_file)
     for path in scene.folder.glob("*.py"):
         path.write_text("raise ValueError")
     assert ns.solve(scene(), "ck-tau", 8).forcing_phase == right
@@ -222,7 +225,7 @@ def test_what_was_read_is_what_runs(scene_file: Path, right: float) -> None:
 
 
 def test_what_is_pickled_is_checked_when_it_is_loaded(scene_file: Path, kept: Path) -> None:
-    case = find.find_scene(scene_file, print)(gap=0.2)
+    case = find.find_scene(scene_file)(gap=0.2)
     text = pickle.dumps(case)
     assert pickle.loads(text) == case
     (kept / "scene.py").write_bytes((kept / "scene.py").read_bytes() + b"\n")
@@ -230,12 +233,12 @@ def test_what_is_pickled_is_checked_when_it_is_loaded(scene_file: Path, kept: Pa
         pickle.loads(text)
 
 
-def test_motions_are_kept_and_checked_as_well(tmp_path: Path, monkeypatch) -> None:
+def test_motions_are_kept_and_checked_as_well(tmp_path: Path, monkeypatch, capsys) -> None:
     """A folder a motion; then a file of one of them is in the place of that of the other."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    said: list[str] = []
-    scene = find.find_scene(replace(dry_friction.SCENE, name="rough-ground"), said.append)
-    assert said[0] == "deriving the equations of rough-ground, this once"
+    scene = find.find_scene(replace(dry_friction.SCENE, name="rough-ground"))
+    said = capsys.readouterr().err.splitlines()
+    assert said[0] == "nonsmooth: deriving the equations of rough-ground, this once"
     assert scene.motions == ("sliding", "two-stops")
     assert ns.solve(scene(frequency=0.4), order=6).case.scene.motion == "two-stops"
     assert scene.folder.is_relative_to(tmp_path)

@@ -12,41 +12,20 @@ from nonsmooth.solver.scenes.loaded import LoadedScene
 from .content import key_of_scene, key_of_text
 from .error import SceneFileError, one_line
 from .read import is_path, read_scene, text_of
-from .store import Say, keep, stored
+from .store import keep, say, stored
 
 
-def say_on_stderr(line: str) -> None:
-    """Print a line on what is being done."""
-    print(f"nonsmooth: {line}", file=sys.stderr, flush=True)
-
-
-def find_scene(what: object, say: Say = say_on_stderr) -> LoadedScene:
-    """Return a scene, derived first if it is new.
-
-    Parameters
-    ----------
-    what : str, Path, Scene or LoadedScene
-        See `nonsmooth.scene`.
-    say : callable
-        Takes the progress of a derivation, a line at a time.
-
-    Raises
-    ------
-    TypeError
-        If `what` is none of these.
-    UnknownScene
-        If no scene has this name.
-    SceneFileError
-        If a scene file, or the scene in it, is not as it must be.
-    """
+def find_scene(what: object) -> LoadedScene:
+    """Return a scene, derived first if it is new; see `nonsmooth.scene.find`."""
     if isinstance(what, LoadedScene):
         return what
     if isinstance(what, str) and not is_path(what):
         return registry.load(what)
     if isinstance(what, str | Path):
-        return _of_file(Path(what), say)
+        return _of_file(Path(what))
     if _is_scene(what):
-        return _of_object(what, say)
+        scene: Any = what
+        return _kept(key_of_scene(scene), lambda: scene, "scene")
     raise TypeError(
         f"scene: got {what!r:.80}, expected a name, the path of a scene file, or a Scene"
     )
@@ -70,23 +49,19 @@ def _is_scene(what: object) -> bool:
     return module is not None and isinstance(what, module.Scene)
 
 
-def _of_file(path: Path, say: Say) -> LoadedScene:
+def _of_file(path: Path) -> LoadedScene:
     text = text_of(path)
     if b"Body(" in text:  # its matrices may be those of other files
         scene = read_scene(path, text)
-        return _kept(key_of_scene(scene), lambda: scene, str(path), say)
-    return _kept(key_of_text(text), lambda: read_scene(path, text), str(path), say)
+        return _kept(key_of_scene(scene), lambda: scene, str(path))
+    return _kept(key_of_text(text), lambda: read_scene(path, text), str(path))
 
 
-def _of_object(scene: Any, say: Say) -> LoadedScene:
-    return _kept(key_of_scene(scene), lambda: scene, "scene", say)
-
-
-def _kept(key: str, made: Callable[[], Any], where: str, say: Say) -> LoadedScene:
+def _kept(key: str, made: Callable[[], Any], where: str) -> LoadedScene:
     """Return the scene of a key, if it is kept; else that which is made, derived and kept."""
     folder = stored(key)
     if folder is None:
-        folder = keep(key, _derived(made(), where, say), say)
+        folder = keep(key, _derived(made(), where))
     try:
         found = loaded.load_folder(folder, sealed.read(folder))
     except Exception as error:
@@ -95,7 +70,7 @@ def _kept(key: str, made: Callable[[], Any], where: str, say: Say) -> LoadedScen
     return found
 
 
-def _derived(scene: Any, where: str, say: Say) -> dict[str, str | bytes]:
+def _derived(scene: Any, where: str) -> dict[str, str | bytes]:
     """Return the content of each generated file of a scene, by name.
 
     A `SceneFileError` is raised if its name is that of a shipped one, or it cannot be derived.

@@ -7,8 +7,9 @@ own or may write to is not used.
 import atexit
 import os
 import shutil
+import sys
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 from platformdirs import user_cache_path
@@ -18,11 +19,13 @@ from nonsmooth.solver.scenes.sealed import NotPrivate, check_private
 
 from .error import SceneFileError
 
-#: What takes a line on what is being done.
-Say = Callable[[str], None]
-
 #: Folders that go with the process, by key: where the cache cannot be written.
 _FOR_NOW: dict[str, Path] = {}
+
+
+def say(line: str) -> None:
+    """Print a line on what is being done."""
+    print(f"nonsmooth: {line}", file=sys.stderr, flush=True)
 
 
 def root() -> Path:
@@ -42,7 +45,7 @@ def stored(key: str) -> Path | None:
         return None  # `keep` says why
 
 
-def keep(key: str, files: Mapping[str, str | bytes], say: Say) -> Path:
+def keep(key: str, files: Mapping[str, str | bytes]) -> Path:
     """Write the kernels of a scene and return their folder.
 
     Where the cache cannot be written, or others could, they go into a temporary folder, for
@@ -54,13 +57,11 @@ def keep(key: str, files: Mapping[str, str | bytes], say: Say) -> Path:
         Of the scene; the name of the folder.
     files : mapping of str to str
         Content by name of file.
-    say : callable
-        Told where the cache cannot be written, and what is replaced there.
     """
     target = root() / key
     try:
         _make_root()
-        _put(files, target, say)
+        _put(files, target)
         return target
     except NotPrivate as error:
         say(f"{error}, so it is not used; derived for this run only")
@@ -91,7 +92,7 @@ def _is_whole(folder: Path) -> bool:
     return True
 
 
-def _put(files: Mapping[str, str | bytes], target: Path, say: Say) -> None:
+def _put(files: Mapping[str, str | bytes], target: Path) -> None:
     """Write a folder beside its place and put it there, unless another's is there already."""
     temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=".making-"))
     try:

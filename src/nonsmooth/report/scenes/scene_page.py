@@ -8,7 +8,7 @@ from typing import Any
 
 from nonsmooth.codegen import equations as derived
 from nonsmooth.codegen.printing.html import fragment_of
-from nonsmooth.described.scene_document import document
+from nonsmooth.described import document
 from nonsmooth.solver.accuracy.rates import rate
 from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.kernels.registry import mathematics, methods

@@ -30,7 +30,7 @@ def scenes(scene: str | None, json_: bool) -> None:
     SCENE is a name of the list, or the path of a scene file. A scene file is Python and is
     run. Its equations are derived when it is first used, and kept.
     """
-    from ....described.scene_document import brief, document
+    from ....described import brief, document
 
     found: dict[str, Any]
     if scene is None:
