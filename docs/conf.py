@@ -71,7 +71,6 @@ rooms = [
     "nonsmooth.codegen",
     "nonsmooth.generated",
     "nonsmooth.solver",
-    "nonsmooth.described",
     "nonsmooth.files",
     "nonsmooth.scene_files",
     "nonsmooth.report",
