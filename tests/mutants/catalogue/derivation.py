@@ -122,7 +122,7 @@ MUTANTS = (
     ),
     Mutant(
         "the jump of a derivative with the force, not with its derivative",
-        "codegen/expansions/hb_ck.py",
+        "codegen/galerkin/closure.py",
         "phase.f if order == 2 else sp.Integer(0)",
         "phase.f",
         (f"{SHOWN}::test_so_they_are_with_several_functions_a_switch",),
