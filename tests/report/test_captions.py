@@ -17,9 +17,8 @@ from paper import METHODS
 from written import value
 
 import nonsmooth as ns
-from nonsmooth.report.captions import PLATES, reading
+from nonsmooth.report.captions import PLATES, other_tests, reading
 from nonsmooth.report.case import DEFAULT
-from nonsmooth.report.ours import other_tests
 
 BELTS = pytest.mark.parametrize("belt", [DEFAULT, ODD, LIGHT], ids=["default", "odd", "light"])
 

@@ -14,6 +14,9 @@ from .claims import table
 from .measures import peak
 from .words import listed, number, percent, power_of_order
 
+#: The order at which the tests of the C1 series are compared: not at rounding yet.
+EIGHT = 8
+
 
 @dataclass(frozen=True)
 class Plate:
@@ -160,3 +163,16 @@ NUMBERS: dict[int, Callable[[Case], dict[str, Any]]] = {
     5: _three_methods,
     6: _acceleration,
 }
+
+
+def other_tests(case: Case) -> str:
+    """Return how far the period is off with the paper's tests, and with Legendre's."""
+    errors = []
+    for method in ("c1", "c1-tau"):
+        try:
+            orbit = case.orbit(method, EIGHT)
+        except ns.NoOrbit as missing:
+            return f"In this case {missing.reason}."
+        errors.append(percent(abs(orbit.period / case.exact.period - 1)))
+    theirs, ours = errors
+    return f"At N = {EIGHT} the period is {theirs} off with its tests and {ours} with these."

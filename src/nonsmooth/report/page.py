@@ -9,13 +9,12 @@ from nonsmooth.kim_perkins import METHODS, SCENE
 from nonsmooth.solver.kernels import registry
 from nonsmooth.style import FLOOR
 
-from .captions import PLATES, flags, reading
+from .captions import PLATES, flags, other_tests, reading
 from .case import DEFAULT, MOST, Case
 from .checks import Finding
 from .claims import CLAIMS, GROUPS, VERDICTS, Claim, Part
 from .html import filled, folded, inline
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
-from .ours import EXPANSIONS, in_space, other_tests
 from .words import number, percent
 
 #: Orders in the table of the page.
@@ -95,8 +94,6 @@ def page(case: Case, intervals: Intervals, pictures: Mapping[str, str]) -> str:
         forces=[f"{force(belt, alpha):.4g}" for alpha in (FIRST, LAST)],
         inside=FIRST <= belt.alpha <= LAST,
         alphas=(f"{FIRST:g}", f"{LAST:g}"),
-        space=in_space().values(),
-        space_heads=EXPANSIONS,
         equations=folded(fragment_of(sections(SCENE, METHODS))),
         hashes={method: registry.mathematics(belt.scene, [method]) for method in METHODS},
     )
