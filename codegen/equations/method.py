@@ -3,7 +3,6 @@
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Protocol
 
 import sympy as sp
 
@@ -22,18 +21,6 @@ ONE_CYCLE = (
     "The period is one of the forcing; where it is `n` of them, the forcing has the frequency "
     "`n omega_0`."
 )
-
-
-class Shown(Protocol):
-    """What a family of expansions says of itself."""
-
-    section: str
-
-    def equations(self) -> Iterator[Equation]:
-        """Yield the expansion, the residual, the conditions, and what they look up."""
-
-    def jacobian(self) -> Iterator[Equation]:
-        """Yield the derivatives by the times of what the conditions look up."""
 
 
 def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
@@ -68,7 +55,7 @@ def method_equations(conditions: GalerkinConditions) -> GalerkinSystem:
     family = next((q for q in (Forces, Fourier, Polynomial) if q.fits(conditions)), None)
     if family is None:
         raise ValueError(f"{conditions.method}: its unknowns are of no family that is known")
-    shown: Shown = family(conditions)  # type: ignore[arg-type]  # it fits
+    shown = family(conditions)  # type: ignore[arg-type]  # it fits
     notation = Notation.of(conditions.scene)
     return GalerkinSystem(
         method=spelled(conditions.method.partition(",")[0], conditions.scene),

@@ -10,7 +10,7 @@ from functools import cached_property
 import sympy as sp
 
 from ..galerkin import Times
-from ..scene import Saltation, Scene, Switch, saltations, switches
+from ..scene import Scene, Switch, saltations, switches
 from ..scenes import numbers_of
 from .functions import T, omega_0, state
 
@@ -37,7 +37,7 @@ class Notation:
         return cls(scene, Times.of(scene), switches(scene))
 
     @cached_property
-    def saltations(self) -> tuple[Saltation, ...]:
+    def saltations(self) -> tuple[sp.Matrix, ...]:
         """What the switch at the end of each phase makes of small perturbations."""
         return saltations(self.scene)
 

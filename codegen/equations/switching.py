@@ -90,7 +90,6 @@ def _size(notation: Notation, p: int, order: int) -> sp.Expr:
 
 def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Expr, ...]]]:
     """Yield words and sides: what becomes of a perturbation where phase `p` ends."""
-    found = notation.saltations[p]
     sides = {side: notation.side(p + 1, side) for side in "+-"}
     angle = notation.times.angle(notation.at(p + 1))
     frequency = notation.scene.frequency
@@ -101,7 +100,7 @@ def perturbations(notation: Notation, p: int) -> Iterator[tuple[str, tuple[sp.Ex
     }
     if frequency is not None:
         values[saltation.turning] = -frequency * sp.sin(angle)
-    matrix = found.matrix.subs(values, simultaneous=True)
+    matrix = notation.saltations[p].subs(values, simultaneous=True)
     known = [*PERTURBATIONS, *_of_memory(notation)]
     for (name, perturbation), row in zip(known, matrix.tolist(), strict=True):
         terms = (entry * q(sides["-"]) for entry, (_, q) in zip(row, known, strict=True))

@@ -11,7 +11,7 @@ from .bodies.body import Body
 from .data import Event, Memory, Parameter, Phase, a, forcing, t, v, x
 from .error import SceneError
 from .linear import LinearPhase, State, linear_phase, state_row
-from .saltation import Saltation, saltations
+from .saltation import saltations
 from .scene import Scene
 from .smoothness import Switch, switches
 
@@ -22,7 +22,6 @@ __all__ = [
     "Memory",
     "Parameter",
     "Phase",
-    "Saltation",
     "Scene",
     "SceneError",
     "State",

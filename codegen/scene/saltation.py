@@ -7,8 +7,6 @@ before and after it.  The delay is solved for from the event, and the law of the
 differentiated: nothing of the result is typed.
 """
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from .data import Memory, Phase, SceneData, forcing, v, x
@@ -22,31 +20,8 @@ STATE = (x, v)
 before, after, turning = sp.symbols("a_before a_after turning", real=True)
 
 
-@dataclass(frozen=True)
-class Saltation:
-    """The map of small perturbations of the state at one switch.
-
-    Parameters
-    ----------
-    ends, begins : str
-        The phases on both sides.
-    matrix : Matrix
-        Of `x`, `v` and the memory, in the state before the switch, the accelerations
-        `before` and `after`, and `turning`, the derivative of the forcing by time.
-    """
-
-    ends: str
-    begins: str
-    matrix: sp.Matrix
-
-    @property
-    def determinant(self) -> sp.Expr:
-        """How the switch changes areas in the plane of the state."""
-        return sp.factor(self.matrix.det())
-
-
-def saltations(scene: SceneData) -> tuple[Saltation, ...]:
-    """Return the saltation at the end of each phase of a cell.
+def saltations(scene: SceneData) -> tuple[sp.Matrix, ...]:
+    """Return the saltation matrix at the end of each phase of a cell; see `saltation`.
 
     Where the last phase leads into the mirror image of the first, it is the state of the motion
     itself that is meant on both sides, before it is mirrored.
@@ -54,25 +29,24 @@ def saltations(scene: SceneData) -> tuple[Saltation, ...]:
     Examples
     --------
     >>> from ..scenes.impact import SCENE
-    >>> saltations(SCENE)[0].matrix
+    >>> saltations(SCENE)[0]
     Matrix([
     [                      -r,  0],
     [(a_after + a_before*r)/v, -r]])
     """
     found, phases = switches(scene), scene.phases
-    count = len(phases)
+    after = [(p + 1) % len(phases) for p in range(len(phases))]
     return tuple(
-        Saltation(
-            left.name,
-            phases[(p + 1) % count].name,
-            saltation(left, phases[(p + 1) % count], found[(p + 1) % count].k, scene.memory),
-        )
-        for p, left in enumerate(phases)
+        saltation(left, phases[q], found[q].k, scene.memory)
+        for left, q in zip(phases, after, strict=True)
     )
 
 
 def saltation(left: Phase, right: Phase, k: int, memory: tuple[Memory, ...] = ()) -> sp.Matrix:
     """Return the derivative of the state behind a switch by that before it, at one time.
+
+    It is of `x`, `v` and the memory, in the state before the switch, the accelerations `before`
+    and `after`, and `turning`, the derivative of the forcing by time.
 
     Parameters
     ----------

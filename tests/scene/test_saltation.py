@@ -81,20 +81,19 @@ def test_the_scenes_of_the_program() -> None:
     r, V = sp.symbols("r V", positive=True)
     a_after, a_before = saltation.after, saltation.before
     (impact,) = saltations(scenes.load("impact"))
-    assert impact.matrix == sp.Matrix([[-r, 0], [(a_after + a_before * r) / v, -r]])
-    assert impact.determinant == r**2
+    assert impact == sp.Matrix([[-r, 0], [(a_after + a_before * r) / v, -r]])
+    assert sp.factor(impact.det()) == r**2
     lands, lifts_off = saltations(scenes.load("impact-inelastic"))
-    assert lands.matrix == sp.zeros(2)
-    assert lifts_off.matrix == sp.eye(2)
+    assert lands == sp.zeros(2)
+    assert lifts_off == sp.eye(2)
     for name in ("stick-slip", "stick-slip-damped"):
         stick, slip = saltations(scenes.load(name))
-        assert stick.matrix == sp.Matrix([[1, 0], [a_after / V, 1]])
-        assert slip.matrix == sp.diag(1, 0)
-        assert (stick.ends, stick.begins) == ("stick", "slip")
-        assert (stick.determinant, slip.determinant) == (1, 0)
+        assert stick == sp.Matrix([[1, 0], [a_after / V, 1]])
+        assert slip == sp.diag(1, 0)
+        assert (sp.factor(stick.det()), slip.det()) == (1, 0)
 
 
 def test_what_a_constraint_says_is_put_in() -> None:
     stick, slip = saltations(belt())
-    assert stick.matrix.free_symbols == {sp.Symbol("V", positive=True), saltation.after}
-    assert slip.matrix == sp.diag(1, 0)
+    assert stick.free_symbols == {sp.Symbol("V", positive=True), saltation.after}
+    assert slip == sp.diag(1, 0)

@@ -53,8 +53,7 @@ class NamedCommand(click.Command):
     ----------
     kinds : tuple of Kind
         What its first argument may name. The module of its name in the package of a kind has
-        ``command(about, said)``, which makes the command, and may have a ``named(text)`` of
-        its own, in place of `Kind.named`.
+        ``command(about, said)``, which makes the command.
     default : str or None
         What is meant where nothing is named; without it, this command itself.
     own : bool
@@ -87,7 +86,7 @@ class NamedCommand(click.Command):
             return self, dashed, rest
         kind = next((q for q in self.kinds if dashed in q.known()), self.kinds[0])
         module = import_module(f".{kind.package}.{self.name}", __package__)
-        about = getattr(module, "named", kind.named)(name)
+        about = kind.named(name)
         if self.name in ONE_MASS and getattr(about, "has_body", False):
             try:
                 check_one_mass(about, str(self.name))
