@@ -1,6 +1,5 @@
 """Progress: nothing of what is quick, then a line a tenth of the way, and a line a minute."""
 
-import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -58,13 +57,6 @@ def test_what_goes_on_for_long_is_said_once_and_again(monkeypatch, capsys) -> No
             written += capsys.readouterr().err.splitlines()
     assert len(written) > 1
     assert written[0] == written[1] == "solving: N = 8 (0:00:00 so far)"
-
-
-def test_what_is_known_to_take_long_is_said_at_once(monkeypatch) -> None:
-    said = threading.Event()
-    monkeypatch.setattr("click.echo", lambda text, err: said.set())
-    with busy("N = 1000000", long=True):
-        assert said.wait(60)
 
 
 @pytest.mark.parametrize("soon", [0.0, 3600.0])

@@ -116,7 +116,7 @@ def test_every_claim_has_a_verdict_and_intervals(text: str) -> None:
 
 
 def test_the_table_of_the_page_has_the_errors_of_the_rows(text: str) -> None:
-    table, _ = re.findall(r"<table>.*?</table>", text, re.DOTALL)
+    (table,) = re.findall(r"<table>.*?</table>", text, re.DOTALL)
     assert re.findall(r"N = (\d+)", table) == ["3", "10", "40"]
     assert re.findall(r"<th scope=\"col\">(.*?)</th>", table) == ["err. T", "acc. err (22)"] * 3
     assert "hb 6.43\xa0% instead of 5.86\xa0%." in text.partition("</table>")[2][:500]

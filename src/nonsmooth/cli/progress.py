@@ -46,14 +46,11 @@ def progress(total: int, task: str) -> Iterator[Callable[[str], None]]:
 
 
 @contextmanager
-def busy(task: str, long: bool = False) -> Iterator[Callable[[str], None]]:
-    """Show that something goes on that may take long; yield a callback for what that is now.
-
-    What is known to be `long` is said at once where stderr is not a terminal.
-    """
+def busy(task: str) -> Iterator[Callable[[str], None]]:
+    """Show that something goes on that may take long; yield a callback for what that is now."""
     console = _terminal()
     if console is None:
-        with _lines(task, 0.0 if long else QUIET) as say:
+        with _lines(task) as say:
             yield say
         return
     status = console.status(task)
@@ -86,12 +83,12 @@ def _shown_later(display: AbstractContextManager[object]) -> Iterator[None]:
 
 
 @contextmanager
-def _lines(task: str, quiet: float) -> Iterator[Callable[[str], None]]:
-    """Write a line after `quiet` seconds, and each minute, with what is said to go on."""
+def _lines(task: str) -> Iterator[Callable[[str], None]]:
+    """Write a line after `QUIET` seconds, and each minute, with what is said to go on."""
     begin, over, current = time.monotonic(), threading.Event(), [task]
 
     def write() -> None:
-        pause = quiet
+        pause = QUIET
         while not over.wait(pause):
             pause = MINUTE
             passed = timedelta(seconds=round(time.monotonic() - begin))

@@ -1,8 +1,7 @@
 """Motions: phase plane, displacement, velocity and acceleration over a period."""
 
-from collections.abc import Iterable
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -84,27 +83,17 @@ def _first(motion: Any) -> dict[str, Any]:
     return line(motion) if motion.look is None else FIRST
 
 
-def motions_figure(
-    motions: Iterable[tuple[str, Any]], title: str, words: str, columns: int = 3
-) -> Figure:
-    """Draw phase plane, displacement, velocity and acceleration of labelled motions."""
+def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
+    """Draw phase plane, displacement, velocity, acceleration of orbits, and the exact one."""
+    every = [*([] if exact is None else [exact]), *orbits]
     figure = Figure(figsize=(8, 6), layout="constrained")
     panels = figure.subplots(2, 2).ravel()
-    for label, motion in motions:
+    for motion in every:
         for axes, quantity in zip(panels, (PLANE, *HISTORIES), strict=True):
-            draw(motion, axes, quantity, label=label)
-    panels[0].set(title=title)
-    frame(figure, panels[0], words, columns)
+            draw(motion, axes, quantity)
+    panels[0].set(title="periodic orbit")
+    frame(figure, panels[0], described(every[0].case))
     return figure
-
-
-def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:
-    """Draw some orbits of a case, and the exact one."""
-    every = [*([] if exact is None else [exact]), *orbits]
-    case = every[0].case
-    return motions_figure(
-        [(each.label, each) for each in every], "periodic orbit", described(case)
-    )
 
 
 #: The first and the last instant of a phase, from its ends, as a part of it.
@@ -114,24 +103,8 @@ INSIDE = 1e-9
 POINTS = 400
 
 
-class WithDurations(Protocol):
-    """A motion in phases."""
-
-    @property
-    def durations(self) -> tuple[float, ...]:
-        """Durations of the phases of one period in s."""
-
-
-def instants(motion: WithDurations, points: int = POINTS) -> Vector:
-    """Return times over one period in s: both sides of every switch are among them.
-
-    Parameters
-    ----------
-    motion : Motion or any other with durations
-        What is looked at.
-    points : int
-        How many times on each phase.
-    """
+def instants(motion: Any) -> Vector:
+    """Return times over one period of a motion in phases, both sides of every switch too."""
     ends = np.cumsum([0.0, *motion.durations])
-    part = np.linspace(INSIDE, 1 - INSIDE, points)
+    part = np.linspace(INSIDE, 1 - INSIDE, POINTS)
     return np.concatenate([low + (high - low) * part for low, high in pairwise(ends)])
