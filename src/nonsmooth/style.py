@@ -23,12 +23,6 @@ STYLES: dict[str, dict[str, Any]] = {
 }
 EXACT: dict[str, Any] = {"color": "0.25", "linestyle": "-", "linewidth": 1.0}
 
-LABELS = {
-    "hb": "hb: Fourier series (3.1)",
-    "hb-c1": "hb-c1: with one $C^1$ function (3.2)",
-    "c1": "c1: $C^1$ functions (3.3)",
-}
-
 SETTINGS: Any = {
     "font.size": 9,
     "axes.grid": True,
@@ -51,10 +45,10 @@ def save(figure: Figure, target: Path) -> None:
     figure.savefig(target, dpi=150, metadata=metadata.get(target.suffix.lower()))
 
 
-def line(method: str, **changes: Any) -> dict[str, Any]:
+def line(method: str) -> dict[str, Any]:
     """Return the style of a method's curve, without markers."""
     style = {name: STYLES[method][name] for name in ("color", "linestyle")}
-    return style | {"linewidth": 1.4} | changes
+    return style | {"linewidth": 1.4}
 
 
 def draw_floor(axes: Any) -> None:
