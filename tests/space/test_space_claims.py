@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 from known import FELT, NAMES, attached
 
 import nonsmooth as ns
-from nonsmooth.report import ours
 from nonsmooth.solver.space.attached import Attached
 from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.eigenvalues import secular
@@ -250,17 +249,6 @@ def test_no_root_is_missed_near_a_node() -> None:
         found = at_order(near, "ritz-ck", 16, 1, 8)
         assert [mode.number for mode in found] == list(range(1, 9))
         assert max(abs(mode.error) for mode in found) < 1e-2
-
-
-def test_the_table_of_the_report() -> None:
-    table = ours.in_space()
-    assert [len(errors) for _, _, errors in table.values()] == [len(ours.EXPANSIONS)] * 5
-    assert table["beam-mass"][1] == 2
-    assert table["beam-crack"][2][0] == "290%"  # the frequency of the sound beam
-    spring = table["beam-rotational-spring"][2]
-    assert float(spring[0]) == pytest.approx(6.5e-3, rel=0.02)
-    assert float(spring[1]) == pytest.approx(5.9e-11, rel=0.05)
-    assert spring[2] == "rounding"
 
 
 def test_the_mismatch_of_a_jump_is_that_of_its_shape() -> None:
