@@ -104,8 +104,9 @@ def test_commands_and_files_take_a_negative_stiffness(run, tmp_path) -> None:
     spring = ("modes", "beam-spring", "--position", "1/4")
     status, _, err = run(*spring, "--stiffness", "-85.3333", "--json", "-o", path)
     assert (status, err) == (0, f"wrote {path}\n")
-    found = ns.load(path)
-    assert found == ns.modes("beam-spring", position="1/4", stiffness=-85.3333)
+    found = ns.modes("beam-spring", position="1/4", stiffness=-85.3333)
+    modes = json.loads(path.read_text("utf-8"))["modes"]
+    assert [mode["eigenvalue"] for mode in modes] == [mode.eigenvalue for mode in found]
     assert found[0].bounds[0] < found[0].eigenvalue < found[0].bounds[1]
     assert lower(found.attached, found[0].bounds[0]) == 0
     varied = (*spring, "--vary", "stiffness=-80:80:4", "--count", "2")
