@@ -1,13 +1,11 @@
 """The belt under the paper's symbols: its formulas and conditions, evaluated by `paper`."""
 
-import csv
 import itertools
-import json
 import pickle
 
 import numpy as np
 import pytest
-from computed import LIGHT, Exact
+from computed import Exact
 from paper import METHODS, Problem, cosine, one, sine
 
 import nonsmooth as ns
@@ -97,47 +95,3 @@ def test_a_case_of_the_scene_is_the_papers() -> None:
     again = pickle.loads(pickle.dumps((BELT, orbit, ns.exact(BELT))))
     assert again == (BELT, orbit, ns.exact(BELT))
     assert [type(each) for each in again] == [ns.StickSlip, StickSlipOrbit, ExactStickSlipOrbit]
-
-
-def test_without_a_drop_of_friction_there_is_no_belt() -> None:
-    with pytest.raises(ns.ParameterError, match=r"mu_k: got 0.5, expected less than mu_s"):
-        ns.StickSlip(**{**SECTION_4, "mu_k": 0.5})
-
-
-KEYS = {
-    "method", "order", "parameters", "converged", "iterations", "residual_norm", "t1", "period",
-    "coefficients", "admissible", "violations", "transition_mismatch", "exact", "errors",
-}  # fmt: skip
-ROW = {"method", "order", "status", "t1", "period", "iterations", "errors", "seconds"}
-ERRORS = {"period", "t1", "acceleration"}
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_documents_have_the_keys_that_programs_read(run, method: str) -> None:
-    document = json.loads(run("solve", "--method", method, "--order", 5, "--json")[1])
-    assert document.keys() >= KEYS | {"schema"}
-    assert (document["schema"], document["method"], document["order"]) == (2, method, 5)
-    assert document["parameters"] == SECTION_4
-    assert document["exact"].keys() >= {"t1", "period"}
-    assert document["errors"].keys() >= ERRORS
-    names = {"hb": {"a0", "a", "b"}, "hb-c1": {"a0", "a", "b", "c1"}, "c1": {"d"}}
-    assert document["coefficients"].keys() == names[method]
-
-
-def test_rows_have_the_keys_that_programs_read_with_an_orbit_or_without(run, tmp_path) -> None:
-    force, target = ("--normal-force", LIGHT.normal_force), tmp_path / "rows.csv"
-    sweep = ("sweep", "--methods", "c1,hb,hb-c1", "--orders", "4,5", "--json", "-o", target)
-    rows = json.loads(run(*sweep, *force)[1])["rows"]
-    ways = itertools.product(("c1", "hb", "hb-c1"), (4, 5))
-    assert [(row["method"], row["order"]) for row in rows] == [*ways]
-    assert [row["status"] for row in rows] == ["no-orbit", *["ok"] * 5]
-    table = [*csv.DictReader(target.read_text("utf-8").splitlines())]
-    for row, line in zip(rows, table, strict=True):
-        assert row.keys() >= ROW, row["status"]
-        assert row["errors"].keys() >= ERRORS, row["status"]
-        assert line["t1"] == ("" if row["t1"] is None else repr(row["t1"]))
-        assert line["normal_force"] == "100.0"
-    document = json.loads(run("solve", "--method", "c1", "--order", 4, "--json", *force)[1])
-    assert document.keys() >= KEYS
-    assert document["errors"].keys() >= ERRORS
-    assert document["exact"]["t1"] == pytest.approx(Exact(LIGHT).t1, rel=1e-14)

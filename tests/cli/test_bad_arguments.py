@@ -34,10 +34,6 @@ def test_python_names_a_wrong_order(order: object, belt: ns.StickSlip) -> None:
         ns.solve(belt, "c1", order)  # type: ignore[arg-type]
 
 
-def test_python_takes_a_numpy_integer_as_order(belt: ns.StickSlip) -> None:
-    assert ns.solve(belt, "c1", np.int64(5)).order == 5
-
-
 @pytest.mark.parametrize("method", ["C1", "", 3])
 def test_python_names_a_wrong_method(method: object, belt: ns.StickSlip) -> None:
     with pytest.raises(ValueError, match="method: got"):
@@ -84,14 +80,6 @@ def test_times_that_are_not_real(times: object) -> None:
 def test_what_is_no_oscillator(function: Callable[[object], object], belt: object) -> None:
     with pytest.raises(TypeError, match=r"case: got .*, expected a case of ns.scene"):
         function(belt)
-
-
-def test_values_and_orders_that_are_no_numbers() -> None:
-    belt = ns.StickSlip(**GOOD)
-    with pytest.raises(ValueError, match=r"values: got \['a'\], expected numbers"):
-        ns.family(belt, "mass", ["a"])
-    with pytest.raises(ValueError, match="orders: got 5, expected whole numbers"):
-        ns.sweep(belt, orders=5)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(

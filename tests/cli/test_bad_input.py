@@ -21,13 +21,6 @@ def test_parameters_that_are_no_positive_number(run, name: str, value: str, comm
     assert "positive number" in error or "valid float" in error
 
 
-def test_several_wrong_flags_are_named_at_once(run) -> None:
-    error = refused(run, "solve", "--mass", 0, "--stiffness", "nan", "--mu-k", -1, below=2)
-    assert all(
-        name in error for name in ("mass: got 0.0", "stiffness: got nan", "mu_k: got -1")
-    )
-
-
 @pytest.mark.parametrize("order", ["0", "-3", "1000001", "2.5", "many", ""])
 @pytest.mark.parametrize("method", ["hb", "hb-c1", "c1"])
 def test_an_order_that_the_method_cannot(run, method: str, order: str) -> None:
@@ -79,15 +72,6 @@ def test_a_wrong_case_file(run, tmp_path: Path, text: str | bytes, expected: str
     assert str(path) in error
 
 
-def test_all_mistakes_of_a_case_file_are_named_at_once(run, tmp_path: Path) -> None:
-    path = case_file(
-        tmp_path, table(mass=-1, stiffness='"x"', belt_speed=None, mu_k=-1, masss=3, nu=1)
-    )
-    error = refused(run, "sweep", "--case", path, below=5)
-    said = "mass: got", "stiffness: got", "belt_speed: missing", "mu_k: got", "masss:", "nu:"
-    assert all(words in error for words in said)
-
-
 def test_a_case_file_that_cannot_be_read(run, tmp_path: Path) -> None:
     assert "cannot read" in refused(run, "solve", "--case", tmp_path / "none.toml")
     assert "cannot read" in refused(run, "solve", "--case", tmp_path)
@@ -112,25 +96,6 @@ def test_an_output_of_unknown_kind(run, tmp_path: Path, command: str, name: str)
     error = refused(run, command, "-o", tmp_path / name)
     assert ".json" in error
     assert list(tmp_path.iterdir()) == []
-
-
-def test_a_failed_write_leaves_the_old_file(run, tmp_path: Path, monkeypatch) -> None:
-    target = tmp_path / "rows.json"
-    target.write_text("old")
-
-    replace = os.replace
-
-    def fail(source, destination):
-        if Path(destination) != target.resolve():  # numba caches by the same means
-            return replace(source, destination)
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr("os.replace", fail)
-    status, _, err = run("sweep", "--orders", "1", "-o", target)
-    assert status == 2
-    assert "No space left" in err
-    assert [path.name for path in tmp_path.iterdir()] == ["rows.json"]
-    assert target.read_text() == "old"
 
 
 @pytest.mark.parametrize(

@@ -296,13 +296,6 @@ def test_files_of_an_orbit(run, tmp_path: Path) -> None:
     assert not (tmp_path / "n.csv").exists()
 
 
-def test_pictures(run, tmp_path: Path) -> None:
-    run("solve", "impact", "--method", "hb", "--order", 4, "-o", tmp_path / "orbit.png")
-    run("sweep", "impact", "--methods", "hb", "--orders", "3", "-o", tmp_path / "rows.svg")
-    assert (tmp_path / "orbit.png").stat().st_size > 10_000
-    assert (tmp_path / "rows.svg").stat().st_size > 10_000
-
-
 def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
     from nonsmooth.plots.orbits import orbit_figure
     from nonsmooth.plots.sweeps import convergence_figure

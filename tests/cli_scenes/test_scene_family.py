@@ -227,7 +227,7 @@ def after(count: int):
     return row
 
 
-@pytest.mark.parametrize("count", range(1, VALUES))
+@pytest.mark.parametrize("count", [1, VALUES - 1])
 def test_what_was_done_before_an_interrupt_is_kept(
     count: int, run, tmp_path: Path, monkeypatch
 ) -> None:

@@ -8,7 +8,6 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.solver.accuracy.estimate import MORE, MOST, estimate
 from nonsmooth.solver.accuracy.rates import FLOORS, rate
-from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.results.orbit import Orbit
@@ -16,19 +15,6 @@ from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.sweep import sweep_case
 
 IMPACT = registry.load("impact")
-
-
-def test_scenes_by_name() -> None:
-    assert ns.scenes() == registry.names()
-    assert ns.scene("impact") == IMPACT
-    assert ns.scene(IMPACT) is IMPACT
-    case = ns.scene("impact")(gap=0.2)
-    assert isinstance(case, ns.Case)
-    assert case.values["gap"] == 0.2
-    with pytest.raises(ns.UnknownScene, match="did you mean impact"):
-        ns.scene("impakt")
-    with pytest.raises(ns.ParameterError, match="did you mean gap"):
-        ns.scene("impact")(gab=0.2)
 
 
 def test_the_module_and_the_function_are_one() -> None:
@@ -95,12 +81,6 @@ def test_a_tolerance_between_orders_that_are_tried_is_met_by_the_lowest() -> Non
 def test_arguments_that_a_case_does_not_take(arguments, words) -> None:
     with pytest.raises(ValueError, match=words):
         ns.solve(IMPACT(), **arguments)
-
-
-def test_exact_orbits() -> None:
-    case = IMPACT()
-    assert isinstance(ns.exact(case), ns.ExactOrbit)
-    assert ns.exact(case).forcing_phase == exact_orbit(case).forcing_phase
 
 
 def test_orders_are_whole_numbers_of_any_type() -> None:

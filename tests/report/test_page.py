@@ -2,7 +2,6 @@
 
 import math
 import re
-import shlex
 from pathlib import Path
 
 import pytest
@@ -16,12 +15,11 @@ from written import Elements, value
 
 import nonsmooth as ns
 from nonsmooth.cli import folders
-from nonsmooth.report import build, pictures
-from nonsmooth.report.case import DEFAULT, Case
+from nonsmooth.report import build
+from nonsmooth.report.case import DEFAULT
 from nonsmooth.report.claims import CLAIMS, PARTS
 from nonsmooth.report.html import prose
 from nonsmooth.report.intervals import Intervals
-from nonsmooth.report.page import page
 
 
 @pytest.fixture(scope="module")
@@ -148,31 +146,6 @@ def test_the_page_says_whose_oscillator_and_what_is_ours(text: str) -> None:
     assert told in text.replace("\n", " ")
     assert "0.671239" in text
     assert ns.__version__ in text
-
-
-def test_the_commands_on_the_page_run(text: str, run, tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(pictures, "save", lambda figure, target: target.write_bytes(b""))
-    monkeypatch.setattr(build, "Case", shared)
-    commands = set(re.findall(r"<pre><code>nonsmooth (.*?)</code></pre>", text))
-    commands.remove("report -o report")
-    for command in commands:
-        assert run(*shlex.split(command))[0] == 0
-    assert {path.name for path in tmp_path.iterdir()} == {f"fig{n}.pdf" for n in range(1, 7)}
-
-
-def test_the_same_case_gives_the_same_bytes(
-    folder: Path, text: str, found: Intervals, tmp_path: Path, monkeypatch
-) -> None:
-    again = Case(DEFAULT)
-    some = {"fig-3-detail": build.FIGURES["fig-3-detail"]}
-    monkeypatch.setattr(build, "FIGURES", some)
-    made = build.draw(again, found, tmp_path, lambda done: None)
-    assert list(made) == ["fig-3-detail", "claims"]
-    for path in tmp_path.iterdir():
-        assert path.read_bytes() == (folder / path.name).read_bytes(), path.name
-    all_of_them = {path.stem: path.read_text("utf-8") for path in folder.glob("*.svg")}
-    assert page(again, found, all_of_them) == text
 
 
 def test_an_earlier_report_is_replaced_whole_or_not_at_all(folder: Path, text: str) -> None:

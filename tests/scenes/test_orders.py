@@ -102,7 +102,7 @@ def test_an_orbit_that_is_not_stable_stays_where_a_method_lacks_the_stable_one(
     assert solve_case(single, "ck-tau", 10).case == other.case
 
 
-@pytest.mark.parametrize("order", [20, 45, 60, 120])
+@pytest.mark.parametrize("order", [20, 60])
 def test_harmonics_find_an_orbit_that_is_half_a_wave_away(order) -> None:
     """Their times are off by up to half a wave of the highest harmonic, after T/N."""
     orbit = solve_case(BOUNCES, "hb", order)
