@@ -85,7 +85,6 @@ class Units:
 
 #: Far from each other in every unit; of powers of four the root, too, is without rounding.
 POWERS = Units(kg=2.0**2, m=2.0**10, s=2.0**-6)
-GRAM_MILLIMETRE_MILLISECOND = Units(kg=1e3, m=1e3, s=1e3)
 
 
 def flags(belt: ns.StickSlip, *without: str) -> list[str]:

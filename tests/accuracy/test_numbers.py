@@ -58,12 +58,6 @@ def test_errors_at_alpha_1(
     )
 
 
-def test_the_acceleration_error_of_hb_is_not_quite_monotone(belt: ns.StickSlip) -> None:
-    fourth, fifth = (ns.solve(belt, "hb", n).errors.acceleration for n in (4, 5))
-    assert round(fourth, 5) == 0.18083
-    assert round(fifth, 5) == 0.18133
-
-
 def test_every_row_of_the_paper_is_an_orbit(belt: ns.StickSlip) -> None:
     sweep = ns.sweep(belt, ["hb", "hb-c1", "c1"], range(1, 41))
     assert len(sweep.rows) == 120
@@ -73,17 +67,3 @@ def test_every_row_of_the_paper_is_an_orbit(belt: ns.StickSlip) -> None:
     for row in sweep.of("c1")[19:]:
         assert row.errors is not None
         assert abs(row.errors.period) < 1e-15
-
-
-def test_period_of_hb_converges_like_1_over_N(belt: ns.StickSlip) -> None:
-    coarse, fine = (ns.solve(belt, "hb", n).errors.period for n in (40, 160))
-    assert coarse / fine == pytest.approx(4, rel=0.05)
-
-
-def test_period_of_hb_c1_converges_like_1_over_N_cubed(belt: ns.StickSlip) -> None:
-    # The error oscillates with N: compare the largest in a range and in four times it.
-    coarse, fine = (
-        max(abs(r.errors.period) for r in ns.sweep(belt, ["hb-c1"], orders).rows if r.errors)
-        for orders in (range(18, 30), range(72, 120, 4))
-    )
-    assert 40 < coarse / fine < 100

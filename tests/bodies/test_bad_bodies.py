@@ -8,7 +8,6 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.codegen.scene import Body, Event, Parameter, Phase, Scene, SceneError
-from nonsmooth.solver.scenes.bodies.only import NotOfBodies
 from nonsmooth.solver.scenes.parameter_error import ParameterError
 
 g, k, Omega = sp.symbols("g k Omega", positive=True)
@@ -81,12 +80,6 @@ def test_modes_are_checked_with_the_parameters() -> None:
     beam = ns.scene("beam-clearance")
     with pytest.raises(ParameterError, match=r"modes: got 2\.5, expected a whole number"):
         ns.solve(beam(modes=2.5))
-
-
-@pytest.mark.parametrize("ask", [lambda q: ns.diagram(q, "gap", [0.1])])
-def test_what_takes_no_bodies_says_so(ask) -> None:
-    with pytest.raises(NotOfBodies, match="several degrees of freedom"):
-        ask(ns.scene("chain-impact")())
 
 
 def test_a_scene_of_ones_own_is_solved_and_kept(monkeypatch, tmp_path) -> None:

@@ -62,8 +62,10 @@ def test_functions_of_harmonics_are_checked(run) -> None:
     assert "1, 2, 3" in said
 
 
-@pytest.mark.parametrize("name", ["jenkins-absorber", "beam-impact"])
-@pytest.mark.parametrize("format_", ["text", "latex", "html"])
+@pytest.mark.parametrize(
+    ("name", "format_"),
+    [("jenkins-absorber", "text"), ("beam-impact", "latex"), ("jenkins-absorber", "html")],
+)
 def test_equations_of_a_body(run, name: str, format_: str) -> None:
     status, out, _ = run("equations", name, "--format", format_)
     assert status == 0

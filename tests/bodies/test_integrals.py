@@ -58,7 +58,7 @@ def test_responses(kappa: complex) -> None:
     found, k = responses(np.array([kappa], dtype=complex), 10)[0], mp.mpc(kappa)
     with mp.workdps(25):
         nodes, weights = gauss()
-        for m, n in ((0, 0), (1, 0), (3, 4), (9, 9), (2, 9)):
+        for m, n in ((0, 0), (3, 4), (2, 9)):
 
             def inner(w: mp.mpf, m: int = m, n: int = n) -> mp.mpf:
                 rest = 1 - w

@@ -68,7 +68,7 @@ def generator(values, stop: float) -> np.ndarray:
     return A
 
 
-@pytest.mark.parametrize("seed", tried(SEEDS, every_run=("seed 0", "seed 1", "seed 2")))
+@pytest.mark.parametrize("seed", tried(SEEDS, every_run=("seed 0", "seed 1")))
 def test_an_orbit_closes_and_keeps_its_demands(scene, seed) -> None:
     random = np.random.default_rng(SEEDS[seed])
     rigid = scene.name == "rigid-stop"

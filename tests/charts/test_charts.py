@@ -154,6 +154,7 @@ def test_lines_and_blocks_may_be_computed_elsewhere(found: ns.Chart) -> None:
     assert other.as_dict() == found.as_dict()
 
 
+@pytest.mark.long  # other processes have it in every run: test_the_command_has_the_map
 def test_a_cluster_of_dask_is_an_executor(found: ns.Chart) -> None:
     distributed = pytest.importorskip("distributed")
     how = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": None}

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.cli import progress
 from nonsmooth.codegen import generate as stage
 
 #: What the documents of the paper's oscillator have beside those of any scene.
@@ -79,22 +78,6 @@ def test_an_absent_orbit_is_said_to_be_absent(run) -> None:
     assert "is assumed" not in out
 
 
-def test_sweep_of_the_issue_has_120_rows_and_all_of_c1_settled(run, monkeypatch) -> None:
-    monkeypatch.setattr(progress, "QUIET", 0.0)
-    arguments = ("sweep", "--methods", "hb,hb-c1,c1", "--orders", "1-40", "--json")
-    status, out, err = run(*arguments)
-    document = json.loads(out)
-    assert status == 0
-    assert document["schema"] == 2
-    assert len(document["rows"]) == 120
-    fixed = {"method", "order", "status", "t1", "period", "iterations", "errors", "seconds"}
-    assert all(fixed <= set(row) for row in document["rows"])
-    settled = [row for row in document["rows"] if row["method"] == "c1" and row["order"] <= 20]
-    assert len(settled) == 20
-    assert {row["status"] for row in settled} <= {"ok", "no-orbit"}
-    assert "sweep: 120 of 120 done (c1, N = 40)\n" in err
-
-
 @pytest.mark.parametrize(
     ("command", "suffix"),
     [
@@ -162,16 +145,6 @@ def test_generate_check_passes_and_fails_with_status_1(
     assert (folder / "stick_slip" / "scene.py").read_text() == "wrong"
     assert run("generate") == (0, "stick_slip/scene.py: written\n", "")
     assert run("generate") == (0, "generated/ was up to date\n", "")
-
-
-def test_equations_have_the_numbers_of_the_paper(run) -> None:
-    status, out, _ = run("equations")
-    assert status == 0
-    for number in (*range(3, 10), *range(11, 15), 18):
-        assert f" ({number})  " in out, number
-    _, one, _ = run("equations", "--method", "c1")
-    assert "(18)  residual of slip, orthogonal to its tests" in one
-    assert "(14)" not in one
 
 
 @pytest.mark.parametrize(

@@ -158,17 +158,3 @@ def test_an_interrupt_leaves_nothing_half_written(
     assert err.endswith("nonsmooth: interrupted\n")
     assert out == ""
     assert list(tmp_path.iterdir()) == []
-
-
-def test_interruption_exits_with_130_and_leaves_no_file(
-    run, tmp_path: Path, monkeypatch
-) -> None:
-    def interrupt(*arguments, **options):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("nonsmooth.solver.sweep.solve_case", interrupt)
-    target = tmp_path / "rows.csv"
-    status, _, err = run("sweep", "--orders", "1-3", "-o", target)
-    assert status == 130
-    assert err.strip().endswith("nonsmooth: interrupted")
-    assert list(tmp_path.iterdir()) == []

@@ -108,9 +108,8 @@ def solved(folder: Path) -> tuple[tuple[object, ...], int]:
     return (*found, *z), sum(iterate.stats.cache_hits.values())
 
 
-@pytest.mark.parametrize(
-    "edited", ["linear", pytest.param("iteration", marks=pytest.mark.long)]
-)
+@pytest.mark.long  # in every run the key is looked at: test_iteration_scenes.py
+@pytest.mark.parametrize("edited", EDITS)
 def test_an_edit_of_the_driver_is_compiled_anew(folder: Path, edited: str) -> None:
     """Even one that changes neither the size of the file nor its time."""
     path, (old, new) = folder / "iteration" / f"{edited}.py", EDITS[edited]

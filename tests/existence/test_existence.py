@@ -161,14 +161,3 @@ def test_a_motion_without_switches_is_named_where_it_is_why():
     assert words.startswith(
         "resonance: frequency = 1 rad/s is the natural frequency of engaged"
     )
-
-
-def test_times_of_the_exact_orbit_start_what_a_coarse_orbit_cannot(monkeypatch):
-    """Undamped, ck-tau of class C^2 has no coarse orbit to start from: it is singular."""
-    monkeypatch.setattr(registry, "class_one", lambda scene, method: None)
-    case = registry.load("clearance")(damping=0)
-    orbit = solve_case(case, "hb", 10)
-    assert orbit.admissible
-    assert orbit.errors.times < 1e-3
-    with pytest.raises(NoOrbit, match="there is an exact orbit, and from its times"):
-        solve_case(case, "ck-tau", 10)

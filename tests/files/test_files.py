@@ -69,26 +69,6 @@ def test_every_cell_of_a_csv_is_below_its_heading(tmp_path: Path) -> None:
     assert (found["scene"], found["normal_force"]) == ("stick-slip", "100.0")
 
 
-def test_the_motion_of_orbits_as_csv(tmp_path: Path, run) -> None:
-    target = tmp_path / "motion.csv"
-    run("solve", "--order", 6, "-o", target)
-    table = np.genfromtxt(target, delimiter=",", names=True, dtype=None, encoding=None)
-    orbit = ns.solve(BELT, "c1", 6)
-    own = table[table["method"] == "c1"]
-    assert np.array_equal(own["displacement"], orbit.displacement(own["t"]))
-    assert np.array_equal(own["acceleration"], orbit.acceleration(own["t"]))
-
-
-@pytest.mark.parametrize("kind", ["orbit", "sweep", "family", "modes"])
-def test_csv_is_for_other_programs(kind: str, tmp_path: Path) -> None:
-    path = saved(kind, tmp_path, ".csv")
-    assert path.read_text().count("\n") > 3
-    with pytest.raises(
-        ns.FileError, match=rf"{kind}\.csv: CSV is for other programs; save as \.json to load"
-    ):
-        ns.load(path)
-
-
 @needs_netcdf
 def test_netcdf_has_its_coordinates_in_the_root(tmp_path: Path) -> None:
     import xarray as xr

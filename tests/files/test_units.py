@@ -54,33 +54,3 @@ def test_the_units_in_a_document_and_in_a_netcdf(kind: str, tmp_path: Path) -> N
             name: BELT.values[name] for name in own
         }
         assert own == set(file.ncattrs()) & set(units.PARAMETERS)
-
-
-@pytest.mark.parametrize("command", ["roots", "report"])
-def test_the_units_in_the_help(command: str, run) -> None:
-    text = " ".join(run(command, "--help")[1].split())
-    for words in (
-        "--mass FLOAT M in kg",
-        "--stiffness FLOAT K in N/m",
-        "--belt-speed FLOAT V in m/s",
-        "--normal-force FLOAT F_N in N",
-    ):
-        assert words in text
-
-
-def test_the_motion_is_that_of_newtons_law_in_si_units() -> None:
-    """Slip is ``M x'' + K x = mu_k F_N``, stick ends where ``K x = mu_s F_N``."""
-    orbit, h = ns.solve(BELT, "c1", 24), 1e-5
-    mass, stiffness, force = BELT.mass, BELT.stiffness, BELT.normal_force
-    slip = np.linspace(orbit.t1 + 2 * h, orbit.period - 2 * h, 20)
-    x, a = orbit.displacement(slip), orbit.acceleration(slip)
-    np.testing.assert_allclose(mass * a + stiffness * x, BELT.mu_k * force, rtol=1e-9)
-    stick = orbit.t1 * np.array([0.1, 0.5, 0.9])
-    np.testing.assert_allclose(orbit.velocity(stick), BELT.belt_speed, rtol=1e-12)
-    for t in (stick, slip):
-        slope = (orbit.displacement(t + h) - orbit.displacement(t - h)) / (2 * h)
-        np.testing.assert_allclose(orbit.velocity(t), slope, rtol=1e-6, atol=1e-8)
-        slope = (orbit.velocity(t + h) - orbit.velocity(t - h)) / (2 * h)
-        np.testing.assert_allclose(orbit.acceleration(t), slope, rtol=1e-6, atol=1e-7)
-    end = orbit.displacement(orbit.t1)
-    assert stiffness * end == pytest.approx(BELT.mu_s * force, rel=1e-9)

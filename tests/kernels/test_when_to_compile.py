@@ -3,14 +3,12 @@
 import time
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.kernels import compiling, polynomials, registry
+from nonsmooth.solver.kernels import compiling, registry
 from nonsmooth.solver.kernels.compiling import COMPILE, LOAD, START, Account
 from nonsmooth.solver.kernels.family import Family
-from nonsmooth.solver.orbit.attempt import attempt
 
 
 @pytest.fixture
@@ -111,13 +109,3 @@ def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
             registry.quicker_kernel(case.scene, "ck-tau", None, order)
         assert len(used) == (order > compiling.PLAIN_ORDER)
     Family.kernel.cache_clear()
-
-
-@pytest.mark.long  # it compiles
-def test_a_scene_s_kernel_gives_the_same_bits_in_both_forms() -> None:
-    case = ns.scene("impact")()
-    plain = registry.kernel(case.scene, "ck-tau")
-    compiled = registry.kernel(case.scene, "ck-tau", compile_it=True)
-    times = np.array([2 * np.pi, 0.9])
-    one, other = (attempt(k, case, 9, times).unknowns for k in (plain, compiled))
-    assert one.tobytes() == other.tobytes()

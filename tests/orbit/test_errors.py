@@ -33,27 +33,6 @@ def test_aligned_error_goes_down_to_rounding_and_22_with_times_right_to_the_bit(
     assert all(floor.acceleration < 1e-14 or floor.acceleration > 1e-9 for floor in floors)
 
 
-@pytest.mark.parametrize(("method", "order"), [("hb", 7), ("hb-c1", 7), ("c1", 6)])
-def test_both_errors_by_a_fine_midpoint_rule(method: str, order: int) -> None:
-    orbit, count = ns.solve(DEFAULT, method, order), 400_000
-    theta = (np.arange(count) + 0.5) / count
-    reference = EXACT.motion(theta, 2)
-
-    def apart(times: np.ndarray) -> float:
-        off = orbit.acceleration(times) - reference
-        return float(np.sqrt(np.mean(off**2) / np.mean(reference**2)))
-
-    stick = EXACT.t1 / EXACT.period
-    slip = (theta - stick) / (1 - stick) * (orbit.period - orbit.t1)
-    aligned = np.where(theta < stick, theta / stick * orbit.t1, orbit.t1 + slip)
-    for found, expected in (
-        (orbit.errors.acceleration, apart(theta * orbit.period)),
-        (orbit.errors.acceleration_aligned, apart(aligned)),
-    ):
-        # The midpoint rule steps over two jumps: one of its cells each, against the error.
-        assert found == pytest.approx(expected, rel=2 / count / expected**2 + 1e-6)
-
-
 def test_panels_integrate_between_the_breaks() -> None:
     points, weights = quadrature.panels([0.3, 0.7], 5)
     assert weights.sum() == pytest.approx(1, rel=1e-14)

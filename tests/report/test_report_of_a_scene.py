@@ -183,12 +183,6 @@ def test_the_command_writes_a_folder(run, tmp_path: Path, monkeypatch) -> None:
     assert 'id="sketch-' in text
 
 
-def test_without_an_orbit_there_is_no_page(run, tmp_path: Path) -> None:
-    status, _, err = run("report", "impact", "--gap", 50, "-o", tmp_path / "page")
-    assert (status, "no such orbit exists" in err) == (1, True)
-    assert not (tmp_path / "page").exists()
-
-
 def test_the_thesis_is_measured_beside_its_theory() -> None:
     rows = gallery.thesis(["dry-friction"], orders=(8, 16))
     assert [row[:3] for row in rows] == [("dry-friction", "C1", K) for K in range(4)]

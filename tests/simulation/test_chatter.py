@@ -118,6 +118,7 @@ def test_without_a_rest_it_ends_with_a_word() -> None:
     rest = ns.simulate(resting(0.3), cycles=1)
     expected = next(q.start for q in rest.phases if q.name == "phase 1")
     assert t == pytest.approx(expected, rel=1e-8)  # as it is printed
+    assert "ended: chatter" in repr(motion)
 
 
 def test_phases_that_stay_as_short_are_not_chatter() -> None:

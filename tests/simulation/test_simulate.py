@@ -114,18 +114,6 @@ def test_it_begins_at_the_nearest_state_at_rest() -> None:
     assert (first.displacement, first.velocity) == (pytest.approx(-0.5 - length / 10), 0.0)
 
 
-def test_chatter_ends_with_a_word() -> None:
-    # pressed against the stop by a force that changes slowly: r**n of the time that is left
-    motion = ns.simulate(IMPACT(restitution=0.3, frequency=0.3, damping=0.3), cycles=10)
-    assert motion.ended.startswith("chatter: flight ends ever sooner, the switches accumulate")
-    t = float(motion.ended.partition("at t = ")[2].split()[0])
-    durations = [q.duration for q in motion.phases]
-    ratios = np.divide(durations[6:12], durations[5:11])
-    assert ratios == pytest.approx(0.3, rel=0.02)
-    assert t == pytest.approx(motion.time, rel=1e-8)  # as it is printed
-    assert "ended: chatter" in repr(motion)
-
-
 def test_a_state_that_no_phase_takes_is_said() -> None:
     belt = DAMPED(**BELT, mu_s=2, mu_k=1)
     with pytest.raises(ValueError, match=r"got \(0.0, 1.5\).*slower than the belt"):
@@ -169,15 +157,6 @@ def test_units_do_not_matter() -> None:
 def test_bad_arguments_are_named(arguments, error, message) -> None:
     with pytest.raises(error, match=re.escape(message)):
         ns.simulate(**({"case": IMPACT()} | arguments))
-
-
-def test_the_document_is_json() -> None:
-    motion = ns.simulate(IMPACT(), cycles=2)
-    document = json.loads(json.dumps(motion.as_dict(), allow_nan=False))
-    assert document["scene"] == "impact"
-    assert document["ended"] is None
-    assert [q["time"] for q in document["phases"]] == [q.start for q in motion.phases]
-    assert document["forcing_phase"] == 0.0
 
 
 #: Scenes whose return map is differenced: smooth near the orbit.

@@ -152,19 +152,6 @@ def test_modes_over_the_position(run, tmp_path) -> None:
     assert [point["value"] for point in json.loads(out)["points"]] == [1.0, 10.0, 100.0]
 
 
-def test_files_have_what_is_printed(run, tmp_path) -> None:
-    table, document = tmp_path / "modes.csv", tmp_path / "modes.json"
-    run("modes", "beam-crack", "--method", "all", "-o", table)
-    rows = rows_of(table)
-    assert len(rows) == 18
-    found = ns.modes("beam-crack", "ck")
-    assert float(rows[-1]["frequency"]) == found[5].frequency
-    assert rows[0]["low"] == ""
-    run("modes", "beam-crack", "-o", document)
-    _, out, _ = run("modes", "beam-crack", "--json")
-    assert document.read_text("utf-8") == out
-
-
 def test_sines_on_a_crack_are_said_to_be_of_the_sound_beam(run) -> None:
     _, _, err = run("modes", "beam-crack", "--method", "ritz")
     assert err == "nonsmooth: ritz: sines have no jump: these are the modes of the sound beam\n"
@@ -198,11 +185,6 @@ def test_computing_modes_needs_neither_sympy_nor_numba(python) -> None:
     assert python(code) == "[]\n"
 
 
-def _drawn(axes, style: str) -> "np.ndarray":
-    (line,) = (q for q in axes.lines if q.get_linestyle() == style and len(q.get_xdata()) > 2)
-    return np.array(line.get_data())
-
-
 def test_the_moment_of_the_sines_swings_and_that_of_the_others_does_not() -> None:
     expansions = [ns.modes(ROTATIONAL, q, 16) for q in ("ritz", "ritz-ck", "ck")]
     figure = pictures.modes_figure(expansions)
@@ -223,7 +205,7 @@ def test_the_moment_of_the_sines_swings_and_that_of_the_others_does_not() -> Non
 
 def test_all_modes_that_were_asked_for_are_drawn() -> None:
     """One below the other down the columns, and shape beside slope."""
-    for count, columns in ((1, 2), (4, 2), (6, 2), (7, 4), (25, 6)):
+    for count, columns in ((1, 2), (6, 2), (7, 4)):
         modes = ns.modes("string-mass", order=32, count=count)
         figure = pictures.modes_figure([modes])
         assert len(figure.axes) == 2 * count

@@ -10,7 +10,6 @@ from known import SPRINGS, attached, critical, lower, receptance
 
 import nonsmooth as ns
 from nonsmooth.solver.space.attached import attach
-from nonsmooth.solver.space.convergence import Line, convergence
 from nonsmooth.solver.space.eigenvalues.exact import exact_modes
 from nonsmooth.solver.space.modes import at_order
 from nonsmooth.solver.space.structure import load
@@ -86,17 +85,6 @@ def test_a_negative_stiffness_lowers_all_eigenvalues(name: str) -> None:
     assert (strong.eigenvalues[felt] < weak.eigenvalues[felt]).all()
     assert (weak.eigenvalues[felt] < bare[felt]).all()
     assert (strong.eigenvalues[1:] > bare[:-1] * (1 - 1e-14)).all()
-
-
-@pytest.mark.parametrize("name", SPRINGS)
-def test_rates_are_those_of_any_stiffness(name: str) -> None:
-    one = attached(name, "0.3183098861837907", 0.5 * float(critical(name, Fraction("0.31831"))))
-    study = convergence(one, [Line("ritz"), Line("ritz-ck", 1)], (12, 16, 24, 32, 48), 3)
-    for line in study.lines:
-        rate = study.rate(line)
-        if rate is not None:
-            assert rate == pytest.approx(study.expected(line), abs=0.8)
-    assert study.rate(study.lines[0]) is not None
 
 
 def test_commands_and_files_take_a_negative_stiffness(run, tmp_path) -> None:

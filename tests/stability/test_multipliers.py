@@ -175,13 +175,6 @@ def test_the_paper_s_orbits_have_them_in_closed_form(force) -> None:
     assert stability(generic).trivial_multiplier == pytest.approx(expected, abs=1e-7)
 
 
-def test_one_of_a_continuum_of_orbits_is_neither() -> None:
-    # dry friction without damping at half the natural frequency: x0 and x0 - e both close
-    orbit = exact_orbit(friction(0.5, 0.2)(), (2 * math.pi,), 0.1)
-    assert abs(orbit.multipliers[0]) == pytest.approx(1, abs=1e-14)
-    assert orbit.stable is None
-
-
 def test_without_damping_a_clearance_is_on_the_unit_circle() -> None:
     scene = made([(1, 0, 5, 2, 1), (1, 0, 1, 0, 1)], [(1, 0, 0, -0.5)] * 2, omega=1.3)
     orbit = exact_orbit(scene(), (1.39, 3.45), 0.35)
