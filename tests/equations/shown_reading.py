@@ -6,13 +6,12 @@ marks of the sides of a time; the record is spelled the same way, and both are c
 
 import re
 import unicodedata
-import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from textwrap import wrap
 
 import pytest
 import sympy as sp
-from reading import grammar, mathml
+from reading import grammar
 from reading.compare import value
 from reading.drawing import Drawing
 from reading.grammar import expression, sides
@@ -21,15 +20,14 @@ from reading.plain import named, plain
 from reading.tokens import ReadingError, Token
 
 from nonsmooth.codegen.equations.functions import Member, Rate
-from nonsmooth.codegen.printing.html import fragment_of
+from nonsmooth.codegen.printing import html
 from nonsmooth.codegen.printing.latex import aligned
 from nonsmooth.codegen.printing.words import spoken
 from nonsmooth.codegen.system import Equation, Section
 
 _RAISED = "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ"
 _WORD = re.compile(rf"(?<=[^\W\d])[{_RAISED}]{{3,}}")
-_MARKS = {"+": "p", "-": "m", "⁺": "p", "⁻": "m", "\N{MINUS SIGN}": "m"}
-_SIGNS = {"≤": "=", "≥": "=", "Ω": "Z", "δ": "Y", "|": "", "!": "", "·": ""}
+_MARKS = {"+": "p", "-": "m", "⁺": "p", "⁻": "m"}
 
 
 def spelled(record: sp.Basic, raised: bool) -> sp.Basic:
@@ -138,7 +136,25 @@ def _sided_drawn(found: re.Match[str]) -> str:
 
 def typeset_tokens(equation: Equation) -> list[Token]:
     """Return the tokens of an equation in LaTeX."""
-    body = aligned(equation).split("\n", 1)[1].rsplit("\n", 1)[0]
+    return _typeset(aligned(equation).split("\n", 1)[1].rsplit("\n", 1)[0])
+
+
+def page_tokens(equation: Equation) -> list[Token]:
+    """Return the tokens of an equation on a page, as LaTeX, of which MathML is made there."""
+    pieces: list[str] = []
+
+    def convert(piece: str, display: str = "inline") -> str:
+        pieces.extend([piece] if display == "block" else [])  # else a word's in the caption
+        return f"<math display={display!r}/>"
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(html, "convert", convert)
+        html.fragment_of([Section("", (equation,), "")])
+    return _typeset(" ".join(pieces))
+
+
+def _typeset(body: str) -> list[Token]:
+    """Return the tokens of LaTeX, whose signs are replaced by those that the reader knows."""
     body = re.sub(r"\\?([A-Za-z]+)\^\{\\mathrm\{(\w+)\}\}", _capitals, body)
     body = re.sub(r"t\^\{([+-])\}_\{(\d)\}", lambda q: _upright("t" + q[2], q[1]), body)
     body = re.sub(r"\b([T0])\^\{([+-])\}", lambda q: _upright(q[1], q[2]), body)
@@ -150,48 +166,6 @@ def typeset_tokens(equation: Equation) -> list[Token]:
     body = re.sub(r"\\left\||\\right\||!", "", body)
     body = re.sub(r"\\\\(?=\n)", "", body)
     return latex_tokens(body)
-
-
-def mathml_tokens(equation: Equation) -> list[Token]:
-    """Return the tokens of an equation on a page."""
-    page = f"<body>{fragment_of([Section('', (equation,), '')])}</body>"
-    (found,) = mathml.equations(page)
-    found.sides = _respelled(found.sides)
-    return found.tokens()
-
-
-def _respelled(element: ET.Element) -> ET.Element:
-    """Return MathML in signs that the reader knows."""
-    parts = [_respelled(part) for part in element]
-    tag = element.tag.rpartition("}")[2]
-    if tag in {"msup", "msubsup"}:
-        base, high = ("".join(parts[place].itertext()) for place in (0, -1))
-        low = parts[1] if tag == "msubsup" else None
-        if re.fullmatch(r"[a-z]{3,}", high):
-            return _indexed(_element("mi", base + high.upper()), low)
-        if set(high) == {"′"}:
-            return _indexed(_element("mrow", "", parts[0], parts[-1]), low)
-        if high in _MARKS and base in {"T", "t", "0"}:
-            digit = "" if low is None else "".join(low.itertext())
-            return _element("mi", _sided(base + digit, high))
-        if base == "x" and re.fullmatch(r"\(\d\)", high):
-            primes = [_element("mo", "′") for _ in range(int(high[1]))]
-            return _element("mrow", "", parts[0], *primes)
-    text = element.text or ""
-    found = _element(element.tag, _SIGNS.get(text.strip(), text), *parts)
-    found.attrib.update(element.attrib)
-    return found
-
-
-def _indexed(base: ET.Element, low: ET.Element | None) -> ET.Element:
-    return base if low is None else _element("msub", "", base, low)
-
-
-def _element(tag: str, text: str, *parts: ET.Element) -> ET.Element:
-    found = ET.Element(tag)
-    found.text = text
-    found.extend(parts)
-    return found
 
 
 def _capitals(found: re.Match[str]) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from every_run import tried
-from shown_reading import drawn_tokens, functions, mathml_tokens, typeset_tokens, wrong
+from shown_reading import drawn_tokens, functions, page_tokens, typeset_tokens, wrong
 from shown_scenes import EVERY_RUN, SCENES
 
 import nonsmooth as ns
@@ -52,7 +52,7 @@ def test_every_equation_reads_as_its_record(scene: str) -> None:
         found.append(wrong(row, drawn_tokens(row, True), spaced=False, raised=True))
         found.append(wrong(row, drawn_tokens(row, False), spaced=False, raised=False))
         found.append(wrong(row, typeset_tokens(row), spaced=True, raised=True))
-        found.append(wrong(row, mathml_tokens(row), spaced=True, raised=True))
+        found.append(wrong(row, page_tokens(row), spaced=True, raised=True))
     assert not any(found), "\n".join(filter(None, found))
 
 

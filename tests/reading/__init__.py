@@ -1,6 +1,6 @@
 """Read printed equations back: what a reader sees becomes expressions again.
 
-`drawing`, `latex` and `mathml` turn a format into the tokens of `tokens`, `grammar` turns
+`drawing` and `latex` turn a format into the tokens of `tokens`, `grammar` turns
 those into expressions in the plain words of `plain`, and `compare` holds them against a record.
 None of them knows the printers.
 """
