@@ -1,5 +1,6 @@
 """What the formats have in common: a line of mathematics as a list of tokens."""
 
+import unicodedata
 from dataclasses import dataclass
 
 
@@ -45,3 +46,12 @@ class Cases:
 
 #: A token: one of the above, or a name, a number, an operator or a bracket.
 Token = Fraction | Sub | Sup | Root | Cases | str
+
+
+def letter(character: str) -> str:
+    """Return a letter in plain ASCII, a Greek one by its name."""
+    name = unicodedata.name(character, "")
+    if not name.startswith("GREEK"):
+        return unicodedata.normalize("NFKC", character)
+    word = name.removesuffix(" SYMBOL").split()[-1].lower()
+    return {"lamda": "lambda"}.get(word, word)

@@ -49,204 +49,143 @@ def test_the_scenes_that_are_changed_below_are_right():
     assert scene(half_period=True).sign == -1
 
 
-NAMES = {
-    "parameter of two words": (lambda: with_parameter(0, name="a b"), "parameter a b: got"),
-    "parameter that Python has": (lambda: with_parameter(0, name="lambda"), "parameter lambda"),
-    "parameter that is a flag": (
-        lambda: with_parameter(0, name="order"),
-        "parameter order",
-        "taken",
-    ),
-    "symbol that Python has": (
+NAMES = [
+    (lambda: with_parameter(0, name="a b"), "parameter a b: got"),
+    (lambda: with_parameter(0, name="lambda"), "parameter lambda"),
+    (lambda: with_parameter(0, name="order"), "parameter order", "taken"),
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("lambda", positive=True)),
         "parameter mass: symbol: got 'lambda', a word of Python",
     ),
-    "symbol in LaTeX": (
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("m_{1}", positive=True)),
         "parameter mass: symbol: got 'm_{1}'",
     ),
-    "symbol of the state": (lambda: with_parameter(0, symbol=x), "parameter mass: symbol: x"),
-    "symbol of the order": (
+    (lambda: with_parameter(0, symbol=x), "parameter mass: symbol: x"),
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("N", positive=True)),
         "parameter mass: symbol: N has a meaning of its own",
         "as have N, R, J, T, z,",
     ),
-    "symbol of an unknown": (
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("s_flight", positive=True)),
         "parameter mass: symbol: s_flight has a meaning of its own",
     ),
-    "symbol of a switch": (
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("t1", positive=True)),
         "parameter mass: symbol: t1 has a meaning of its own",
     ),
-    "symbol of an integral": (
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("C_flight", positive=True)),
         "parameter mass: symbol: C_flight has a meaning of its own",
     ),
-    "complex symbol": (
-        lambda: with_parameter(0, symbol=sp.Symbol("m")),
-        "parameter mass: symbol: got m",
-        "real",
-    ),
-    "negative symbol": (
+    (lambda: with_parameter(0, symbol=sp.Symbol("m")), "parameter mass: symbol: got m", "real"),
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("m", negative=True)),
         "parameter mass: symbol: got m",
         "positive, nonnegative or real",
     ),
-    "integer symbol": (
+    (
         lambda: with_parameter(0, symbol=sp.Symbol("m", integer=True)),
         "parameter mass: symbol: got m",
     ),
-    "name twice": (lambda: with_parameter(1, name="mass"), "parameters: name mass", "twice"),
-    "symbol twice": (lambda: with_parameter(1, symbol=m), "parameters: symbol m", "twice"),
-    "phase of two words": (lambda: scene(phase={"name": "a b"}), "phase a b: name: got"),
-    "phase that Python has": (lambda: scene(phase={"name": "pass"}), "phase pass: name: got"),
-    "phases of one name": (lambda: belt(run={"name": "rest"}), "phases: got rest, rest"),
-    "no phases": (lambda: scene(phases=()), "phases: got none"),
-}
+    (lambda: with_parameter(1, name="mass"), "parameters: name mass", "twice"),
+    (lambda: with_parameter(1, symbol=m), "parameters: symbol m", "twice"),
+    (lambda: scene(phase={"name": "a b"}), "phase a b: name: got"),
+    (lambda: scene(phase={"name": "pass"}), "phase pass: name: got"),
+    (lambda: belt(run={"name": "rest"}), "phases: got rest, rest"),
+    (lambda: scene(phases=()), "phases: got none"),
+]
 
-PARAMETER = {
-    "unit": (lambda: with_parameter(0, unit="pound"), "parameter mass: unit: got 'pound'"),
-    "default below": (
-        lambda: with_parameter(0, default=0.0),
-        "parameter mass: default: got 0.0",
-        "above 0",
-    ),
-    "default negative": (
-        lambda: with_parameter(1, default=-1.0),
-        "parameter damping: default",
-        "0 or more",
-    ),
-    "default above": (
+PARAMETER = [
+    (lambda: with_parameter(0, unit="pound"), "parameter mass: unit: got 'pound'"),
+    (lambda: with_parameter(0, default=0.0), "parameter mass: default: got 0.0", "above 0"),
+    (lambda: with_parameter(1, default=-1.0), "parameter damping: default", "0 or more"),
+    (
         lambda: with_parameter(6, default=1.5),
         "parameter restitution: default: got 1.5",
         "above 0 and at most 1",
     ),
-    "default infinite": (
+    (
         lambda: with_parameter(5, default=float("inf")),
         "parameter gap: default: got inf",
         "a number",
     ),
-    "default not a number": (
-        lambda: with_parameter(5, default=float("nan")),
-        "parameter gap: default: got nan",
-    ),
-    "unused": (
+    (lambda: with_parameter(5, default=float("nan")), "parameter gap: default: got nan"),
+    (
         lambda: scene(parameters=(*PARAMETERS, Parameter("idle", mu, "", 1.0, "idle"))),
         "parameter idle: no equation",
     ),
-}
+]
 
-FIELDS = {
-    "unknown in the equation": (
+FIELDS = [
+    (
         lambda: scene(phase={"equation": MOTION + stranger * x}),
         "phase flight: equation: stranger is not a parameter",
     ),
-    "unknown in the event": (
-        lambda: scene(ends={"zero": x - stranger}),
-        "phase flight: ends: stranger is not",
-    ),
-    "unknown in the jump": (
-        lambda: scene(ends={"jump": {v: -stranger * v}}),
-        "phase flight: jump: stranger is not",
-    ),
-    "unknown in a demand": (
+    (lambda: scene(ends={"zero": x - stranger}), "phase flight: ends: stranger is not"),
+    (lambda: scene(ends={"jump": {v: -stranger * v}}), "phase flight: jump: stranger is not"),
+    (
         lambda: scene(phase={"demands": {"right": stranger - x}}),
         "phase flight: demand 'right': stranger is not",
     ),
-    "unknown in a requirement": (
-        lambda: scene(requires={"right": stranger}),
-        "requires 'right': stranger is not",
-    ),
-    "unknown in the guess": (
-        lambda: scene(guess=(stranger / Omega,)),
-        "guess: stranger is not",
-    ),
-    "unknown in a scale": (
-        lambda: scene(scales={"length": stranger * g}),
-        "scales 'length': stranger is not",
-    ),
-    "the symbol of another call": (
+    (lambda: scene(requires={"right": stranger}), "requires 'right': stranger is not"),
+    (lambda: scene(guess=(stranger / Omega,)), "guess: stranger is not"),
+    (lambda: scene(scales={"length": stranger * g}), "scales 'length': stranger is not"),
+    (
         lambda: scene(phase={"equation": MOTION + sp.Symbol("c") * v}),
         "phase flight: equation: c is not a parameter",
         "another symbol of that name",
         "nonnegative=True",
     ),
-    "units of the equation": (
+    (
         lambda: scene(phase={"equation": m * a + k * v - F * forcing + c * v}),
         "phase flight: equation: units clash",
         "k*v in kg m/s^3",
     ),
-    "units of the event": (
-        lambda: scene(ends={"zero": x - v}),
-        "phase flight: ends: units clash",
-        "is in m",
-        "m/s",
-    ),
-    "units of a demand": (
+    (lambda: scene(ends={"zero": x - v}), "phase flight: ends: units clash", "is in m", "m/s"),
+    (
         lambda: scene(phase={"demands": {"right": g - v}}),
         "phase flight: demand 'right': units clash",
     ),
-    "units of a requirement": (
-        lambda: scene(requires={"right": g - m}),
-        "requires 'right': units clash",
-    ),
-    "acceleration in the event": (
-        lambda: scene(ends={"zero": m * a + F}),
-        "phase flight: ends",
-        "acceleration",
-    ),
-    "acceleration in a demand": (
+    (lambda: scene(requires={"right": g - m}), "requires 'right': units clash"),
+    (lambda: scene(ends={"zero": m * a + F}), "phase flight: ends", "acceleration"),
+    (
         lambda: scene(phase={"demands": {"right": F - m * a}}),
         "phase flight: demand 'right'",
         "acceleration",
     ),
-    "modulus above a bound": (
+    (
         lambda: scene(phase={"demands": {"right": sp.Abs(x) - g}}),
         "phase flight: demand 'right'",
         "a bound - Abs(...)",
     ),
-    "square of a modulus": (
+    (
         lambda: scene(phase={"demands": {"right": g**2 - sp.Abs(x - g) ** 2 * r}}),
         "phase flight: demand 'right'",
     ),
-    "mass of the wrong sign": (
-        lambda: scene(phase={"equation": -MOTION}),
-        "phase flight: equation: got -m times a",
-    ),
-    "event of parameters": (
-        lambda: scene(ends={"zero": g}),
-        "phase flight: ends: g depends on neither",
-    ),
-    "event that is a number": (
-        lambda: scene(ends={"zero": 0.0}),
-        "phase flight: ends: 0.0 dep",
-    ),
-    "jump of x": (lambda: scene(ends={"jump": {x: -x}}), "phase flight: jump: got a jump of x"),
-    "jump of the square": (
+    (lambda: scene(phase={"equation": -MOTION}), "phase flight: equation: got -m times a"),
+    (lambda: scene(ends={"zero": g}), "phase flight: ends: g depends on neither"),
+    (lambda: scene(ends={"zero": 0.0}), "phase flight: ends: 0.0 dep"),
+    (lambda: scene(ends={"jump": {x: -x}}), "phase flight: jump: got a jump of x"),
+    (
         lambda: scene(ends={"jump": {v: -r * v**2}}),
         "phase flight: jump: ",
         "-r*v**2 is not linear in v",
     ),
-    "jump of the modulus": (
+    (
         lambda: scene(ends={"jump": {v: -r * sp.Abs(v)}}),
         "phase flight: jump",
         "not linear in v",
     ),
-    "jump by displacement": (
+    (
         lambda: scene(ends={"jump": {v: -r * v + Omega * x}}),
         "phase flight: jump: got",
         "the velocity v alone",
     ),
-    "jump of another unit": (
-        lambda: scene(ends={"jump": {v: -r * x}}),
-        "phase flight: jump: -r*x is not a velocity",
-    ),
-    "time in the event": (
-        lambda: scene(ends={"zero": x - g * Omega * t}),
-        "phase flight: ends",
-    ),
-    "phases in different units": (
+    (lambda: scene(ends={"jump": {v: -r * x}}), "phase flight: jump: -r*x is not a velocity"),
+    (lambda: scene(ends={"zero": x - g * Omega * t}), "phase flight: ends"),
+    (
         lambda: scene(
             phases=(
                 Phase("here", MOTION / m, Event(x - g)),
@@ -255,62 +194,50 @@ FIELDS = {
         ),
         "phase there: equation: it is in kg m/s^2, that of here in m/s^2",
     ),
-}
+]
 
-WHOLE = {
-    "forcing without frequency": (
+WHOLE = [
+    (
         lambda: scene(frequency=None),
         "phase flight: equation: it has forcing, but the scene has no frequency",
     ),
-    "forcing in an event without frequency": (
+    (
         lambda: belt(rest={"ends": Event(F * forcing - k * x)}),
         "phase rest: ends: it has forcing",
     ),
-    "frequency without forcing": (
+    (
         lambda: belt(
             parameters=(*BELT, Parameter("frequency", Omega, "1/s", 1.0, "frequency")),
             frequency=Omega,
         ),
         "frequency: no equation and no event has forcing",
     ),
-    "frequency that is not a parameter": (
-        lambda: scene(frequency=stranger),
-        "frequency: stranger is not a parameter",
-    ),
-    "frequency in another unit": (
-        lambda: scene(frequency=k),
-        "frequency: got the unit 'N/m', expected rad/s",
-    ),
-    "frequency of any sign": (
+    (lambda: scene(frequency=stranger), "frequency: stranger is not a parameter"),
+    (lambda: scene(frequency=k), "frequency: got the unit 'N/m', expected rad/s"),
+    (
         lambda: scene(
             frequency=sp.Symbol("w", real=True),
             parameters=(*PARAMETERS, Parameter("w", sp.Symbol("w", real=True), "1/s", 1.0, "")),
         ),
         "frequency: got w, expected a positive symbol",
     ),
-    "too few durations": (lambda: belt(guess=(m * V / F,)), "guess: got 1 durations for 2"),
-    "start of a forced motion": (lambda: scene(start={x: g}), "start: the phase of the"),
-    "start of x and v": (lambda: belt(start={x: V * m / F, v: V}), "start: got x, v, expected"),
-    "start of a force": (lambda: belt(start={a: F / m}), "start: got a, expected either"),
-    "start in m/s": (lambda: belt(start={x: V}), "start: V is in m/s, expected m"),
-    "start of a stranger": (lambda: belt(start={v: V * v / V}), "start: v is not a parameter"),
-    "duration in metres": (lambda: scene(guess=(g,)), "guess: g is in m, expected s"),
-    "duration that is a number": (lambda: scene(guess=(3.0,)), "guess: 3.0", "expected s"),
-    "state in a duration": (lambda: scene(guess=(x / v,)), "guess: v is not a parameter"),
-    "scale of what": (
-        lambda: scene(scales={"force": F}),
-        "scales 'force': expected one of mass",
-    ),
-    "scale of another unit": (
-        lambda: scene(scales={"length": F}),
-        "scales 'length': F is in kg m/s^2, expected m",
-    ),
-    "scale of zero": (lambda: scene(scales={"length": 0}), "scales 'length': got 0"),
-    "nothing changes": (
+    (lambda: belt(guess=(m * V / F,)), "guess: got 1 durations for 2"),
+    (lambda: scene(start={x: g}), "start: the phase of the"),
+    (lambda: belt(start={x: V * m / F, v: V}), "start: got x, v, expected"),
+    (lambda: belt(start={a: F / m}), "start: got a, expected either"),
+    (lambda: belt(start={x: V}), "start: V is in m/s, expected m"),
+    (lambda: belt(start={v: V * v / V}), "start: v is not a parameter"),
+    (lambda: scene(guess=(g,)), "guess: g is in m, expected s"),
+    (lambda: scene(guess=(3.0,)), "guess: 3.0", "expected s"),
+    (lambda: scene(guess=(x / v,)), "guess: v is not a parameter"),
+    (lambda: scene(scales={"force": F}), "scales 'force': expected one of mass"),
+    (lambda: scene(scales={"length": F}), "scales 'length': F is in kg m/s^2, expected m"),
+    (lambda: scene(scales={"length": 0}), "scales 'length': got 0"),
+    (
         lambda: scene(phase={"ends": Event(x - g)}, parameters=PARAMETERS[:-1]),
         "phase flight: its motion is that of flight; nothing changes",
     ),
-    "no length": (
+    (
         lambda: belt(
             rest={"equation": m * a + F, "held": None},
             run={"ends": Event(k * x - F)},
@@ -318,170 +245,125 @@ WHOLE = {
         ),
         "scales: no length can be worked out",
     ),
-    "no time": (
-        lambda: belt(run={"equation": m * a + F}),
-        "scales: no time can be worked out",
-    ),
-    "held everywhere": (
+    (lambda: belt(run={"equation": m * a + F}), "scales: no time can be worked out"),
+    (
         lambda: belt(
             run={"equation": a, "held": V, "ends": Event(k * x + F)},
             rest={"ends": Event(v - V)},
         ),
         "phases: got only held ones",
     ),
-}
+]
 
-HELD = {
-    "held for ever": (
+HELD = [
+    (
         lambda: belt(rest={"ends": Event(v - V)}),
         "phase rest: ends: -V + v does not change while it is held",
     ),
-    "held at rest for ever": (
+    (
         lambda: belt(rest={"held": sp.Integer(0)}, run={"ends": Event(v)}),
         "phase rest: ends: F - k*x does not change while it is held",
     ),
-    "held phase with a spring": (
+    (
         lambda: belt(rest={"equation": m * a + k * x}),
         "phase rest: held: got the equation",
         "expected a",
     ),
-    "held at a displacement": (
-        lambda: belt(rest={"held": V * m}),
-        "phase rest: held: V*m is not a velocity",
-    ),
-    "entered by displacement": (
-        lambda: belt(run={"ends": Event(k * x - F)}),
-        "phase run: ends: got",
-        "expected -V + v",
-    ),
-    "entered at another velocity": (
+    (lambda: belt(rest={"held": V * m}), "phase rest: held: V*m is not a velocity"),
+    (lambda: belt(run={"ends": Event(k * x - F)}), "phase run: ends: got", "expected -V + v"),
+    (
         lambda: belt(run={"ends": Event(v - 2 * V)}),
         "phase run: ends: got -2*V + v, expected -V + v",
     ),
-    "entered by a jump": (
+    (
         lambda: belt(run={"ends": Event(v - V, jump={v: -v})}),
         "phase run: jump: got -v, expected V: the velocity at which rest is held",
     ),
-    "entered by a rebound": (
+    (
         lambda: stop(flight={"ends": Event(x - g, jump={v: -r * v})}, parameters=PARAMETERS),
         "phase flight: jump: got -r*v, expected 0: the velocity at which rest is held",
     ),
-    "entered at a stop without a jump": (
+    (
         lambda: stop(flight={"ends": Event(x - g)}),
         "phase flight: ends: got -g + x, expected v: the velocity at which rest is held",
     ),
-    "held at a velocity of the motion": (
+    (
         lambda: belt(rest={"held": v}),
         "phase rest: held: got v, expected a velocity in the parameters",
     ),
-    "entered without the other sign": (
-        lambda: belt(half_period=True),
-        "phase run: ends: got -V + v, expected V + v",
-    ),
-}
+    (lambda: belt(half_period=True), "phase run: ends: got -V + v, expected V + v"),
+]
 
-TYPES = {
-    "a phase that is alone": (lambda: scene(phases=FLIGHT), "phases: got", "(entry,)"),
-    "an event among phases": (
-        lambda: scene(phases=(FLIGHT.ends,)),
-        "phases: got",
-        "expected a Phase",
-    ),
-    "a phase for an event": (
+TYPES = [
+    (lambda: scene(phases=FLIGHT), "phases: got", "(entry,)"),
+    (lambda: scene(phases=(FLIGHT.ends,)), "phases: got", "expected a Phase"),
+    (
         lambda: scene(phase={"ends": FLIGHT}),
         "phase flight: ends: got a Phase, expected an Event",
     ),
-    "an expression for an event": (
-        lambda: scene(phase={"ends": x - g}),
-        "phase flight: ends: got -g + x, expected an Event",
-    ),
-    "a symbol among parameters": (
-        lambda: scene(parameters=(m, k)),
-        "parameters: got m, expected a Parameter",
-    ),
-    "a number for a symbol": (
-        lambda: with_parameter(0, symbol=1.0),
-        "parameter mass: symbol: got 1.0",
-    ),
-    "symbol and name exchanged": (
-        lambda: with_parameter(0, name=m, symbol="mass"),
-        "parameter: name: got m, expected text",
-    ),
-    "a unit that is none": (
-        lambda: with_parameter(0, unit=None),
-        "parameter mass: unit: got No",
-    ),
-    "text for a default": (
+    (lambda: scene(phase={"ends": x - g}), "phase flight: ends: got -g + x, expected an Event"),
+    (lambda: scene(parameters=(m, k)), "parameters: got m, expected a Parameter"),
+    (lambda: with_parameter(0, symbol=1.0), "parameter mass: symbol: got 1.0"),
+    (lambda: with_parameter(0, name=m, symbol="mass"), "parameter: name: got m, expected text"),
+    (lambda: with_parameter(0, unit=None), "parameter mass: unit: got No"),
+    (
         lambda: with_parameter(0, default="1"),
         "parameter mass: default: got '1', expected a number",
     ),
-    "truth for a default": (
-        lambda: with_parameter(0, default=True),
-        "parameter mass: default: got True",
-    ),
-    "text for the largest": (
-        lambda: with_parameter(6, most="1"),
-        "parameter restitution: most",
-    ),
-    "an equation with two sides": (
+    (lambda: with_parameter(0, default=True), "parameter mass: default: got True"),
+    (lambda: with_parameter(6, most="1"), "parameter restitution: most"),
+    (
         lambda: scene(phase={"equation": sp.Eq(m * a, -k * x)}),
         "phase flight: equation: got an equation",
     ),
-    "text for an equation": (
+    (
         lambda: scene(phase={"equation": "m*a + k*x"}),
         "phase flight: equation: got 'm*a + k*x'",
         "expression of SymPy",
     ),
-    "text for a demand": (
+    (
         lambda: scene(phase={"demands": {"right": "g - x"}}),
         "phase flight: demand 'right': got 'g - x'",
     ),
-    "an inequality": (
+    (
         lambda: scene(phase={"demands": {"right": g >= x}}),
         "phase flight: demand 'right': got",
         "expression",
     ),
-    "demands without words": (
-        lambda: scene(phase={"demands": (g - x,)}),
-        "phase flight: demand: got",
-        "mapping",
-    ),
-    "words that are none": (
+    (lambda: scene(phase={"demands": (g - x,)}), "phase flight: demand: got", "mapping"),
+    (
         lambda: scene(phase={"demands": {1: g - x}}),
         "phase flight: demand: got 1, expected text",
     ),
-    "a jump that is not a mapping": (
-        lambda: scene(ends={"jump": -r * v}),
-        "phase flight: jump: got -r*v, expected a mapping",
-    ),
-    "text for what jumps": (
+    (lambda: scene(ends={"jump": -r * v}), "phase flight: jump: got -r*v, expected a mapping"),
+    (
         lambda: scene(ends={"jump": {"v": -r * v}}),
         "phase flight: jump: got 'v', expected a symbol",
     ),
-    "infinity": (
+    (
         lambda: scene(phase={"demands": {"right": sp.oo - x}}),
         "phase flight: demand 'right': got",
     ),
-    "imaginary": (
+    (
         lambda: scene(phase={"equation": MOTION + sp.I * c * v}),
         "phase flight: equation: got",
         "real and finite",
     ),
-    "text for the frequency": (lambda: scene(frequency="frequency"), "frequency: got 'freq"),
-    "a number for the frequency": (lambda: scene(frequency=1.8), "frequency: got 1.8"),
-    "a guess that is alone": (lambda: scene(guess=1 / Omega), "guess: got 1/Omega", "(entry,)"),
-    "scales that are a tuple": (lambda: scene(scales=(m, 1, g)), "scales: got", "mapping"),
-    "truth that is none": (lambda: scene(half_period="yes"), "half_period: got 'yes'"),
-    "a name that is none": (lambda: scene(name=None), "name: got None, expected text"),
-    "a title of two lines": (lambda: scene(title="two\nlines"), "title: got", "one line"),
-}
+    (lambda: scene(frequency="frequency"), "frequency: got 'freq"),
+    (lambda: scene(frequency=1.8), "frequency: got 1.8"),
+    (lambda: scene(guess=1 / Omega), "guess: got 1/Omega", "(entry,)"),
+    (lambda: scene(scales=(m, 1, g)), "scales: got", "mapping"),
+    (lambda: scene(half_period="yes"), "half_period: got 'yes'"),
+    (lambda: scene(name=None), "name: got None, expected text"),
+    (lambda: scene(title="two\nlines"), "title: got", "one line"),
+]
 
-MISTAKES = NAMES | PARAMETER | FIELDS | WHOLE | HELD | TYPES
+MISTAKES = [*NAMES, *PARAMETER, *FIELDS, *WHOLE, *HELD, *TYPES]
 
 
-@pytest.mark.parametrize("what", MISTAKES)
-def test_a_mistake_gets_one_line_that_names_the_field(what):
-    make, *words = MISTAKES[what]
+@pytest.mark.parametrize("mistake", MISTAKES, ids=lambda mistake: mistake[1])
+def test_a_mistake_gets_one_line_that_names_the_field(mistake):
+    make, *words = mistake
     refused(make, *words)
 
 

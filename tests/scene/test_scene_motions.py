@@ -36,107 +36,78 @@ def test_the_scenes_that_are_changed_below_are_right():
     assert scene().each_motion == (scene(),)
 
 
-MISTAKES = {
-    "a memory that is a symbol": (lambda: scene(memory=(w,)), "memory: got w", "a Memory"),
-    "a memory alone": (lambda: scene(memory=OFFSET), "memory: got", "(entry,)"),
-    "a positive memory": (
+MISTAKES = [
+    (lambda: scene(memory=(w,)), "memory: got w", "a Memory"),
+    (lambda: scene(memory=OFFSET), "memory: got", "(entry,)"),
+    (
         lambda: remembering(symbol=sp.Symbol("w", positive=True)),
         "memory w: symbol: got other assumptions, expected real=True",
     ),
-    "a memory that is a parameter": (lambda: remembering(symbol=g), "memory g: symbol: there"),
-    "a memory that is the state": (lambda: remembering(symbol=x), "memory x: symbol"),
-    "a memory with a name of kernels": (
+    (lambda: remembering(symbol=g), "memory g: symbol: there"),
+    (lambda: remembering(symbol=x), "memory x: symbol"),
+    (
         lambda: remembering(symbol=sp.Symbol("phi", real=True)),
         "memory phi: symbol: phi has a meaning of its own",
     ),
-    "a memory of no phase": (
-        lambda: remembering(at="fligt"),
-        "memory w: at: got 'fligt', expected one of flight",
-    ),
-    "a memory that is not linear": (
-        lambda: remembering(value=x**2 / g),
-        "memory w: value",
-        "is not linear in x",
-    ),
-    "a memory of the acceleration": (lambda: remembering(value=a / Omega**2), "memory w: val"),
-    "a memory of parameters alone": (
-        lambda: remembering(value=g),
-        "memory w: value: g depends on neither x, v nor forcing",
-    ),
-    "a memory that is a force": (
-        lambda: remembering(value=k * x),
-        "memory w: value: it is in kg m/s^2, expected m",
-    ),
-    "a memory of clashing units": (lambda: remembering(value=x + v), "memory w: value: units"),
-    "a memory that nothing uses": (
-        lambda: scene(memory=(OFFSET,)),
-        "memory w: no equation, event or demand has it",
-    ),
-    "a memory in another unit": (
-        lambda: remembering(value=v),
-        "phase flight: equation: units clash",
-    ),
-    "a spring that the memory makes": (
+    (lambda: remembering(at="fligt"), "memory w: at: got 'fligt', expected one of flight"),
+    (lambda: remembering(value=x**2 / g), "memory w: value", "is not linear in x"),
+    (lambda: remembering(value=a / Omega**2), "memory w: val"),
+    (lambda: remembering(value=g), "memory w: value: g depends on neither x, v nor forcing"),
+    (lambda: remembering(value=k * x), "memory w: value: it is in kg m/s^2, expected m"),
+    (lambda: remembering(value=x + v), "memory w: value: units"),
+    (lambda: scene(memory=(OFFSET,)), "memory w: no equation, event or demand has it"),
+    (lambda: remembering(value=v), "phase flight: equation: units clash"),
+    (
         lambda: remembering({"equation": FLIGHT.equation + k * w * x / g}),
         "phase flight: equation",
         "is not linear in",
     ),
-    "an event that is not linear with it": (
+    (
         lambda: remembering({"ends": Event(x * w / g - g, jump={v: -v})}),
         "phase flight: ends",
         "is not linear in x",
     ),
-    "an event of the memory alone": (
+    (
         lambda: remembering({**KEPT, "ends": Event(w - g, jump={v: -v})}),
         "phase flight: ends: -g + w depends on neither",
     ),
-    "a jump by the memory": (
+    (
         lambda: remembering({**KEPT, "ends": Event(x - g, jump={v: -v + Omega * w})}),
         "phase flight: jump",
         "the velocity v alone",
     ),
-    "a forcing that is not there": (
+    (
         lambda: belt(memory=(Memory(w, "run", x * forcing / 2, "place"),)),
         "memory w: value: it has forcing, but the scene has no frequency",
     ),
-    "phases and motions": (lambda: scene(motions={"one": (FLIGHT,)}), "motions: got phases"),
-    "motions that are a tuple": (lambda: several(motions=(FLIGHT,)), "motions: got", "mapping"),
-    "a motion without phases": (
-        lambda: several(motions={"one": ()}),
-        "motion one: phases: got none",
-    ),
-    "a motion that is a phase": (
-        lambda: several(motions={"one": FLIGHT}),
-        "motion one: got",
-        "tuple",
-    ),
-    "a motion of two words": (
+    (lambda: scene(motions={"one": (FLIGHT,)}), "motions: got phases"),
+    (lambda: several(motions=(FLIGHT,)), "motions: got", "mapping"),
+    (lambda: several(motions={"one": ()}), "motion one: phases: got none"),
+    (lambda: several(motions={"one": FLIGHT}), "motion one: got", "tuple"),
+    (
         lambda: several(motions={"a b": (FLIGHT,)}),
         "motions: got 'a b', expected lower-case letters",
     ),
-    "two motions of one name": (
+    (
         lambda: several(motions={"a-b": (FLIGHT,), "a_b": (FLIGHT,)}),
         "motions: got 'a_b', expected lower-case letters, digits and dashes",
     ),
-    "a mistake in a motion": (
+    (
         lambda: several(motions={"one": (replace(FLIGHT, ends=Event(x**2 / g - g)),)}),
         "motion one: phase flight: ends",
         "is not linear in x",
     ),
-    "a guess of which motion": (lambda: several(guess=GUESS), "guess: got durations, expected"),
-    "a guess of no motion": (
+    (lambda: several(guess=GUESS), "guess: got durations, expected"),
+    (
         lambda: several(guess={"three": GUESS}),
         "guess: got 'three', expected one of one, two-times",
     ),
-    "a guess that is too long": (
+    (
         lambda: several(guess={"one": GUESS * 2}),
         "motion one: guess: got 2 durations for 1 phases",
     ),
-    "a guess by motion where there is one": (
-        lambda: scene(guess={"one": GUESS}),
-        "guess: got a mapping, expected a tuple",
-    ),
-    "motions of different mass": (
+    (lambda: scene(guess={"one": GUESS}), "guess: got a mapping, expected a tuple"),
+    (
         lambda: several(
             motions={
                 "one": (FLIGHT,),
@@ -145,28 +116,25 @@ MISTAKES = {
         ),
         "scales: the unit of mass is m in one, 2*m in two; give 'mass'",
     ),
-    "a parameter that no motion has": (
+    (
         lambda: several(motions={"one": (replace(FLIGHT, ends=Event(x - g)),)}),
         "motion one: phase flight: its motion",
     ),
-    "a demand at a switch that is not linear": (
-        lambda: scene(ends={"demands": {"fast": v**2 - g}}),
-        "phase flight: ends: demand 'fast'",
-    ),
-    "a demand at a switch in clashing units": (
+    (lambda: scene(ends={"demands": {"fast": v**2 - g}}), "phase flight: ends: demand 'fast'"),
+    (
         lambda: scene(ends={"demands": {"fast": v - g}}),
         "phase flight: ends: demand 'fast': units clash",
     ),
-    "a demand at a switch that is text": (
+    (
         lambda: scene(ends={"demands": {"fast": "v"}}),
         "phase flight: ends: demand 'fast': got 'v'",
     ),
-}
+]
 
 
-@pytest.mark.parametrize("what", MISTAKES)
-def test_a_mistake_gets_one_line_that_names_the_field(what):
-    make, *words = MISTAKES[what]
+@pytest.mark.parametrize("mistake", MISTAKES, ids=lambda mistake: mistake[1])
+def test_a_mistake_gets_one_line_that_names_the_field(mistake):
+    make, *words = mistake
     refused(make, *words)
 
 
