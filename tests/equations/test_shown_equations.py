@@ -124,7 +124,7 @@ def test_what_a_condition_looks_up_is_defined(scene: str, method: str) -> None:
             assert own or entry.base in defined, entry
 
 
-@pytest.mark.parametrize(("scene", "method"), [("impact", "ck-tau"), ("contact", "hb")])
+@pytest.mark.parametrize(("scene", "method"), [("impact", "ck-tau"), ("clearance", "hb")])
 def test_the_time_derivatives_are_differences(scene: str, method: str) -> None:
     found, step = numbers(scene, method), 1e-5
     rows = [q for q in found.record.jacobian if isinstance(q.sides[0], sp.Derivative)]

@@ -27,9 +27,9 @@ METHODS = {
     "impact": ("ck", "hb-ck"),
     "stick-slip": ("hb", "hb-c1", "ck"),
     "stick-slip-damped": ("ck-tau",),
-    "contact": ("hb",),
+    "clearance": ("hb",),
     "stops": ("hb-ck",),
-    "two-sided": ("ck-tau",),
+    "impact-two-sided": ("ck-tau",),
     "elastic-plastic": ("hb",),
     "impact-inelastic": ("hb",),
 }

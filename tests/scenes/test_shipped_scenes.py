@@ -89,10 +89,6 @@ def test_equal_friction_by_the_kernel_of_the_general_class():
     assert classes(FRICTION(mu_s=0.6, mu_k=0.5).of_motion("two-stops").cell) == (1, 1)
 
 
-def drawn(seed, count=6):
-    return np.random.default_rng(seed).uniform(size=(count, 6))
-
-
 @pytest.mark.parametrize("damping", [0.0, 0.08])
 def test_amplitude_of_sliding_is_that_of_den_hartog(damping):
     """``x_0 = -G mu + sqrt(V^2 - H^2 mu^2)`` in units of m, k, F, derived by the half period.
@@ -138,65 +134,6 @@ def test_the_first_stop_without_damping_is_where_den_hartog_has_it():
     for mu, motion in ((limit * (1 - 1e-4), "sliding"), (limit * (1 + 1e-4), "two-stops")):
         case = FRICTION(damping=0, frequency=frequency, mu_s=mu, mu_k=mu)
         assert solve_case(case, order=12).case.scene.motion == motion
-
-
-def test_one_impact_a_period_is_that_of_shaw_and_holmes():
-    """In units of m, k, F, without damping: ``x = a cos t + b sin t + G cos(Omega t + phi)``.
-
-    Between impacts at t = 0 and T the place is g at both and the velocity v after the first,
-    -v/r before the second.  The steady part, of amplitude ``G = 1/(1 - Omega^2)``, is the same
-    at both; so a and b are linear in v, and what is left of g and v there is a point of the
-    ellipse of the steady part.
-    """
-    for omega, gap, r, *_ in drawn(3) * (1.0, 0.2, 0.5, 1, 1, 1) + (1.6, 0, 0.4, 0, 0, 0):
-        period, amplitude = 2 * math.pi / omega, 1 / (1 - omega**2)
-        c, s = math.cos(period), math.sin(period)
-        orbit = exact_orbit(
-            registry.load("impact")(damping=0, frequency=omega, gap=gap, restitution=r)
-        )
-        v = orbit.phases[0].velocity
-        # x(0) = x(T) = g, x'(0) = v, x'(T) = -v/r; the steady part is the same at both
-        a, b = np.linalg.solve([[c - 1, s], [-s, c - 1]], [0.0, -v / r - v])
-        steady = np.array([gap - a, (v - b) / omega])
-        assert np.hypot(*steady) == pytest.approx(abs(amplitude), rel=1e-11)
-        assert v < 0
-
-
-def test_impacts_end_at_grazing():
-    """Gap beyond the amplitude of the free oscillation: no impact, and said as such."""
-    scene = registry.load("impact")
-    amplitude = 1 / math.hypot(1 - 1.8**2, 0.1 * 1.8)
-    assert solve_case(scene(gap=0.999 * amplitude), order=12).admissible
-    with pytest.raises(NoOrbit):
-        solve_case(scene(gap=3.5), order=12)
-
-
-def test_the_energy_of_a_cycle_is_damping_and_the_loop_of_the_element():
-    """The loop of the element: ``4 F_y (x_max - F_y/k)``, the area of a parallelogram."""
-    scene = registry.load("elastic-plastic")
-    for k, f_y, h, omega, *_ in drawn(5, 3) * (1, 0.3, 0.3, 0.4, 1, 1) + (
-        0.7,
-        0.3,
-        0,
-        0.6,
-        0,
-        0,
-    ):
-        orbit = solve_case(
-            scene(stiffness=k, yield_force=f_y, hardening=h, frequency=omega), order=14
-        )
-        u, weights = np.polynomial.legendre.leggauss(40)
-        damping = force = 0.0
-        for p, s in enumerate(orbit.cell_durations):
-            at, size = (1 + u) / 2, s * weights / 2 * orbit.case.units.time
-            t = orbit.durations[0] * p + at * orbit.durations[p]
-            v = orbit.velocity(t)
-            damping += 2 * float(size @ (0.1 * v**2))
-            force += 2 * float(size @ (np.cos(omega * t + orbit.forcing_phase) * v))
-        amplitude = orbit.extremes["displacement"][1]
-        loop = 4 * f_y * (amplitude - f_y / k)
-        assert loop > 0
-        assert force == pytest.approx(damping + loop, rel=1e-9)
 
 
 def test_without_hardening_the_orbit_is_the_limit_of_that_with_less_and_less():

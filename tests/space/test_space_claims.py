@@ -41,16 +41,6 @@ def test_rates_by_class_and_forced_modes(name: str) -> None:
     assert study.rate(study.lines[0]) is not None
 
 
-def test_sines_are_as_slow_as_the_class_says() -> None:
-    for name, wanted in (
-        ("string-mass", -1),
-        ("beam-rotational-spring", -1),
-        ("beam-mass", -3),
-    ):
-        study = convergence(attached(name), [Line("ritz")], (16, 24, 32, 48, 64))
-        assert study.rate(Line("ritz")) == pytest.approx(wanted, abs=0.2)
-
-
 def test_the_first_forced_mode_is_the_one_that_matters() -> None:
     """Footnote 2: by itself the second is worth next to nothing..."""
     one = attached("beam-rotational-spring")
@@ -95,24 +85,6 @@ def test_sines_never_see_a_crack() -> None:
     assert off(one, piecewise(one, 4))[0] == pytest.approx(2.3e-11, rel=0.05)
 
 
-def test_one_forced_mode_beats_the_series_at_equal_unknowns() -> None:
-    """Unlike in time: sines are the modes of these structures without the attachment."""
-    for name in ("beam-rotational-spring", "beam-spring"):
-        one = attached(name)
-        series = piecewise(one, 4)
-        forced = ritz_forced(one, series.unknowns - 1, ONE)
-        assert 0 < off(one, forced)[0] * 100 < off(one, series)[0]
-
-
-def test_the_series_wins_in_the_end() -> None:
-    """At the third mode, from 24 unknowns on; at ten it is far behind."""
-    one = attached("beam-rotational-spring")
-    ten = off(one, piecewise(one, 4), 3)[2], off(one, ritz_forced(one, 9, ONE), 3)[2]
-    assert ten[0] > 1000 * ten[1]
-    many = off(one, piecewise(one, 13), 3)[2], off(one, ritz_forced(one, 27, ONE), 3)[2]
-    assert abs(many[0]) < many[1] / 10
-
-
 def test_the_jump_law_tells_the_error_without_the_exact_modes() -> None:
     """It is never much smaller than the root of the error; of many modes it is much larger."""
     for name in NAMES:
@@ -125,41 +97,6 @@ def test_the_jump_law_tells_the_error_without_the_exact_modes() -> None:
         assert abs(at_order(attached(name), "ritz-ck", 16, 2, 1)[0].jump_mismatch) < 1e-5
     sines = at_order(attached("beam-mass"), "ritz", 8, 0, 2)
     assert [mode.jump_mismatch for mode in sines] == [-1.0, -1.0]
-
-
-def test_the_mass_and_the_crack_are_isospectral() -> None:
-    for place in ("3/10", "1/100", "0.414"):
-        for strength in (1e-6, 1.0, 1e6):
-            mass, crack = (
-                attached(name, place, strength) for name in ("beam-mass", "beam-crack")
-            )
-            np.testing.assert_allclose(
-                exact_modes(mass, 6).eigenvalues, exact_modes(crack, 6).eigenvalues, rtol=1e-13
-            )
-
-
-def test_gibbs_overshoot_of_the_sines_and_of_no_other() -> None:
-    """Of the moment beside the spring, as a part of its jump: 8.95 % in the limit."""
-    one = attached("beam-rotational-spring")
-    exact = exact_modes(one, 1)
-    beside = np.array([0.3 * (1 - 1e-15), 0.3 * (1 + 1e-15)])
-    middle = (np.arange(4000) + 0.5) / 4000
-    over = {}
-    for method, order, forced in (
-        ("ritz", 16, 0),
-        ("ritz", 1024, 0),
-        ("ritz-ck", 16, 1),
-        ("ck", 10, 0),
-    ):
-        mode = at_order(one, method, order, forced, 1)[0]
-        u = exact.shape(1, middle, 0)
-        scale = np.sign(u @ mode.shape(middle)) / np.sqrt(np.mean(u**2))
-        jump = abs(np.diff(scale * exact.shape(1, beside, 2))[0])
-        x = 0.3 + np.linspace(0.2, 3.0, 600) / order
-        over[method, order] = np.max(mode.shape(x, 2) - scale * exact.shape(1, x, 2)) / jump
-    assert 0.095 < over["ritz", 16] < 0.12
-    assert over["ritz", 1024] == pytest.approx(0.0895, abs=1e-3)
-    assert max(over["ritz-ck", 16], over["ck", 10]) < 1e-5
 
 
 def test_shapes_and_moments_of_the_table() -> None:
@@ -228,14 +165,6 @@ def test_an_attachment_without_end_makes_two_structures_of_one() -> None:
     assert heavy * 1e9 == pytest.approx(1 / (0.3 * 0.7), rel=1e-8)
     hinged = exact_modes(attached("beam-crack", "3/10", 1e9), 1).eigenvalues[0]
     assert hinged * 1e9 == pytest.approx(3 / (0.3 * 0.7) ** 2, rel=1e-8)
-
-
-def test_in_the_middle_modes_decouple_by_parity() -> None:
-    for name in NAMES:
-        found = exact_modes(attached(name, "1/2"), 8)
-        assert found.untouched.sum() in (3, 4)
-        step = 2 if attached(name).structure.felt != 1 else 1
-        assert {int(n) % 2 for n in found.n[found.untouched]} == {step % 2}
 
 
 def test_no_root_is_missed_near_a_node() -> None:
