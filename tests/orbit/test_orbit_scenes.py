@@ -23,42 +23,6 @@ S1 = IMPACT()
 S5B = DAMPED(**UNIT, mu_s=2, mu_k=1, weakening=0.2)
 S5C = DAMPED(**UNIT, mu_s=2.1, mu_k=2.1, weakening=0.5)
 
-#: Case, method, order, functions; its times with 22 digits, from another program.
-SOLVED = [
-    (S1, "ck-tau", 4, None, [0.9240923015514855026211]),
-    (S1, "ck-tau", 6, None, [0.929625153714902874855]),
-    (S1, "ck-tau", 10, None, [0.9296439860305658887159]),
-    (S1, "ck", 4, None, [0.9830614546552965020482]),
-    (S1, "ck", 7, None, [0.9272532160244455674387]),
-    (S1, "hb", 5, None, [1.167548469304948324031]),
-    (S1, "hb", 9, None, [1.058348879022278697162]),
-    (S1, "hb-ck", 5, 1, [0.9196299839936432556394]),
-    (S1, "hb-ck", 9, 1, [0.923618271704954408609]),
-    (S1, "hb-ck", 5, 2, [0.9302825605970907190308]),
-    (S5B, "ck-tau", 4, None, [2.56395090625402808289, 4.491599799257429370663]),
-    (S5B, "ck-tau", 10, None, [2.564227841546013012685, 4.490675250559148114742]),
-    (S5B, "ck", 4, None, [2.679471334164371909441, 4.525678389243962387176]),
-    (S5B, "hb", 9, None, [2.444439412794448455667, 4.538975000417955055795]),
-    (S5B, "hb-ck", 5, 1, [2.562122797321168147415, 4.491463594441419264128]),
-    (S5C, "ck-tau", 5, None, [2.724705632189433828875, 4.981780936776413608134]),
-    (S5C, "ck-tau", 9, None, [2.724989235556352820935, 4.981838013463115490179]),
-]
-
-
-@pytest.mark.parametrize("row", SOLVED, ids=lambda row: f"{row[0].scene.name}-{row[1:4]}")
-def test_orbits_against_many_digits(row) -> None:
-    case, method, order, functions, expected = row
-    if (method, functions) not in {
-        (m, k) for m in registry.methods(case.scene) for k in (None, 1, 2)
-    }:
-        pytest.skip("no kernel of this method yet")
-    orbit = solve_case(case, method, order, functions)
-    found = [orbit.forcing_phase] if case is S1 else orbit.durations
-    # ck: the printed weights vanish at one end; the condition grows like 1e5 at N = 10
-    assert found == pytest.approx(expected, rel=1e-11 if method == "ck" else 2e-14)
-    assert orbit.converged
-    assert orbit.admissible
-
 
 @pytest.mark.parametrize("case", [S1, S5B], ids=["S1", "S5b"])
 def test_errors_fall_faster_than_any_power_and_are_estimated(case) -> None:
@@ -155,25 +119,6 @@ def test_a_period_starts_after_the_switch() -> None:
 def test_the_first_derivative_that_jumps_sets_the_class() -> None:
     assert solve_case(S1, "ck-tau", 6).smoothness == "C0"
     assert solve_case(S5B, "ck-tau", 6).smoothness == "C1"
-
-
-@pytest.mark.parametrize("case", [S1, S5B], ids=["S1", "S5b"])
-def test_the_document_is_json_and_complete(case) -> None:
-    orbit = solve_case(case, "ck-tau", 6)
-    text = json.dumps(orbit.as_dict(), allow_nan=False)
-    document = json.loads(text)
-    assert set(document) >= {
-        *("schema", "scene", "class", "motion", "method", "order", "parameters", "converged"),
-        *("iterations", "residual_norm", "phases", "period", "forcing_phase", "extremes"),
-        *("coefficients", "admissible", "violations", "exact", "errors", "estimate"),
-    }
-    assert document["scene"] == case.scene.name
-    assert document["parameters"] == dict(case.values)
-    assert document["phases"][0]["start"]["displacement"] == orbit.phases[0].displacement
-    assert document["exact"]["period"] == pytest.approx(orbit.period, rel=1e-4)
-    assert set(document["errors"]) == {"period", "times", "discontinuous", "switches"}
-    assert document["iterations"] == orbit.iterations >= orbit.outcome.iterations
-    assert "\n" not in repr(orbit)
 
 
 def test_coefficients_are_in_si_units() -> None:
