@@ -193,7 +193,17 @@ def wrong(equation: Equation, tokens: Sequence[Token], spaced: bool, raised: boo
 def functions(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the reader know the functions of scenes."""
     families = {"beta", "r", "W", "J", "B", "E", "P"}
-    words = ("flight", "stick", "slip", "contact", "separated", "down", "rest", "crossing")
+    words = (
+        "flight",
+        "stick",
+        "slip",
+        "contact",
+        "separated",
+        "slide",
+        "stop",
+        "rest",
+        "crossing",
+    )
     named_ = {f"{name}{end}" for name in families for end in ("", *map(str.upper, words))}
     named_ |= {f"{name}_{word}" for name in families for word in words}
     monkeypatch.setattr(grammar, "INDEXED_FUNCTIONS", grammar.INDEXED_FUNCTIONS | named_)
