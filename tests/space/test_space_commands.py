@@ -65,6 +65,16 @@ def test_every_structure_by_every_method(run) -> None:
             assert max(abs(mode["error"]) for mode in each["modes"]) < 1e-4
 
 
+def test_so_many_forced_modes_as_are_asked_for(run) -> None:
+    """By the method that is meant where none is named; of all methods, by the one with them."""
+    for how in ((), ("--method", "all")):
+        _, out, _ = run("modes", "beam-mass", "--forced", "2", *how, "--count", "1", "--json")
+        found = json.loads(out)
+        (own,) = (q for q in found.get("expansions", [found]) if q["method"] == "ritz-ck")
+        assert own["forced"] == 2
+        assert own["modes"][0]["beta"] == ns.modes("beam-mass", forced=2, count=1)[0].beta
+
+
 def test_frequencies_are_in_hertz_and_scale_with_the_units(run) -> None:
     """A beam of 2 m, and the same in centimetres."""
     beam = {"length": 2.0, "bending_stiffness": 1.7e4, "mass_per_length": 7.85, "mass": 3.0}
