@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.solver.kernels import compiling, registry
+from nonsmooth.solver.kernels import compiling, polynomials, registry
 from nonsmooth.solver.kernels.compiling import COMPILE, LOAD, START, Account
 from nonsmooth.solver.kernels.family import Family
 
