@@ -27,6 +27,10 @@ class Inner(sp.Function):  # type: ignore[misc]
         left, right = (printer._print(argument) for argument in self.args)
         return rf"\left\langle {left},\, {right} \right\rangle"
 
+    def _sympystr(self, printer: Any) -> str:
+        left, right = (printer._print(argument) for argument in self.args)
+        return f"<{left}, {right}>"
+
 
 class ShiftedLegendre(sp.Function):  # type: ignore[misc]
     """``P_n*(u) = P_n(2 u - 1)``, unevaluated, for printing."""
