@@ -1,16 +1,21 @@
 """Branches of bodies: what happens on them, against closed forms by matrix exponentials."""
 
+from dataclasses import replace
 from functools import cache, partial
 
 import numpy as np
 import pytest
+import sympy as sp
 from reference_bodies import case, chain, of
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
 import nonsmooth as ns
+from nonsmooth.codegen.scenes import chain_impact as impacts
+from nonsmooth.scene import Event, Parameter
 from nonsmooth.solver import branches
 from nonsmooth.solver.bodies.exact import evaluated, opened
+from nonsmooth.solver.bodies.motion import signals
 from nonsmooth.solver.branch.bodies.course import BodyCourse
 from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
 from nonsmooth.solver.branch.change import doubled
@@ -226,3 +231,29 @@ def test_a_branch_ends_where_there_is_no_such_body() -> None:
     found = ns.branch(overdamped, "ratio", 0.98, 1.0)
     assert found.why_it_ended == ("the end of the range", "the step cannot get smaller")
     assert 0.999 < max(row.value for row in found.rows) < 1.0
+
+
+def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
+    """The chain must hit its stop with some speed: its branch ends at an impact of that."""
+    least, end = sp.Symbol("v_0", positive=True), impacts.END
+    hard = Event(
+        end.x - impacts.g,
+        jump={end.v: -impacts.r * end.v},
+        demands={"it hits hard enough": end.v - least},
+    )
+    scene = replace(
+        impacts.SCENE,
+        name="chain-latch",
+        phases=(replace(impacts.FLIGHT, ends=hard),),
+        parameters=(
+            *impacts.SCENE.parameters,
+            Parameter("least", least, "m/s", 1.4, "speed of an impact at least"),
+        ),
+    )
+    latch = ns.scene(scene)
+    found = ns.branch(latch(), "gap", 0.9, 1.2)
+    (event,) = found.events
+    assert found.why_it_ended == ("the end of the range", event.kind)
+    freely = exact_orbit(latch(gap=event.parameter, least=1e-3))
+    _, speed, *_ = signals(freely.case.cell, 0, freely.times, 0, np.ones(1))[:, 0]
+    assert speed * freely.case.units.of_motion(1) == pytest.approx(1.4, rel=1e-13)
