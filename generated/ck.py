@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "3ed2b8f18dfc322ba486f97d7a4a0e5285a9d715305a458f48005684717ceccb"  # of the closed forms, by srepr
-BODY = "13608804a02b5b9cf56b26c2b2d9b775ad6954ea869b1ab06cea95ae28b9b2a1"  # of the text below
+BODY = "fb9e9ddb3c1846c94c7841fbab0f9bf0dd17ce283dea0da5cf89fc9d8c91cf59"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -150,16 +150,17 @@ def moment_by_kappa(l):
     )
 
 
-def spherical_bessel(count, x):
-    """Return ``j_0(x), ..., j_(count - 1)(x)`` for ``x >= 0``, each to rounding.
+def spherical_bessel(x, j):
+    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
 
     Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
     the continued fraction downwards.
     """
-    j = np.zeros(count)
+    count = len(j)
     if x == 0.0:
+        j[:] = 0.0
         j[0] = 1.0
-        return j
+        return
     turn = min(int(x), count - 1)
     j[0] = sin(x) / x
     if turn >= 1:
@@ -167,7 +168,7 @@ def spherical_bessel(count, x):
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
     if turn == count - 1:
-        return j
+        return
     top, left = count, 1.0
     while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
         top += 1
@@ -180,28 +181,24 @@ def spherical_bessel(count, x):
             j[n] = ratio
     for n in range(turn + 1, count):
         j[n] *= j[n - 1]
-    return j
 
 
-def legendre_moments(count, kappa, theta):
-    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+def legendre_moments(kappa, theta, moments):
+    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
 
-    Returns
-    -------
-    ndarray, shape (2, count)
+    moments : ndarray, shape (2, count)
         ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
         turn on, with ``theta + pi/2``.
     """
-    bessel = spherical_bessel(count, kappa / 2)
+    spherical_bessel(kappa / 2, moments[0])
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
-    moments = np.empty((2, count))
-    for l in range(count):
+    for l in range(moments.shape[1]):
         turn = l % 4
         value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
-        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
-    return moments
+        bessel = moments[0, l]
+        moments[0, l], moments[1, l] = bessel * value, bessel * ahead
 
 
 def rising(x, k):
@@ -253,13 +250,18 @@ def highest(kinds, q):
 
 def angles(case, z, at):
     """Return the angle of the forcing where each phase begins, and where the last one ends."""
+    theta = np.empty(len(case[0]) + 1)
+    fill_angles(case, z, at, theta)
+    return theta
+
+
+def fill_angles(case, z, at, theta):
+    """Fill theta with what `angles` returns."""
     kinds, _, setting, _, cell = case[:5]
     count, at_s = len(kinds), at[len(kinds)] + len(setting)
-    found = np.zeros(count + 1)
-    found[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
+    theta[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
     for p in range(count):
-        found[p + 1] = found[p] + cell[1] * z[at_s + p]
-    return found
+        theta[p + 1] = theta[p] + cell[1] * z[at_s + p]
 
 
 def event(case, z, at, gained, theta, p):
@@ -289,11 +291,11 @@ def event(case, z, at, gained, theta, p):
     return value, change
 
 
-def joints(case, z, at, gained, begins, R, row):
+def joints(case, z, at, theta, gained, begins, R, row):
     """Fill R from a row on with the left sides of the conditions that join the phases."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
-    at_w, theta = at[count], angles(case, z, at)
+    at_w = at[count]
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
         sign = cell[0] if q == 0 else 1.0
@@ -370,11 +372,11 @@ def add_event(case, J, row, at, gained_by, theta, p, begun, gained):
         add_angle(J, row, -gained * behind, cell[1], at_w + more, p + 1)
 
 
-def joint_rates(case, z, at, gained_by, begins_by, J, row):
+def joint_rates(case, z, at, theta, gained_by, begins_by, J, row):
     """Add the derivatives of `joints` to J from a row on, where it is zero."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
-    at_w, theta = at[count], angles(case, z, at)
+    at_w = at[count]
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
         sign = cell[0] if q == 0 else 1.0
@@ -507,7 +509,9 @@ def residual(case, z, R):
         for i in range(len(setting)):
             f = f + numbers[p, MEMORY + i] * z[at_w + i]
         forced = numbers[p, G] != 0 and rows > 0
-        moments = legendre_moments(rows + left if forced else 1, cell[1] * s, theta[p])
+        moments = np.empty((2, rows + left))
+        if forced:
+            legendre_moments(cell[1] * s, theta[p], moments)
         for l in range(rows + left):
             factors = row(l, m, c, k, s)
             value = factors[0] * z[at[p]] + factors[1] * z[at[p] + 1]
@@ -523,7 +527,7 @@ def residual(case, z, R):
             R[at_row] = value
             at_row += 1
     found, _ = ends(case, z, at, N)
-    joints(case, z, at, found[0], found[1], R, at_row)
+    joints(case, z, at, theta, found[0], found[1], R, at_row)
 
 
 def jacobian(case, z, J):
@@ -539,7 +543,9 @@ def jacobian(case, z, J):
         number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
         s = z[at_s + p]
         forced = g != 0 and rows > 0
-        moments = legendre_moments(rows + left + 1 if forced else 1, cell[1] * s, theta[p])
+        moments = np.empty((2, rows + left + 1))
+        if forced:
+            legendre_moments(cell[1] * s, theta[p], moments)
         for l in range(rows + left):
             factors, changes = row(l, m, c, k, s), row_by_s(l, m, c, k, s)
             for i in range(2):
@@ -561,7 +567,7 @@ def jacobian(case, z, J):
                 J[at_row, at[p] + 2 + number + i] -= m * weight
             at_row += 1
     _, by = ends(case, z, at, N)
-    joint_rates(case, z, at, by[0], by[1], J, at_row)
+    joint_rates(case, z, at, theta, by[0], by[1], J, at_row)
 
 
 def motion(case, z, p, u, derivative):

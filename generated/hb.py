@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "5d70d46feca7007bb8a37dc863bd63b8ada16ff8228f709bb156b05ff377cb3a"  # of the closed forms, by srepr
-BODY = "756a464d542510eb324650b86aeb76bcebd731179dab035e7998e11682427ed8"  # of the text below
+BODY = "5d713081cfb15634910a0c8ff0adfbc8a63fa4ecc0a98d0684ff03326346b348"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -118,16 +118,17 @@ def integral(l):
     )
 
 
-def spherical_bessel(count, x):
-    """Return ``j_0(x), ..., j_(count - 1)(x)`` for ``x >= 0``, each to rounding.
+def spherical_bessel(x, j):
+    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
 
     Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
     the continued fraction downwards.
     """
-    j = np.zeros(count)
+    count = len(j)
     if x == 0.0:
+        j[:] = 0.0
         j[0] = 1.0
-        return j
+        return
     turn = min(int(x), count - 1)
     j[0] = sin(x) / x
     if turn >= 1:
@@ -135,7 +136,7 @@ def spherical_bessel(count, x):
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
     if turn == count - 1:
-        return j
+        return
     top, left = count, 1.0
     while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
         top += 1
@@ -148,28 +149,24 @@ def spherical_bessel(count, x):
             j[n] = ratio
     for n in range(turn + 1, count):
         j[n] *= j[n - 1]
-    return j
 
 
-def legendre_moments(count, kappa, theta):
-    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+def legendre_moments(kappa, theta, moments):
+    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
 
-    Returns
-    -------
-    ndarray, shape (2, count)
+    moments : ndarray, shape (2, count)
         ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
         turn on, with ``theta + pi/2``.
     """
-    bessel = spherical_bessel(count, kappa / 2)
+    spherical_bessel(kappa / 2, moments[0])
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
-    moments = np.empty((2, count))
-    for l in range(count):
+    for l in range(moments.shape[1]):
         turn = l % 4
         value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
-        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
-    return moments
+        bessel = moments[0, l]
+        moments[0, l], moments[1, l] = bessel * value, bessel * ahead
 
 
 def multiples(angle, highest):
@@ -685,12 +682,12 @@ def harmonic_moments(sign, ends, period, count, degrees):
         With the sine and with the cosine.
     """
     phases = len(ends) - 1
-    found = np.zeros((phases, degrees, 2, count))
+    found, moments = np.zeros((phases, degrees, 2, count)), np.empty((2, degrees))
     for q in range(phases):
         s = ends[q + 1] - ends[q]
         for i in range(count):
             omega = number(sign, i) * (2 * pi / period)
-            moments = legendre_moments(degrees, omega * s, omega * ends[q])
+            legendre_moments(omega * s, omega * ends[q], moments)
             for l in range(degrees):
                 found[q, l, 0, i], found[q, l, 1, i] = -s * moments[1, l], s * moments[0, l]
     return found

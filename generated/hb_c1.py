@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "22d699d8a8e76ea77df26c3908e7a3bf157242147f8e85d945818a19479d5140"  # of the closed forms, by srepr
-BODY = "e945d262317e3cb231031441a17d8089a77efd89356045e8c9a44125c90331cb"  # of the text below
+BODY = "3a0c5ba5546703cceccd76c628fb19b0eb975527cb7dd859c53211ddaf511cea"  # of the text below
 
 M = 0
 C = 1
@@ -142,16 +142,17 @@ def force_by(f, s_held, s_free):
     )
 
 
-def spherical_bessel(count, x):
-    """Return ``j_0(x), ..., j_(count - 1)(x)`` for ``x >= 0``, each to rounding.
+def spherical_bessel(x, j):
+    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
 
     Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
     the continued fraction downwards.
     """
-    j = np.zeros(count)
+    count = len(j)
     if x == 0.0:
+        j[:] = 0.0
         j[0] = 1.0
-        return j
+        return
     turn = min(int(x), count - 1)
     j[0] = sin(x) / x
     if turn >= 1:
@@ -159,7 +160,7 @@ def spherical_bessel(count, x):
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
     if turn == count - 1:
-        return j
+        return
     top, left = count, 1.0
     while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
         top += 1
@@ -172,7 +173,6 @@ def spherical_bessel(count, x):
             j[n] = ratio
     for n in range(turn + 1, count):
         j[n] *= j[n - 1]
-    return j
 
 
 def multiples(angle, highest):
@@ -614,7 +614,7 @@ def function_integrals(series, numbers, ends, count):
     rows, T = series.shape[1], ends[2]
     omega = 2 * pi / T
     found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
-    even, odd = np.zeros(5), np.zeros(5)
+    even, odd, bessel = np.zeros(5), np.zeros(5), np.zeros(5)
     for q in range(2):
         m, k = numbers[q, M], numbers[q, K]
         s, t = ends[q + 1] - ends[q], ends[q]
@@ -626,7 +626,7 @@ def function_integrals(series, numbers, ends, count):
                 rho[r, l] = k * series[q, r, 3, l] + change
         for column in range(count):
             w = column * omega
-            bessel = spherical_bessel(5, w * s / 2)
+            spherical_bessel(w * s / 2, bessel)
             for turned in range(2):  # the sine is the cosine, a quarter turn back
                 middle = w * (t + s / 2) - turned * pi / 2
                 co, si = cos(middle), sin(middle)

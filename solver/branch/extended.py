@@ -61,9 +61,9 @@ def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
     """Fill R with the left sides of the equations at a value of the parameter."""
     case = case_at(along, q)
     at, count = places(case), len(case[0])
-    gained, _ = ends(case, z, at)
-    joints(case, z, at, gained, gained, R, 0)
     theta = angles(case, z, at)
+    gained, _ = ends(case, z, theta)
+    joints(case, z, at, theta, gained, gained, R, 0)
     for p in range(count):
         if along[3][p] != 0:
             _, change = event(case, z, at, gained, theta, p)
@@ -73,11 +73,11 @@ def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
 def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     """Fill R with the left sides of the equations of a cell, J with their derivatives by z."""
     at, count = places(case), len(case[0])
-    gained, gained_by = ends(case, z, at)
-    joints(case, z, at, gained, gained, R, 0)
-    J[:, :] = 0.0
-    joint_rates(case, z, at, gained_by, gained_by, J, 0)
     theta = angles(case, z, at)
+    gained, gained_by = ends(case, z, theta)
+    joints(case, z, at, theta, gained, gained, R, 0)
+    J[:, :] = 0.0
+    joint_rates(case, z, at, theta, gained_by, gained_by, J, 0)
     for p in range(count):
         if divided[p] != 0:
             row, at_s = 2 * count + p, 2 * count + len(case[2]) + p

@@ -151,7 +151,8 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
         rows.
     """
     at, count, omega = places(case), len(case[0]), case[4][1]
-    theta, (gained, _) = angles(case, z, at), ends(case, z, at)
+    theta = angles(case, z, at)
+    gained, _ = ends(case, z, theta)
     values[:, :] = nan
     extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
     for p in range(count):

@@ -37,11 +37,10 @@ def places(case: Any) -> Any:
     return 2 * np.arange(len(case[0]) + 1)
 
 
-def ends(case: Any, z: Vector, at: Any) -> tuple[Any, Any]:
+def ends(case: Any, z: Vector, theta: Vector) -> tuple[Any, Any]:
     """Return what each phase gains, and its derivatives, for `joints`."""
     kinds, numbers, setting, _, cell = case[:5]
     count, more = len(kinds), len(setting)
-    theta = angles(case, z, at)
     gained, gained_by = np.zeros((count, 2)), np.zeros((count, 2, 5))
     for p in range(count):
         # as Python's floats: NumPy's are slow, and round complex quotients otherwise
@@ -93,22 +92,24 @@ def phase_numbers(case: Any, z: Vector, p: int) -> Vector:
 def residual(case: Any, z: Vector, R: Vector) -> None:
     """Fill R with the left sides of the conditions."""
     at = places(case)
-    gained, _ = ends(case, z, at)
-    joints(case, z, at, gained, gained, R, 0)
+    theta = angles(case, z, at)
+    gained, _ = ends(case, z, theta)
+    joints(case, z, at, theta, gained, gained, R, 0)
 
 
 def jacobian(case: Any, z: Vector, J: Matrix) -> None:
     """Fill J with their derivatives."""
     at = places(case)
-    _, gained_by = ends(case, z, at)
+    theta = angles(case, z, at)
+    _, gained_by = ends(case, z, theta)
     J[:, :] = 0.0
-    joint_rates(case, z, at, gained_by, gained_by, J, 0)
+    joint_rates(case, z, at, theta, gained_by, gained_by, J, 0)
 
 
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     """Return these functions and Newton's method for them, plain or compiled."""
     found = linking.made((ck, divided, responses, equations), {}, make)
-    own = found["residual"], found["jacobian"], make(linking.times_of, found)
+    own = found["residual"], found["jacobian"], make(linking.times_of, found, False)
     return found | {"iterate": linking.newton_of(*own, make)}
 
 

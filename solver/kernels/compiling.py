@@ -30,6 +30,11 @@ PLAIN_ORDER = 48
 START, LOAD, COMPILE = 0.5, 0.05, 8.0
 
 
+#: Bytes of bytecode of a function without arrays of its own that is copied into its callers:
+#: to hand over a dozen arrays takes as long as what such a function does with them.
+SHORT = 1200
+
+
 class Account:
     """What a kernel has cost in plain Python in this process, and whether compiling it pays.
 
@@ -75,7 +80,7 @@ class Account:
         return self._cached
 
 
-def rebuilt(function: Any, namespace: dict[str, Any]) -> Any:
+def rebuilt(function: Any, namespace: dict[str, Any], counted: bool = True) -> Any:
     """Return the same function over another namespace, where it finds what it calls."""
     clone = types.FunctionType(function.__code__, namespace, function.__name__)
     clone.__module__ = function.__module__
@@ -86,20 +91,21 @@ class CacheWarning(UserWarning):
     """What is compiled is not kept for the next process."""
 
 
-def jit(function: types.FunctionType, *, inlined: bool = False) -> Any:
+def jit(function: types.FunctionType, *, counted: bool = True) -> Any:
     """Return `function` compiled, and kept in numba's cache where that can be written.
 
     Parameters
     ----------
-    inlined : bool
-        Whether LLVM copies it into what calls it, however large it is: handing over an array
-        takes as long as some ten operations.
+    counted : bool
+        Whether numba counts who holds its arrays.  What makes none need not, and each count
+        takes as long as some ten operations; numba refuses to compile it if it does make one.
     """
     import numba  # noqa: PLC0415  (750 ms, for compiled kernels only)
 
     options: dict[str, Any] = {
         "error_model": "numpy",
-        "forceinline": inlined,
+        "_nrt": counted,
+        "forceinline": not counted and len(function.__code__.co_code) <= SHORT,
         "parallel": "prange" in function.__code__.co_names,
     }
     text = Path(function.__code__.co_filename)

@@ -98,9 +98,9 @@ def pays(spent: Account, order: int) -> bool:
 def compiling(key: str) -> Make:
     """Return what compiles functions under names with a key of all that they are made from."""
 
-    def compiled_one(function: Any, names: dict[str, Any]) -> Any:
+    def compiled_one(function: Any, names: dict[str, Any], counted: bool) -> Any:
         clone = rebuilt(function, names)
         clone.__qualname__ = f"{function.__name__}_{key}"
-        return jit(clone)
+        return jit(clone, counted=counted)
 
     return compiled_one

@@ -1,5 +1,8 @@
 """Functions of a kernel and Newton's method, linked to each other: plain, or compiled."""
 
+import cmath
+import dis
+import math
 import types
 from collections.abc import Callable
 from functools import cache
@@ -22,8 +25,11 @@ MAPS = (band, linear, series, together)
 #: What only NumPy can do: plain Python, even where the rest is compiled.
 PLAIN = frozenset(("motion", "coefficients", "integrated", "phase_motion"))
 
-#: Makes a function over a namespace, plain or compiled.
-Make = Callable[[Any, dict[str, Any]], Any]
+#: Attributes, of modules and of numbers, that make no array.
+OF_NUMBERS = {"imag", "real", "shape"}.union(vars(cmath), vars(math))
+
+#: Makes a function over a namespace, plain or compiled; `counted` is whether it makes arrays.
+Make = Callable[[Any, dict[str, Any], bool], Any]
 
 
 def linked(
@@ -57,7 +63,7 @@ def times_of(case: Any) -> tuple[int, int]:
 def whole_period(equations: types.ModuleType, make: Make) -> dict[str, Any]:
     """Return the functions of a generated module, and Newton's method on all its unknowns."""
     found = made((equations,), {}, make)
-    own = found["residual"], found["jacobian"], make(times_of, found)
+    own = found["residual"], found["jacobian"], make(times_of, found, False)
     return found | {"iterate": newton_of(*own, make)}
 
 
@@ -73,22 +79,61 @@ def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
 
 
 def made(
-    modules: tuple[types.ModuleType, ...], given: dict[str, Any], make: Make
+    modules: tuple[types.ModuleType, ...],
+    given: dict[str, Any],
+    make: Make,
+    *,
+    lists: bool = False,
 ) -> dict[str, Any]:
     """Return the content of modules and what is given, their functions made over all that.
 
-    Functions with no body stand for those that are given, or put in later.
+    Functions with no body stand for those that are given, or put in later.  Where some take
+    `lists`, numba counts in all of them.
     """
     namespace: dict[str, Any] = {}
     for module in modules:
         namespace |= {name: q for name, q in vars(module).items() if not name.startswith("__")}
-    for module in modules:
-        for name, value in vars(module).items():
-            own = isinstance(value, types.FunctionType) and value.__module__ == module.__name__
-            if own and "NotImplementedError" not in value.__code__.co_names:
-                namespace[name] = value if name in PLAIN else make(value, namespace)
+    own = {
+        name: value
+        for module in modules
+        for name, value in vars(module).items()
+        if isinstance(value, types.FunctionType)
+        and value.__module__ == module.__name__
+        and "NotImplementedError" not in value.__code__.co_names
+        and name not in PLAIN
+    }
+    makers = set(own) if lists or make is rebuilt else with_arrays(own, given)
+    for name, value in own.items():
+        namespace[name] = make(value, namespace, name in makers)
     namespace |= given
     return namespace
+
+
+def with_arrays(functions: dict[str, types.FunctionType], given: dict[str, Any]) -> set[str]:
+    """Return which of some functions may make arrays, or take over arrays of what they call.
+
+    Of what is `given` nothing is known.
+    """
+    found = {name for name, value in given.items() if callable(value)}
+    for name, value in functions.items():
+        is_array = value.__annotations__.get("return") in (Vector, Matrix)
+        if is_array or not attributes(value) <= OF_NUMBERS:
+            found.add(name)
+    more = found
+    while more:
+        calling = ((name, value.__code__.co_names) for name, value in functions.items())
+        more = {name for name, used in calling if not found.isdisjoint(used)} - found
+        found |= more
+    return found
+
+
+def attributes(function: types.FunctionType) -> set[str]:
+    """Return the names of all attributes that a function uses."""
+    return {
+        instruction.argval
+        for instruction in dis.get_instructions(function)
+        if instruction.opname in ("LOAD_ATTR", "LOAD_METHOD")
+    }
 
 
 @cache

@@ -24,11 +24,11 @@ from ...generated.ck import (
     G,
     K,
     M,
-    angles,
     derivative_at_end,
     derivative_at_end_by_s,
     displacement_gained,
     displacement_gained_by_s,
+    fill_angles,
     legendre_moments,
     moment_by_kappa,
     of_moment,
@@ -67,7 +67,8 @@ def places_kept(case: Any, N: int) -> Any:
 def workplace(case: Any, at: Any, N: int) -> Any:
     """Return room: bands, columns, full columns, exchanges, moments; for which times; ends.
 
-    The last two, how phases end and the derivatives, are as `joints` takes them.
+    The last three are as `joints` takes them: angles of the forcing, how phases end, and the
+    derivatives.
     """
     kinds, count = case[0], len(case[0])
     rows, width, high = BLOCK, 2, 2
@@ -84,6 +85,7 @@ def workplace(case: Any, at: Any, N: int) -> Any:
         np.zeros((count, 2, rows + 1)),
         np.full((count, 2), np.nan),
         np.zeros(count, dtype=np.bool_),
+        np.zeros(count + 1),
         np.zeros((2, count, high)),
         np.zeros((2, count, high, columns - 1)),
     )
@@ -91,7 +93,8 @@ def workplace(case: Any, at: Any, N: int) -> Any:
 
 def solve_phases(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
     """Fill in how each phase begins and ends, from what is solved for together in `y`."""
-    theta = angles(case, y, at)
+    theta = work[7]
+    fill_angles(case, y, at, theta)
     for p in range(len(case[0])):
         solve_phase(case, y, at, N, work, p, theta[p])
 
@@ -99,7 +102,7 @@ def solve_phases(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
 def solve_phase(case: Any, y: Vector, at: Any, N: int, work: Any, p: int, theta: float) -> None:
     """Fill it in for one phase, at the angle of the forcing where it begins."""
     kinds, _, setting = case[:3]
-    bands, columns, fulls, exchanged, _, times, wide, ends, _ = work
+    bands, columns, fulls, exchanged, _, times, wide, _, ends, _ = work
     s = y[at[len(kinds)] + len(setting) + p]
     if not kinds[p, FREE]:
         ends[0, p, 0] = s * y[at[p] + 1]
@@ -152,7 +155,7 @@ def fill_band(case: Any, N: int, work: Any, p: int, s: float, theta: float) -> N
             if left > 1:
                 full[PAD + low, 1] += tables[p, low, 1] * second
     if g != 0:
-        moments[:, : rows + left + 1] = legendre_moments(rows + left + 1, cell[1] * s, theta)
+        legendre_moments(cell[1] * s, theta, moments[:, : rows + left + 1])
 
 
 def fill_value(case: Any, y: Vector, at: Any, N: int, work: Any, p: int) -> None:
@@ -196,7 +199,7 @@ def phase_rates(case: Any, y: Vector, at: Any, N: int, work: Any) -> None:
 def phase_rate(case: Any, y: Vector, at: Any, N: int, work: Any, p: int, most: int) -> None:
     """Fill them in for one phase: those of the columns below `most`."""
     kinds, numbers, setting = case[:3]
-    bands, columns, fulls, exchanged, _, _, wide, ends, by = work
+    bands, columns, fulls, exchanged, _, _, wide, _, ends, by = work
     s, after = y[at[len(kinds)] + len(setting) + p], p + 1 if p + 1 < len(kinds) else 0
     by[:, p] = 0.0
     if not kinds[p, FREE]:

@@ -135,7 +135,7 @@ def together_residual(place: Any, y: Vector, R: Vector) -> None:
             whole[i] = y[j]
             j += 1
     solve_phases(case, whole, at, N, work)
-    joints(case, whole, at, work[-2][0], work[-2][1], left[0], 0)
+    joints(case, whole, at, work[-3], work[-2][0], work[-2][1], left[0], 0)
     j = 0
     for i in range(len(whole)):
         if not used[i]:
@@ -148,7 +148,7 @@ def together_jacobian(place: Any, y: Vector, J: Matrix) -> None:
     case, at, N, work, whole, left, known, used = place
     phase_rates(case, whole, at, N, work)
     left[:] = 0.0
-    joint_rates(case, whole, at, work[-1][0], work[-1][1], left, 0)
+    joint_rates(case, whole, at, work[-3], work[-1][0], work[-1][1], left, 0)
     row = 0
     for i in range(len(whole)):
         if used[i]:

@@ -119,22 +119,21 @@ class _Arrays:
     abs = np.abs
 
 
-def spherical_bessel(count: int, x: Any) -> Any:
-    """Return ``j_0(x), ..., j_(count - 1)(x)`` of a ball: the last two, then downwards.
+def spherical_bessel(x: Any, j: Any) -> None:
+    """Fill j with ``j_0(x), j_1(x), ...`` of a ball: the last two, then downwards.
 
     ``j_n(x) = x^n/(2 n + 1)!! 0F1(n + 3/2; -x^2/4)`` (DLMF 10.16.9, 10.47.3).
     """
-    x = arb(x)
-    found = np.full(count, arb(0), dtype=object)
+    x, count = arb(x), len(j)
     if x == 0:
-        found[0] = arb(1)
-        return found
+        j[:] = arb(0)
+        j[0] = arb(1)
+        return
     double, power = arb(1), arb(1)
     for n in range(count):
         if n:
             double, power = double * (2 * n + 1), power * x
         if n >= count - 2:
-            found[n] = power / double * (-x * x / 4).hypgeom_0f1(arb(2 * n + 3) / 2)
+            j[n] = power / double * (-x * x / 4).hypgeom_0f1(arb(2 * n + 3) / 2)
     for n in range(count - 3, -1, -1):
-        found[n] = (2 * n + 3) / x * found[n + 1] - found[n + 2]
-    return found
+        j[n] = (2 * n + 3) / x * j[n + 1] - j[n + 2]

@@ -50,7 +50,8 @@ PARTS = zeros, bounds, locate, chatter, clock, state, switches, step
 def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run`, plain or compiled."""
     flow = linking.made((divided, responses), {}, make)
-    return linking.made((*PARTS, motion), {"state_at": flow["state_at"]}, make)
+    given = {"state_at": flow["state_at"]}
+    return linking.made((*PARTS, motion), given, make, lists=True)
 
 
 #: The functions, linked as plain Python or compiled; what plain ones cost is kept.

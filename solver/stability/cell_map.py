@@ -19,7 +19,7 @@ from ..flow.exact_system import ends, phase_numbers, places
 
 def end_rates(case: Any, z: Vector) -> Matrix:
     """Return velocity and acceleration where each phase ends by the flow, shape (P, 2)."""
-    _, by = ends(case, z, places(case))
+    _, by = ends(case, z, angles(case, z, places(case)))
     found: Matrix = by[:, :, 0].copy()
     return found
 
@@ -50,7 +50,8 @@ def cell_map(
     """
     kinds, numbers, setting, memory, cell = case[:5]
     at, count, more = places(case), len(kinds), len(setting)
-    theta, (_, by) = angles(case, z, at), ends(case, z, at)
+    theta = angles(case, z, at)
+    _, by = ends(case, z, theta)
     found, size, crossed = np.eye(2 + more), np.eye(2 + more), np.empty(count)
     for p in range(count):
         q = p + 1 if p + 1 < count else 0

@@ -10,7 +10,8 @@ from made_scenes import made
 
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
-from nonsmooth.solver.kernels import family, polynomials, registry, series
+from nonsmooth.solver.kernels import family, linking, polynomials, registry, series
+from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import linked
 from nonsmooth.solver.kernels.start import rough_times, with_coefficients
 from nonsmooth.solver.orbit.attempt import attempt
@@ -155,6 +156,58 @@ def test_compiled_and_plain_kernels_give_the_same_bits() -> None:
     assert plain.outcome.converged
     assert plain.unknowns.tolist() == compiled.unknowns.tolist()
     assert plain.outcome.iterations == compiled.outcome.iterations
+
+
+@pytest.mark.parametrize(
+    ("method", "functions"), [("ck-tau", None), ("hb", None), ("hb-ck", 2)]
+)
+def test_what_numba_does_not_count_hands_over_no_array(method, functions) -> None:
+    """Such a function would give away, or never free, what nobody counts."""
+    uncounted = set()
+
+    def make(function, namespace, counted):
+        own = rebuilt(function, namespace)
+
+        def called(*given):
+            found = own(*given)
+            if not counted:
+                uncounted.add(function.__name__)
+                parts = found if isinstance(found, tuple) else (found,)
+                assert not any(isinstance(part, np.ndarray) for part in parts), function
+            return found
+
+        return called
+
+    kernel, case = registry.kernel(IMPACT, method, functions), IMPACT()
+    of = polynomials.FAMILY if kernel.condensed else series.FAMILY
+    made = of.link(family.module_of(method), make)
+    solved = attempt(replace(kernel, iterate=made["iterate"]), case, 8, np.array([6.2, 1.0]))
+    assert solved.outcome.converged
+    assert len(uncounted) > 15
+
+
+def makes(n):
+    return np.zeros(n)
+
+
+def takes(n):
+    return makes(n)[0]
+
+
+def gives(n):
+    return takes(n), math.sqrt(n)
+
+
+def adds(n):
+    return n + 1
+
+
+def test_what_calls_for_an_array_is_counted_too() -> None:
+    functions = {one.__name__: one for one in (gives, adds, takes, makes)}
+    assert linking.with_arrays(functions, {}) == {"makes", "takes", "gives"}
+    alone = {"gives": gives, "adds": adds}
+    assert linking.with_arrays(alone, {}) == set()
+    assert linking.with_arrays(alone, {"takes": adds}) == {"takes", "gives"}
 
 
 def test_the_key_of_compiled_code_covers_all_of_it(monkeypatch) -> None:

@@ -110,12 +110,12 @@ def harmonic_moments(sign, ends, period, count, degrees):
         With the sine and with the cosine.
     """
     phases = len(ends) - 1
-    found = np.zeros((phases, degrees, 2, count))
+    found, moments = np.zeros((phases, degrees, 2, count)), np.empty((2, degrees))
     for q in range(phases):
         s = ends[q + 1] - ends[q]
         for i in range(count):
             omega = number(sign, i) * (2 * pi / period)
-            moments = legendre_moments(degrees, omega * s, omega * ends[q])
+            legendre_moments(omega * s, omega * ends[q], moments)
             for l in range(degrees):
                 found[q, l, 0, i], found[q, l, 1, i] = -s * moments[1, l], s * moments[0, l]
     return found

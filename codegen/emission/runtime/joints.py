@@ -3,7 +3,8 @@
 A scene is arrays.  `kinds` and `numbers` have a row a phase, with the columns named here;
 `setting` and `memory` an entry a memory: the phase whose beginning sets it, and the linear form
 that it is set to; `cell` has the sign of the next cell, the angular frequency of the forcing,
-and how many times ``pi`` over it the cell lasts, 0 where nothing forces.
+and how many times ``pi`` over it the cell lasts, 0 where nothing forces; `theta` has the angles
+of the forcing that `angles` returns.
 
 Unknowns are, for each phase from ``at[p]`` on, the state in which it begins and what else is
 its own; then the memory, the durations, the phase of the forcing.  How a phase ends is given:
@@ -44,13 +45,18 @@ def highest(kinds, q):
 
 def angles(case, z, at):
     """Return the angle of the forcing where each phase begins, and where the last one ends."""
+    theta = np.empty(len(case[0]) + 1)
+    fill_angles(case, z, at, theta)
+    return theta
+
+
+def fill_angles(case, z, at, theta):
+    """Fill theta with what `angles` returns."""
     kinds, _, setting, _, cell = case[:5]
     count, at_s = len(kinds), at[len(kinds)] + len(setting)
-    found = np.zeros(count + 1)
-    found[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
+    theta[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
     for p in range(count):
-        found[p + 1] = found[p] + cell[1] * z[at_s + p]
-    return found
+        theta[p + 1] = theta[p] + cell[1] * z[at_s + p]
 
 
 def event(case, z, at, gained, theta, p):
@@ -80,11 +86,11 @@ def event(case, z, at, gained, theta, p):
     return value, change
 
 
-def joints(case, z, at, gained, begins, R, row):
+def joints(case, z, at, theta, gained, begins, R, row):
     """Fill R from a row on with the left sides of the conditions that join the phases."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
-    at_w, theta = at[count], angles(case, z, at)
+    at_w = at[count]
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
         sign = cell[0] if q == 0 else 1.0
@@ -161,11 +167,11 @@ def add_event(case, J, row, at, gained_by, theta, p, begun, gained):
         add_angle(J, row, -gained * behind, cell[1], at_w + more, p + 1)
 
 
-def joint_rates(case, z, at, gained_by, begins_by, J, row):
+def joint_rates(case, z, at, theta, gained_by, begins_by, J, row):
     """Add the derivatives of `joints` to J from a row on, where it is zero."""
     kinds, numbers, setting, memory, cell = case[:5]
     count, more, forced = len(kinds), len(setting), cell[2] != 0
-    at_w, theta = at[count], angles(case, z, at)
+    at_w = at[count]
     for q in range(count):
         p = q - 1 if q > 0 else count - 1
         sign = cell[0] if q == 0 else 1.0

@@ -2,19 +2,18 @@
 
 from math import cos, sin
 
-import numpy as np
 
-
-def spherical_bessel(count, x):
-    """Return ``j_0(x), ..., j_(count - 1)(x)`` for ``x >= 0``, each to rounding.
+def spherical_bessel(x, j):
+    """Fill j with ``j_0(x), j_1(x), ...`` for ``x >= 0``, each to rounding.
 
     Upwards as far as that is stable, up to ``n = x``; beyond, by the ratios of neighbours from
     the continued fraction downwards.
     """
-    j = np.zeros(count)
+    count = len(j)
     if x == 0.0:
+        j[:] = 0.0
         j[0] = 1.0
-        return j
+        return
     turn = min(int(x), count - 1)
     j[0] = sin(x) / x
     if turn >= 1:
@@ -22,7 +21,7 @@ def spherical_bessel(count, x):
     for n in range(2, turn + 1):
         j[n] = (2 * n - 1) / x * j[n - 1] - j[n - 2]
     if turn == count - 1:
-        return j
+        return
     top, left = count, 1.0
     while left > 1e-18:  # of an error of the ratio at `top`, at `count`: ratios squared
         top += 1
@@ -35,25 +34,21 @@ def spherical_bessel(count, x):
             j[n] = ratio
     for n in range(turn + 1, count):
         j[n] *= j[n - 1]
-    return j
 
 
-def legendre_moments(count, kappa, theta):
-    """Return the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
+def legendre_moments(kappa, theta, moments):
+    """Fill in the moments of cosines with shifted Legendre polynomials, ``kappa >= 0``.
 
-    Returns
-    -------
-    ndarray, shape (2, count)
+    moments : ndarray, shape (2, count)
         ``int_0^1 P_l*(u) cos(kappa u + theta) du`` for ``l < count``, and the same a quarter
         turn on, with ``theta + pi/2``.
     """
-    bessel = spherical_bessel(count, kappa / 2)
+    spherical_bessel(kappa / 2, moments[0])
     middle = kappa / 2 + theta
     c, s = cos(middle), sin(middle)
-    moments = np.empty((2, count))
-    for l in range(count):
+    for l in range(moments.shape[1]):
         turn = l % 4
         value = c if turn == 0 else -s if turn == 1 else -c if turn == 2 else s
         ahead = -s if turn == 0 else -c if turn == 1 else s if turn == 2 else c
-        moments[0, l], moments[1, l] = bessel[l] * value, bessel[l] * ahead
-    return moments
+        bessel = moments[0, l]
+        moments[0, l], moments[1, l] = bessel * value, bessel * ahead

@@ -78,7 +78,7 @@ def function_integrals(series, numbers, ends, count):
     rows, T = series.shape[1], ends[2]
     omega = 2 * pi / T
     found, rho = np.zeros((2, rows, count)), np.zeros((rows, 4))
-    even, odd = np.zeros(5), np.zeros(5)
+    even, odd, bessel = np.zeros(5), np.zeros(5), np.zeros(5)
     for q in range(2):
         m, k = numbers[q, M], numbers[q, K]
         s, t = ends[q + 1] - ends[q], ends[q]
@@ -90,7 +90,7 @@ def function_integrals(series, numbers, ends, count):
                 rho[r, l] = k * series[q, r, 3, l] + change
         for column in range(count):
             w = column * omega
-            bessel = spherical_bessel(5, w * s / 2)
+            spherical_bessel(w * s / 2, bessel)
             for turned in range(2):  # the sine is the cosine, a quarter turn back
                 middle = w * (t + s / 2) - turned * pi / 2
                 co, si = cos(middle), sin(middle)

@@ -142,7 +142,9 @@ def residual(case, z, R):
         for i in range(len(setting)):
             f = f + numbers[p, MEMORY + i] * z[at_w + i]
         forced = numbers[p, G] != 0 and rows > 0
-        moments = legendre_moments(rows + left if forced else 1, cell[1] * s, theta[p])
+        moments = np.empty((2, rows + left))
+        if forced:
+            legendre_moments(cell[1] * s, theta[p], moments)
         for l in range(rows + left):
             factors = row(l, m, c, k, s)
             value = factors[0] * z[at[p]] + factors[1] * z[at[p] + 1]
@@ -158,7 +160,7 @@ def residual(case, z, R):
             R[at_row] = value
             at_row += 1
     found, _ = ends(case, z, at, N)
-    joints(case, z, at, found[0], found[1], R, at_row)
+    joints(case, z, at, theta, found[0], found[1], R, at_row)
 
 
 def jacobian(case, z, J):
@@ -174,7 +176,9 @@ def jacobian(case, z, J):
         number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
         s = z[at_s + p]
         forced = g != 0 and rows > 0
-        moments = legendre_moments(rows + left + 1 if forced else 1, cell[1] * s, theta[p])
+        moments = np.empty((2, rows + left + 1))
+        if forced:
+            legendre_moments(cell[1] * s, theta[p], moments)
         for l in range(rows + left):
             factors, changes = row(l, m, c, k, s), row_by_s(l, m, c, k, s)
             for i in range(2):
@@ -196,7 +200,7 @@ def jacobian(case, z, J):
                 J[at_row, at[p] + 2 + number + i] -= m * weight
             at_row += 1
     _, by = ends(case, z, at, N)
-    joint_rates(case, z, at, by[0], by[1], J, at_row)
+    joint_rates(case, z, at, theta, by[0], by[1], J, at_row)
 
 
 def motion(case, z, p, u, derivative):
