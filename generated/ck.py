@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MATHEMATICS = "3ed2b8f18dfc322ba486f97d7a4a0e5285a9d715305a458f48005684717ceccb"  # of the closed forms, by srepr
-BODY = "fb9e9ddb3c1846c94c7841fbab0f9bf0dd17ce283dea0da5cf89fc9d8c91cf59"  # of the text below
+BODY = "47c5e7f3b19d65eb60a02735cc182ac09daefd857fd8c94983ac9a40a0f8f1ce"  # of the text below
 
 FREE = 0
 CLASS = 1
@@ -248,15 +248,8 @@ def highest(kinds, q):
     return max(1, kinds[q, CLASS]) if kinds[q, FREE] else 1
 
 
-def angles(case, z, at):
-    """Return the angle of the forcing where each phase begins, and where the last one ends."""
-    theta = np.empty(len(case[0]) + 1)
-    fill_angles(case, z, at, theta)
-    return theta
-
-
 def fill_angles(case, z, at, theta):
-    """Fill theta with what `angles` returns."""
+    """Fill in the angle of the forcing where each phase begins, and where the last one ends."""
     kinds, _, setting, _, cell = case[:5]
     count, at_s = len(kinds), at[len(kinds)] + len(setting)
     theta[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
@@ -440,12 +433,11 @@ def tests(kinds, p, N):
     return terms(kinds, p, N) + 1 - max(1, kinds[p, CLASS]) if kinds[p, FREE] else 0
 
 
-def places(case, N):
+def places(kinds, N):
     """Return where the unknowns of each phase begin, and those behind all phases.
 
     Of each: x, v, the d_n, what no test sees.
     """
-    kinds = case[0]
     at = np.zeros(len(kinds) + 1, dtype=np.int64)
     for p in range(len(kinds)):
         at[p + 1] = at[p] + 2 + terms(kinds, p, N) + kinds[p, BESIDE]
@@ -455,7 +447,10 @@ def places(case, N):
 def size(case, N):
     """Return the number of unknowns: of the phases, memory, durations, phase of the forcing."""
     kinds, _, setting, _, cell = case[:5]
-    return places(case, N)[len(kinds)] + len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
+    found = len(setting) + len(kinds) + (1 if cell[2] != 0 else 0)
+    for p in range(len(kinds)):
+        found += 2 + terms(kinds, p, N) + kinds[p, BESIDE]
+    return found
 
 
 def order_of(case, z):
@@ -464,14 +459,20 @@ def order_of(case, z):
     return (len(z) - none) // (size(case, 1) - none)
 
 
-def ends(case, z, at, N):
-    """Return what each phase gains, begins with, and their derivatives, for `joints`."""
-    kinds, _, setting, _, _ = case[:5]
-    count, width, high = len(kinds), 2, 2
+def rooms(kinds, N):
+    """Return room for angles and moments of the forcing, `ends` and their derivatives."""
+    count, most, high = len(kinds), 2, 2
     for p in range(count):
-        width = max(width, 2 + terms(kinds, p, N))
+        most = max(most, terms(kinds, p, N) + kinds[p, BESIDE])
         high = max(high, kinds[p, CLASS] + 1)
-    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, 3 + width))
+    both, both_by = np.zeros((2, count, high)), np.zeros((2, count, high, 5 + most))
+    return np.empty(count + 1), np.empty((2, most + 1)), both, both_by
+
+
+def ends(case, z, at, N, both, both_by):
+    """Fill in what each phase gains, begins with, and their derivatives, for `joints`."""
+    kinds, setting = case[0], case[2]
+    count, high = len(kinds), both.shape[2]
     for p in range(count):
         s, number = z[at[count] + len(setting) + p], terms(kinds, p, N)
         by, by_s = displacement_gained(s), displacement_gained_by_s(s)
@@ -493,15 +494,20 @@ def ends(case, z, at, N):
                     both[side, p, order] += sign * weight * d
                     both_by[side, p, order, 0] += sign * rate * d
                     both_by[side, p, order, 5 + n] = sign * weight
-    return both, both_by
 
 
 def residual(case, z, R):
     """Fill R with the left sides of the conditions."""
+    kinds, N = case[0], order_of(case, z)
+    fill_residual(case, z, places(kinds, N), N, rooms(kinds, N), R)
+
+
+def fill_residual(case, z, at, N, room, R):
+    """Fill R within given room."""
     kinds, numbers, setting, _, cell = case[:5]
-    N = order_of(case, z)
-    at = places(case, N)
-    at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
+    theta, moments, found, by = room
+    at_w, at_row = at[len(kinds)], 0
+    fill_angles(case, z, at, theta)
     for p in range(len(kinds)):  # the residual of each phase, less what no test sees
         m, c, k, f = numbers[p, M], numbers[p, C], numbers[p, K], numbers[p, F]
         number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
@@ -509,9 +515,8 @@ def residual(case, z, R):
         for i in range(len(setting)):
             f = f + numbers[p, MEMORY + i] * z[at_w + i]
         forced = numbers[p, G] != 0 and rows > 0
-        moments = np.empty((2, rows + left))
         if forced:
-            legendre_moments(cell[1] * s, theta[p], moments)
+            legendre_moments(cell[1] * s, theta[p], moments[:, : rows + left + 1])
         for l in range(rows + left):
             factors = row(l, m, c, k, s)
             value = factors[0] * z[at[p]] + factors[1] * z[at[p] + 1]
@@ -526,26 +531,31 @@ def residual(case, z, R):
                 value = value - m * unseen(rows + i, l, kinds[p, CLASS]) * tau
             R[at_row] = value
             at_row += 1
-    found, _ = ends(case, z, at, N)
+    ends(case, z, at, N, found, by)
     joints(case, z, at, theta, found[0], found[1], R, at_row)
 
 
 def jacobian(case, z, J):
     """Fill J with their derivatives."""
+    kinds, N = case[0], order_of(case, z)
+    fill_jacobian(case, z, places(kinds, N), N, rooms(kinds, N), J)
+
+
+def fill_jacobian(case, z, at, N, room, J):
+    """Fill J within given room."""
     kinds, numbers, setting, _, cell = case[:5]
-    N = order_of(case, z)
-    at = places(case, N)
-    at_w, theta, at_row = at[len(kinds)], angles(case, z, at), 0
+    theta, moments, found, by = room
+    at_w, at_row = at[len(kinds)], 0
     at_s = at_w + len(setting)
+    fill_angles(case, z, at, theta)
     J[:, :] = 0.0
     for p in range(len(kinds)):
         m, c, k, g = numbers[p, M], numbers[p, C], numbers[p, K], numbers[p, G]
         number, rows, left = terms(kinds, p, N), tests(kinds, p, N), kinds[p, BESIDE]
         s = z[at_s + p]
         forced = g != 0 and rows > 0
-        moments = np.empty((2, rows + left + 1))
         if forced:
-            legendre_moments(cell[1] * s, theta[p], moments)
+            legendre_moments(cell[1] * s, theta[p], moments[:, : rows + left + 1])
         for l in range(rows + left):
             factors, changes = row(l, m, c, k, s), row_by_s(l, m, c, k, s)
             for i in range(2):
@@ -566,7 +576,7 @@ def jacobian(case, z, J):
                 weight = unseen(rows + i, l, kinds[p, CLASS])
                 J[at_row, at[p] + 2 + number + i] -= m * weight
             at_row += 1
-    _, by = ends(case, z, at, N)
+    ends(case, z, at, N, found, by)
     joint_rates(case, z, at, theta, by[0], by[1], J, at_row)
 
 
@@ -576,7 +586,7 @@ def motion(case, z, p, u, derivative):
     if not 0 <= p < len(kinds):
         raise IndexError("p")
     N = order_of(case, z)
-    at = places(case, N)
+    at = places(kinds, N)
     d = z[at[p] + 2 : at[p] + 2 + terms(kinds, p, N)]
     s = z[at[len(kinds)] + len(setting) + p]
     return phase_motion(z[at[p]], z[at[p] + 1], d, s, u, derivative)

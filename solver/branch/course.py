@@ -9,9 +9,9 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from ...generated.ck import F, angles
+from ...generated.ck import F
 from ..arrays import Matrix, Vector
-from ..flow.exact_system import arrays, phase_numbers, places
+from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
 from ..kernels.compiling import Account
 from ..kernels.kernel import pays

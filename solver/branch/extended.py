@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import MEMORY, add_event, angles, event, joint_rates, joints
+from ...generated.ck import MEMORY, add_event, event, joint_rates, joints
 from ..arrays import Matrix, Vector
-from ..flow.exact_system import ends, places
+from ..flow.exact_system import angles, ends, places
 from ..iteration.iteration import ROUNDOFF, scale_rows
 from ..iteration.linear import factorise, solve_factorised
 

@@ -12,15 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import (
-    FREE,
-    JUMP,
-    RHO,
-    F,
-    angles,
-)
+from ...generated.ck import FREE, JUMP, RHO, F
 from ..arrays import Matrix, Vector
-from ..flow.exact_system import ends, phase_numbers, places
+from ..flow.exact_system import angles, ends, phase_numbers, places
 from ..flow.responses import by_force, by_forcing, by_start
 
 # Columns of the table of forms: the phase; where the form is looked at; the derivative that is

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...generated import ck
-from ...generated.ck import FREE, MEMORY, C, F, G, K, M, angles, joint_rates, joints
+from ...generated.ck import FREE, MEMORY, C, F, G, K, M, fill_angles, joint_rates, joints
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import iterate_scene
 from ..kernels import bodies, linking
@@ -35,6 +35,13 @@ if TYPE_CHECKING:
 def places(case: Any) -> Any:
     """Return where the unknowns of each phase begin, and those behind all phases."""
     return 2 * np.arange(len(case[0]) + 1)
+
+
+def angles(case: Any, z: Vector, at: Any) -> Vector:
+    """Return the angle of the forcing where each phase begins, and where the last one ends."""
+    theta: Vector = np.empty(len(case[0]) + 1)
+    fill_angles(case, z, at, theta)
+    return theta
 
 
 def ends(case: Any, z: Vector, theta: Vector) -> tuple[Any, Any]:

@@ -40,6 +40,9 @@ DURATION_STEP, ANGLE_STEP = 0.4, 0.8
 #: A correction that is at most this part of the one before is taken with the same Jacobian.
 FAST = 0.125
 
+#: After a last correction that is larger, the residual is evaluated once more.
+AGAIN = ROUNDOFF
+
 CONVERGED, OVERFLOW, SINGULAR, NO_DESCENT, TOO_MANY = range(5)
 
 Iteration = Callable[[Any, Vector, int], tuple[int, int, float, float]]
@@ -132,8 +135,16 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
     follow, is at rounding level or no longer falls.  Returned are the status, 0 if converged,
     the Jacobians factorised, the last correction of the times, and the norm of the residual.
     """
-    n, (durations, forced) = len(z), times_of(case)
+    n = len(z)
     J, rows, vectors = np.empty((n, n)), np.empty(n, dtype=np.int64), np.empty((5, n))
+    return iterate_within(case, z, limit, J, rows, vectors)
+
+
+def iterate_within(
+    case: Any, z: Vector, limit: int, J: Matrix, rows: Any, vectors: Matrix
+) -> tuple[int, int, float, float]:
+    """Do so within room for a Jacobian, its exchanges and five vectors."""
+    n, (durations, forced) = len(z), times_of(case)
     R, scales, step = vectors[0], vectors[1], vectors[2]
     following, trial = vectors[3], vectors[4]
     residual(case, z, R)
@@ -167,7 +178,7 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
             if damping < SMALLEST_STEP:
                 residual(case, z, R)
                 return NO_DESCENT, iteration, correction, greatest(R, 0, n)
-        z[:] = trial
+        add(trial, 0.0, trial, z)
         while True:
             correction = ahead
             converged = max(size, length) <= SETTLED and correction <= ROUNDOFF
@@ -176,7 +187,7 @@ def iterate_scene(case: Any, z: Vector, limit: int) -> tuple[int, int, float, fl
             if not (converged or (fast and whole)):
                 break
             add(z, 1.0, following, z)
-            if not converged or size > ROUNDOFF:  # else the residual hardly changes
+            if not converged or size > AGAIN:  # else the residual hardly changes
                 residual(case, z, R)
             if converged:
                 return CONVERGED, iteration, correction, greatest(R, 0, n)

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Vector
+from ..arrays import Matrix, Vector
 from .iteration import (
     CONVERGED,
     DURATION_STEP,
@@ -34,19 +34,24 @@ FAST = 0.25
 #: Most points of the inverse function; they are used up by rounding long before.
 POINTS = 8
 
+#: Rows of the room that is needed: points, differences; residual and derivative.
+ROOM = 3
+
 
 def limited(step: float, y: float) -> float:
     """Return the damping that keeps a step within the limit of a duration."""
     return min(1.0, DURATION_STEP * abs(y) / abs(step))
 
 
-def iterate_single(work: Any, y: Vector, limit: int) -> tuple[int, int, float, float]:
+def iterate_single(
+    work: Any, y: Vector, limit: int, room: Matrix
+) -> tuple[int, int, float, float]:
     """Solve ``residual(work, y) = 0`` from `y`, which is overwritten.
 
     It ends with a correction at rounding level, or where corrections no longer fall; the last
-    evaluation is at the solution.  See `iteration.iterate_scene`.
+    evaluation is at the solution.  See `iteration.iterate_scene`.  The room is of the shape
+    (`ROOM`, `POINTS`).
     """
-    room = np.empty((3, POINTS))
     points, differences, R, J = room[0], room[1], room[2, :1], room[2:, 1:2]
     residual(work, y, R)
     damping, previous, correction = 1.0, np.inf, np.inf

@@ -4,7 +4,7 @@ import cmath
 import dis
 import math
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -46,13 +46,18 @@ def linked(
     return newton_of(residual, jacobian, times_of, rebuilt)
 
 
-def newton_of(
-    residual: Any, jacobian: Any, times_of: Any, make: Make, **constants: float
-) -> Iteration:
+def newton_of(residual: Any, jacobian: Any, times_of: Any, make: Make) -> Iteration:
     """Return `iteration.iterate_scene` for such functions, all it calls made by `make`."""
-    own = {"residual": residual, "jacobian": jacobian, "times_of": times_of}
-    iterate: Iteration = made(SEVERAL, own | constants, make)["iterate_scene"]
+    iterate: Iteration = newton_with(residual, jacobian, times_of, make)["iterate_scene"]
     return iterate
+
+
+def newton_with(
+    residual: Any, jacobian: Any, times_of: Any, make: Make, **constants: float
+) -> dict[str, Any]:
+    """Return all functions of Newton's method for such functions, with other constants."""
+    own = {"residual": residual, "jacobian": jacobian, "times_of": times_of}
+    return made(SEVERAL, own | constants, make, of_numbers=own)
 
 
 def times_of(case: Any) -> tuple[int, int]:
@@ -71,10 +76,11 @@ def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:
     """Return the functions of a generated module, and the quick way to its solutions."""
     found = made((*MAPS, equations), {}, make)
     residual, jacobian = found["together_residual"], found["together_jacobian"]
-    iterate = newton_of(residual, jacobian, found["times_of"], make, FAST=together.FAST)
-    found["iterate_scene"] = iterate
+    changed = {"FAST": together.FAST, "AGAIN": together.AGAIN}
+    newton = newton_with(residual, jacobian, found["times_of"], make, **changed)
+    found["iterate_within"] = newton["iterate_within"]
     own = {"residual": found["event_residual"], "jacobian": found["event_rate"]}
-    found["iterate_single"] = made(ONE, own, make)["iterate_single"]
+    found["iterate_single"] = made(ONE, own, make, of_numbers=own)["iterate_single"]
     return found | {"iterate": found["iterate_together"]}
 
 
@@ -83,12 +89,12 @@ def made(
     given: dict[str, Any],
     make: Make,
     *,
-    lists: bool = False,
+    of_numbers: Container[str] = (),
 ) -> dict[str, Any]:
     """Return the content of modules and what is given, their functions made over all that.
 
-    Functions with no body stand for those that are given, or put in later.  Where some take
-    `lists`, numba counts in all of them.
+    Functions with no body stand for those that are given, or put in later.  Those of the given
+    that are `of_numbers` return no arrays.
     """
     namespace: dict[str, Any] = {}
     for module in modules:
@@ -102,19 +108,20 @@ def made(
         and "NotImplementedError" not in value.__code__.co_names
         and name not in PLAIN
     }
-    makers = set(own) if lists or make is rebuilt else with_arrays(own, given)
+    others = {name for name, one in given.items() if callable(one) and name not in of_numbers}
+    makers = set(own) if make is rebuilt else with_arrays(own, others)
     for name, value in own.items():
         namespace[name] = make(value, namespace, name in makers)
     namespace |= given
     return namespace
 
 
-def with_arrays(functions: dict[str, types.FunctionType], given: dict[str, Any]) -> set[str]:
+def with_arrays(functions: dict[str, types.FunctionType], others: set[str]) -> set[str]:
     """Return which of some functions may make arrays, or take over arrays of what they call.
 
-    Of what is `given` nothing is known.
+    Of the `others` nothing is known.
     """
-    found = {name for name, value in given.items() if callable(value)}
+    found = set(others)
     for name, value in functions.items():
         is_array = value.__annotations__.get("return") in (Vector, Matrix)
         if is_array or not attributes(value) <= OF_NUMBERS:

@@ -55,23 +55,21 @@ from .band import (
 VALUE, DURATION, ANGLE, FORCE, STATE, LAST = 0, 1, 2, 3, 4, 6
 
 
-def places_kept(case: Any, N: int) -> Any:
+def places_kept(kinds: Any, N: int) -> Any:
     """Return where the unknowns of each phase begin that are solved for together."""
-    kinds = case[0]
     at = np.zeros(len(kinds) + 1, dtype=np.int64)
     for p in range(len(kinds)):
         at[p + 1] = at[p] + 2 + terms(kinds, p, N) - tests(kinds, p, N)
     return at
 
 
-def workplace(case: Any, at: Any, N: int) -> Any:
+def workplace(kinds: Any, at: Any, N: int) -> Any:
     """Return room: bands, columns, full columns, exchanges, moments; for which times; ends.
 
     The last three are as `joints` takes them: angles of the forcing, how phases end, and the
     derivatives.
     """
-    kinds, count = case[0], len(case[0])
-    rows, width, high = BLOCK, 2, 2
+    count, rows, width, high = len(kinds), BLOCK, 2, 2
     for p in range(count):
         rows = max(rows, terms(kinds, p, N) + kinds[p, BESIDE])
         width = max(width, at[p + 1] - at[p])

@@ -1,7 +1,7 @@
 """Newton's method on what joins the phases: states, memory and times only.
 
 Given these, each phase is solved for by itself, by its expansion.  What joins the phases is a
-system of as many equations, whatever the order, which `iteration.iterate_scene` solves.
+system of as many equations, whatever the order, which `iteration.iterate_within` solves.
 
 What single conditions give is filled in before, exactly.  Where nothing forces and a phase
 begins in a state that is known then, durations are single unknowns: `one_by_one`.
@@ -33,9 +33,9 @@ from ...generated.ck import (
     residual,
 )
 from ..arrays import Matrix, Vector
-from ..iteration.iteration import SINGULAR, iterate_scene
+from ..iteration.iteration import SINGULAR, iterate_within
 from ..iteration.linear import least_squares
-from ..iteration.single import iterate_single
+from ..iteration.single import POINTS, ROOM, iterate_single
 from .series import (
     phase_rate,
     phase_rates,
@@ -48,6 +48,9 @@ from .series import (
 
 #: In the place of `iteration.FAST`: here a new Jacobian costs little more than a residual.
 FAST = 0.001
+
+#: In the place of `iteration.AGAIN`: what is returned is evaluated here.
+AGAIN = np.inf
 
 
 def times_of(place: Any) -> tuple[int, int]:
@@ -161,7 +164,7 @@ def together_jacobian(place: Any, y: Vector, J: Matrix) -> None:
         row += 1
 
 
-def fitted(place: Any, y: Vector, times: int) -> None:
+def fitted(place: Any, y: Vector, times: int, R: Vector, J: Matrix) -> None:
     """Fill in the states and memory that fit the times in `y` best: least squares.
 
     What joins the phases is linear in them, and there are more equations; each is scaled to a
@@ -169,8 +172,8 @@ def fitted(place: Any, y: Vector, times: int) -> None:
     says little of it.
     """
     size, unknown = len(y), len(y) - times
-    R, J = np.empty(size), np.empty((size, size))
-    y[:unknown] = 0.0
+    for i in range(unknown):
+        y[i] = 0.0
     together_residual(place, y, R)
     together_jacobian(place, y, J)
     for i in range(size):
@@ -216,17 +219,18 @@ def event_rate(place: Any, s: Vector, J: Matrix) -> None:
 
 
 def one_by_one(
-    case: Any, y: Vector, at: Any, N: int, work: Any, first: int, limit: int
-) -> tuple[int, int, float, float]:
+    case: Any, y: Vector, at: Any, N: int, work: Any, first: int, limit: int, room: Matrix
+) -> tuple[int, int, float]:
     """Solve for the durations one after the other, from a phase whose begin is known.
 
     The event that ends the last of them is the one that gives where the first begins: what is
-    gained on the way, `total`, is to be zero, or to bring the mass to the other side.
+    gained on the way, `total`, is to be zero, or to bring the mass to the other side.  The room
+    is that of `iterate_single`, and a row more.
     """
     kinds, numbers, cell = case[0], case[1], case[4]
     count, ends = len(kinds), work[-2]
-    s, at_s = np.empty(1), at[count]
-    iterations, correction, norm, total, turned = 0, 0.0, 0.0, 0.0, 1.0
+    s, at_s = room[ROOM, :1], at[count]
+    iterations, correction, total, turned = 0, 0.0, 0.0, 1.0
     for i in range(count):
         p = (first + i) % count
         s[0] = y[at_s + p]
@@ -235,18 +239,17 @@ def one_by_one(
             begin = numbers[p, E_X] * turned * (total + (1.0 - cell[0]) * y[at[first]])
         place = (case, at, N, work, y, p, begin)
         if kinds[p, FREE]:
-            status, steps, last, left = iterate_single(place, s, limit)
+            status, steps, last, _ = iterate_single(place, s, limit, room[:ROOM])
         else:  # what a held phase gains is its speed times its duration
             slope = numbers[p, E_X] * y[at[p] + 1]
             if slope == 0:
-                return SINGULAR, iterations, correction, norm
-            status, steps, last, left = 0, 0, 0.0, 0.0
+                return SINGULAR, iterations, correction
+            status, steps, last = 0, 0, 0.0
             s[0] = -begin / slope
-            event_residual(place, s, np.empty(1))
+            event_residual(place, s, room[0])
         iterations, correction = max(iterations, steps), max(correction, last)
-        norm = max(norm, left)
         if status != 0:
-            return status, iterations, correction, norm
+            return status, iterations, correction
         if i < count - 1:
             q = (p + 1) % count
             sign = cell[0] if q == 0 else 1.0
@@ -259,7 +262,26 @@ def one_by_one(
                 of = kinds[p, OF_X + state]
                 if of == AFTER and is_alone(case, p, state):  # exactly as the event says
                     y[at[q] + state] = -sign * numbers[p, E_0] / numbers[p, E_X + state]
-    return 0, iterations, correction, norm
+    return 0, iterations, correction
+
+
+def all_at_once(
+    case: Any, at: Any, N: int, work: Any, whole: Vector, left: Matrix, known: Any, used: Any,
+    limit: int, J: Matrix, rows: Any, vectors: Matrix,
+) -> tuple[int, int, float]:  # fmt: skip
+    """Solve for what is not known, from the times in `whole`; the room is Newton's method's."""
+    place = (case, at, N, work, whole, left, known, used)
+    durations, forced = times_of(place)
+    y, j = vectors[5], 0
+    for i in range(len(whole)):
+        if not known[i]:
+            y[j] = whole[i]
+            j += 1
+    fitted(place, y, durations + forced, vectors[0], J)
+    status, iterations, correction, _ = iterate_within(place, y, limit, J, rows, vectors)
+    together_residual(place, y, vectors[0])
+    given_last(case, whole, at, known, used)
+    return status, iterations, correction
 
 
 def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
@@ -269,8 +291,8 @@ def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float,
     """
     kinds, _, setting, _, cell = case[:5]
     N = order_of(case, z)
-    at = places_kept(case, N)
-    work = workplace(case, at, N)
+    at = places_kept(kinds, N)
+    work = workplace(kinds, at, N)
     times = len(kinds) + (1 if cell[2] != 0 else 0)
     size = at[len(kinds)] + len(setting) + times
     whole, left = np.zeros(size), np.zeros((size, size))
@@ -280,16 +302,19 @@ def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float,
     given_alone(case, whole, at, known, used)
     first = known_begin(case, at, known)
     if first >= 0:
-        status, iterations, correction, _ = one_by_one(case, whole, at, N, work, first, limit)
+        room = np.empty((ROOM + 1, POINTS))
+        status, iterations, correction = one_by_one(
+            case, whole, at, N, work, first, limit, room
+        )
     else:
         given_last(case, whole, at, known, used)
-        place = (case, at, N, work, whole, left, known, used)
-        durations, forced = times_of(place)
-        y = whole[np.logical_not(known)]
-        fitted(place, y, durations + forced)
-        status, iterations, correction, _ = iterate_scene(place, y, limit)
-        together_residual(place, y, left[1])
-        given_last(case, whole, at, known, used)
+        n = size
+        for i in range(size):
+            n -= 1 if known[i] else 0
+        J, rows, vectors = np.empty((n, n)), np.empty(n, dtype=np.int64), np.empty((6, n))
+        status, iterations, correction = all_at_once(
+            case, at, N, work, whole, left, known, used, limit, J, rows, vectors
+        )
     unpack(case, whole, at, N, work, z)
     R = np.empty(len(z))
     residual(case, z, R)

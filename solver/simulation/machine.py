@@ -50,8 +50,12 @@ PARTS = zeros, bounds, locate, chatter, clock, state, switches, step
 def linked(motion: ModuleType, make: linking.Make) -> dict[str, Any]:
     """Return the functions of `step` and `run`, plain or compiled."""
     flow = linking.made((divided, responses), {}, make)
-    given = {"state_at": flow["state_at"]}
-    return linking.made((*PARTS, motion), given, make, lists=True)
+
+    def counting(function: Any, names: dict[str, Any], _: bool) -> Any:
+        """Return a function made so that numba counts: some take lists of forms."""
+        return make(function, names, True)
+
+    return linking.made((*PARTS, motion), {"state_at": flow["state_at"]}, counting)
 
 
 #: The functions, linked as plain Python or compiled; what plain ones cost is kept.

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import E_COS, E_X, FREE, MEMORY, RHO, F, angles
+from ...generated.ck import E_COS, E_X, FREE, MEMORY, RHO, F
 from ..arrays import Matrix, Vector
-from ..flow.exact_system import ends, phase_numbers, places
+from ..flow.exact_system import angles, ends, phase_numbers, places
 
 
 def end_rates(case: Any, z: Vector) -> Matrix:

@@ -6,7 +6,6 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from nonsmooth.generated.ck import angles
 from nonsmooth.solver.flow import exact_system, flow
 from nonsmooth.solver.flow.divided import expm1, of_three, of_three_at, of_two, of_two_at
 from nonsmooth.solver.scenes.cell import Cell, Phase
@@ -56,7 +55,7 @@ def ended(phase, omega, s):
     """
     cell = Cell((phase,), omega or None, 1, 1, ())
     case, z = exact_system.arrays(cell), np.array([*START, s, ANGLE][: 4 if omega else 3])
-    theta = angles(case, z, exact_system.places(case))
+    theta = exact_system.angles(case, z, exact_system.places(case))
     gained, by = exact_system.ends(case, z, theta)
     return gained[0], by[0, :, 0], by[0, :, 1], by[0, :, 3:] + np.eye(2)
 

@@ -16,6 +16,7 @@ from nonsmooth.solver.iteration.iteration import (
     SINGULAR,
     TOO_MANY,
 )
+from nonsmooth.solver.iteration.single import POINTS, ROOM
 from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import ONE, made
 
@@ -35,7 +36,8 @@ def solve(function, slope, start, limit=40):
     iterate = made(ONE, {"residual": residual, "jacobian": jacobian}, rebuilt)["iterate_single"]
     y = np.array([float(start)])
     with np.errstate(all="ignore"):
-        status, iterations, correction, norm = iterate(None, y, limit)
+        room = np.empty((ROOM, POINTS))
+        status, iterations, correction, norm = iterate(None, y, limit, room)
     return SimpleNamespace(
         status=status, iterations=iterations, correction=correction, norm=norm,
         y=float(y[0]), seen=seen, slopes=slopes,

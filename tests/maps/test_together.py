@@ -23,13 +23,13 @@ def begun(scene, method, order):
     case = registry.load(scene)()
     kernel = registry.kernel(case.scene, method)
     given = kernel.given(case, order)
-    at = MAPS["places_kept"](given, order)
+    at = MAPS["places_kept"](given[0], order)
     rng = np.random.default_rng(order)
     times = kernel.durations + kernel.forced
     y = rng.normal(size=at[-1] + len(given[2]) + times)
     y[-times:] = rng.uniform(0.5, 2.0, times)
     marks = np.zeros(len(y), dtype=bool), np.zeros(len(y), dtype=bool)
-    work = MAPS["workplace"](given, at, order)
+    work = MAPS["workplace"](given[0], at, order)
     place = (given, at, order, work, y.copy(), np.zeros((len(y), len(y))), *marks)
     return kernel, place, y
 
@@ -124,7 +124,9 @@ def test_what_single_conditions_give_is_known_before(scene, known, first):
     ]
     assert marks.sum() == used.sum()
     R = np.empty(len(y))
-    MAPS["joints"](given, whole, at, np.zeros((9, 3)), np.zeros((9, 3)), R, 0)
+    theta = np.zeros(len(at))
+    MAPS["fill_angles"](given, whole, at, theta)
+    MAPS["joints"](given, whole, at, theta, np.zeros((9, 3)), np.zeros((9, 3)), R, 0)
     assert np.abs(R[used]).max(initial=0.0) <= 1e-15 * np.abs(whole).max()
     assert MAPS["known_begin"](given, at, marks) == first
 
@@ -143,8 +145,8 @@ def test_phases_of_many_periods_keep_their_digits():
     kernel = registry.kernel(case.scene, "ck-tau")
     order, times = 60, np.array([2 * np.pi / case.cell.omega, 0.7])
     given = kernel.given(case, order)
-    at = MAPS["places_kept"](given, order)
-    work = MAPS["workplace"](given, at, order)
+    at = MAPS["places_kept"](given[0], order)
+    work = MAPS["workplace"](given[0], at, order)
     y = np.array([0.3, -0.2, *times])
     MAPS["solve_phases"](given, y, at, order, work)
     assert work[6][0]  # exchanged

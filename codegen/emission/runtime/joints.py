@@ -4,7 +4,7 @@ A scene is arrays.  `kinds` and `numbers` have a row a phase, with the columns n
 `setting` and `memory` an entry a memory: the phase whose beginning sets it, and the linear form
 that it is set to; `cell` has the sign of the next cell, the angular frequency of the forcing,
 and how many times ``pi`` over it the cell lasts, 0 where nothing forces; `theta` has the angles
-of the forcing that `angles` returns.
+of the forcing that `fill_angles` fills in.
 
 Unknowns are, for each phase from ``at[p]`` on, the state in which it begins and what else is
 its own; then the memory, the durations, the phase of the forcing.  How a phase ends is given:
@@ -20,8 +20,6 @@ gained_by, begins_by : ndarray, shape (P, derivatives, 3 + width)
 """
 
 from math import cos, pi, sin
-
-import numpy as np
 
 # Columns of `kinds`: whether the phase is free; the class where it begins; how many unknowns it
 # has beside a series: polynomials that no test sees, or functions with a break where it begins;
@@ -43,15 +41,8 @@ def highest(kinds, q):
     return max(1, kinds[q, CLASS]) if kinds[q, FREE] else 1
 
 
-def angles(case, z, at):
-    """Return the angle of the forcing where each phase begins, and where the last one ends."""
-    theta = np.empty(len(case[0]) + 1)
-    fill_angles(case, z, at, theta)
-    return theta
-
-
 def fill_angles(case, z, at, theta):
-    """Fill theta with what `angles` returns."""
+    """Fill in the angle of the forcing where each phase begins, and where the last one ends."""
     kinds, _, setting, _, cell = case[:5]
     count, at_s = len(kinds), at[len(kinds)] + len(setting)
     theta[0] = z[len(z) - 1] if cell[2] != 0 else 0.0
