@@ -32,10 +32,8 @@ settings.load_profile("fixed")
 
 #: Rooms and files whose tests share what they derive: one process runs them.
 SHARED = {
-    **dict.fromkeys(("derivation", "shown", "report"), "paper"),
-    **dict.fromkeys(("test_command_line", "test_documentation"), "paper"),
-    **dict.fromkeys(("galerkin", "show"), "machine"),
-    "space": "space",
+    **dict.fromkeys(("test_command_line", "test_documentation", "report"), "paper"),
+    **{room: room for room in ("equations", "galerkin", "space")},
 }
 
 
