@@ -149,7 +149,8 @@ def test_near_a_fold_the_estimate_holds(values, order: int) -> None:
         assert np.abs(orbit.multipliers - 1).min() < 1e-4
         error = error_of(orbit)
         assert 1e-13 < error <= orbit.estimate.times
-        assert orbit.estimate.times <= 20 * EPSILON * condition(orbit.exact)
+        rounding = EPSILON * condition(orbit.exact)
+        assert rounding / 2 < orbit.estimate.times <= 20 * rounding
 
 
 def near_folds(count: int, seed: int) -> Iterator[Orbit]:
