@@ -9,13 +9,16 @@ from made_scenes import Given, made
 from numpy.polynomial import Polynomial
 
 from nonsmooth.solver import exact, solve
-from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.exact import exact_orbit, from_times
+from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.existence.known import Known
 from nonsmooth.solver.existence.reasons import motions_without_switches
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.admissible import violations
+from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.solve import orbits_of, solve_case, with_motion
 
 IMPACT, FRICTION = registry.load("impact"), registry.load("dry-friction")
@@ -139,6 +142,20 @@ def test_what_the_exact_equations_disprove_is_not_returned(values, order, method
         monkeypatch.setattr(module, "known_orbits", lambda case: [])
     with pytest.raises(NoOrbit):
         solve_case(case, method, order)
+
+
+def test_a_solution_is_no_orbit_where_the_exact_one_next_to_it_is_none():
+    """The impact leaves the stop at 4e-8 m/s, and order 6 does not know in which direction."""
+    case = IMPACT(damping=0, restitution=0.8, gap=0.5, frequency=math.sqrt(3) - 1e-8)
+    (grazing,) = (q for q in one_phase.solutions(case.cell).found if abs(q[1]) < 1e-6)
+    near = from_times(case, RoughTimes((case.cell.duration,), grazing[2], "the exact times"))
+    kernel = registry.quicker_kernel(case.scene, "ck-tau", None, 6)
+    found = attempt(kernel, case, 6, near.times)
+    assert found.converged
+    assert not found.own_violations
+    (why,) = found.violations
+    assert "the exact solution next to it" in why
+    assert "wrong direction" in why
 
 
 def test_of_two_orbits_the_stable_one_is_returned_and_the_other_named():
