@@ -34,7 +34,7 @@ def test_the_command_of_the_documentation(run) -> None:
     assert max(map(len, lines)) <= 80
     first = next(line for line in lines if line.startswith("1 ")).split()
     exact = "1.89405287"
-    assert first == ["1", exact, exact, "3.449736973", "5.9e-11", "5.9e-11", "5.5e-05"]
+    assert first == ["1", exact, exact, "11.9006852", "5.9e-11", "5.9e-11", "5.5e-05"]
     fifth = next(line for line in lines if line.startswith("5 "))
     assert fifth.split()[-3:] == ["n", "=", "5"]
 

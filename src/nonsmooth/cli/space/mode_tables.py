@@ -1,5 +1,6 @@
 """Tables of modes, at most 80 columns wide, and what stands above and below them."""
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -27,7 +28,7 @@ def modes(found: "Sequence[Modes]") -> None:
     several = len(found) > 1
     table = table_of(
         "mode", *(["method", "f [Hz]"] if several else ["f [Hz]", "f_ex [Hz]"]),
-        "beta", "f/f_ex-1", "proved", "jump law", "node",
+        "omega [rad/s]", "f/f_ex-1", "proved", "jump law", "node",
     )  # fmt: skip
     for place in range(max(map(len, found))):
         every = [expansion for expansion in found if place < len(expansion)]
@@ -38,8 +39,8 @@ def modes(found: "Sequence[Modes]") -> None:
             names = [expansion.shown, f] if several else [f, exact]
             table.add_row(str(mode.number), *names, *cells)
         if several:
-            beta = f"{every[0][place].exact_beta:.10g}"
-            table.add_row(str(place + 1), "exact", exact, beta, "", "", "", "")
+            omega = f"{2 * math.pi * every[0][place].exact_frequency:.9g}"
+            table.add_row(str(place + 1), "exact", exact, omega, "", "", "", "")
     for expansion in found:
         click.echo(f"{expansion.shown}, N = {expansion.order}: {expansion.unknowns} unknowns")
     click.echo()
@@ -50,7 +51,7 @@ def _cells(mode: "Mode") -> list[str]:
     proved = mode.proved_within
     return [
         f"{mode.frequency:.9g}",
-        f"{mode.beta:.10g}",
+        f"{mode.omega:.9g}",
         f"{mode.error:.1e}",
         "" if proved is None else f"{proved:.1e}",
         _law(mode.jump_mismatch),
@@ -74,7 +75,6 @@ def legend(structure: "Structure") -> str:
     }[structure.kind]
     sign = _sign(structure)
     parts = [
-        "beta: wave number times the length",
         "f_ex: the exact frequency",
         "proved: how far f can be off, by bounds on both sides that do not know it",
         f"jump law: [{broken}]/({sign}{law}) - 1 at the attachment",
