@@ -52,10 +52,10 @@ def taken_at(alpha: float, method: str, order: int):
 
 @numba.njit
 def between(low, high, part):
-    """Return what a kernel takes at a load between or beyond two; constants become arrays."""
+    """Return what a kernel takes at a load between or beyond two."""
     kinds, numbers, setting, memory, cell, tables = low
     now = numbers + part * (high[1] - numbers)
-    return kinds.copy(), now, setting.copy(), memory.copy(), cell.copy(), tables.copy()
+    return kinds, now, setting, memory, cell, tables
 
 
 def by_solve(method: str) -> Callable[[int], Period]:

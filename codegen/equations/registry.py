@@ -12,7 +12,7 @@ from ...nearest import one_of
 from ...scene_files.read import is_path, read_scene, text_of
 from .. import expansions, scenes
 from ..galerkin import GalerkinConditions
-from ..scene import Scene, switches
+from ..scene import Scene, in_order, switches
 from ..system import GalerkinSystem, Section
 from .bodies import body_equations
 from .method import ONE_CYCLE, method_equations, spelled, unknowns
@@ -43,6 +43,7 @@ def sections(
     names: Iterable[str] = (),
     functions: int | None = None,
     motion: str | None = None,
+    phases: str | None = None,
 ) -> list[Section]:
     """Return the sections on a scene: what it is, and for each method equations and Jacobian.
 
@@ -57,6 +58,8 @@ def sections(
         For methods that have functions with breaks; see `nonsmooth.codegen.derive`.
     motion : str, optional
         The one that is shown, of a scene with several.
+    phases : str, optional
+        In place of a motion, an order of phases as `in_order` takes it, declared or not.
 
     Raises
     ------
@@ -65,6 +68,8 @@ def sections(
     """
     found = scene_named(scene)
     parts = found.each_motion if motion is None else (_motion_named(found, motion),)
+    if phases is not None:
+        parts = (in_order(found, phases),)
     listed = tuple(names)
     return [section for part in parts for section in _of_motion(part, listed, functions)]
 

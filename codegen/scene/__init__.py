@@ -11,6 +11,7 @@ from .bodies.body import Body
 from .data import Event, Memory, Parameter, Phase, a, forcing, t, v, x
 from .error import SceneError
 from .linear import LinearPhase, State, linear_phase, state_row
+from .orders import in_order
 from .saltation import saltations
 from .scene import Scene
 from .smoothness import Switch, switches
@@ -28,6 +29,7 @@ __all__ = [
     "Switch",
     "a",
     "forcing",
+    "in_order",
     "linear_phase",
     "saltations",
     "state_row",

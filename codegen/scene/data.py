@@ -183,11 +183,11 @@ class SceneData:
         for memory in self.memory:
             for p in range(names.index(memory.at)):
                 changes[p][memory.symbol] = self.sign * memory.symbol
-        return tuple(map(_with_memory, self.phases, changes))
+        return tuple(map(with_values, self.phases, changes))
 
 
-def _with_memory(phase: Phase, values: Mapping[sp.Symbol, sp.Expr]) -> Phase:
-    """Return a phase with other values of the memory."""
+def with_values(phase: Phase, values: Mapping[sp.Symbol, sp.Expr]) -> Phase:
+    """Return a phase with other values of the state or the memory, but for its jumps."""
     if all(symbol == value for symbol, value in values.items()):
         return phase
 

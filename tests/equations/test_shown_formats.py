@@ -29,6 +29,7 @@ METHODS = {
     "stick-slip-damped": ("ck-tau",),
     "clearance": ("hb",),
     "stops": ("hb-ck",),
+    "four stops": ("ck-tau",),
     "impact-two-sided": ("ck-tau",),
     "elastic-plastic": ("hb",),
     "impact-inelastic": ("hb",),

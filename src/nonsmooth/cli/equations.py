@@ -30,6 +30,7 @@ Examples:
   nonsmooth equations -o equations.html
   nonsmooth equations --format latex --fragment -o equations.tex
   nonsmooth equations impact --method ck-tau -o impact.pdf
+  nonsmooth equations dry-friction --phases slide,stop,-slide,-stop
   nonsmooth equations beam-mass
 """
 
@@ -49,6 +50,12 @@ Examples:
 )
 @click.option("--motion", help="With a SCENE of several motions: one of them; else all.")
 @click.option(
+    "--phases",
+    metavar="NAMES",
+    help="An order of phases: names joined by commas, a minus before a mirrored one, mirrored "
+    "behind half a period; as solve names it.",
+)
+@click.option(
     "--format", "format_", type=click.Choice(FORMATS),
     help="Output format; default: from the file extension, else text. pdf needs pdflatex.",
 )  # fmt: skip
@@ -56,7 +63,7 @@ Examples:
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file.")
 def equations(
     scene: str | None, method: str | None, functions: int | None, motion: str | None,
-    format_: str | None, fragment: bool, output: Path | None,
+    phases: str | None, format_: str | None, fragment: bool, output: Path | None,
 ) -> None:  # fmt: skip
     """Print the equations that SymPy derives, with the numbers of the paper.
 
@@ -72,7 +79,7 @@ def equations(
         with busy("deriving the equations"):
             unicode = output is not None or _terminal_has_unicode()
             name = DEFAULT if scene is None else scene
-            parts, title = _sections(name, method, functions, motion)
+            parts, title = _sections(name, method, functions, motion, phases)
             text = _text_of(parts, title, chosen, fragment, unicode)
     except SceneFileError as error:
         raise Problem(str(error)) from error
@@ -112,7 +119,11 @@ def _format(format_: str | None, output: Path | None) -> str:
 
 
 def _sections(
-    scene: str, method: str | None, functions: int | None, motion: str | None
+    scene: str,
+    method: str | None,
+    functions: int | None,
+    motion: str | None,
+    phases: str | None,
 ) -> "tuple[list[Section], str]":
     """Return the sections on a scene, or on a structure, and their title."""
     methods = [method] if method else []
@@ -122,14 +133,17 @@ def _sections(
 
         if functions is not None:
             raise ValueError(f"functions: got {functions}, {scene} has forced modes, all shown")
-        if motion is not None:
-            raise ValueError(f"motion: got {motion!r}, expected a SCENE that has several")
+        for flag, given in (("motion", motion), ("phases", phases)):
+            if given is not None:
+                raise ValueError(f"{flag}: got {given!r}, expected a SCENE that has several")
         name = scene.replace("_", "-")
         return of_structure(name, methods), f"Modes of {structure_named(name).title}"
     from nonsmooth.codegen.equations import scene_named, sections
 
+    if motion is not None and phases is not None:
+        raise ValueError(f"phases: got {phases} beside --motion {motion}, expected one of them")
     title = f"Galerkin equations of {scene_named(scene).title}"
-    return sections(scene, methods, functions, motion), title
+    return sections(scene, methods, functions, motion, phases), title
 
 
 def _text_of(

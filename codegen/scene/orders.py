@@ -1,0 +1,129 @@
+"""A scene with its phases in an order that it does not declare, for its equations.
+
+An order is written as the solver has it: names of phases joined by commas, a minus before the
+mirror image of one, ``mirrored`` behind them where they are half a period.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from ...nearest import one_of
+from .data import Memory, Phase, a, forcing, v, with_values, x
+from .error import SceneError
+from .scene import Scene
+
+#: Behind the phases of half a period, and behind the name of a phase that is mirrored.
+MIRRORED = "mirrored"
+
+
+def in_order(scene: Scene, phases: str) -> Scene:
+    """Return a scene with phases of its longest motion in another order.
+
+    What comes a second time, a phase or what it sets, has a number behind its name.
+
+    Raises
+    ------
+    ValueError
+        If there is no such phase, or one cannot follow another.
+
+    Examples
+    --------
+    >>> from nonsmooth.codegen import scenes
+    >>> found = in_order(scenes.load("dry-friction"), "slide,stop,-slide,-stop")
+    >>> [phase.name for phase in found.phases]
+    ['slide', 'stop', 'slide_mirrored', 'stop_mirrored']
+    >>> found.phases[2].equation
+    -F*forcing + F_N*mu_k + a*m + c*v + k*x
+    """
+    base = max(scene.each_motion, key=lambda each: len(each.phases))
+    names = [name.strip() for name in phases.split(",")]
+    half = names[-1:] == [MIRRORED]
+    names = names[:-1] if half else names
+    steps = [(name.removeprefix("-"), name.startswith("-")) for name in names]
+    known = {phase.name: phase for phase in base.phases}
+    for name, _ in steps:
+        if name not in known:
+            raise ValueError(f"phases: got {name!r}, expected {one_of(name, known)}")
+    called = _numbered([f"{name}_{MIRRORED}" if minus else name for name, minus in steps])
+    memory, meant = _settings(base, steps, called)
+    found = []
+    for (name, minus), own, values in zip(steps, called, meant, strict=True):
+        phase = _mirrored(known[name], base) if minus else known[name]
+        found.append(replace(with_values(phase, values), name=own))
+    try:
+        return replace(
+            base,
+            phases=tuple(found),
+            half_period=half,
+            memory=memory,
+            motion=phases,
+            guess=(),
+            start={},
+        )
+    except SceneError as error:
+        raise ValueError(f"phases: got {phases}, which is no order: {error}") from error
+
+
+def _settings(
+    scene: Scene, steps: Sequence[tuple[str, bool]], called: Sequence[str]
+) -> tuple[tuple[Memory, ...], list[dict[sp.Symbol, sp.Expr]]]:
+    """Return what is set on the way, and what each memory stands for in each phase.
+
+    Before a phase that sets it, it has the last value of the cell before; the `Scene` knows
+    its sign.
+    """
+    found: list[Memory] = []
+    meant: list[dict[sp.Symbol, sp.Expr]] = [{} for _ in steps]
+    for memory in scene.memory:
+        places = [p for p, (name, _) in enumerate(steps) if name == memory.at]
+        if not places:
+            raise ValueError(f"phases: expected {memory.at} among them: it sets {memory.what}")
+        names = _numbered([memory.symbol.name] * len(places))
+        symbols = [sp.Symbol(name, real=True) for name in names]
+        for p in range(len(steps)):
+            last = sum(place <= p for place in places) - 1
+            meant[p][memory.symbol] = symbols[last]
+        for p, symbol in zip(places, symbols, strict=True):
+            value = sp.sympify(memory.value)
+            value = -value.subs(_image(scene)) if steps[p][1] else value
+            found.append(Memory(symbol, called[p], value, memory.what))
+    return tuple(found), meant
+
+
+def _image(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
+    """Return what the state is in the motion ``-x``, half a period of the forcing on."""
+    state = [x, v, a, forcing, *(each.symbol for each in scene.memory)]
+    if scene.body is not None:
+        state += [q for contact in scene.body.at.values() for q in contact.symbols]
+    return {symbol: -symbol for symbol in state}
+
+
+def _mirrored(phase: Phase, scene: Scene) -> Phase:
+    """Return the mirror image of a phase of a scene."""
+    image = _image(scene)
+    there = with_values(phase, image)
+    laws = there.equation
+    several = isinstance(laws, tuple | list)  # a law for each of several contacts
+    return replace(
+        there,
+        equation=tuple(-law for law in laws) if several else -laws,
+        ends=replace(
+            there.ends,
+            jump={q: -sp.sympify(law).subs(image) for q, law in there.ends.jump.items()},
+            demands=_named(there.ends.demands),
+        ),
+        demands=_named(there.demands),
+        held=None if phase.held is None else -sp.sympify(phase.held),
+    )
+
+
+def _named(demands: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+    return {f"{words} ({MIRRORED})": demand for words, demand in demands.items()}
+
+
+def _numbered(names: Sequence[str]) -> list[str]:
+    """Return names with a number behind those that occurred before."""
+    counts = [names[: i + 1].count(name) for i, name in enumerate(names)]
+    return [f"{name}_{n}" if n > 1 else name for name, n in zip(names, counts, strict=True)]
