@@ -6,7 +6,7 @@ from shown_numbers import Numbers
 
 from nonsmooth.codegen.equations import scene_named
 from nonsmooth.codegen.equations.registry import conditions, methods
-from nonsmooth.codegen.scene import Scene, in_order
+from nonsmooth.codegen.scene import Scene
 from nonsmooth.codegen.scenes import dry_friction
 from nonsmooth.codegen.scenes.impact import SCENE as IMPACT
 
@@ -16,7 +16,6 @@ SCENES: dict[str, str | Scene] = {
     "stick-slip-damped": "stick-slip-damped",
     "clearance": "clearance",
     "stops": dry_friction.SCENE.of_motion("two-stops"),
-    "four stops": in_order(dry_friction.SCENE, "slide,stop,-slide,stop,mirrored"),
     "impact-two-sided": "impact-two-sided",
     "elastic-plastic": "elastic-plastic",
     "impact-inelastic": "impact-inelastic",
@@ -28,7 +27,6 @@ EVERY_RUN = (
     "stick-slip",
     "stick-slip-damped",
     "stops",
-    "four stops",
     "elastic-plastic",
     "impact-inelastic",
 )
@@ -43,7 +41,6 @@ CASES = [
     ("clearance", "hb"),
     ("stops", "hb-ck"),
     ("stops", "ck"),
-    ("four stops", "ck-tau"),
     ("impact-two-sided", "hb"),
     ("impact-two-sided", "ck-tau"),
     ("elastic-plastic", "hb"),

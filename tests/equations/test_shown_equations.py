@@ -12,6 +12,9 @@ from shown_scenes import CASES, CASES_OF_EVERY_RUN, numbers
 
 from nonsmooth.codegen.equations.functions import R
 from nonsmooth.codegen.equations.polynomial import S
+from nonsmooth.codegen.equations.registry import conditions
+from nonsmooth.codegen.scene import in_order
+from nonsmooth.codegen.scenes import dry_friction
 from nonsmooth.codegen.system import Equation
 
 #: Rounding of quadrature and of sums of some ten terms; the values are about 1.
@@ -60,6 +63,11 @@ def test_the_closed_forms_are_the_rows_of_the_kernel(scene: str, method: str) ->
 def test_so_they_are_with_several_functions_a_switch() -> None:
     """A constant force is no part of the equation of motion, differentiated."""
     check_rows(numbers("stick-slip-damped", "hb-ck", 2))
+
+
+def test_so_they_are_in_an_order_that_is_not_declared() -> None:
+    order = in_order(dry_friction.SCENE, "slide,stop,-slide,stop,mirrored")
+    check_rows(Numbers(conditions(order, "ck-tau"), 3))
 
 
 def check_rows(found: Numbers) -> None:

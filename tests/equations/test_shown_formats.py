@@ -29,7 +29,6 @@ METHODS = {
     "stick-slip-damped": ("ck-tau",),
     "clearance": ("hb",),
     "stops": ("hb-ck",),
-    "four stops": ("ck-tau",),
     "impact-two-sided": ("ck-tau",),
     "elastic-plastic": ("hb",),
     "impact-inelastic": ("hb",),
