@@ -26,7 +26,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
     Raises
     ------
     ValueError
-        If there is no such phase, or one cannot follow another.
+        If there is no such phase, or no such mirror image, or one cannot follow another.
 
     Examples
     --------
@@ -43,9 +43,14 @@ def in_order(scene: Scene, phases: str) -> Scene:
     names = names[:-1] if half else names
     steps = [(name.removeprefix("-"), name.startswith("-")) for name in names]
     known = {phase.name: phase for phase in base.phases}
-    for name, _ in steps:
-        if name not in known:
-            raise ValueError(f"phases: got {name!r}, expected {one_of(name, known)}")
+    for name, minus in steps:
+        if name not in known or (minus and not base.half_period):
+            got = f"-{name}" if minus else name
+            raise ValueError(f"phases: got {got!r}, expected {one_of(name, known)}")
+    if half and not (base.half_period or _is_odd(base)):
+        raise ValueError(
+            f"phases: got {MIRRORED}, but a mirror image is no motion of {base.name}"
+        )
     called = _numbered([f"{name}_{MIRRORED}" if minus else name for name, minus in steps])
     memory, meant = _settings(base, steps, called)
     found = []
@@ -117,6 +122,22 @@ def _mirrored(phase: Phase, scene: Scene) -> Phase:
         demands=_named(there.demands),
         held=None if phase.held is None else -sp.sympify(phase.held),
     )
+
+
+def _is_odd(scene: Scene) -> bool:
+    """Whether the mirror image of each phase is a phase, as far as laws and events say."""
+
+    def said(phase: Phase, sign: int) -> sp.Matrix:
+        laws = sp.flatten([phase.equation])
+        return sp.Matrix([*laws, phase.held or 0, sign * phase.ends.zero])
+
+    def is_image(one: Phase, other: Phase) -> bool:
+        return any(
+            (said(one, 1) - said(other, sign)).expand().is_zero_matrix for sign in (1, -1)
+        )
+
+    images = [_mirrored(phase, scene) for phase in scene.phases]
+    return all(any(is_image(one, other) for other in scene.phases) for one in images)
 
 
 def _named(demands: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:

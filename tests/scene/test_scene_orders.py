@@ -6,7 +6,8 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.codegen import scenes
-from nonsmooth.codegen.scene import in_order
+from nonsmooth.codegen.scene import in_order, x
+from nonsmooth.codegen.scenes.impact_two_sided import g as gap
 from nonsmooth.solver.in_order import cases_in_order
 
 ORDERS = [
@@ -34,11 +35,29 @@ def _nameless(phase):
     return replace(phase, name="", demands=demands, switch_demands=at_the_switch)
 
 
+def test_a_scene_may_be_odd_without_saying_so() -> None:
+    whole = in_order(scenes.load("impact-two-sided"), "crossing,-crossing")
+    half = in_order(whole, "crossing,mirrored")
+    assert half.half_period
+    assert half.phases == whole.phases[:1]
+    first, second = whole.phases
+    uneven = replace(second, ends=replace(second.ends, zero=x - 2 * gap))
+    with pytest.raises(ValueError, match="a mirror image is no motion of impact-two-sided"):
+        in_order(replace(whole, phases=(first, uneven)), "crossing,mirrored")
+
+
 @pytest.mark.parametrize(
     ("name", "order", "words"),
     [
         ("dry-friction", "slid,stop", "got 'slid', expected one of slide, stop"),
         ("dry-friction", "stop,stop", "got stop,stop, which is no order: .* only held ones"),
+        ("impact", "flight,-flight", "got '-flight', expected one of flight"),
+        (
+            "impact",
+            "flight,mirrored",
+            "got mirrored, but a mirror image is no motion",
+        ),
+        ("chain-impact", "flight,mirrored", "got mirrored"),
         ("elastic-plastic", "plastic", "expected elastic among them: it sets displacement"),
     ],
 )
