@@ -67,11 +67,14 @@ def sections(
         If a name is unknown.
     """
     found = scene_named(scene)
-    parts = found.each_motion if motion is None else (_motion_named(found, motion),)
     if phases is not None:
-        parts = (in_order(found, phases),)
+        found = in_order(found, phases)
+    elif motion is not None:
+        found = _motion_named(found, motion)
     listed = tuple(names)
-    return [section for part in parts for section in _of_motion(part, listed, functions)]
+    return [
+        section for part in found.each_motion for section in _of_motion(part, listed, functions)
+    ]
 
 
 def _of_motion(found: Scene, names: tuple[str, ...], functions: int | None) -> list[Section]:

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...nearest import one_of
+from ...nearest import numbered, one_of
 from .data import Memory, Phase, a, forcing, v, with_values, x
 from .error import SceneError
 from .scene import Scene
@@ -51,7 +51,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
         raise ValueError(
             f"phases: got {MIRRORED}, but a mirror image is no motion of {base.name}"
         )
-    called = _numbered([f"{name}_{MIRRORED}" if minus else name for name, minus in steps])
+    called = numbered([f"{name}_{MIRRORED}" if minus else name for name, minus in steps])
     memory, meant = _settings(base, steps, called)
     found = []
     for (name, minus), own, values in zip(steps, called, meant, strict=True):
@@ -85,7 +85,7 @@ def _settings(
         places = [p for p, (name, _) in enumerate(steps) if name == memory.at]
         if not places:
             raise ValueError(f"phases: expected {memory.at} among them: it sets {memory.what}")
-        names = _numbered([memory.symbol.name] * len(places))
+        names = numbered([memory.symbol.name] * len(places))
         symbols = [sp.Symbol(name, real=True) for name in names]
         for p in range(len(steps)):
             last = sum(place <= p for place in places) - 1
@@ -125,11 +125,14 @@ def _mirrored(phase: Phase, scene: Scene) -> Phase:
 
 
 def _is_odd(scene: Scene) -> bool:
-    """Whether the mirror image of each phase is a phase, as far as laws and events say."""
+    """Whether the mirror image of each phase is a phase: its law, what ends it, what jumps."""
+    contacts = () if scene.body is None else scene.body.at.values()
+    velocities = [v, *(contact.v for contact in contacts)]
 
     def said(phase: Phase, sign: int) -> sp.Matrix:
-        laws = sp.flatten([phase.equation])
-        return sp.Matrix([*laws, phase.held or 0, sign * phase.ends.zero])
+        laws, jump = sp.flatten([phase.equation]), phase.ends.jump
+        behind = [jump.get(q, q) for q in velocities]
+        return sp.Matrix([*laws, phase.held or 0, *behind, sign * phase.ends.zero])
 
     def is_image(one: Phase, other: Phase) -> bool:
         return any(
@@ -142,9 +145,3 @@ def _is_odd(scene: Scene) -> bool:
 
 def _named(demands: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
     return {f"{words} ({MIRRORED})": demand for words, demand in demands.items()}
-
-
-def _numbered(names: Sequence[str]) -> list[str]:
-    """Return names with a number behind those that occurred before."""
-    counts = [names[: i + 1].count(name) for i, name in enumerate(names)]
-    return [f"{name}_{n}" if n > 1 else name for name, n in zip(names, counts, strict=True)]

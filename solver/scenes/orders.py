@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
+from ...nearest import numbered
 from .cell import Cell, Form, Memory, Phase
 from .classes import HIGHEST, classes
 from .loaded import LoadedScene, UnknownScene
@@ -130,7 +131,7 @@ class OrderedScene(LoadedScene):
     def kinds(self) -> tuple[tuple[str, bool], ...]:
         """Name of each phase, which it has alone, and whether a constraint holds it."""
         held = (phase.held for phase in self._in_general.phases)
-        return tuple(zip(_numbered(self.phases), held, strict=True))
+        return tuple(zip(numbered(self.phases), held, strict=True))
 
     @property
     def classes(self) -> tuple[int, ...]:
@@ -203,7 +204,7 @@ def in_cell(cell: Cell, order: Order) -> Cell:
     at = [each.phase for each in cell.memory]
     columns = [_columns(at, order, p) for p in range(len(phases))]
     memory = [_set_by(cell.memory[i], order.steps[p], p) for i, p in _settings(at, order)]
-    named = _numbered([q.name for q in memory])
+    named = numbered([q.name for q in memory])
     return replace(
         cell,
         phases=tuple(map(_with_columns, phases, columns, [len(memory)] * len(phases))),
@@ -274,9 +275,3 @@ def _with_columns(phase: Phase, columns: Sequence[tuple[int, int]], count: int) 
         return (*row[:width], *put(row[width:]))
 
     return replace(phase.with_forms(form), memory=put(phase.memory))
-
-
-def _numbered(names: Sequence[str]) -> list[str]:
-    """Return names with a number behind those that occurred before."""
-    counts = [names[: i + 1].count(name) for i, name in enumerate(names)]
-    return [f"{name}_{n}" if n > 1 else name for name, n in zip(names, counts, strict=True)]

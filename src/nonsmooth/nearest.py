@@ -1,6 +1,6 @@
-"""What a name that is not known may have been meant for."""
+"""Names: what an unknown one may have been meant for, and numbers behind those that repeat."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 
 
@@ -37,3 +37,15 @@ def one_of(name: object, known: Iterable[str]) -> str:
     meant = nearest(name, names)
     hint = f"; did you mean {' or '.join(meant)}?" if meant else ""
     return f"one of {', '.join(names) or '(none)'}{hint}"
+
+
+def numbered(names: Sequence[str]) -> list[str]:
+    """Return names with a number behind those that occurred before.
+
+    Examples
+    --------
+    >>> numbered(["slide", "stop", "slide"])
+    ['slide', 'stop', 'slide_2']
+    """
+    counts = [names[: i + 1].count(name) for i, name in enumerate(names)]
+    return [f"{name}_{n}" if n > 1 else name for name, n in zip(names, counts, strict=True)]

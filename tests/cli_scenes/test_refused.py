@@ -28,6 +28,12 @@ REFUSED = {
         ("--format pdf", "expected -o FILE.pdf"),
         ("--fragment", "--fragment: got format text, expected latex"),
         ("--fragment -o a.html", "--fragment: got format html"),
+        (
+            "dry-friction --phases slide,halt",
+            "--phases: got 'halt', expected one of slide, stop",
+        ),
+        ("dry-friction --phases slide --motion sliding", "--phases: got slide beside --motion"),
+        ("beam-crack --phases slide", "--phases: got 'slide', expected a SCENE that has"),
     ],
     "solve": [
         ("impakt", "did you mean impact?"),

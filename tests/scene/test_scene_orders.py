@@ -6,7 +6,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.codegen import scenes
-from nonsmooth.codegen.scene import in_order, x
+from nonsmooth.codegen.scene import in_order, v, x
 from nonsmooth.codegen.scenes.impact_two_sided import g as gap
 from nonsmooth.solver.in_order import cases_in_order
 
@@ -41,9 +41,11 @@ def test_a_scene_may_be_odd_without_saying_so() -> None:
     assert half.half_period
     assert half.phases == whole.phases[:1]
     first, second = whole.phases
-    uneven = replace(second, ends=replace(second.ends, zero=x - 2 * gap))
-    with pytest.raises(ValueError, match="a mirror image is no motion of impact-two-sided"):
-        in_order(replace(whole, phases=(first, uneven)), "crossing,mirrored")
+    for change in ({"zero": x - 2 * gap}, {"jump": {v: -v / 3}}):
+        other = replace(second, ends=replace(second.ends, **change))
+        uneven = replace(whole, phases=(first, other))
+        with pytest.raises(ValueError, match="a mirror image is no motion of impact-two-sided"):
+            in_order(uneven, "crossing,mirrored")
 
 
 @pytest.mark.parametrize(
@@ -52,11 +54,7 @@ def test_a_scene_may_be_odd_without_saying_so() -> None:
         ("dry-friction", "slid,stop", "got 'slid', expected one of slide, stop"),
         ("dry-friction", "stop,stop", "got stop,stop, which is no order: .* only held ones"),
         ("impact", "flight,-flight", "got '-flight', expected one of flight"),
-        (
-            "impact",
-            "flight,mirrored",
-            "got mirrored, but a mirror image is no motion",
-        ),
+        ("impact", "flight,mirrored", "got mirrored, but a mirror image is no motion"),
         ("chain-impact", "flight,mirrored", "got mirrored"),
         ("elastic-plastic", "plastic", "expected elastic among them: it sets displacement"),
     ],

@@ -30,7 +30,7 @@ Examples:
   nonsmooth equations -o equations.html
   nonsmooth equations --format latex --fragment -o equations.tex
   nonsmooth equations impact --method ck-tau -o impact.pdf
-  nonsmooth equations dry-friction --phases slide,stop,-slide,-stop
+  nonsmooth equations dry-friction --phases slide,stop,-slide,stop,mirrored
   nonsmooth equations beam-mass
 """
 
