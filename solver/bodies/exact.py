@@ -14,9 +14,7 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from .part import (
     angles_of,
-    generator_of,
     later,
-    less_one,
     parts_of,
     phase_map,
     rates,
@@ -36,9 +34,9 @@ class Evaluation:
     ----------
     residual : ndarray
         The events, and the duration of the cell less that of the forcing, if something
-        forces; of `opened` before them what the state is not periodic by.
+        forces.
     jacobian : ndarray
-        By durations and phase; of `opened` by the state before them.
+        By durations and phase.
     starts : ndarray, shape (P, n)
         ``X = (y, memory)`` where each phase begins.
     starts_by : ndarray, shape (P, n, unknowns)
@@ -142,16 +140,6 @@ def _evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
     return _with_length(cell, times, found.events, found.events_by, found)
 
 
-def _opened(cell: "BodyCell", z: Vector) -> Evaluation:
-    size = parts_of(cell)[0].switch.state.shape[0]
-    X, times, X_by = z[:size], z[size:], np.eye(size, len(z))
-    parts = zip(parts_of(cell), times, strict=False)
-    found = _passed(cell, [phase_map(part, float(s)) for part, s in parts], times, X, X_by)
-    residual = np.append(X - found.starts[-1], found.events)
-    jacobian = np.vstack([X_by - found.starts_by[-1], found.events_by])
-    return _with_length(cell, times, residual, jacobian, found)
-
-
 def _turns(cell: "BodyCell", count: int, width: int) -> Matrix:
     """Return how the angles where phases begin, and the last ends, move with the times."""
     found = np.zeros((count + 1, width))
@@ -190,59 +178,6 @@ def evaluated(cell: "BodyCell", times: Vector) -> Evaluation:
         Durations and, if something forces, the phase of the forcing.
     """
     return _kept(cell, np.ascontiguousarray(times, dtype=float).tobytes())
-
-
-@lru_cache(maxsize=8)
-def _kept_open(cell: "BodyCell", unknowns: bytes) -> Evaluation:
-    return _opened(cell, np.frombuffer(unknowns))
-
-
-def opened(cell: "BodyCell", z: Vector) -> Evaluation:
-    """Return the exact equations with periodicity among them, for a state and times.
-
-    With the times alone nothing can be solved for at a fold, where the closed cell has a
-    multiplier of 1.
-
-    Parameters
-    ----------
-    cell : BodyCell
-    z : ndarray
-        ``X = (y, memory)`` at the beginning, then the times as `evaluated` has them.
-    """
-    return _kept_open(cell, np.ascontiguousarray(z, dtype=float).tobytes())
-
-
-def gained(cell: "BodyCell", times: Vector, p: int, found: Evaluation) -> tuple[float, Vector]:
-    """Return what the event's form at the end of a phase gains over it, and its derivatives.
-
-    However short the phase is, the gain keeps its digits.
-
-    Parameters
-    ----------
-    cell, times
-        See `evaluated`.
-    p : int
-    found : Evaluation
-        At these times.
-
-    Returns
-    -------
-    gain : float
-    by_unknowns : ndarray
-    """
-    part, s = parts_of(cell)[p], float(times[p])
-    theta, turns = angles_of(cell, times), _turns(cell, len(cell.phases), len(times))
-    states, extra = part.lawful.A.shape[0], found.starts_by.shape[2] - len(times)
-    generator, X = generator_of(part, cell.omega), found.starts[p]
-    begin = np.concatenate([X[:states], wave(theta[p]), X[states:]])
-    begin_by = np.zeros((len(begin), found.starts_by.shape[2]))
-    begin_by[:states] = found.starts_by[p][:states]
-    begin_by[states + 3 :] = found.starts_by[p][states:]
-    begin_by[states : states + 3, extra:] = np.outer(turned(theta[p]), turns[p])
-    event = part.switch.event @ less_one(generator, s)
-    by = event @ begin_by
-    by[extra + p] += (part.switch.event + event) @ generator @ begin
-    return float(event @ begin), np.asarray(by)
 
 
 def seen(

@@ -91,9 +91,9 @@ def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
 
 
 def scales(body: Modal, omega: float) -> Vector:
-    """Return the frequency by which each mode is scaled."""
+    """Return the frequency by which each mode is scaled: smooth along every parameter."""
     own = np.sqrt(np.abs(body.squares))
-    return np.maximum(own, omega or SLOWEST * float(own.max()))
+    return np.hypot(own, omega or SLOWEST * float(own.max()))
 
 
 @lru_cache(maxsize=64)

@@ -88,17 +88,13 @@ class Modal:
         return self.at.T @ self.at
 
 
-def modal(
-    matrices: Mapping[str, Any], ratio: float | None, modes: int | None, shift: float = 0.0
-) -> Modal:
-    """Return a body in its modes.
+def modal(matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0) -> Modal:
+    """Return a body in its modes, damped by its matrix of damping alone; see `damped`.
 
     Parameters
     ----------
     matrices : mapping of str to sparse array
         ``M``, ``K``, ``at`` and, if given, ``C``, ``forcing``; in one system of units.
-    ratio : float, optional
-        Damping ratio of every mode.
     modes : int, optional
         How many are kept; without it all.
     shift : float
@@ -127,7 +123,7 @@ def modal(
     squares, shapes = _modes(M, K, count, shift, stiff)
     _check_digits(K, squares, shapes)
     seen, driven = shapes.T @ at, shapes.T @ force
-    damping = np.diag(2 * (ratio or 0.0) * np.sqrt(np.abs(squares)))
+    damping = np.zeros((count, count))
     if "C" in matrices:
         damping = shapes.T @ (matrices["C"] @ shapes)
     mobility = seen.T @ seen
@@ -138,6 +134,13 @@ def modal(
         residual = (left_out[:, :-1] + left_out[:, :-1].T) / 2
         beyond = left_out[:, -1].astype(complex)
     return Modal(squares, damping, seen, driven[:, 0], mobility, residual, beyond)
+
+
+def damped(body: Modal, ratio: float | None) -> Modal:
+    """Return a body whose every mode has a damping ratio, if one is given."""
+    if ratio is None:
+        return body
+    return replace(body, damping=np.diag(2 * ratio * np.sqrt(np.abs(body.squares))))
 
 
 def at_frequency(body: Modal, matrices: Mapping[str, Any], omega: float) -> Modal:

@@ -14,9 +14,6 @@ from .switch import Switch, switch
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
-#: Size of a matrix of which the exponential is a Taylor series of so many terms.
-SHORT, TAYLOR = 0.25, 12
-
 
 @dataclass(frozen=True, eq=False)
 class Part:
@@ -92,16 +89,3 @@ def generator_of(part: Part, omega: float) -> Matrix:
     found[: len(A)] = np.hstack([A, inputs])
     found[len(A), len(A) + 1], found[len(A) + 1, len(A)] = -omega, omega
     return found
-
-
-def less_one(matrix: Matrix, t: float) -> Matrix:
-    """Return ``exp(matrix t) - 1``, also where that is small: a Taylor series, doubled."""
-    size = float(np.abs(matrix).sum(axis=1).max()) * abs(t)
-    doublings = max(0, int(np.ceil(np.log2(size / SHORT)))) if size > 0 else 0
-    term = found = matrix * (t / 2**doublings)
-    for k in range(2, TAYLOR + 1):
-        term = term @ matrix * (t / 2**doublings / k)
-        found = found + term
-    for _ in range(doublings):
-        found = found @ found + 2 * found
-    return np.asarray(found)

@@ -1,6 +1,6 @@
 """The equations of a cell along one of its parameters: arrays whose entries are series."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -18,8 +18,8 @@ TERMS, ROUNDING = 24, 1e-15
 #: Least size of a state or a memory, as a part of the largest of them.
 SMALL = 0.01
 
-#: Halvings of an interval on which series are not resolved.
-HALVINGS = 40
+#: Length of the shortest interval on which series are resolved, as a part of its values.
+SHORTEST = 1e-10
 
 
 #: What gives the cell at a value of the parameter, and the forms that are watched there.
@@ -32,10 +32,9 @@ class Along(NamedTuple):
     Parameters
     ----------
     kinds, setting : ndarray
-        See `scenes.arrays.Arrays`.
+        See `scenes.arrays.Arrays`; of a body zeros, and how many numbers a state has.
     series : ndarray, shape (entries, TERMS)
-        Chebyshev coefficients of its other entries, and of the forms of a table; of a body
-        what makes its cell.
+        Chebyshev coefficients of its other entries, and of the forms of a table.
     divided : ndarray of int, shape (P,)
         Whether the row of the event of each phase is divided by its duration.
     weights : ndarray, shape (unknowns + 1,)
@@ -70,6 +69,14 @@ class Interval:
         """Return the value of a coordinate; the ends are exact."""
         return ((1 - q) * self.low + (1 + q) * self.high) / 2
 
+    def halves_about(self, value: float) -> "Iterator[Interval]":
+        """Yield it, its half about a value in it, and so on; one at least."""
+        low, high, shortest = self.low, self.high, SHORTEST * abs(value)
+        yield self
+        while high - low > shortest:
+            low, high = (low + value) / 2, (high + value) / 2
+            yield Interval(low, high)
+
 
 def along(
     content: Content, value: float, interval: Interval, z: Vector
@@ -85,29 +92,61 @@ def along(
     z : ndarray
         The unknowns there: their sizes.
     """
-    for _ in range(HALVINGS):
-        series = _series(content, interval)
+    series, interval = resolved(lambda at: entries(*content(at)), value, interval)
+    cell, _ = content(value)
+    found = arrays(cell)
+    before = 2 * len(cell.phases) + len(cell.memory)
+    divided = divided_phases(cell, z[before:])
+    given = found.kinds, found.setting, series, divided, weights(cell, z)
+    return Along(*given, before, float(cell.sign)), interval
+
+
+def resolved(
+    values: Callable[[float], Vector], value: float, interval: Interval,
+    blocks: Integers | None = None,
+) -> tuple[Matrix, Interval]:  # fmt: skip
+    """Return Chebyshev series on an interval, or on the part about a value that they resolve.
+
+    Parameters
+    ----------
+    values : callable
+        What is expanded, at a value of the parameter; not finite where there is nothing.
+    value, interval
+        See `along`.
+    blocks : ndarray of int, optional
+        The block to which each entry belongs: rounding is a part of the largest of a block.
+
+    Raises
+    ------
+    ArithmeticError
+        If no part of the interval can be resolved.
+    """
+    for part in interval.halves_about(value):
+        series = _series(values, part, blocks)
         if series is not None:
-            cell, _ = content(value)
-            found = arrays(cell)
-            before = 2 * len(cell.phases) + len(cell.memory)
-            divided = divided_phases(cell, z[before:])
-            given = found.kinds, found.setting, series, divided, weights(cell, z)
-            return Along(*given, before, float(cell.sign)), interval
-        interval = Interval((interval.low + value) / 2, (interval.high + value) / 2)
+            return series, part
     raise ArithmeticError("the equations are not smooth along the parameter")
 
 
-def _series(content: Content, interval: Interval) -> Matrix | None:
+def _series(
+    values: Callable[[float], Vector], interval: Interval, blocks: Integers | None
+) -> Matrix | None:
     """Return the Chebyshev coefficients of all entries; None where they are not resolved."""
+    if not np.isfinite([values(interval.low), values(interval.high)]).all():
+        return None
     at, table = chebyshev(TERMS)
-    values = np.array([entries(*content(value)) for value in map(interval.value, at)])
-    found = (table @ values).T
-    constant = (values == values[0]).all(axis=0)
+    known = np.array([values(each) for each in map(interval.value, at)])
+    found = (table @ known).T
+    constant = (known == known[0]).all(axis=0)
     found[constant] = 0.0
-    found[constant, 0] = values[0, constant]
-    found[np.abs(found) <= ROUNDING * np.abs(found).max(axis=1, keepdims=True)] = 0.0
-    return None if found[:, -2:].any() else found
+    found[constant, 0] = known[0, constant]
+    sizes = np.abs(found).max(axis=1)
+    found[np.abs(found) <= ROUNDING * sizes[:, None]] = 0.0
+    if blocks is not None:
+        largest = np.zeros(blocks.max() + 1)
+        np.maximum.at(largest, blocks, sizes)
+        sizes = largest[blocks]
+    return found if (np.abs(found[:, -2:]) <= ROUNDING * sizes[:, None]).all() else None
 
 
 def chebyshev(count: int) -> tuple[Vector, Matrix]:

@@ -14,6 +14,7 @@ from ..arrays import Matrix, Vector
 from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
 from ..kernels.compiling import Account
+from ..kernels.family import Family
 from ..kernels.kernel import pays
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
 from ..scenes.arrays import Integers
@@ -76,6 +77,9 @@ class Course:
 
     #: Most phases of an order that is followed: near chatter there are ever more.
     most: ClassVar[int] = 60
+
+    #: How the functions of a branch are made.
+    family: ClassVar[Family] = FAMILY
 
     base: LoadedScene
     order: Order
@@ -212,12 +216,18 @@ class Course:
 
     def functions(self) -> dict[str, Any]:
         """Return the functions of a branch, in the form that is quicker by now."""
-        make = FAMILY.compiled if pays(_account(), 1) else FAMILY.plain
+        family = self.family
+        make = family.compiled if pays(self._account, 1) else family.plain
         return make(walk.__name__)
 
     def spending(self) -> AbstractContextManager[None]:
         """Return what counts the time within as that of branches in plain Python."""
-        return _account().spending()
+        return self._account.spending()
+
+    @property
+    def _account(self) -> Account:
+        """What all branches have cost in plain Python."""
+        return self.family.account_of(walk.__name__)
 
     @property
     def mapped(self) -> int:
@@ -328,11 +338,6 @@ def sizes_of(cell: Cell, case: Case) -> Vector:
     memory = [units.of_motion(q.power) for q in cell.memory]
     times = [*[units.time] * len(cell.phases), *[1.0] * cell.forced]
     return np.array([*states, *memory, *times])
-
-
-def _account() -> Account:
-    """Return what all branches have cost in plain Python."""
-    return FAMILY.account_of(walk.__name__)
 
 
 def _may_hold(nodes: Sequence[Node], ended: Node, h: int, v: float) -> bool:

@@ -14,8 +14,10 @@ import nonsmooth as ns
 from nonsmooth.codegen.scenes import chain_impact as impacts
 from nonsmooth.scene import Event, Parameter
 from nonsmooth.solver import branches
-from nonsmooth.solver.bodies.exact import evaluated, opened
+from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.bodies.motion import signals
+from nonsmooth.solver.branch.bodies import equations
+from nonsmooth.solver.branch.bodies.arrays import case_of
 from nonsmooth.solver.branch.bodies.course import BodyCourse
 from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
 from nonsmooth.solver.branch.change import doubled
@@ -211,18 +213,26 @@ def test_orbits_of_a_branch_are_those_that_the_solver_finds() -> None:
         assert stability(exact).stable == row.stable
 
 
-def test_open_equations_have_the_closed_ones_solution_and_right_derivatives() -> None:
-    own = case("clearance-2")
-    exact = ns.exact(own)
-    cell, times = own.cell, exact.times
-    start = evaluated(cell, times).starts[0]
-    z = np.append(start, times)
-    found = opened(cell, z)
-    assert np.abs(found.residual).max() < 1e-12
-    for j in range(len(z)):
-        step = 1e-6 * np.eye(len(z))[j]
-        above, below = opened(cell, z + step).residual, opened(cell, z - step).residual
-        assert found.jacobian[:, j] == pytest.approx((above - below) / 2e-6, abs=1e-7)
+@pytest.mark.parametrize("name", ["clearance-2", "absorber-stick"])
+def test_equations_have_the_exact_orbit_as_solution_and_right_derivatives(name: str) -> None:
+    exact = ns.exact(case(name))
+    cell, times = exact.case.cell, exact.times
+    z = np.append(evaluated(cell, times).starts[0], times)
+    arrays, n = case_of(cell, []), len(z)
+
+    def filled(z: np.ndarray, divided: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        R, J = np.empty(n), np.empty((n, n))
+        equations.equations(arrays, divided, z, R, J)
+        return R, J
+
+    for divided in np.eye(len(cell.phases) + 1, len(cell.phases)):  # each, and none
+        R, J = filled(z, divided)
+        if not divided.any():
+            assert np.abs(R).max() < 1e-12
+        for j in range(n):
+            step = 1e-6 * np.eye(n)[j]
+            above, below = filled(z + step, divided)[0], filled(z - step, divided)[0]
+            assert J[:, j] == pytest.approx((above - below) / 2e-6, abs=1e-7)
 
 
 def test_a_branch_ends_where_there_is_no_such_body() -> None:

@@ -44,7 +44,7 @@ def test_a_crest_behind_many_lower_ones_is_not_stepped_over(below: float) -> Non
     cell = replace(cell, body=own)
     regime = regimes(cell, nodes(cell))[0]
     w = scales(own, cell.omega)
-    Y = np.array([-w[0], 0.0, 0.0, w[1], 1.0, 0.0, 1.0])  # -cos(t), sin(1.021 t)
+    Y = np.array([-w[0], 0.0, 0.0, 1.021, 1.0, 0.0, 1.0])  # -cos(t), sin(1.021 t)
     form = np.array([[-1 / w[0], -1 / w[1], 0.0, 0.0, 0.0, 0.0, 2.0 - below]])
     s, how, _ = first_event(Along(regime, Y, form), np.zeros(1, dtype=bool), 1e4)
     t = np.linspace(0.0, s, 1_000_001)[:-1]

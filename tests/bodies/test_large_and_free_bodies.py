@@ -77,7 +77,7 @@ def test_modes_and_static_answers_of_long_chains(n: int) -> None:
     at, force = np.eye(n, 1, 1 - n), np.eye(n, 1)
     slowest = 2 * np.sin(np.pi / (4 * n + 2))
     given = {"M": M, "K": K, "at": sparse.csc_array(at), "forcing": sparse.csc_array(force)}
-    found = modal.modal(given, 0.01, 20, 9 * slowest**2)
+    found = modal.modal(given, 20, 9 * slowest**2)
     angles = (2 * np.arange(20) + 1) * np.pi / (2 * n + 1)
     squares = 4 * np.sin(angles / 2) ** 2
     assert found.squares == pytest.approx(squares, rel=1e-12 * n)
@@ -99,9 +99,9 @@ def test_few_modes_are_those_of_full_matrices(damping: str, monkeypatch) -> None
     ratio = 0.01 if damping == "ratio" else None
     if damping == "C":
         given["C"] = (0.01 * K + sparse.csc_array(0.02 * force @ force.T)).tocsc()
-    few = modal.at_frequency(modal.modal(given, ratio, 12, 4e-4), given, 0.02)
+    few = modal.at_frequency(modal.damped(modal.modal(given, 12, 4e-4), ratio), given, 0.02)
     monkeypatch.setattr(modal, "MANY", 0.0)
-    full = modal.at_frequency(modal.modal(given, ratio, 12, 4e-4), given, 0.02)
+    full = modal.at_frequency(modal.damped(modal.modal(given, 12, 4e-4), ratio), given, 0.02)
     turn = np.sign(few.forcing * full.forcing)
     assert few.squares == pytest.approx(full.squares, rel=1e-9)
     assert few.at == pytest.approx(full.at * turn[:, None], abs=1e-10)
@@ -181,6 +181,6 @@ def test_equal_frequencies_are_all_found() -> None:
     """Two rows side by side, which nothing couples: each frequency twice."""
     M, K = (sparse.block_diag([q, q]).tocsc() for q in chain(1000))
     at = sparse.csc_array(np.eye(2000, 1, -1999))
-    found = modal.modal({"M": M, "K": K, "at": at}, 0.01, 12, 2.5e-5)
+    found = modal.modal({"M": M, "K": K, "at": at}, 12, 2.5e-5)
     angles = np.repeat(2 * np.arange(6) + 1, 2) * np.pi / 2001
     assert found.squares == pytest.approx(4 * np.sin(angles / 2) ** 2, rel=1e-8)

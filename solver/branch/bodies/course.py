@@ -1,17 +1,17 @@
 """The order of phases that a part of a branch of a body has, and what is watched along it."""
 
 from collections.abc import Sequence
-from contextlib import AbstractContextManager, nullcontext
-from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
 
 from ...arrays import Matrix, Vector
-from ...bodies.exact import evaluated, opened
+from ...bodies.exact import evaluated
 from ...bodies.laws import under
+from ...bodies.modal import BodyError
+from ...bodies.part import parts_of
 from ...kernels import linking
-from ...kernels.compiling import rebuilt
+from ...kernels.family import Family
 from ...kernels.start import RoughTimes
 from ...orbit.exact_orbit import ExactOrbit, from_times
 from ...scenes.arrays import Integers
@@ -19,17 +19,33 @@ from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ...scenes.case import Case
 from ...scenes.cell import Cell, Form
 from ...scenes.mirror import same
+from ...scenes.parameter_error import ParameterError
 from .. import walk
-from ..along import SMALL, Along, Content, Interval, divided_phases
+from ..along import SMALL, Along, Content, Interval, divided_phases, resolved
 from ..course import ROUNDING, Course, Row
 from ..watch import BEGINS, BEHIND, INTO, IS_END, WITHIN
-from . import equations
+from . import equations, watched
+from .arrays import arrays, case_of, durations_of, in_order
+
+#: Derivatives of a form that are looked at where a phase begins.
+HIGHEST = 3
+
+
+def linked(module: Any, make: linking.Make) -> dict[str, Any]:
+    """Return the functions of a branch, over the equations of bodies."""
+    return linking.made((*walk.MODULES, module, equations, watched), {}, make)
+
+
+#: How they are made; see `branch.walk`.
+BODIES = Family(linked, (*walk.MODULES, equations, watched), equations.case_at)
 
 
 class BodyCourse(Course):
     """An order of phases of a scene of a body."""
 
     most = 8
+
+    family = BODIES
 
     def body_cell(self, numbers: tuple[float, ...]) -> BodyCell:
         """Return its cell for parameters without units."""
@@ -40,9 +56,21 @@ class BodyCourse(Course):
     def along(
         self, content: Content, value: float, interval: Interval, z: Vector
     ) -> tuple[Along, Interval]:
-        """Return its equations on an interval of a parameter: no series, each value anew."""
-        cell, _ = content(value)
+        """Return its equations on an interval of a parameter, or on a part of it."""
+        cell, forms = content(value)
         assert isinstance(cell, BodyCell)
+        known = arrays(cell, forms)
+        blocks = np.repeat(np.arange(len(known)), [block.size for block in known])
+
+        def values(at: float) -> Vector:
+            try:
+                there, rows = content(at)
+                assert isinstance(there, BodyCell)
+                return np.concatenate([block.ravel() for block in arrays(there, rows)])
+            except (BodyError, ParameterError):  # no such body
+                return np.full(len(blocks), np.nan)
+
+        series, interval = resolved(values, value, interval, blocks)
         count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
         memory = slice(before - len(cell.memory), before)
@@ -50,25 +78,9 @@ class BodyCourse(Course):
         weights[: memory.start] = 1 / size
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
         weights[before : before + count] = 1 / float(z[before : before + count].sum())
-
-        @lru_cache(maxsize=16)
-        def making(q: float) -> equations.At:
-            there, forms = content(interval.value(q))
-            assert isinstance(there, BodyCell)
-            rows = np.array(forms, dtype=float).reshape(len(forms), len(there.phases[0].event))
-            return equations.At(there, rows)
-
-        divided = divided_phases(cell, z[before:])
-        given = kinds, kinds[:0], making, divided, weights, before, float(cell.sign)
+        divided, width = divided_phases(cell, z[before:]), np.array([before + 3])
+        given = kinds, width, series, divided, weights, before, float(cell.sign)
         return Along(*given), interval
-
-    def functions(self) -> dict[str, Any]:
-        """Return the functions of a branch, over the equations of bodies."""
-        return _functions()
-
-    def spending(self) -> AbstractContextManager[None]:
-        """Return nothing: there is no compiled form."""
-        return nullcontext()
 
     @property
     def mapped(self) -> int:
@@ -92,7 +104,7 @@ class BodyCourse(Course):
 
     def states(self, case: Any, y: Vector) -> list[tuple[float, ...]]:
         """Return the states, with the memory, in which the phases begin."""
-        return [tuple(map(float, start)) for start in opened(case.cell, y[:-1]).starts]
+        return [tuple(map(float, Y[:-3])) for Y in equations.starts(case, y[:-1])]
 
     def halves(self, y: Vector) -> Vector:
         """Return nothing: one state alone is among the unknowns."""
@@ -122,20 +134,18 @@ class BodyCourse(Course):
 
     def maps(self, case: Any, z: Vector, kept: Matrix) -> tuple[Matrix, Matrix]:
         """Return what a cell makes of perturbations, and its size: computed again."""
-        found, size, _ = equations.cell_map(case, z, None, 0.0)
+        found, size, _ = equations.cell_map(case, z, kept, 0.0)
         return found, size
 
     def state(self, case: Any, z: Vector, p: int, angle: float, t: float) -> tuple[float, ...]:
         """Return the state, with the memory, at a time from the beginning of a phase."""
-        return tuple(map(float, equations.Seen.of(case.cell, z, p).state(t)))
+        return tuple(map(float, equations.state_at(case, z, p, t)[:-3]))
 
     def moving_at(
         self, case: Any, z: Vector, p: int, angle: float, t: float
     ) -> tuple[float, ...]:
         """Return displacement and velocity of the first contact there."""
-        phase = equations.Seen.of(case.cell, z, p)
-        forms, at = np.eye(phase.part.lawful.rows.shape[0])[:2], np.array([t / phase.s])
-        return tuple(float(phase.at(phase.rows(form), at)[0]) for form in forms)
+        return tuple(map(float, case[4][p] @ equations.state_at(case, z, p, t)))
 
     def velocity_behind(self, cell: Cell, z: Vector, p: int) -> float | None:
         """Return that of the first contact behind a phase, where another could hold it.
@@ -146,15 +156,23 @@ class BodyCourse(Course):
         jumps = any(jump != (1.0, 0.0) for jump in cell.phases[p].jumps)
         if cell.phases[(p + 1) % len(cell.phases)].held or jumps or cell.memory:
             return None
-        return equations.Seen.of(cell, z, p).velocity_at_end
+        return self.moving_at(case_of(cell, []), z, p, 0.0, durations_of(cell, z)[p])[1]
 
     def forms(self, numbers: tuple[float, ...], rows: Sequence[Row], cell: Cell) -> list[Form]:
-        """Return the forms of rows, for parameters without units and their cell.
+        """Return the forms of rows, without units, for `equations.case_at`."""
+        assert isinstance(cell, BodyCell)
+        seen = [parts_of(cell)[row.phase].lawful.rows for row in rows]
+        forms = zip(self._of_contacts(numbers, rows, cell), seen, strict=True)
+        return [tuple(map(float, in_order(cell, form @ own))) for form, own in forms]
+
+    def _of_contacts(
+        self, numbers: tuple[float, ...], rows: Sequence[Row], cell: BodyCell
+    ) -> list[Form]:
+        """Return the forms of rows as cells have them.
 
         Those of a phase that could hold the contact behind a switch are of what is seen before
         it: the forces are then those of that phase's laws.
         """
-        assert isinstance(cell, BodyCell)
         behind = any(row.kind == BEHIND for row in rows)
         nodes = self.machine(numbers).nodes if behind else ()
         found: list[Form] = []
@@ -175,21 +193,20 @@ class BodyCourse(Course):
     def table(self, numbers: tuple[float, ...], z: Vector, rows: Sequence[Row]) -> Integers:
         """Return the table of rows that `watch` takes; `z` is an orbit that is not special."""
         cell = self.body_cell(numbers)
-        forms = self.forms(numbers, rows, cell)
+        own, forms = self._of_contacts(numbers, rows, cell), self.forms(numbers, rows, cell)
+        case = case_of(cell, forms)
+        begin, total = equations.starts(case, z), float(durations_of(cell, z).sum())
         found = np.zeros((len(rows), 5), dtype=np.int64)
         for i, row in enumerate(rows):
             found[i] = row.phase, row.kind, 0, 0, i
             if row.kind == WITHIN:
-                phase = equations.Seen.of(cell, z, row.phase)
-                found[i, BEGINS] = phase.begins(np.array(forms[i]), ROUNDING)
-                found[i, IS_END] = same(forms[i], cell.phases[row.phase].event)
+                terms = watched.expanded(case[1][row.phase], case[6][i])[: HIGHEST + 1]
+                sizes = np.abs(terms @ begin[row.phase])
+                rate = max(cell.omega, 1.0 / total)
+                sizes /= rate ** np.arange(len(sizes))
+                found[i, BEGINS] = int(np.argmax(sizes > ROUNDING * sizes.max()))
+                found[i, IS_END] = same(own[i], cell.phases[row.phase].event)
             elif row.kind == BEHIND:
                 alike = ((q.phase, q.node) == (row.phase, row.node) for q in rows)
                 found[i, INTO] = list(alike).index(True)
         return found
-
-
-@cache
-def _functions() -> dict[str, Any]:
-    modules = (*walk.MODULES, walk, equations)
-    return linking.made(modules, {}, rebuilt)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from ...bodies.laws import places
-from ...bodies.modal import BodyError, Modal, at_frequency, modal
+from ...bodies.modal import BodyError, Modal, at_frequency, damped, modal
 from ...bodies.poles import poles_of
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
@@ -185,8 +185,10 @@ def _body(
         if modes is not None and (modes != int(modes) or modes < 1):
             raise BodyError(f"modes: got {modes!r}, expected a whole number from 1")
         matrices = _matrices(scene, entries, binary)
-        found = _modes(scene, entries, binary, ratio, None if modes is None else int(modes))
-        found = at_frequency(found, matrices, frequency * binary.time / units.time)
+        found = _modes(scene, entries, binary, None if modes is None else int(modes))
+        found = at_frequency(
+            damped(found, ratio), matrices, frequency * binary.time / units.time
+        )
         ratios = (
             a / b for a, b in zip(*(vars(q).values() for q in (units, binary)), strict=True)
         )
@@ -201,15 +203,13 @@ Entries: TypeAlias = tuple[tuple[Any, ...], ...]
 
 
 @lru_cache(maxsize=16)
-def _modes(
-    scene: "LoadedScene", entries: Entries, units: Units, ratio: float | None, modes: int | None
-) -> Modal:
-    """Return the body in its modes; it is the same at all frequencies of the forcing."""
+def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | None) -> Modal:
+    """Return the body in its modes: the same for all forcings and damping ratios."""
     matrices = _matrices(scene, entries, units)
     size = matrices["M"].shape[0]
     if modes is not None and modes > size:
         raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
-    return modal(matrices, ratio, modes, 1.0)
+    return modal(matrices, modes, 1.0)
 
 
 @lru_cache(maxsize=4)

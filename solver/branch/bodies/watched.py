@@ -1,0 +1,156 @@
+"""What is watched of the contact forms of a body along a branch; see `branch.watch`.
+
+The functions stand for those of the same names there.  Plain Python, or compiled by numba.
+"""
+
+from math import ceil, isnan, log2, nan
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Matrix, Vector
+from ..watch import (
+    BEGINS,
+    BEHIND,
+    END,
+    EXPANDED,
+    INTO,
+    IS_END,
+    KIND,
+    LEAST,
+    PHASE,
+    POLISH,
+    START,
+    WITHIN,
+    polynomial,
+)
+from .equations import less_one, norm, starts
+
+#: Points of a phase for 1 of the size of its generator, at least and at most.
+CLOSE, FEWEST, MOST = 2.0, 32, 1024
+
+
+def along_phase(generator: Matrix, s: float, Y: Vector) -> Matrix:
+    """Return the states at equal times of a phase, as close as its waves; shape (points, W)."""
+    states = len(Y) - 3
+    size = norm(generator[:states, :states]) * abs(s)
+    count = int(min(max(ceil(CLOSE * size), FEWEST), MOST))
+    found, done = np.empty((count + 1, len(Y))), 1
+    found[0], step = Y, less_one(generator, s / count)
+    while done <= count:
+        more = min(done, count + 1 - done)
+        found[done : done + more] = found[:more] + found[:more] @ step.T
+        done, step = done + more, 2 * step + step @ step
+    return found
+
+
+def halves(generator: Matrix, h: float) -> Any:
+    """Return ``exp(G t) - 1`` over a half, a quarter, ... of a step, to one that is short."""
+    states = len(generator) - 3
+    size = norm(generator[:states, :states]) * abs(h) * CLOSE
+    count = ceil(log2(size)) if size > 1 else 0
+    found = np.empty((count, len(generator), len(generator)))
+    for j in range(count):
+        found[j] = less_one(generator, h / 2.0 ** (j + 1))
+    return found
+
+
+def expanded(generator: Matrix, form: Vector) -> Matrix:
+    """Return the forms that are the Taylor coefficients of a form, shape (EXPANDED, W)."""
+    found = np.empty((EXPANDED, len(form)))
+    found[0] = form
+    for j in range(1, EXPANDED):
+        found[j] = found[j - 1] @ generator / j
+    return found
+
+
+def least_inside(
+    grid: Matrix, s: float, finer: Any, terms: Matrix, begins: int
+) -> tuple[float, float]:
+    """Return the least value of a form at its critical points inside a phase, and when.
+
+    Not a number without one.
+
+    Parameters
+    ----------
+    grid : ndarray
+        See `along_phase`.
+    s : float
+        The duration.
+    finer : ndarray
+        The `halves` of a step of the grid.
+    terms : ndarray
+        See `expanded`.
+    begins : int
+        The first derivative of the form that is not zero by itself where the phase begins.
+    """
+    least, when, h = nan, nan, s / (len(grid) - 1)
+    rates = grid @ terms[1]
+    if begins > 1:
+        rates[0] = np.dot(terms[begins], grid[0])
+    for i in range(len(grid) - 1):
+        if not rates[i] < 0 <= rates[i + 1]:
+            continue
+        Y, t, width, low, high = grid[i], i * h, h, rates[i], rates[i + 1]
+        for j in range(len(finer)):
+            width /= 2
+            middle = Y + finer[j] @ Y
+            rate = np.dot(terms[1], middle)
+            if rate < 0:
+                Y, t, low = middle, t + width, rate
+            else:
+                high = rate
+        own, u = terms @ Y, width * low / (low - high)
+        for _ in range(POLISH):
+            bend = polynomial(own, u, 2)
+            if bend > 0:
+                u = min(max(u - polynomial(own, u, 1) / bend, 0.0), width)
+        value = polynomial(own, u, 0)
+        if isnan(least) or value < least:
+            least, when = value, t + u
+    return least, when
+
+
+def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) -> None:
+    """Fill in what is watched at an orbit, and the ends of its displacement and velocity.
+
+    Of the first contact; see `watch.watched`.
+    """
+    begin, before = starts(case, z), case[1].shape[1] - 3
+    values[:, :] = nan
+    extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
+    for p in range(len(case[0])):
+        generator, s = case[1][p], z[before + p]
+        grid = along_phase(generator, s, begin[p])
+        first, last, finer = grid[0], grid[-1], halves(generator, s / (len(grid) - 1))
+        for row in range(len(table)):
+            if table[row, PHASE] != p:
+                continue
+            form, into, begins = case[6][row], table[row, INTO], table[row, BEGINS]
+            end = np.dot(form, last)
+            if table[row, KIND] == WITHIN:
+                terms = expanded(generator, form)
+                values[row, START] = np.dot(terms[begins], first)
+                values[row, LEAST], _ = least_inside(grid, s, finer, terms, begins)
+                values[row, END] = -np.dot(terms[1], last) if table[row, IS_END] != 0 else end
+                continue
+            end = -end if table[row, KIND] == BEHIND else end
+            if isnan(values[into, END]) or end > values[into, END]:
+                values[into, END] = end
+        for j in range(2):
+            form = case[4][p, j]
+            for side in (1.0, -1.0):
+                inside, _ = least_inside(grid, s, finer, expanded(generator, side * form), 0)
+                for value in (np.dot(form, first), np.dot(form, last), side * inside):
+                    if not isnan(value):
+                        extremes[j, 0] = min(extremes[j, 0], value)
+                        extremes[j, 1] = max(extremes[j, 1], value)
+
+
+def when_least(case: Any, table: Any, z: Vector, row: int) -> float:
+    """Return when in its phase a form has the least value at a critical point inside."""
+    p = table[row, PHASE]
+    generator, s = case[1][p], z[case[1].shape[1] - 3 + p]
+    grid = along_phase(generator, s, starts(case, z)[p])
+    finer, terms = halves(generator, s / (len(grid) - 1)), expanded(generator, case[6][row])
+    return least_inside(grid, s, finer, terms, table[row, BEGINS])[1]
