@@ -13,3 +13,6 @@ Indices: TypeAlias = npt.NDArray[np.intp] | npt.NDArray[np.bool_]
 
 #: Two-dimensional array of float64.
 Matrix: TypeAlias = npt.NDArray[np.float64]
+
+#: Array of complex numbers, of any shape.
+Complex: TypeAlias = npt.NDArray[np.complex128]

@@ -7,7 +7,8 @@ import numpy as np
 
 import nonsmooth as ns
 from nonsmooth.solver.iteration.newton import newton
-from nonsmooth.solver.kernels.bodies import Given, exact_kernel, kernel
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.bodies import Given, exact_kernel
 
 from .problem import Row
 
@@ -19,10 +20,11 @@ def _units(row: Row) -> np.ndarray:
 def by_newton(row: Row) -> Callable[[int], np.ndarray]:
     """Return Newton's method on the times, by the series of an order; by the exact flow at 0.
 
-    Poles and eigenbases are computed anew in every call, the modes of the body are not.
+    The series is compiled.  Poles and eigenbases are computed anew in every call, the modes of
+    the body are not.
     """
     cell, rough = row.case.cell, row.rough / _units(row)
-    series = kernel(row.case.scene.each_motion[0], "ck-tau", None)
+    series = registry.kernel(row.case.scene.each_motion[0], "ck-tau", compile_it=True)
 
     def solve(order: int) -> np.ndarray:
         fresh = replace(cell, body=replace(cell.body))

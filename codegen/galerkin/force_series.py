@@ -6,12 +6,21 @@ A body answers by its poles, ``z' = s z + force``.  On a phase of duration tau, 
     ``a_m(kappa) = int_0^1 P_m*(u) e^(kappa u) du``
     ``Z_mn(kappa) = int_0^1 P_m*(u) int_0^u e^(kappa (u - y)) P_n*(y) dy du``
 
-The recurrences follow from two facts of Legendre polynomials,
+Of the first, recurrences follow from two facts of Legendre polynomials,
 
     ``(P_(n+1)* - P_(n-1)*)' = 2 (2 n + 1) P_n*``,
     ``(2 u - 1) P_n* = ((n + 1) P_(n+1)* + n P_(n-1)*)/(2 n + 1)``,
 
 the first by parts, where the difference vanishes at both ends, the second for the rates.
+
+The inner integral of the second is ``b_n(kappa) e^(kappa u)`` and a polynomial of degree n, to
+which ``P_m*`` is orthogonal for m > n.  So ``Z_mn = a_m b_n`` there; ``y -> 1 - u`` gives
+``Z_nm = (-1)^(m + n) Z_mn``, and parts give the diagonal from its neighbours.
+
+``a_m`` falls with m like ``kappa^m``, and ``b_n`` rises as fast.  Up to ``|kappa|`` of twice
+the highest degree both are found without these powers: ``a_m = w_m A_m`` downwards, which is
+stable, and ``b_n = B_n/((2 n + 1) w_n kappa)`` upwards, where w_m is the product of the
+weights ``kappa/(2 (2 m + 1))``.
 """
 
 from collections.abc import Iterator
@@ -19,13 +28,8 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from .legendre import integrated
-
 kappa, before, here, after = sp.symbols("kappa before here after")
 m, n = sp.symbols("m n", integer=True, nonnegative=True)
-
-#: ``a_m``, and whether two degrees are the same and differ by one, in the formulas.
-moment, same, above, below = sp.symbols("moment same above below")
 
 
 class Formula(NamedTuple):
@@ -38,7 +42,7 @@ class Formula(NamedTuple):
 
 
 def formulas() -> Iterator[Formula]:
-    """Yield the recurrences of both integrals, of their rates, and of integration.
+    """Yield the recurrences of both integrals, and of their rates.
 
     Examples
     --------
@@ -62,25 +66,52 @@ def formulas() -> Iterator[Formula]:
     rate = (here + _shifted(m, before, after)) / 2
     words = "the derivative of ``a_m`` by kappa, from its neighbours"
     yield Formula("moment_rate", (m, before, here, after), words, rate)
-    # int_0^u e^(kappa (u - y)) dy = (e^(kappa u) - 1)/kappa, and of (2 y - 1) by parts
-    yield Formula("response_0", (kappa, moment, same), "``Z_m0``", (moment - same) / kappa)
-    first = (2 * here - moment - same / 3) / kappa
-    words = "``Z_m1`` from ``Z_m0``; `same` is 1 for m = 1"
-    yield Formula("response_1", (kappa, here, moment, same), words, first)
-    ends = (above - below) / (2 * m + 1)
-    by_parts = 2 * (2 * n + 1) * here - ends - kappa * (unknown - before)
-    (up,) = sp.solve(by_parts, unknown)
-    words = "``Z_m(n+1)``; `above` is 1 for m = n + 1, `below` for m = n - 1"
-    arguments = (m, n, kappa, before, here, above, below)
-    yield Formula("next_response", arguments, words, before + sp.factor(up - before))
+    yield from _answers()
+    yield from _weighted(up)
     sides = sp.symbols("left right")
     rate = (_shifted(m, *sides) - _shifted(n, before, after)) / 2
     words = "the derivative of ``Z_mn`` by kappa, from neighbours in m (left, right) and in n"
     yield Formula("response_rate", (m, n, *sides, before, after), words, rate)
-    one = integrated(lambda l: sp.Symbol(f"c_{l}"), m)
-    coefficient = sp.together(one.coeff(sp.Symbol(f"c_{m - 1}")))
-    words = "the coefficient of ``P_m*`` in the integral of ``P_(m-1)*``, m > 0"
-    yield Formula("integral", (m,), words, coefficient)
+
+
+def _answers() -> Iterator[Formula]:
+    """Yield what a force leaves behind, ``b_n``, and the second integral by that."""
+    # int_0^u e^(kappa (u - y)) dy = (e^(kappa u) - 1)/kappa, and of (2 y - 1) by parts
+    yield Formula("answer_0", (kappa,), "``b_0``", 1 / kappa)
+    words = "``b_1`` from ``b_0``"
+    yield Formula("answer_1", (kappa, here), words, (2 * here - 1) / kappa)
+    words = "``b_(n+1)`` from ``b_(n-1)`` and ``b_n``"
+    up = before + 2 * (2 * n + 1) * here / kappa
+    yield Formula("next_answer", (n, kappa, before, here), words, up)
+    words = "``Z_00`` from ``a_0`` and ``a_1``"
+    yield Formula("response_0", (here, after), words, (here - after) / 2)
+    # 2 (2 n + 1) Z_nn = kappa (Z_n(n+1) - Z_n(n-1)) by parts, and Z_n(n+1) = - Z_(n+1)n
+    words = "``Z_nn`` from ``Z_n(n-1)`` and ``Z_(n+1)n``, n > 0"
+    same = -kappa * (before + after) / (2 * (2 * n + 1))
+    yield Formula("same_response", (n, kappa, before, after), words, same)
+
+
+def _weighted(up: sp.Expr) -> Iterator[Formula]:
+    """Yield the same of ``A_m`` and ``B_n``, from the recurrence of ``a_m``."""
+    weight = kappa / (2 * (2 * m + 1))
+    yield Formula("weight", (m, kappa), "``w_m`` over ``w_(m-1)``", weight)
+    ratios = {here: weight * here, after: weight * weight.subs(m, m + 1) * after}
+    (down,) = sp.solve(up - after, before)
+    down = down.subs(ratios, simultaneous=True)
+    down = sp.collect(sp.expand(down), (here, after), sp.factor)
+    words = "``A_(m-1)`` from ``A_m`` and ``A_(m+1)``"
+    yield Formula("weighted_moment", (m, kappa, here, after), words, down)
+    # kappa a_0 = e^kappa - 1 and kappa a_1 = e^kappa + 1 - 2 a_0
+    words = "1 from ``A_0`` and ``A_1``"
+    unity = (1 - kappa / 2) * here + kappa * weight.subs(m, 1) * after / 2
+    yield Formula("unity", (kappa, here, after), words, unity)
+    yield Formula("weighted_answer_1", (kappa,), "``B_1``, ``B_0`` being 1", 1 - kappa / 2)
+    words = "``B_(n+1)`` from ``B_(n-1)`` and ``B_n``"
+    upward = here + weight.subs(m, n) * weight.subs(m, n - 1) * before
+    yield Formula("weighted_answer", (n, kappa, before, here), words, upward)
+    words = "``Z_(n+1)n`` over ``A_(n+1) B_n``"
+    first = weight.subs(m, n + 1) / ((2 * n + 1) * kappa)
+    yield Formula("weighted_response", (n,), words, sp.factor(first))
 
 
 def _shifted(m: sp.Expr, before: sp.Expr, after: sp.Expr) -> sp.Expr:

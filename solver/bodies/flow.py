@@ -5,9 +5,9 @@ from functools import cached_property
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Complex, Matrix, Vector
 from .laws import Lawful
-from .modal import BodyError, Complex
+from .modal import BodyError
 
 #: Condition of an eigenbasis beyond which it keeps too few digits.
 WORST = 1e9

@@ -1,83 +1,181 @@
 """What poles answer to Legendre polynomials of a phase: ``a_m`` and ``Z_mn``, for all kappa.
 
-The recurrences of `generated.force_series` are stable upwards where kappa is large.  Below
-that both come from an equation in Legendre coefficients, which is tridiagonal: S integrates a
-series, ``(I - kappa S) c = e_0`` has those of ``e^(kappa u)``, and ``(I - kappa S) c = S e_n``
-those of the answer to ``P_n*``.
+The formulas are those of `generated.force_series`.  Where ``|kappa|`` is large, ``a_m`` and
+``b_n`` come from their recurrences upwards.  Below, ``A_m`` is found downwards from far beyond
+the last that is wanted, up to a factor that the first two say, and B_n upwards.
+
+Plain Python, or compiled by numba.
 """
 
-from functools import cache
-from typing import TypeAlias
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from ...generated import force_series as recurrence
-from ..arrays import Matrix
+from ...generated.force_series import (
+    answer_0,
+    answer_1,
+    moment_0,
+    moment_1,
+    moment_rate,
+    next_answer,
+    next_moment,
+    response_0,
+    response_rate,
+    same_response,
+    unity,
+    weight,
+    weighted_answer,
+    weighted_answer_1,
+    weighted_moment,
+    weighted_response,
+)
+from ..arrays import Complex, Indices
 
-Complex: TypeAlias = npt.NDArray[np.complex128]
-
-#: Rows beyond the last that is wanted, where a system is cut off.
+#: Degrees beyond the last that is wanted from which recurrences go down.
 BEYOND = 24
 
 
-def moments(kappa: npt.ArrayLike, count: int) -> Complex:
-    """Return ``a_m(kappa)`` for m below `count`; shape that of `kappa`, then ``(count,)``.
+def moments(kappa: Complex, count: int) -> Complex:
+    """Return ``a_m(kappa)`` for m below `count`; shape ``(count, len(kappa))``.
 
     Errors of ``a_m e^(-Re kappa)`` are some 1e-14, for ``Re kappa <= 0`` those of ``a_m``.
     """
-    k = np.asarray(kappa, dtype=complex)
-    found = np.empty((*k.shape, count), dtype=complex)
-    up = np.abs(k) > 2 * (count + 1)
-    for here, way in ((up, _upwards), (~up, _banded)):
-        if here.any():
-            found[here] = way(k[here], count)
+    found = np.empty((max(count, 2), len(kappa)), np.complex128)
+    near = is_near(kappa, count)
+    found[:, ~near] = upwards(kappa[~near], len(found))
+    k = kappa[near]
+    own, power = weighted(k, len(found)), np.ones_like(k)
+    for m in range(1, len(found)):
+        power = power * weight(m, k)
+        own[m] = own[m] * power
+    found[:, near] = own
+    return found[:count]
+
+
+def is_near(kappa: Complex, count: int) -> Indices:
+    """Return for which kappa the formulas are those without powers."""
+    found: Indices = np.abs(kappa) <= 2 * (count + 1)
     return found
 
 
-def _upwards(k: Complex, count: int) -> Complex:
-    found = np.empty((len(k), max(count, 2)), dtype=complex)
-    found[:, 0] = recurrence.moment_0(k)
-    found[:, 1] = recurrence.moment_1(k, found[:, 0])
+def upwards(k: Complex, count: int) -> Complex:
+    """Return ``a_m`` by its recurrence upwards, two at least."""
+    found = np.empty((count, len(k)), np.complex128)
+    found[0] = moment_0(k)
+    found[1] = moment_1(k, found[0])
     for m in range(1, count - 1):
-        found[:, m + 1] = recurrence.next_moment(m, k, found[:, m - 1], found[:, m])
-    return found[:, :count]
-
-
-def _banded(k: Complex, count: int) -> Complex:
-    """Return the moments, from the Legendre coefficients of ``e^(kappa u)``."""
-    one = np.zeros((len(k), _rows(k, count), 1), dtype=complex)
-    one[:, 0] = 1.0
-    return np.asarray(_solved(k, one)[:, :count, 0] / (2 * np.arange(count) + 1))
-
-
-def _rows(k: Complex, count: int) -> int:
-    """Return where the system of `count` rows that are wanted is cut off."""
-    return count + BEYOND + int(np.abs(k).max(initial=0.0) / 2)
-
-
-def responses(kappa: Complex, count: int) -> Complex:
-    """Return ``Z_mn(kappa)`` for m, n below `count`; shape ``(len(kappa), count, count)``."""
-    found = np.empty((len(kappa), count, count), dtype=complex)
-    up = np.abs(kappa) > 2 * (count + 1)
-    for here, way in ((up, _responses_upwards), (~up, _responses_banded)):
-        if here.any():
-            found[here] = way(kappa[here], count)
+        found[m + 1] = next_moment(m, k, found[m - 1], found[m])
     return found
 
 
-def _responses_upwards(k: Complex, count: int) -> Complex:
-    a, unit = moments(k, count), np.eye(count + 1)
-    found = np.empty((len(k), count, max(count, 2)), dtype=complex)
-    m, wide = np.arange(count), k[:, None]
-    found[:, :, 0] = recurrence.response_0(wide, a, unit[0, :count])
-    found[:, :, 1] = recurrence.response_1(wide, found[:, :, 0], a, unit[1, :count])
-    for n in range(1, count - 1):
-        above, below = unit[n + 1, :count], unit[n - 1, :count]
-        found[:, :, n + 1] = recurrence.next_response(
-            m, n, wide, found[:, :, n - 1], found[:, :, n], above, below
-        )
-    return found[:, :, :count]
+def weighted(k: Complex, count: int) -> Complex:
+    """Return ``A_m`` by its recurrence downwards, two at least."""
+    found, largest = np.empty((count, len(k)), np.complex128), 0.0
+    for i in range(len(k)):
+        largest = max(largest, abs(k[i]))
+    after, here = np.ones_like(k), np.ones_like(k)
+    for m in range(count + BEYOND + int(largest / 2), 0, -1):
+        after, here = here, weighted_moment(m, k, here, after)
+        if m <= count:
+            found[m - 1] = here
+    found /= unity(k, found[0], found[1])
+    return found
+
+
+def responses(kappa: Complex, rows: int, columns: int) -> Complex:
+    """Return ``Z_mn(kappa)`` for n below `columns`, m below as many `rows` or more.
+
+    Shape ``(rows, columns, len(kappa))``.
+    """
+    found = np.empty((rows * columns, len(kappa)), np.complex128)
+    near = is_near(kappa, rows)
+    k, j = kappa[near], kappa[~near]
+    a, b = weighted(k, rows + 1), np.ones((columns, len(k)), np.complex128)
+    steps = np.empty((rows + 1, len(k)), np.complex128)
+    for m in range(rows + 1):
+        steps[m] = weight(m, k)
+    if columns > 1:
+        b[1] = weighted_answer_1(k)
+    for n in range(1, columns - 1):
+        b[n + 1] = weighted_answer(n, k, b[n - 1], b[n])
+    for n in range(columns):
+        b[n] *= weighted_response(n)
+    found[:, near] = products(k, a, b, steps, rows)
+    a, b = upwards(j, rows + 1), np.empty((columns, len(j)), np.complex128)
+    b[0] = answer_0(j)
+    if columns > 1:
+        b[1] = answer_1(j, b[0])
+    for n in range(1, columns - 1):
+        b[n + 1] = next_answer(n, j, b[n - 1], b[n])
+    found[:, ~near] = products(j, a, b, np.ones_like(a), rows)
+    return found.reshape(rows, columns, len(kappa))
+
+
+def products(k: Complex, a: Complex, b: Complex, steps: Complex, rows: int) -> Complex:
+    """Return ``Z_mn`` by diagonals; shape ``(rows * columns, len(k))``.
+
+    Parameters
+    ----------
+    k : ndarray of complex, shape (K,)
+    a : ndarray of complex, shape (rows + 1, K)
+        ``a_m`` or ``A_m``.
+    b : ndarray of complex, shape (columns, K)
+        What makes these ``Z_(n+1)n``.
+    steps : ndarray of complex, shape (rows + 1, K)
+        ``Z_mn/Z_(m-1)n`` by the same of ``a_m``, for m > n + 1.
+    rows : int
+    """
+    columns = len(b)
+    found = np.empty((rows * columns, len(k)), np.complex128)
+    below = a[1 : columns + 1] * b
+    found[0] = response_0(a[0], steps[1] * a[1])
+    for n in range(1, columns):
+        found[n * (columns + 1)] = same_response(n, k, below[n - 1], below[n])
+    factors = b.copy()
+    for d in range(1, rows):
+        count, sign = min(columns, rows - d), -1.0 if d % 2 else 1.0
+        if d > 1:
+            factors[:count] *= steps[d : d + count]
+        own = a[d : d + count] * factors[:count]
+        found[d * columns :: columns + 1][:count] = own
+        if d < columns:
+            found[d :: columns + 1][: columns - d] = sign * own[: columns - d]
+    return found
+
+
+def moment_rates(a: Complex) -> Complex:
+    """Return ``d a_m/d kappa`` from ``a_m``, one entry less; by the first index."""
+    found, before = np.empty_like(a[1:]), np.zeros_like(a[0])
+    for m in range(len(found)):
+        found[m] = moment_rate(m, before, a[m], a[m + 1])
+        before = a[m]
+    return found
+
+
+def answered(Z: Complex, series: Complex) -> tuple[Complex, Complex]:
+    """Return ``sum_n Z_mn l_n``, and the same of ``d Z_mn/d kappa``; shape (count, K) each.
+
+    Parameters
+    ----------
+    Z : ndarray of complex, shape (count + 1, count + 1, K)
+        One row and one column more than the results have.
+    series : ndarray of complex, shape (count, K)
+        ``l_n``, for each kappa its own.
+    """
+    count = len(series)
+    found = np.zeros_like(Z[0])
+    rates = np.zeros_like(series)
+    before = np.zeros_like(series)
+    for n in range(count):
+        found += Z[:, n] * series[n]
+        after = Z[:count, n + 1]
+        rates += response_rate(0, n, 0.0, 0.0, before, after) * series[n]
+        before = Z[:count, n]
+    left = np.zeros_like(series[0])
+    for m in range(count):
+        rates[m] += response_rate(m, 0, left, found[m + 1], 0.0, 0.0)
+        left = found[m]
+    return found[:count], rates
 
 
 def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
@@ -85,105 +183,33 @@ def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
 
     Parameters
     ----------
-    kappa : ndarray of complex, shape (m,)
-    series : ndarray of complex, shape (m, N + 1)
+    kappa : ndarray of complex, shape (K,)
+    series : ndarray of complex, shape (N + 1, K)
         The coefficients of f in Legendre polynomials, for each kappa its own.
 
     Returns
     -------
-    E : ndarray of complex, shape (m,)
-    B : ndarray of complex, shape (m, R)
+    E : ndarray of complex, shape (K,)
+    B : ndarray of complex, shape (R, K)
     """
-    count = series.shape[1]
+    count = len(series)
     rows = 2 * count + BEYOND + 2
-    E, B = np.zeros(len(kappa), dtype=complex), np.zeros((len(kappa), rows), dtype=complex)
-    up = np.abs(kappa) > 2 * (count + 1)
-    k = kappa[up]
+    E, B = np.zeros_like(kappa), np.zeros((rows, len(kappa)), np.complex128)
+    near = is_near(kappa, count)
+    Z: Any = responses(kappa[near], rows, count)
+    by_degree = 2.0 * np.arange(rows) + 1
+    B[:, near] = by_degree[:, None] * (Z * series[:, near]).sum(axis=1)
+    k = kappa[~near]
     # I_0 = (e^(kappa u) - 1)/kappa, I_1 = (2 I_0 - P_1* - e^(kappa u))/kappa, then by parts
-    e, b = np.zeros((2, len(k)), dtype=complex), np.zeros((2, len(k), rows), dtype=complex)
-    e[0], b[0, :, 0] = 1 / k, -1 / k
-    e[1], b[1, :, 0], b[1, :, 1] = (2 * e[0] - 1) / k, 2 * b[0, :, 0] / k, -1 / k
+    e, b = np.zeros((2, len(k)), dtype=complex), np.zeros((2, rows, len(k)), dtype=complex)
+    e[0], b[0, 0] = answer_0(k), -1 / k
+    e[1], b[1, 0], b[1, 1] = answer_1(k, e[0]), 2 * b[0, 0] / k, -1 / k
     for n in range(count):
-        E[up] += series[up, n] * e[0]
-        B[up] += series[up, n, None] * b[0]
-        above = 2 * (2 * n + 3) / k
-        after, beyond = e[0] + above * e[1], b[0] + above[:, None] * b[1]
-        beyond[:, n + 2] -= 1 / k
-        beyond[:, n] += 1 / k
+        own = series[n, ~near]
+        E[~near] += own * e[0]
+        B[:, ~near] += own * b[0]
+        after, beyond = (next_answer(n + 1, k, q[0], q[1]) for q in (e, b))
+        beyond[n + 2] -= 1 / k
+        beyond[n] += 1 / k
         e, b = np.stack([e[1], after]), np.stack([b[1], beyond])
-    right = series[~up] @ _integration(rows, count).T
-    B[~up] = _solved(kappa[~up], right[:, :, None])[:, :, 0]
     return E, B
-
-
-def _integration(rows: int, count: int) -> Complex:
-    """Return the matrix that integrates a series of `count` Legendre polynomials from 0."""
-    up = recurrence.integral(np.arange(1, rows + 1))
-    found = np.zeros((rows, count))
-    found[0, 0] = 0.5
-    for n in range(count):
-        found[n + 1, n] = up[n]
-        if n:
-            found[n - 1, n] = -up[n]
-    return found.astype(complex)
-
-
-def _solved(kappa: Complex, right: Complex) -> Complex:
-    """Return the solutions of ``(I - kappa S) c = right``; shape (m, rows, columns).
-
-    All kappa make one banded matrix, whose blocks nothing couples.
-    """
-    from scipy.linalg import solve_banded  # noqa: PLC0415  (a scene of one mass needs none)
-
-    if not len(kappa):
-        return right
-    rows, k = right.shape[1], kappa[:, None]
-    up = recurrence.integral(np.arange(1, rows + 1))  # of P_m* in the integral of P_(m-1)*
-    bands = np.zeros((3, len(kappa), rows), dtype=complex)
-    bands[0, :, 1:], bands[2, :, :-1] = k * up[1:rows], -k * up[: rows - 1]
-    bands[1] = 1.0
-    bands[1, :, 0] -= kappa / 2
-    flat = right.reshape(-1, right.shape[2])
-    return np.asarray(solve_banded((1, 1), bands.reshape(3, -1), flat).reshape(right.shape))
-
-
-def _responses_banded(kappa: Complex, count: int) -> Complex:
-    rows = _rows(kappa, count)
-    right = np.broadcast_to(_integration(rows, count), (len(kappa), rows, count))
-    return np.asarray(_solved(kappa, right)[:, :count] / (2 * np.arange(count)[:, None] + 1))
-
-
-def moment_rates(a: Complex) -> Complex:
-    """Return ``d a_m/d kappa`` from ``a_m``, one entry less."""
-    m = np.arange(a.shape[-1] - 1)
-    before = np.concatenate([np.zeros_like(a[..., :1]), a[..., :-2]], axis=-1)
-    found: Complex = recurrence.moment_rate(m, before, a[..., :-1], a[..., 1:])
-    return found
-
-
-def response_rates(Z: Complex, series: Complex) -> Complex:
-    """Return ``d Z_mn/d kappa``, times the coefficients of a series for each kappa.
-
-    Parameters
-    ----------
-    Z : ndarray of complex, shape (k, N + 2, N + 2)
-        One row and one column more than the result has.
-    series : ndarray of complex, shape (k, N + 1)
-
-    Returns
-    -------
-    ndarray of complex, shape (k, N + 1)
-    """
-    beside = _neighbours(series.shape[1])
-    by_row = Z[..., :-1] @ series[:, :, None]
-    by_column = Z[:, :-1] @ (series @ beside)[:, :, None]
-    return np.asarray((beside @ by_row - by_column)[:, :, 0])
-
-
-@cache
-def _neighbours(count: int) -> Matrix:
-    """Return the matrix D of ``d Z/d kappa = D Z - Z D^T``, shape (count, count + 1)."""
-    m, found = np.arange(count), np.zeros((count, count + 1))
-    found[m[1:], m[:-1]] = recurrence.response_rate(m[1:], 0, 1, 0, 0, 0)
-    found[m, m + 1] = recurrence.response_rate(m, 0, 0, 1, 0, 0)
-    return found

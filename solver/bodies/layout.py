@@ -2,11 +2,12 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..arrays import Indices, Matrix
+from ..arrays import Complex, Indices, Matrix, Vector
+from ..scenes.arrays import Integers
 from .laws import free, law_matrix, places
 from .modal import BodyError
 from .poles import Forms, Poles, poles_of
@@ -132,6 +133,81 @@ def layout(cell: "BodyCell", order: int) -> Layout:
     setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
     return Layout(
         phases, poles, setting, tuple(elements), at, memory, memory + len(cell.memory)
+    )
+
+
+class Setting(NamedTuple):
+    """The same as arrays, which the functions of `series` take.
+
+    Parameters
+    ----------
+    s : ndarray of complex, shape (m,)
+    b : ndarray of complex, shape (c, m)
+    forms, turns, rest : ndarray
+        Forms by row: by the poles, (R, m); by the forcing, (R,); by 1 and the memory,
+        (R, 1 + M).  The laws of each phase, the events, the velocities of the contacts, and
+        what each memory is set to.
+    direct, impulse : ndarray
+        See `Phase`; of each phase.
+    hits : ndarray of int, shape (P, c)
+        Which unknown is the impulse of each contact at the end of each phase, or -1.
+    pieces : ndarray of int, shape (E, 3)
+        Of each piece its phase, where its coefficients begin, and whether it is the last.
+    degrees, counts : ndarray of int, shape (P,)
+        The degree of a piece of each phase, and how many there are.
+    sets : ndarray of int, shape (M,)
+        The piece at whose beginning each memory is set.
+    size : ndarray of int, shape (2,)
+        How many unknowns there are, and the first that is a memory.
+    numbers : ndarray, shape (3,)
+        Omega, sign, and duration of the cell, 0 where nothing forces.
+    """
+
+    s: Complex
+    b: Complex
+    forms: Complex
+    turns: Complex
+    rest: Matrix
+    direct: Matrix
+    impulse: Matrix
+    hits: Integers
+    pieces: Integers
+    degrees: Integers
+    counts: Integers
+    sets: Integers
+    size: Integers
+    numbers: Vector
+
+
+@lru_cache(maxsize=64)
+def setting(cell: "BodyCell", order: int) -> Setting:
+    """Return the equations of a cell at an order as arrays."""
+    own = layout(cell, order)
+    rows = [
+        *(phase.law for phase in own.phases),
+        *(phase.event for phase in own.phases),
+        own.phases[0].velocity,
+        own.setting,
+    ]
+    rest = [np.column_stack([q.constant, q.memory]) for q in rows]
+    hits = np.full((len(own.phases), own.poles.b.shape[1]), -1)
+    for p, phase in enumerate(own.phases):
+        hits[p, phase.hit] = range(own.size)[own.impulses(p)]
+    return Setting(
+        own.poles.s,
+        np.ascontiguousarray(own.poles.b.T),
+        np.concatenate([q.poles for q in rows]),
+        np.concatenate([q.turn for q in rows]).astype(complex),
+        np.concatenate(rest).astype(float),
+        np.array([phase.direct for phase in own.phases], dtype=float),
+        np.array([phase.impulse for phase in own.phases], dtype=float),
+        hits,
+        np.array([(p, at, own.is_last(e)) for e, (p, at) in enumerate(own.elements)]),
+        np.array([phase.degree for phase in own.phases]),
+        np.array([phase.pieces for phase in own.phases]),
+        np.array([own.first_of(each.phase) for each in cell.memory], dtype=int),
+        np.array([own.size, own.first_memory]),
+        np.array([cell.omega, cell.sign, cell.duration if cell.forced else 0.0]),
     )
 
 

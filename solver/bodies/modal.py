@@ -5,11 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
-from ..arrays import Matrix, Vector
-
-Complex: TypeAlias = npt.NDArray[np.complex128]
+from ..arrays import Complex, Matrix, Vector
 
 #: Degrees of freedom up to which all modes are computed, by full matrices.
 DENSE = 1500

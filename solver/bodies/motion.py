@@ -5,16 +5,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
-from . import exact
+from ..arrays import Complex, Matrix, Vector
+from . import exact, series
 from .harmonics import system as harmonics
 from .integrals import answers
 from .laws import places
-from .layout import layout
-from .modal import Complex
+from .layout import layout, setting
 from .part import angles_of, generator_of, parts_of
 from .poles import Forms
-from .series import evaluated
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -81,8 +79,10 @@ def _seen(
 
 def memory_of(cell: "BodyCell", order: int, functions: int | None, times: Vector) -> Vector:
     """Return what the switches of a cell set, by the force series or harmonics."""
+    if not cell.memory:
+        return np.empty(0)
     if functions is None:
-        return evaluated(cell, order, times).unknowns[layout(cell, order).memory]
+        return solved(cell, order, times)[0][layout(cell, order).memory]
     found = harmonics.evaluated(cell, order, functions, times)
     return np.asarray(found.unknowns[found.frame.memory].real)
 
@@ -117,12 +117,30 @@ def _answers(
 ) -> tuple[tuple[Complex, Complex], ...]:
     """Return z on each piece of a phase as ``E e^(kappa u) + sum B_m P_m*(u)``."""
     own, all_times = layout(cell, order), np.frombuffer(times)
-    found, phase, poles = evaluated(cell, order, all_times), own.phases[p], own.poles
+    unknowns, states = _solved(cell, order, times)
+    phase, poles = own.phases[p], own.poles
     s, first = float(all_times[p]) / phase.pieces, own.first_of(p)
     pieces = []
     for e in range(first, first + phase.pieces):
         at, count = own.elements[e][1], (phase.degree + 1) * poles.b.shape[1]
-        l = found.unknowns[at : at + count].reshape(phase.degree + 1, -1)
-        E, B = answers(poles.s * s, poles.b @ l.T)
-        pieces.append((found.states[e] + s * E, s * B))
+        l = unknowns[at : at + count].reshape(phase.degree + 1, -1)
+        E, B = answers(poles.s * s, l @ poles.b.T)
+        pieces.append((states[e] + s * E, s * B.T))
     return tuple(pieces)
+
+
+def solved(cell: "BodyCell", order: int, times: Vector) -> tuple[Vector, Complex]:
+    """Return the unknowns of the force series at given times, and z where pieces begin.
+
+    Coefficients of forces by piece, degree and contact, impulses, memory; shape (U,), and
+    (E, m).
+    """
+    return _solved(cell, order, np.ascontiguousarray(times, dtype=float).tobytes())
+
+
+@lru_cache(maxsize=8)
+def _solved(cell: "BodyCell", order: int, times: bytes) -> tuple[Vector, Complex]:
+    _, _, (_, unknowns), _, (starts, _) = series.linear(
+        setting(cell, order), np.frombuffer(times)
+    )
+    return unknowns, starts @ unknowns

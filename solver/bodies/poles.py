@@ -1,14 +1,14 @@
 """A body by its poles: ``z' = s z + b force``, ``x = Re sum c z`` and the forced response."""
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Complex, Matrix, Vector
 from .flow import WORST
 from .laws import free, places
-from .modal import BodyError, Complex, Modal
+from .modal import BodyError, Modal
 
 #: How near the two real poles of a mode may be, as a part of them.
 APART = 1e-6
@@ -35,17 +35,24 @@ class Poles:
     response: Complex
     omega: float
 
+    @cached_property
+    def seen(self) -> tuple[Complex, Complex]:
+        """What forms are of, but for forces, 1 and memory: by the poles, and by the forcing."""
+        contacts = self.b.shape[1]
+        by_pole = np.zeros((2 + 4 * contacts, len(self.s)), dtype=complex)
+        by_turn = np.zeros(len(by_pole), dtype=complex)
+        x, v, _, a = places(contacts)
+        for j, q in enumerate((x, v, a)):
+            by_pole[q] = (self.c * self.s[:, None] ** j).T
+            by_turn[q] = self.response * (1j * self.omega) ** j
+        by_turn[2] = 1.0
+        return by_pole, by_turn
+
     def forms(self, rows: Matrix) -> "Forms":
         """Return linear forms, their force entries 0, in terms of the poles."""
-        contacts = self.b.shape[1]
-        x, v, _, a = places(contacts)
-        s = self.s[None, :, None]
-        weights = [rows[:, None, q] for q in (x, v, a)]
-        by_pole = sum(w * s**j for j, w in enumerate(weights)) * self.c
-        turn = 1j * self.omega
-        by_turn = sum(rows[:, q] * turn**j for j, q in enumerate((x, v, a))) @ self.response
-        width = 2 + 4 * contacts
-        return Forms(by_pole.sum(axis=2), by_turn + rows[:, 2], rows[:, 3], rows[:, width:])
+        by_pole, by_turn = self.seen
+        seen, memory = rows[:, : len(by_turn)], rows[:, len(by_turn) :]
+        return Forms(seen @ by_pole, seen @ by_turn, rows[:, 3], memory)
 
     def rate(self, forms: "Forms", law: "Forms") -> "Forms":
         """Return the derivatives of forms by time where the contact forces are by a law."""

@@ -4,233 +4,251 @@
 tested with the same polynomials; where the force is given, one constant is exact.  At given
 times forces, impulses and memory are one linear system, and Newton's method sees the durations
 and the phase of the forcing alone.  Neither depends on the number of modes.
+
+Linear forms of what is seen are ``Re sum forms z + Re(turns e^(i theta)) + rest``, rest by 1
+and the memory; the rows of a case are those of `layout.Setting`.  Plain Python, or compiled.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
-from .element import Element, elements_of
-from .integrals import response_rates
-from .layout import Layout, layout
-from .modal import Complex
-from .part import angles_of
-from .poles import Forms
-
-if TYPE_CHECKING:
-    from ..scenes.bodies.cell import BodyCell
+from ..arrays import Complex, Matrix, Vector
+from .integrals import answered, moment_rates, moments, responses
 
 
-@dataclass(frozen=True, eq=False)
-class Evaluation:
-    """What the times of a cell say: see `exact.Evaluation`.
+def begins_of(case: Any, times: Vector) -> Vector:
+    """Return the angle of the forcing where each piece begins, and where the last ends."""
+    found = np.empty(len(case.pieces) + 1)
+    found[0] = times[len(times) - 1] if case.numbers[2] > 0 else 0.0
+    for e in range(len(case.pieces)):
+        p = case.pieces[e, 0]
+        found[e + 1] = found[e] + case.numbers[0] * times[p] / case.counts[p]
+    return found
 
-    Parameters
-    ----------
-    residual, jacobian : ndarray
-    unknowns : ndarray
-        Coefficients of forces by piece, degree and contact; impulses; memory.
-    states : ndarray of complex, shape (E, m)
-        z where each piece begins.
+
+def integrals(case: Any, times: Vector) -> tuple[Complex, Any, Complex]:
+    """Return ``a_n`` and ``Z_mn`` of the poles in each phase, and ``a_n`` of the forcing.
+
+    Of as many degrees as its force has, and one more; ``Z_mn`` where the force is unknown.
     """
-
-    residual: Vector
-    jacobian: Matrix
-    unknowns: Vector
-    states: Complex
-
-
-def _evaluated(cell: "BodyCell", order: int, times: Vector) -> Evaluation:
-    own, count = layout(cell, order), len(cell.phases)
-    theta = angles_of(cell, times)
-    elements, begins = elements_of(own, times, theta, cell.omega)
-    states, ends = _states(own, elements, cell.sign)
-    A, right, events, constant = _system(cell, own, elements, begins, states, ends, theta)
-    unknowns = np.asarray(np.linalg.solve(A, right), dtype=float)
-    residual: Vector = events @ unknowns + constant
-    moved, shifted = _rates(cell, own, elements, begins, states, unknowns, theta, len(times))
-    jacobian: Matrix = shifted - events @ np.linalg.solve(A, moved)
-    if cell.forced:
-        residual = np.append(residual, times[:count].sum() - cell.duration)
-        jacobian = np.vstack([jacobian, np.append(np.ones(count), 0.0)])
-    started = np.array([state @ unknowns for state in states])
-    return Evaluation(residual, jacobian, unknowns, started)
+    count, size, room = len(case.degrees), len(case.s), case.degrees.max() + 2
+    a = np.zeros((count, room, size), np.complex128)
+    Z = np.zeros((count, room, room, size), np.complex128)
+    turn = np.zeros((count, room), np.complex128)
+    for p in range(count):
+        s, own = times[p] / case.counts[p], case.degrees[p] + 2
+        a[p, :own] = moments(case.s * s, own)
+        turn[p, :own] = moments(np.full(1, 1j * case.numbers[0] * s), own)[:, 0]
+        if case.degrees[p] > 0:
+            Z[p, :own, :own] = responses(case.s * s, own, own)
+    return a, Z, turn
 
 
-#: What a piece adds to z, or to its derivatives: of its index and z there.
-Add = Callable[[int, Complex], None]
-
-
-def _around(
-    own: Layout, elements: list[Element], width: int, sign: int, within: Add, behind: Add
-) -> tuple[list[Complex], list[Complex]]:
+def around(
+    case: Any, times: Vector, within: Complex, behind: Complex
+) -> tuple[Complex, Complex]:
     """Return what is carried by the poles where each piece begins and ends, periodic.
 
     Parameters
     ----------
-    own : Layout
-    elements : list of Element
-    width : int
-        Columns of what is carried; it has a row a pole.
-    sign : int
-        What the motion is multiplied by from one cell to the next.
-    within, behind : callable
-        Add what comes in a piece, and behind it.
+    within, behind : ndarray of complex, shape (E, m, columns)
+        What each piece adds to z, or to its derivatives, where it ends, and behind that.
     """
-
-    def along(state: Complex) -> tuple[list[Complex], list[Complex], Complex]:
-        starts, ends = [], []
-        for e, element in enumerate(elements):
-            starts.append(state)
-            state = element.decay[:, None] * state
-            within(e, state)
-            ends.append(state)
-            state = state.copy()
-            behind(e, state)
-        return starts, ends, state
-
-    nothing = np.zeros((len(own.poles.s), width), dtype=complex)
-    decay = np.exp(own.poles.s * sum(element.duration for element in elements))
-    first = sign * along(nothing)[2] / (1 - sign * decay)[:, None]
-    return along(first)[:2]
+    starts, ends = np.empty_like(within), np.empty_like(within)
+    state, total, sign = np.zeros_like(within[0]), 0.0, case.numbers[1]
+    for turn in range(2):
+        for e in range(len(within)):
+            p = case.pieces[e, 0]
+            s = times[p] / case.counts[p]
+            starts[e] = state
+            state = np.exp(case.s * s).reshape(-1, 1) * state + within[e]
+            ends[e] = state
+            state = state + behind[e]
+            total += s
+        if turn == 0:
+            state = sign * state / (1 - sign * np.exp(case.s * total)).reshape(-1, 1)
+    return starts, ends
 
 
-def _states(
-    own: Layout, elements: list[Element], sign: int
-) -> tuple[list[Complex], list[Complex]]:
-    """Return z where each piece begins and ends, by the unknowns: shape (m, U) each."""
-
-    def forces(e: int, state: Complex) -> None:
-        state[:, elements[e].columns] += elements[e].gain
-
-    def impulses(e: int, state: Complex) -> None:
-        p = own.elements[e][0]
-        if own.is_last(e):
-            state[:, own.impulses(p)] += own.poles.b[:, own.phases[p].hit]
-
-    return _around(own, elements, own.size, sign, forces, impulses)
+def alternating(values: Complex) -> Complex:
+    """Return values by degree, those of the odd ones with the other sign."""
+    found = values.copy()
+    found[1::2] *= -1
+    return found
 
 
-def _system(
-    cell: "BodyCell", own: Layout, elements: list[Element], begins: Vector,
-    states: list[Complex], ends: list[Complex], theta: Vector,
-) -> tuple[Matrix, Vector, Matrix, Vector]:  # fmt: skip
-    """Return the linear system of the unknowns, and the events by them."""
-    A, right = np.zeros((own.size, own.size)), np.zeros(own.size)
-    events, constant = np.zeros((len(own.phases), own.size)), np.zeros(len(own.phases))
-    memory = own.memory
-    for e, element in enumerate(elements):
-        p = own.elements[e][0]
-        phase, law = element.phase, element.phase.law
-        contacts, count = len(law.turn), phase.degree + 1
-        rows = np.einsum("ki,in,iu->nku", law.poles, element.a, states[e]).real
-        Z = element.Z[:, :-1, :-1]
-        own_rows = np.einsum("ki,inm,ic->nkmc", law.poles, Z, own.poles.b).real
-        for n in range(count):
-            own_rows[n, :, n] += phase.direct / (2 * n + 1) / element.duration
-        rows[:, :, element.columns] += element.duration * own_rows.reshape(count, contacts, -1)
-        rows[0, :, memory] += law.memory
-        A[element.columns] = rows.reshape(count * contacts, -1)
-        turned = law.turn[None, :] * (element.turn * np.exp(1j * begins[e]))[:, None]
-        turned[0] += law.constant
-        right[element.columns] = -turned.real.ravel()
-        if not own.is_last(e):
+def states(case: Any, times: Vector, a: Complex) -> tuple[Complex, Complex]:
+    """Return z where each piece begins and ends, by the unknowns: shape (E, m, U) each."""
+    within = np.zeros((len(case.pieces), len(case.s), case.size[0]), np.complex128)
+    behind, contacts = np.zeros_like(within), len(case.b)
+    for e in range(len(within)):
+        p, at, last = case.pieces[e]
+        gain = times[p] / case.counts[p] * alternating(a[p, : case.degrees[p] + 1])
+        for n in range(len(gain)):
+            for k in range(contacts):
+                within[e, :, at + n * contacts + k] = gain[n] * case.b[k]
+        for k in range(contacts if last else 0):
+            if case.hits[p, k] >= 0:
+                behind[e, :, case.hits[p, k]] = case.b[k]
+    return around(case, times, within, behind)
+
+
+def value(case: Any, row: int, states: Complex, angle: float) -> tuple[Vector, float]:
+    """Return a form by the unknowns: factors and constant."""
+    found: Vector = (case.forms[row] @ states).real
+    found[case.size[1] :] += case.rest[row, 1:]
+    return found, (case.turns[row] * np.exp(1j * angle)).real + case.rest[row, 0]
+
+
+def solved(A: Matrix, right: Matrix) -> Matrix:
+    """Return the solution of a linear system; not numbers where there is none."""
+    found = np.full(right.shape, np.nan)
+    try:
+        found[:] = np.linalg.solve(A, right)
+    except Exception:  # a LinAlgError: numba knows no kinds
+        found[:] = np.nan
+    return found
+
+
+def tested(
+    case: Any, e: int, a: Complex, Z: Any, turn: Complex, states: Complex, begins: Vector,
+    s: float, A: Matrix, right: Vector,
+) -> None:  # fmt: skip
+    """Fill in the laws of a piece, tested with the polynomials."""
+    p, at, contacts = case.pieces[e, 0], case.pieces[e, 1], len(case.b)
+    count = case.degrees[p] + 1
+    wave = np.exp(1j * begins[e])
+    for k in range(contacts):
+        row = p * contacts + k
+        law = case.forms[row]
+        rows = ((a[p, :count] * law) @ states).real
+        rows[0, case.size[1] :] += case.rest[row, 1:]
+        for c in range(contacts):
+            weights = law * case.b[c]
+            for n in range(count):
+                if count > 1:
+                    own = (Z[p, n, :count] @ weights).real
+                    rows[n, at + c : at + count * contacts : contacts] += s * own
+                rows[n, at + n * contacts + c] += case.direct[p, k, c] / (2 * n + 1)
+        A[at + k : at + count * contacts : contacts] = rows
+        right[at + k : at + count * contacts : contacts] = -(
+            case.turns[row] * wave * turn[p, :count]
+        ).real
+        right[at + k] -= case.rest[row, 0]
+
+
+def linear(case: Any, times: Vector) -> Any:
+    """Return all that holds at given times.
+
+    The angles where pieces begin; the integrals; the system, and its solution; the events by
+    the unknowns, factors and constants; z where pieces begin and end, by the unknowns.
+    """
+    begins, (a, Z, turn) = begins_of(case, times), integrals(case, times)
+    starts, ends = states(case, times, a)
+    count, contacts, (size, memory) = len(case.degrees), len(case.b), case.size
+    A, right = np.zeros((size, size)), np.zeros(size)
+    events, constants = np.zeros((count, size)), np.zeros(count)
+    first = count * (contacts + 1)  # of the rows of velocities
+    for e in range(len(case.pieces)):
+        p = case.pieces[e, 0]
+        s = times[p] / case.counts[p]
+        tested(case, e, a, Z, turn, starts[e], begins, s, A, right)
+        if case.pieces[e, 2] == 0:
             continue
-        events[p], constant[p] = _values(phase.event, ends[e], theta[p + 1], memory, 0)
-        for i, q in zip(phase.hit, range(own.size)[own.impulses(p)], strict=True):
+        events[p], constants[p] = value(case, count * contacts + p, ends[e], begins[e + 1])
+        for k in range(contacts):
+            q = case.hits[p, k]
+            if q < 0:
+                continue
             A[q, q] += 1.0
-            for c, weight in enumerate(phase.impulse[i, :-1]):
-                row, rest = _values(phase.velocity, ends[e], theta[p + 1], memory, c)
-                A[q] -= weight * row
-                right[q] += weight * rest
-            right[q] += phase.impulse[i, -1]
-    for i, each in enumerate(cell.memory):
-        e = own.first_of(each.phase)
-        row, rest = _values(own.setting, states[e], begins[e], memory, i)
-        A[own.first_memory + i] = -row
-        A[own.first_memory + i, own.first_memory + i] += 1.0
-        right[own.first_memory + i] = rest
-    return A, right, events, constant
+            right[q] += case.impulse[p, k, contacts]
+            for c in range(contacts):
+                factors, constant = value(case, first + c, ends[e], begins[e + 1])
+                A[q] -= case.impulse[p, k, c] * factors
+                right[q] += case.impulse[p, k, c] * constant
+    for i in range(len(case.sets)):
+        e, q = case.sets[i], memory + i
+        factors, constant = value(case, first + contacts + i, starts[e], begins[e])
+        A[q] = -factors
+        A[q, q] += 1.0
+        right[q] = constant
+    unknowns = solved(A, right)
+    return begins, (a, Z, turn), (A, unknowns), (events, constants), (starts, ends)
 
 
-def _values(
-    forms: Forms, states: Complex, angle: float, memory: slice, k: int
-) -> tuple[Vector, float]:
-    """Return one of several forms by the unknowns: factors and constant."""
-    row = (forms.poles[k] @ states).real
-    row[memory] += forms.memory[k]
-    return row, float((forms.turn[k] * np.exp(1j * angle)).real + forms.constant[k])
+def residual(case: Any, times: Vector, R: Vector) -> None:
+    """Fill R with the events and the length of the cell, at times alone."""
+    _, _, (_, unknowns), (events, constants), _ = linear(case, times)
+    count = len(constants)
+    R[:count] = events @ unknowns + constants
+    if case.numbers[2] > 0:
+        R[count] = times[:count].sum() - case.numbers[2]
 
 
-def _rates(
-    cell: "BodyCell", own: Layout, elements: list[Element], begins: Vector,
-    states: list[Complex], unknowns: Vector, theta: Vector, width: int,
-) -> tuple[Matrix, Matrix]:  # fmt: skip
-    """Return the derivatives of system and events by the times, at fixed unknowns."""
-    s, part = own.poles.s[:, None], [1.0 / own.phases[p].pieces for p, _ in own.elements]
-    angles = np.zeros((len(elements) + 1, width))  # of where each piece begins
-    angles[:, len(own.phases) :] = 1.0
-    for e, (p, _) in enumerate(own.elements):
-        angles[e + 1] = angles[e]
-        angles[e + 1, p] += cell.omega * part[e]
-    starts, ends = _moving(own, elements, states, unknowns, part, width, cell.sign)
-    moved, shifted = np.zeros((own.size, width)), np.zeros((len(own.phases), width))
-    for e, element in enumerate(elements):
-        p = own.elements[e][0]
-        phase, law = element.phase, element.phase.law
-        count, l = phase.degree + 1, unknowns[element.columns].reshape(phase.degree + 1, -1)
-        rows = np.einsum("ki,in,iw->nkw", law.poles, element.a, starts[e]).real
-        begun = states[e] @ unknowns
-        kappa = (own.poles.s * element.duration)[:, None]
-        forced = own.poles.b @ l.T
-        answered = kappa * response_rates(element.Z, forced)
-        answered += (element.Z[:, :-1, :-1] @ forced[:, :, None])[:, :, 0]
-        own_rate = (s * element.a_rate * begun[:, None] + answered).T @ law.poles.T
-        rows[:, :, p] += part[e] * own_rate.real
-        wave = law.turn[None, :] * np.exp(1j * begins[e])
-        rows += (1j * wave * element.turn[:, None]).real[:, :, None] * angles[e]
-        rows[:, :, p] += part[e] * (1j * cell.omega * wave * element.turn_rate[:, None]).real
-        moved[element.columns] = rows.reshape(count * len(law.turn), -1)
-        if not own.is_last(e):
+def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> Vector:
+    """Return the derivatives of a form by the times, the unknowns held."""
+    wave = (1j * case.turns[row] * np.exp(1j * angle)).real
+    found: Vector = (case.forms[row] @ states).real + wave * turns
+    return found
+
+
+def jacobian(case: Any, times: Vector, J: Matrix) -> None:
+    """Fill J with the derivatives of the residual."""
+    begins, (a, Z, turn), (A, unknowns), (events, _), (starts, _) = linear(case, times)
+    count, contacts, width = len(case.degrees), len(case.b), len(times)
+    omega, s, first = case.numbers[0], case.s, count * (contacts + 1)
+    turns = np.zeros((len(begins), width))  # of the angles by the times
+    turns[:, count:] = 1.0
+    within = np.zeros((len(starts), len(s), width), np.complex128)
+    begun = np.zeros((len(starts), len(s)), np.complex128)
+    own = np.zeros((len(starts), case.degrees.max() + 1, len(s)), np.complex128)
+    for e in range(len(starts)):
+        p, at, _ = case.pieces[e]
+        part, degrees = 1.0 / case.counts[p], case.degrees[p] + 1
+        turns[e + 1] = turns[e]
+        turns[e + 1, p] += omega * part
+        begun[e] = starts[e] @ unknowns.astype(np.complex128)
+        forces = np.zeros((degrees, len(s)), np.complex128)
+        for n in range(degrees):
+            for k in range(contacts):
+                forces[n] += unknowns[at + n * contacts + k] * case.b[k]
+        kappa, rates = s * (times[p] * part), moment_rates(a[p, : degrees + 1])
+        gain = (alternating(a[p, :degrees] + kappa * rates) * forces).sum(axis=0)
+        within[e, :, p] = part * (s * np.exp(kappa) * begun[e] + gain)
+        own[e, :degrees] = s * rates * begun[e]
+        if degrees > 1:
+            known, known_rates = answered(Z[p, : degrees + 1, : degrees + 1], forces)
+            own[e, :degrees] += known + kappa * known_rates
+    starts_by, ends_by = around(case, times, within, np.zeros_like(within))
+    by, shifted = np.zeros((len(A), width)), np.zeros((count, width))
+    for e in range(len(starts)):
+        p, at, last = case.pieces[e]
+        part, degrees, wave = 1.0 / case.counts[p], case.degrees[p] + 1, np.exp(1j * begins[e])
+        turn_rates = moment_rates(turn[p, : degrees + 1].reshape(-1, 1))[:, 0]
+        for k in range(contacts):
+            row = p * contacts + k
+            law = case.forms[row]
+            rows = ((a[p, :degrees] * law) @ starts_by[e]).real
+            waves = 1j * case.turns[row] * wave * turn[p, :degrees]
+            rows += waves.real.copy().reshape(-1, 1) * turns[e]
+            rows[:, p] += part * (own[e, :degrees] @ law).real
+            rows[:, p] += part * (1j * omega * case.turns[row] * wave * turn_rates).real
+            by[at + k : at + degrees * contacts : contacts] = rows
+        if not last:
             continue
-        shifted[p] = _moved(phase.event, ends[e], theta[p + 1], angles[e + 1])[0]
-        velocity = _moved(phase.velocity, ends[e], theta[p + 1], angles[e + 1])
-        moved[own.impulses(p)] = -(phase.impulse[phase.hit, :-1] @ velocity)
-    for i, each in enumerate(cell.memory):
-        e = own.first_of(each.phase)
-        moved[own.first_memory + i] = -_moved(own.setting, starts[e], begins[e], angles[e])[i]
-    return moved, shifted
-
-
-def _moved(forms: Forms, states: Complex, angle: float, turns: Vector) -> Matrix:
-    """Return the derivatives of forms by the times, the unknowns held."""
-    wave = (1j * forms.turn * np.exp(1j * angle)).real
-    return np.asarray((forms.poles @ states).real + wave[:, None] * turns)
-
-
-def _moving(
-    own: Layout, elements: list[Element], states: list[Complex], unknowns: Vector,
-    part: list[float], width: int, sign: int,
-) -> tuple[list[Complex], list[Complex]]:  # fmt: skip
-    """Return the derivatives of z by the times where each piece begins and ends."""
-
-    def longer(e: int, state: Complex) -> None:
-        element, p = elements[e], own.elements[e][0]
-        rate = own.poles.s * element.decay * (states[e] @ unknowns)
-        state[:, p] += part[e] * (rate + element.gain_rate @ unknowns[element.columns])
-
-    return _around(own, elements, width, sign, longer, lambda e, state: None)
-
-
-@lru_cache(maxsize=8)
-def _kept(cell: "BodyCell", order: int, times: bytes) -> Evaluation:
-    return _evaluated(cell, order, np.frombuffer(times))
-
-
-def evaluated(cell: "BodyCell", order: int, times: Vector) -> Evaluation:
-    """Return residual, Jacobian, unknowns and states of the force series at given times."""
-    return _kept(cell, order, np.ascontiguousarray(times, dtype=float).tobytes())
+        shifted[p] = moved(case, count * contacts + p, ends_by[e], begins[e + 1], turns[e + 1])
+        for k in range(contacts):
+            q = case.hits[p, k]
+            for c in range(contacts if q >= 0 else 0):
+                velocity = moved(case, first + c, ends_by[e], begins[e + 1], turns[e + 1])
+                by[q] -= case.impulse[p, k, c] * velocity
+    for i in range(len(case.sets)):
+        e = case.sets[i]
+        by[case.size[1] + i] = -moved(
+            case, first + contacts + i, starts_by[e], begins[e], turns[e]
+        )
+    J[:count] = shifted - events @ solved(A, by)
+    if case.numbers[2] > 0:
+        J[count] = 0.0
+        J[count, :count] = 1.0

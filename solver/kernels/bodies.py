@@ -1,17 +1,22 @@
 """Kernels of bodies, of the times alone: force series, harmonics, the exact equations."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ...generated import force_series
 from ..arrays import Matrix, Vector
-from ..bodies import exact, series
+from ..bodies import exact, integrals, series
 from ..bodies import motion as motions
 from ..bodies.harmonics import system as harmonics
+from ..bodies.layout import setting
 from ..bodies.part import parts_of
 from ..scenes.methods import about
 from . import linking
+from .compiling import Account
+from .family import Family
 from .kernel import Kernel
 
 if TYPE_CHECKING:
@@ -39,7 +44,21 @@ class Given(NamedTuple):
     functions: int | None = None
 
 
-def kernel(scene: "LoadedScene", method: str, functions: int | None) -> Kernel:
+def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
+    """Return the functions of the force series."""
+    return linking.made((force_series, integrals, equations), {}, make)
+
+
+#: The force series: one kernel of all bodies.
+FAMILY = Family(linked, (force_series, integrals), series.residual, seconds=40.0)
+
+
+def kernel(
+    scene: "LoadedScene",
+    method: str,
+    functions: int | None,
+    compiles: Callable[[Account], bool],
+) -> Kernel:
     """Return the kernel of a method for a scene of one motion.
 
     Parameters
@@ -47,38 +66,47 @@ def kernel(scene: "LoadedScene", method: str, functions: int | None) -> Kernel:
     scene, method : LoadedScene, str
     functions : int, optional
         Beside the harmonics, of a method that has them.
+    compiles : callable
+        Whether it is to be compiled, where it can be, by what it has cost.
     """
-    beside = (functions or 0) if about(method).is_series else None
-    return _kernel(scene, method, lambda case, order: Given(case.cell, order, beside))
+    count, memory = len(scene.kinds), scene.memory
+    forced, beside = scene.frequency is not None, None
+    left_sides, account = (residual, jacobian), None
+    if about(method).is_series:
+        beside = functions or 0
+    else:
+        spent = FAMILY.account_of(series.__name__)
+        compile_it = compiles(spent)
+        account = None if compile_it else spent
+        found = (FAMILY.compiled if compile_it else FAMILY.plain)(series.__name__)
+        left_sides = _of_arrays(found["residual"]), _of_arrays(found["jacobian"])
+    own = _made(method, count, len(memory), forced, 0, left_sides)
+
+    def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
+        return {name: (z[i], power) for i, (name, _, power, _) in enumerate(memory)}
+
+    def given(case: Any, order: int) -> Given:
+        return Given(case.cell, order, beside)
+
+    return replace(own, coefficients=coefficients, given=given, account=account)
 
 
 def exact_kernel(cell: "BodyCell") -> Kernel:
     """Return the exact equations of a cell of a body."""
     count, memory = len(cell.phases), len(cell.memory)
-    return _made(
-        "exact", count, memory, cell.forced, 2 * count, lambda case, order: Given(cell, 0)
-    )
-
-
-def _kernel(scene: "LoadedScene", method: str, given: Callable[[Any, int], Any]) -> Kernel:
-    count, memory = len(scene.kinds), scene.memory
-    forced = scene.frequency is not None
-    names = [name for name, *_ in memory]
-    powers = [power for _, _, power, _ in memory]
-    own = _made(method, count, len(memory), forced, 0, given)
-
-    def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
-        return {q: (z[i], powers[i]) for i, q in enumerate(names)}
-
-    return Kernel(**{**vars(own), "coefficients": coefficients})
+    own = _made("exact", count, memory, cell.forced, 2 * count, (residual, jacobian))
+    return replace(own, given=lambda case, order: Given(cell, 0))
 
 
 def _made(
-    method: str, count: int, memory: int, forced: bool, states: int, given: Any
-) -> Kernel:
-    """Return a kernel whose unknowns are states, if any, the memory, and the times."""
-    width = count + forced
-    newton = linking.linked(residual, jacobian, count, forced)
+    method: str, count: int, memory: int, forced: bool, states: int,
+    left_sides: tuple[Any, Any],
+) -> Kernel:  # fmt: skip
+    """Return a kernel whose unknowns are states, if any, the memory, and the times.
+
+    Its residual and Jacobian are of the times alone.
+    """
+    newton, width = linking.linked(*left_sides, count, forced), count + forced
 
     def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
         case = _given(case)
@@ -106,15 +134,23 @@ def _made(
         forced=forced,
         lowest=LOWEST,
         size=lambda order: states + memory + width,
-        residual=residual,
-        jacobian=jacobian,
+        residual=left_sides[0],
+        jacobian=left_sides[1],
         motion=motion,
         coefficients=lambda z: {},
         iterate=iterate,
-        given=given,
         condensed=True,
         signals=signals,
     )
+
+
+def _of_arrays(function: Any) -> Any:
+    """Return a function of the force series that takes what a kernel is given."""
+
+    def of_given(case: Given, *more: Any) -> Any:
+        return function(setting(case.cell, case.order), *more)
+
+    return of_given
 
 
 def _given(case: Any) -> Given:
@@ -126,9 +162,7 @@ def _evaluated(case: Any, times: Vector) -> Any:
     cell, order, functions = _given(case)
     if order == 0:
         return exact.evaluated(cell, times)
-    if functions is None:
-        return series.evaluated(cell, order, times)
-    return harmonics.evaluated(cell, order, functions, times)
+    return harmonics.evaluated(cell, order, functions or 0, times)
 
 
 def residual(case: Any, times: Vector, R: Vector) -> None:

@@ -25,8 +25,8 @@ from ..scenes.sealed import NotPrivate
 #: Up to this order a kernel begins as plain Python; beyond, one solve takes as long as loading.
 PLAIN_ORDER = 48
 
-#: Seconds that numba and a kernel from its cache take, a further kernel, and one that is to be
-#: compiled.
+#: Seconds that numba and a kernel from its cache take, a further kernel, and most that are to
+#: be compiled.
 START, LOAD, COMPILE = 0.5, 0.05, 8.0
 
 
@@ -38,14 +38,15 @@ SHORT = 1200
 class Account:
     """What a kernel has cost in plain Python in this process, and whether compiling it pays.
 
-    It is found in numba's cache by the file and the name of a function, with its fingerprint.
+    It is found in numba's cache by the file and the name of a function, with its fingerprint;
+    compiling it takes so many seconds.
     """
 
     #: What all kernels have cost.
     total = 0.0
 
-    def __init__(self, file: str, name: str) -> None:
-        self.seconds = 0.0
+    def __init__(self, file: str, name: str, compiling: float = COMPILE) -> None:
+        self.seconds, self._compiling = 0.0, compiling
         self.is_compiled = False
         self._file, self._name = file, name
         self._cached: bool | None = None
@@ -68,7 +69,7 @@ class Account:
         if self.seconds < LOAD or Account.total < LOAD:
             return False
         if not self.is_cached():
-            return self.seconds >= COMPILE
+            return self.seconds >= self._compiling
         return "numba" in sys.modules or Account.total >= START
 
     def is_cached(self) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 
 from ...generated import ck
 from ..scenes.methods import about
-from .compiling import Account, rebuilt
+from .compiling import COMPILE, Account, rebuilt
 from .kernel import Kernel, compiling
 from .linking import Make, text_of
 
@@ -21,12 +21,14 @@ class Family:
     """Methods whose generated modules are linked in one way.
 
     ``link(module, make)`` gives the functions of a generated module and what solves it;
-    `modules` are compiled with it, and by `entry` it is found in numba's cache.
+    `modules` are compiled with it, and by `entry` it is found in numba's cache.  Compiling it
+    takes so many `seconds`.
     """
 
     link: Callable[[ModuleType, Make], dict[str, Any]]
     modules: tuple[ModuleType, ...]
     entry: Any
+    seconds: float = COMPILE
 
     def account(self, method: str) -> Account:
         """Return what all kernels of the module of a method have cost in plain Python."""
@@ -60,9 +62,8 @@ class Family:
     @cache  # noqa: B019
     def account_of(self, name: str) -> Account:
         """Return what a module, by its name, has cost in plain Python."""
-        return Account(
-            self.entry.__code__.co_filename, f"{self.entry.__name__}_{self.fingerprint(name)}"
-        )
+        own = f"{self.entry.__name__}_{self.fingerprint(name)}"
+        return Account(self.entry.__code__.co_filename, own, self.seconds)
 
     def fingerprint(self, name: str) -> str:
         """Return a hash of all that is compiled."""

@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ..arrays import Matrix, Vector
+from ..arrays import Complex, Matrix, Vector
 from ..iteration import iteration, linear, single
 from ..iteration.iteration import Iteration
 from ..maps import band, series, together
@@ -123,7 +123,7 @@ def with_arrays(functions: dict[str, types.FunctionType], others: set[str]) -> s
     """
     found = set(others)
     for name, value in functions.items():
-        is_array = value.__annotations__.get("return") in (Vector, Matrix)
+        is_array = value.__annotations__.get("return") in (Vector, Matrix, Complex)
         if is_array or not attributes(value) <= OF_NUMBERS:
             found.add(name)
     more = found

@@ -134,7 +134,7 @@ def _kernel(
     if scene.has_body:
         from . import bodies  # noqa: PLC0415  (SciPy)
 
-        return bodies.kernel(scene, name, number)
+        return bodies.kernel(scene, name, number, compiles)
     layout: polynomials.Layout | series.Layout
     if found.is_series:
         family, layout = series.FAMILY, series.Layout(scene, name, number or 0)

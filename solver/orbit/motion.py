@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..arrays import Matrix, Vector
+from ..arrays import Complex, Matrix, Vector
 from ..iteration.newton import Outcome
 from ..kernels.kernel import Kernel
 from ..scenes.case import Case
 from ..scenes.cell import Cell
-from ..stability.stability import Complex, Stability, stability
+from ..stability.stability import Stability, stability
 from .extremes import LOOK, extremes
 
 #: Points of a phase, at most, at which values are kept.

@@ -1,19 +1,16 @@
 """The multipliers of an orbit, whether it is stable, and how far it is from the boundary."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
-from ..arrays import Vector
+from ..arrays import Complex, Vector
 from ..scenes.cell import Cell
 from .monodromy import Monodromy, monodromy
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
-
-Complex: TypeAlias = npt.NDArray[np.complex128]
 
 #: Rounding errors of the monodromy's entries, as parts of `Monodromy.size`: those of the times
 #: and states that Newton's method left are in them.

@@ -11,10 +11,11 @@ from nonsmooth.codegen.galerkin.bodies import BodyConditions
 from nonsmooth.codegen.galerkin.bodies.contacts import RATE
 from nonsmooth.codegen.galerkin.condition import N
 from nonsmooth.codegen.scene import Scene
-from nonsmooth.solver.bodies import series
 from nonsmooth.solver.bodies.harmonics import system as harmonics
 from nonsmooth.solver.bodies.layout import layout
+from nonsmooth.solver.bodies.motion import solved
 from nonsmooth.solver.bodies.poles import poles_of
+from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.scenes.case import Case
 
 NODES, WEIGHTS = legendre.leggauss(120)
@@ -66,13 +67,16 @@ class Shown:
                     own[letter if one else f"{letter}_{name}_{other}"] = matrix[c, d]
         self.values |= own
         if method == "ck-tau":
-            found = series.evaluated(cell, order, times)
-            self._of_series(found.unknowns, layout(cell, order))
+            unknowns, _ = solved(cell, order, times)
+            self._of_series(unknowns, layout(cell, order))
         else:
             beside = functions if method == "hb-ck" else 0
             found = harmonics.evaluated(cell, order, beside, times)
-            self._of_harmonics(found.unknowns, found.frame.waves // len(names), cell.sign)
-        self.residual, self.size = found.residual, max(1.0, float(np.abs(found.unknowns).max()))
+            unknowns = found.unknowns
+            self._of_harmonics(unknowns, found.frame.waves // len(names), cell.sign)
+        kernel = registry.kernel(case.scene, method, functions if method == "hb-ck" else None)
+        self.residual, self.size = np.empty(len(times)), max(1.0, np.abs(unknowns).max())
+        kernel.residual(kernel.given(case, order), times, self.residual)
         if method == "hb-ck":  # jumps of derivatives have powers of the poles
             self.size *= max(1.0, float(np.abs(poles.s).max()) * length) ** functions
 

@@ -8,9 +8,10 @@ import pytest
 
 from nonsmooth.codegen.galerkin import force_series
 from nonsmooth.solver.bodies.integrals import (
+    answered,
+    answers,
     moment_rates,
     moments,
-    response_rates,
     responses,
 )
 
@@ -34,7 +35,7 @@ def panels(kappa: complex) -> list[mp.mpf]:
 
 @pytest.mark.parametrize("kappa", KAPPAS, ids=str)
 def test_moments(kappa: complex) -> None:
-    found, k = moments(kappa, 12), mp.mpc(kappa)
+    found, k = moments(np.array([kappa], dtype=complex), 12)[:, 0], mp.mpc(kappa)
     with mp.workdps(30):
         for m in (0, 1, 2, 5, 11):
             exact = mp.quad(lambda u, m=m: legendre(m, u) * mp.exp(k * u), panels(kappa))
@@ -55,7 +56,7 @@ def gauss() -> tuple[list[mp.mpf], list[mp.mpf]]:
 @pytest.mark.parametrize("kappa", [q for q in KAPPAS if abs(q) < 80], ids=str)
 def test_responses(kappa: complex) -> None:
     """By the lag ``w = u - y``: the inner integral is of a polynomial, exact by Gauss."""
-    found, k = responses(np.array([kappa], dtype=complex), 10)[0], mp.mpc(kappa)
+    found, k = responses(np.array([kappa], dtype=complex), 10, 10)[..., 0], mp.mpc(kappa)
     with mp.workdps(25):
         nodes, weights = gauss()
         for m, n in ((0, 0), (3, 4), (2, 9)):
@@ -74,8 +75,12 @@ def test_responses(kappa: complex) -> None:
 
 def test_responses_of_many_poles_are_those_of_each() -> None:
     kappas = np.array(KAPPAS, dtype=complex)
-    each = [responses(kappas[i : i + 1], 10)[0] for i in range(len(kappas))]
-    assert responses(kappas, 10) == pytest.approx(np.array(each), abs=TOLERANCE)
+    each = [responses(kappas[i : i + 1], 10, 10)[..., 0] for i in range(len(kappas))]
+    assert responses(kappas, 10, 10) == pytest.approx(np.stack(each, axis=-1), abs=TOLERANCE)
+    assert responses(kappas, 10, 4) == pytest.approx(np.stack(each, -1)[:, :4], abs=TOLERANCE)
+
+
+SERIES = np.array([0.5, -1.0, 0.3 + 1j, 2.0, 0.0, 1.0, -0.7, 0.4j])[:, None]
 
 
 @pytest.mark.parametrize("kappa", [-3 + 2j, -40 + 20j, 0.2j], ids=str)
@@ -83,10 +88,25 @@ def test_rates_against_differences(kappa: complex) -> None:
     h, k = 1e-5, np.array([kappa])
     ahead, behind = (moments(k + q, 8) for q in (h, -h))
     assert moment_rates(moments(k, 9)) == pytest.approx((ahead - behind) / (2 * h), abs=1e-10)
-    ahead, behind = (responses(k + q, 8) for q in (h, -h))
-    series = np.array([[0.5, -1.0, 0.3 + 1j, 2.0, 0.0, 1.0, -0.7, 0.4j]])
-    rates = ((ahead - behind) / (2 * h) @ series[0])[0]
-    assert response_rates(responses(k, 9), series)[0] == pytest.approx(rates, abs=1e-9)
+    here, ahead, behind = (responses(k + q, 8, 8)[..., 0] @ SERIES for q in (0, h, -h))
+    found, rates = answered(responses(k, 9, 9), SERIES)
+    assert found == pytest.approx(here, abs=TOLERANCE)
+    assert rates == pytest.approx((ahead - behind) / (2 * h), abs=1e-9)
+
+
+@pytest.mark.parametrize("kappa", KAPPAS, ids=str)
+def test_answers_obey_their_equation(kappa: complex) -> None:
+    """``z' = kappa z + f`` from 0, at nodes; the derivative is that of the series."""
+    E, B = answers(np.array([kappa], dtype=complex), SERIES)
+    x = np.linspace(-1, 1, 7)
+    wave = E[0] * np.exp(kappa * (x + 1) / 2)
+    z = wave + np.polynomial.legendre.legval(x, B[:, 0])
+    slope = np.polynomial.legendre.legder(B[:, 0])
+    rate = kappa * wave + 2 * np.polynomial.legendre.legval(x, slope)
+    f = np.polynomial.legendre.legval(x, SERIES[:, 0])
+    scale = (1 + abs(kappa)) * max(1.0, np.exp(np.real(kappa)))
+    assert rate - kappa * z == pytest.approx(f, abs=1e-12 * scale)
+    assert abs(z[0]) <= 1e-13 * scale
 
 
 def test_every_recurrence_is_emitted() -> None:

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from bodies.reference_bodies import Reference, body, case, of, references
 
-from nonsmooth.solver.bodies import exact, layout, motion, series
+from nonsmooth.solver.bodies import layout, motion
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.bodies import exact_kernel
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.orbit.exact_orbit import ExactOrbit, from_times
@@ -115,16 +116,19 @@ def test_jacobian_against_differences(name: str, order: int) -> None:
     r = of(name)
     cell, times = case(name).cell, start(r, 1e-2)
 
-    def evaluated(z: np.ndarray) -> exact.Evaluation | series.Evaluation:
-        return series.evaluated(cell, order, z) if order else exact.evaluated(cell, z)
+    def residual(z: np.ndarray) -> np.ndarray:
+        found = np.empty(len(z))
+        kernel.residual(given, z, found)
+        return found
 
-    step = 1e-6
+    kernel = registry.kernel(case(name).scene, "ck-tau") if order else exact_kernel(cell)
+    given, step = kernel.given(case(name), order), 1e-6
     columns = [
-        (evaluated(times + step * q).residual - evaluated(times - step * q).residual)
-        / (2 * step)
+        (residual(times + step * q) - residual(times - step * q)) / (2 * step)
         for q in np.eye(len(times))
     ]
-    found = evaluated(times).jacobian
+    found = np.empty((len(times), len(times)))
+    kernel.jacobian(given, times, found)
     assert found == pytest.approx(np.array(columns).T, abs=1e-7 * np.abs(found).max())
 
 

@@ -205,25 +205,30 @@ def integrals() -> Iterator[Table]:
     def both(m: sp.Expr, n: sp.Expr) -> sp.Expr:
         return Z_at(m, n, kappa)
 
-    moment = force_series.moment
     power = sp.Integral(ShiftedLegendre(m, u) * sp.exp(kappa * u), (u, 0, 1))
     yield Table(of(m), "what a pole makes of its state", (power,))
     yield Table(of(sp.S.Zero), "its first entry", (put("moment_0", {}),))
     yield Table(of(sp.S.One), "its second entry", (put("moment_1", {here: of(sp.S.Zero)}),))
     up = put("next_moment", {before: of(m - 1), here: of(m)})
     yield Table(of(m + 1), "its recurrence", (up,), "`m > 0`")
+    words = (
+        "what a pole keeps of a force: the inner integral is `b_n e^(kappa u)` and a polynomial"
+    )
+    yield Table(b_at(sp.S.Zero), words, (put("answer_0", {}),))
+    yield Table(b_at(sp.S.One), "its second entry", (put("answer_1", {here: b_at(sp.S.Zero)}),))
+    up = put("next_answer", {before: b_at(n - 1), here: b_at(n)})
+    yield Table(b_at(n + 1), "its recurrence", (up,), "`n > 0`")
     inner = sp.Integral(sp.exp(kappa * (u - y)) * ShiftedLegendre(n, y), (y, 0, u))
     both_ = sp.Integral(ShiftedLegendre(m, u) * inner, (u, 0, 1))
     yield Table(both(m, n), "what a pole makes of a force", (both_,))
-    same = force_series.same
-    first = put("response_0", {moment: of(m), same: sp.KroneckerDelta(m, 0)})
-    yield Table(both(m, sp.S.Zero), "its first entry", (first,))
-    values = {here: both(m, sp.S.Zero), moment: of(m), same: sp.KroneckerDelta(m, 1)}
-    yield Table(both(m, sp.S.One), "its second entry", (put("response_1", values),))
-    values = {
-        before: both(m, n - 1),
-        here: both(m, n),
-        force_series.above: sp.KroneckerDelta(m, n + 1),
-        force_series.below: sp.KroneckerDelta(m, n - 1),
-    }
-    yield Table(both(m, n + 1), "its recurrence", (put("next_response", values),), "`n > 0`")
+    yield Table(both(m, n), "below the diagonal", (of(m) * b_at(n),), "`m > n`")
+    yield Table(both(n, m), "above it", ((-1) ** (m + n) * both(m, n),), "`m > n`")
+    first = put("response_0", {here: of(sp.S.Zero), force_series.after: of(sp.S.One)})
+    yield Table(both(sp.S.Zero, sp.S.Zero), "its first entry", (first,))
+    values = {before: both(n, n - 1), force_series.after: both(n + 1, n)}
+    yield Table(both(n, n), "on the diagonal", (put("same_response", values),), "`n > 0`")
+
+
+def b_at(n: sp.Expr) -> sp.Expr:
+    """Return ``b_n`` of kappa, as it is shown."""
+    return sp.Function("b")(n, kappa)

@@ -7,9 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ....generated.hb import break_series
-from ...arrays import Matrix, Vector
+from ...arrays import Complex, Matrix, Vector
 from ..integrals import answers, moments
-from ..modal import Complex
 from ..poles import Poles
 
 
@@ -81,9 +80,9 @@ class Answer:
 
     def by_waves(self, turns: Vector) -> Complex:
         """Return the integrals of the forces with ``e^(-i turns u)``; shape (J, B)."""
-        own = moments(-1j * turns * self.length, self.series.shape[1])
+        own = moments(-1j * self.length * turns.astype(complex), self.series.shape[1])
         wave = self.length * np.exp(-1j * turns * self.begin)
-        return np.asarray(wave[:, None] * (own @ self.series.T))
+        return np.asarray(wave[:, None] * (own.T @ self.series.T))
 
 
 def _legendre(u: Vector, count: int) -> Matrix:
@@ -110,9 +109,9 @@ def answers_to(
     around = 1 / (1 - sign * np.exp(kappa))
     whole = [(around, np.zeros((len(kappa), 1), dtype=complex))]  # of an impulse
     for n, series in enumerate(break_series(highest, 0.0, 1.0, sign)[1:], start=1):
-        E, B = answers(kappa, np.tile(series[: n + 1], (len(kappa), 1)).astype(complex))
-        end = E * np.exp(kappa) + B.sum(axis=1)
-        whole.append((T * (E + sign * around * end), T * B))
+        E, B = answers(kappa, np.outer(series[: n + 1], np.ones_like(kappa)))
+        end = E * np.exp(kappa) + B.sum(axis=0)
+        whole.append((T * (E + sign * around * end), T * B.T))
     width = max(B.shape[1] for _, B in whole)
     b = poles.b[:, [q.contact for q in breaks]]
     found = []

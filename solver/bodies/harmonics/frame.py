@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ....generated import force_harmonics as formula
-from ...arrays import Vector
+from ...arrays import Complex, Vector
 from ..integrals import moments
 from ..layout import Layout, layout
-from ..modal import Complex
 from ..poles import Forms
 from .breaks import Answer, Break, answers_to
 
@@ -134,5 +133,5 @@ def values(frame: Frame, forms: Forms, q: int, side: int) -> tuple[Complex, Vect
 def integrals(frame: Frame, q: int, angles: Vector) -> Complex:
     """Return ``int e^(i angles u) du`` over a phase."""
     length = frame.ends[q + 1] - frame.ends[q]
-    own = moments(1j * angles * length, 1)[:, 0]
+    own = moments(1j * angles * length, 1)[0]
     return np.asarray(np.exp(1j * angles * frame.ends[q]) * length * own)

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from ...arrays import Matrix
-from ..modal import Complex
+from ...arrays import Complex, Matrix
 from ..poles import Forms
 from .frame import Frame, values
 

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ....generated import force_harmonics as formula
-from ...arrays import Matrix, Vector
-from ..modal import Complex
+from ...arrays import Complex, Matrix, Vector
 from ..poles import Forms
 from .frame import Frame, compliance, first_function, frame_of, integrals, of_real, values
 from .moving import Moving

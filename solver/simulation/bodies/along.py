@@ -11,8 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
-from ...bodies.modal import Complex
+from ...arrays import Complex, Matrix, Vector
 from .regime import Regime
 
 #: How near to a drive a pole has no parts of its own, as a part of the frequency of the
