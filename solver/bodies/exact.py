@@ -54,34 +54,45 @@ Maps = list[tuple[Matrix, Matrix]]
 
 def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matrix]:
     """Return what a cell makes of where it begins, and what the first `wave` adds to that."""
-    size = len(maps[0][0])
-    closed, offset = np.eye(size), np.zeros((size, 3))
+    along, by_wave = maps[0]
+    closed, offset = np.eye(along.shape[-1]), np.zeros_like(by_wave)
     for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
         across = part.switch.state
-        offset = along @ offset + by_wave @ later(turns[p])
-        offset = across @ offset + part.switch.inputs @ later(turns[p + 1])
+        offset = along @ offset + by_wave @ later(turns[..., p])
+        offset = across @ offset + part.switch.inputs @ later(turns[..., p + 1])
         closed = across @ (along @ closed)
     return cell.sign * closed, cell.sign * offset
 
 
 def _closed(closed: Matrix, offset: Matrix) -> Matrix:
     """Return where a cell begins that closes, by what is added to it on the way."""
-    return np.asarray(np.linalg.solve(np.eye(len(closed)) - closed, offset))
+    return np.asarray(np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset))
 
 
 def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
-    """Return the events at given durations as ``A cos(phi) + B sin(phi) + C``; shape (P, 3)."""
+    """Return the events at given durations as ``A cos(phi) + B sin(phi) + C``.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    durations : ndarray, shape (..., P)
+
+    Returns
+    -------
+    ndarray, shape (..., P, 3)
+    """
     parts = parts_of(cell)
-    turns = cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
-    maps = [phase_map(part, float(s)) for part, s in zip(parts, durations, strict=True)]
+    turns = np.zeros((*durations.shape[:-1], len(parts) + 1))
+    turns[..., 1:] = cell.omega * np.cumsum(durations, axis=-1)
+    maps = [phase_map(part, durations[..., p]) for p, part in enumerate(parts)]
     X = _closed(*_through(cell, maps, turns))
-    found = np.empty((len(parts), 3))
+    found = np.empty((*durations.shape, 3))
     for p, (part, (along, by_wave)) in enumerate(zip(parts, maps, strict=True)):
         states = part.lawful.A.shape[0]
-        X = along @ X + by_wave @ later(turns[p])
-        there, event = later(turns[p + 1]), part.switch.event
-        found[p] = event[:states] @ X[:states] + event[states + 3 :] @ X[states:]
-        found[p] += event[states : states + 3] @ there
+        X = along @ X + by_wave @ later(turns[..., p])
+        there, event = later(turns[..., p + 1]), part.switch.event
+        of_state = np.delete(event, slice(states, states + 3))
+        found[..., p, :] = of_state @ X + event[states : states + 3] @ there
         X = part.switch.state @ X + part.switch.inputs @ there
     return found
 

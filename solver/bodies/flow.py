@@ -36,26 +36,27 @@ class Flow:
     inputs: Complex
     omega: float
 
-    def matrix(self, t: float) -> Matrix:
-        """Return ``exp(A t)``."""
+    def matrix(self, t: float | Vector) -> Matrix:
+        """Return ``exp(A t)``; of several times a stack."""
         half = self.upper
-        grown = half.basis * np.exp(half.poles * t)
+        grown = half.basis * np.exp(half.poles * np.asarray(t)[..., None])[..., None, :]
         return np.asarray(grown.real @ half.inverse.real - grown.imag @ half.inverse.imag)
 
-    def driven(self, t: float) -> Matrix:
-        """Return what the inputs make of rest in a time; shape (n, 3 + M), by input.
+    def driven(self, t: float | Vector) -> Matrix:
+        """Return what the inputs make of rest in a time; shape (..., n, 3 + M), by input.
 
         The first two columns are by the cosine and the sine of the angle that the forcing has
         at the beginning: their sum with these as factors is the answer to the forcing.
         """
         return np.asarray((self.basis @ self._driven(t)).real)
 
-    def _driven(self, t: float) -> Complex:
-        found = self.inputs * steady(self.poles, 0.0, t)[:, None]
+    def _driven(self, t: float | Vector) -> Complex:
+        t = np.asarray(t)[..., None]
+        found = self.inputs * steady(self.poles, 0.0, t)[..., None]
         up, down = (steady(self.poles, sign * self.omega, t) for sign in (1.0, -1.0))
         half, other = (up + down) / 2, (up - down) / 2j  # answers to cos and sin of Omega t
         cos, sin = self.inputs[:, 0], self.inputs[:, 1]
-        found[:, 0], found[:, 1] = cos * half + sin * other, sin * half - cos * other
+        found[..., 0], found[..., 1] = cos * half + sin * other, sin * half - cos * other
         return np.asarray(found)
 
     def seen(self, rows: Matrix, y: Vector, inputs: Vector, t: Vector) -> Matrix:

@@ -57,14 +57,18 @@ def angles_of(cell: "BodyCell", times: Vector) -> Vector:
     return first + cell.omega * np.concatenate([[0.0], np.cumsum(durations)])
 
 
-def phase_map(part: Part, s: float) -> tuple[Matrix, Matrix]:
-    """Return the map of ``X = (y, memory)`` over a phase, and what cos, sin, 1 add to it."""
-    states = part.lawful.A.shape[0]
-    memory = part.switch.state.shape[0] - states
+def phase_map(part: Part, s: float | Vector) -> tuple[Matrix, Matrix]:
+    """Return the map of ``X = (y, memory)`` over a phase, and what cos, sin, 1 add to it.
+
+    Of several durations stacks, shape (..., n, n) and (..., n, 3).
+    """
+    states, size = part.lawful.A.shape[0], part.switch.state.shape[0]
     driven = part.flow.driven(s)
-    along = np.eye(states + memory)
-    along[:states, :states], along[:states, states:] = part.flow.matrix(s), driven[:, 3:]
-    return along, np.vstack([driven[:, :3], np.zeros((memory, 3))])
+    along, by_wave = np.zeros((*np.shape(s), size, size)), np.zeros((*np.shape(s), size, 3))
+    along[..., :, :] = np.eye(size)
+    along[..., :states, :states] = part.flow.matrix(s)
+    along[..., :states, states:], by_wave[..., :states, :] = driven[..., 3:], driven[..., :3]
+    return along, by_wave
 
 
 def rates(part: Part, X: Vector, angle: float) -> Vector:
@@ -76,10 +80,13 @@ def rates(part: Part, X: Vector, angle: float) -> Vector:
     return found
 
 
-def later(angle: float) -> Matrix:
-    """Return the matrix that turns `wave` on by an angle."""
-    cos, sin = np.cos(angle), np.sin(angle)
-    return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
+def later(angle: float | Vector) -> Matrix:
+    """Return the matrix that turns `wave` on by an angle; of several a stack."""
+    found = np.zeros((*np.shape(angle), 3, 3))
+    found[..., 0, 0] = found[..., 1, 1] = np.cos(angle)
+    found[..., 1, 0] = np.sin(angle)
+    found[..., 0, 1], found[..., 2, 2] = -found[..., 1, 0], 1.0
+    return found
 
 
 def generator_of(part: Part, omega: float) -> Matrix:

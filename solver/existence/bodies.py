@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Matrix
+from ..arrays import Matrix, Vector
 from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
 from ..kernels.start import RoughTimes, rough_times
@@ -37,6 +37,12 @@ SHORTEST = 1e-6
 
 #: How near to a root of the scan Newton's method begins, as a part of the cell.
 WITHIN = 1e-9
+
+#: Entries of the maps of states that are kept at once.
+ROOM = 2_000_000
+
+#: Points at which a root is looked for at once.
+SPLIT = 17
 
 #: Differences of times, as parts of the cell, below which two solutions are one.
 SAME = 1e-7
@@ -120,45 +126,52 @@ def _scanned(cell: "BodyCell") -> Iterator[RoughTimes]:
     close = np.geomspace(SHORTEST, even[0], AT_ENDS, endpoint=False)
     parts = np.concatenate([close, even, 1 - close[::-1]])
 
-    def defect(part: float) -> float:
-        (a, b, c), (d, e, f) = _both(quick, part)
+    def defect(parts: Vector) -> Vector:
+        found = _both(quick, parts)
+        (a, b, c), (d, e, f) = (found[:, p].T for p in (0, 1))
         determinant = a * e - b * d
         cos, sin = b * f - c * e, c * d - a * f  # times the determinant
-        size = abs(a * e) + abs(b * d) + abs(cos) + abs(sin)
-        return float((cos**2 + sin**2 - determinant**2) / size**2) if size else 0.0
+        size = np.abs(a * e) + np.abs(b * d) + np.abs(cos) + np.abs(sin)
+        size[size == 0] = 1.0
+        return np.asarray((cos**2 + sin**2 - determinant**2) / size**2)
 
     yield from _symmetric(quick)
-    values = [defect(part) for part in parts]
-    for i in np.flatnonzero(np.diff(np.sign(values))):
-        root = _bisected(defect, float(parts[i]), float(parts[i + 1]))
-        (a, b, c), (d, e, f) = _both(quick, root)
+    for i in np.flatnonzero(np.diff(np.sign(defect(parts)))):
+        root = _narrowed(defect, float(parts[i]), float(parts[i + 1]))
+        (a, b, c), (d, e, f) = _both(quick, np.array([root]))[0]
         determinant = a * e - b * d
         angle = np.arctan2((c * d - a * f) / determinant, (b * f - c * e) / determinant)
         durations = (root * cell.duration, (1 - root) * cell.duration)
         yield RoughTimes(durations, float(angle) % (2 * np.pi), "a scan of the exact equations")
 
 
-def _bisected(function: Callable[[float], float], low: float, high: float) -> float:
+def _narrowed(function: Callable[[Vector], Vector], low: float, high: float) -> float:
     """Return a root between two places at which the signs of a function differ."""
-    rising = function(low) < 0
     while high - low > WITHIN:
-        middle = (low + high) / 2
-        low, high = (middle, high) if (function(middle) < 0) == rising else (low, middle)
+        inside = np.linspace(low, high, SPLIT)
+        signs = np.sign(function(inside))
+        i = int(np.append(np.flatnonzero(signs[1:] != signs[0]), 0)[0])
+        low, high = float(inside[i]), float(inside[i + 1])
     return (low + high) / 2
 
 
 def _symmetric(cell: "BodyCell") -> Iterator[RoughTimes]:
     """Yield the times of two equal phases whose events are the same condition."""
-    first, second = _both(cell, 0.5)
+    first, second = _both(cell, np.array([0.5]))[0]
     apart = min(np.abs(first - second).max(), np.abs(first + second).max())
     for angle in _angles(*first) if apart <= SAME else ():
         yield RoughTimes((cell.duration / 2,) * 2, angle, "two equal phases")
 
 
-def _both(cell: "BodyCell", part: float) -> Matrix:
-    """Return both events at a duration of the first phase, each divided by its size."""
-    found = events_by_wave(cell, cell.duration * np.array([part, 1 - part]))
-    return np.asarray(found / np.maximum(np.abs(found).max(axis=1, keepdims=True), 1e-300))
+def _both(cell: "BodyCell", parts: Vector) -> Matrix:
+    """Return both events at durations of the first phase, each divided by its size.
+
+    Shape (T, 2, 3).
+    """
+    durations = cell.duration * np.column_stack([parts, 1 - parts])
+    blocks = 1 + len(durations) * (2 * len(cell.body.squares)) ** 2 // ROOM
+    found = np.concatenate([events_by_wave(cell, q) for q in np.array_split(durations, blocks)])
+    return np.asarray(found / np.maximum(np.abs(found).max(axis=2, keepdims=True), 1e-300))
 
 
 def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
