@@ -66,7 +66,7 @@ class Account:
         """Return whether the next use is better by the compiled kernel."""
         if self.is_compiled:
             return True
-        if self.seconds < LOAD or Account.total < LOAD:
+        if self.seconds < LOAD * self._compiling / COMPILE or Account.total < LOAD:
             return False
         if not self.is_cached():
             return self.seconds >= self._compiling
