@@ -169,7 +169,8 @@ def weights(cell: Cell, z: Vector) -> Vector:
     count, more = len(cell.phases), len(cell.memory)
     states, memory = z[: 2 * count], z[2 * count : 2 * count + more]
     total = float(z[2 * count + more :][:count].sum())
-    least = SMALL * float(np.abs(z[: 2 * count + more]).max()) or 1.0
+    largest = float(np.abs(z[: 2 * count + more]).max())
+    least = SMALL * largest if largest > ROUNDING else 1.0  # at rest at 0 at every switch
     sizes = np.ones(len(z) + 1)
     for j in range(2):
         sizes[j : 2 * count : 2] = max(float(np.abs(states[j::2]).max()), least)

@@ -100,7 +100,9 @@ def start_of(orbit: ExactOrbit, index: int, bounds: Bounds) -> tuple[Piece, Plac
     own = np.append(course.unknowns(orbit), case.numbers[index])
     piece = Piece.at(course, case, index, bounds, own)
     border = np.append(np.zeros(len(own) - 1), 1.0)
-    return piece, piece.place(piece.led(piece.of_number(own), border), border)
+    place = piece.place(piece.led(piece.of_number(own), border), border)
+    piece.place(place.y, -place.direction)  # so it can be followed both ways
+    return piece, place
 
 
 def go(

@@ -104,10 +104,9 @@ def bordered(along: Any, y: Vector, border: Vector, J: Matrix, scales: Vector) -
     """Fill J with the derivatives in coordinates of size 1, over a row; its rows scaled."""
     n = len(y) - 1
     rates(along, y[:n], y[n], J)
-    for j in range(n + 1):
-        for i in range(n):
-            J[i, j] /= along[4][j]
-        J[n, j] = border[j]
+    for i in range(n):
+        J[i] /= along[4]
+    J[n] = border
     scale_rows(J, scales)
 
 

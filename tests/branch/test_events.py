@@ -254,3 +254,13 @@ def test_what_is_not_watched_ends_a_branch_by_the_solver(monkeypatch) -> None:
     assert branch.why_it_ended[0].startswith("beyond, in flight, not true that the mass stays")
     assert branch["value"].min() > touch[1]
     assert [event.kind for event in branch.events] == ["flip"]
+
+
+def test_an_orbit_at_rest_at_zero_at_every_switch_is_followed() -> None:
+    """With the stop at x = 0 the states at switches are rounding: they have no size."""
+    rest = ns.scene("impact-inelastic")(gap=0.0)
+    found = ns.branch(rest, "frequency", 0.8, 1.5)
+    assert found.why_it_ended == ("the end of the range",) * 2
+    for row in found.rows[:: len(found.rows) // 3]:
+        exact = ns.exact(rest.scene(gap=0.0, frequency=row.value))
+        assert row.durations == pytest.approx([q.duration for q in exact.phases], rel=1e-12)

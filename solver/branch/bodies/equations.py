@@ -140,6 +140,22 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
         J[last, states:last] = 1.0
 
 
+def factorise(A: Matrix, rows: Any) -> bool:
+    """Factorise as `linear.factorise` does, by whole rows: of many modes that is quicker."""
+    n = len(A)
+    for k in range(n):
+        pivot = k + int(np.argmax(np.abs(A[k:, k])))
+        rows[k] = pivot
+        if A[pivot, k] == 0 or not np.isfinite(A[pivot, k]):
+            return False
+        if pivot != k:
+            row = A[k].copy()
+            A[k], A[pivot] = A[pivot], row
+        A[k + 1 :, k] /= A[k, k]
+        A[k + 1 :, k + 1 :] -= A[k + 1 :, k : k + 1] * A[k, k + 1 :]
+    return True
+
+
 def end_rates(case: Any, z: Vector) -> Matrix:
     """Return nothing: perturbations of a body are mapped from its own states."""
     return np.empty((0, 2))

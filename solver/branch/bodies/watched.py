@@ -50,8 +50,10 @@ def halves(generator: Matrix, h: float) -> Any:
     size = norm(generator[:states, :states]) * abs(h) * CLOSE
     count = ceil(log2(size)) if size > 1 else 0
     found = np.empty((count, len(generator), len(generator)))
-    for j in range(count):
-        found[j] = less_one(generator, h / 2.0 ** (j + 1))
+    if count > 0:
+        found[count - 1] = less_one(generator, h / 2.0**count)
+    for j in range(count - 2, -1, -1):
+        found[j] = found[j + 1] @ found[j + 1] + 2 * found[j + 1]
     return found
 
 
