@@ -159,8 +159,8 @@ def test_the_table_along_a_parameter(vary: str, heading: str, run, tmp_path: Pat
         "T [s]": SOLVE["T [s]"],
         "stick [s]": (lambda row: row["durations"][0], ".6g"),
         "slip [s]": (lambda row: row["durations"][1], ".6g"),
-        "least x": (lambda row: row["extremes"]["displacement"][0], ".6g"),
-        "largest x": (lambda row: row["extremes"]["displacement"][1], ".6g"),
+        "least x [m]": (lambda row: row["extremes"]["displacement"][0], ".6g"),
+        "largest x [m]": (lambda row: row["extremes"]["displacement"][1], ".6g"),
         "estimate": SOLVE["estimate"],
         "it": SOLVE["it"],
     }
@@ -175,3 +175,29 @@ def test_the_table_along_a_parameter(vary: str, heading: str, run, tmp_path: Pat
         rows = [row for row in rows if f"{row['value']:.6g}" in shown]
         assert [rows[0]["value"], rows[24]["value"]] == [1, 9]
     compare(table, rows, columns)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("solve", "elastic-plastic"),
+        ("solve", "beam-clearance", "--modes", 4),
+        ("solve", "clearance", "--force", 0.3, "--damping", 0.1, "--gap", 1, "--all"),
+        ("solve", "dry-friction", "--force", 0.4, "--phases", "slide,stop,slide,stop", "--all"),
+        ("sweep", "dry-friction", "--vary", "force=0.36:0.5:2", "--orders", 12),
+    ],
+)  # fmt: skip
+def test_a_wide_table_stands_in_eighty_columns(run, arguments: tuple[object, ...]) -> None:
+    """By smaller gaps, units below their headings, or in two parts; no cell is lost."""
+    _, out, _ = run(*arguments)
+    assert max(map(len, out.splitlines())) <= 80
+    assert "estimate" in out.partition("\n\n")[2]
+
+
+def test_the_parts_of_a_wide_table_have_the_same_rows(run) -> None:
+    _, out, _ = run("solve", "beam-clearance", "--modes", 4)
+    left, right = out.split("\n\n")[1:3]
+    rows = [line.split()[:2] for line in left.splitlines()[2:]]
+    assert [line.split()[:2] for line in right.splitlines()[2 : 1 + len(rows)]] == rows[1:]
+    assert left.split().count("[s]") == 3
+    assert right.split()[:6] == ["method", "N", "times", "x'''", "estimate", "it"]

@@ -12,12 +12,14 @@ from rich.text import Text
 #: Estimated error of the period below which the digits of a column are not all.
 MORE_DIGITS = 1e-9
 
-#: Columns of text, and beyond which the gaps of a table are one column and not two.
+#: Columns of text, and of tables where stdout is not a terminal.
 WIDTH = 80
 
-#: Columns where stdout is not a terminal; the tables take what they need, mostly below 80.
-WIDEST = 200
+#: Columns of a line where stdout is not a terminal: more than a table takes.
+WIDEST = 500
 
+#: How many of the last columns stand in a table of their own, where all do not fit.
+BEHIND = 4
 
 #: Part of the largest number of its kind up to which one is printed as 0.
 ROUNDING = 1e-14
@@ -31,16 +33,54 @@ class _Console(Console):
 
 
 def print_table(table: Table) -> None:
-    """Print a table; where stdout is not a terminal, plain and as wide as it is.
+    """Print a table; where stdout is not a terminal, plain and in 80 columns.
 
     On a narrow terminal a cell goes on in the next line: no digit is left out.
     """
     console = _Console()
-    if not console.is_terminal:
-        console = _Console(width=WIDEST)
-        if console.measure(table).maximum > WIDTH:
-            table.padding = (0, 1, 0, 0)
-    console.print(table)
+    if console.is_terminal:
+        console.print(table)
+        return
+    console = _Console(width=WIDEST)
+    for place, part in enumerate(_parts(table, console)):
+        if place:
+            console.print()
+        console.print(part)
+
+
+def _parts(table: Table, console: Console) -> list[Table]:
+    """Return a table that fits: with smaller gaps, units below their headings, or in parts."""
+
+    def width() -> int:
+        return console.measure(table).maximum
+
+    if width() > WIDTH:
+        table.padding = (0, 1, 0, 0)
+    if width() > WIDTH:
+        for column in table.columns[1:]:
+            column.header = Text(str(column.header).replace(" [", "\n["))
+    beside = width() - console.measure(_only(table, [0])).maximum - 1
+    longest = max(map(len, " ".join(map(str, table.columns[0].cells)).split()), default=0)
+    if width() > WIDTH and longest + 1 + beside <= WIDTH:
+        table.columns[0].width = WIDTH - 1 - beside
+    if width() <= WIDTH:
+        return [table]
+    heads = 2 if str(table.columns[1].header) == "N" else 1
+    every, cut = range(len(table.columns)), len(table.columns) - BEHIND
+    if cut <= heads:
+        return [table]
+    parts = _only(table, every[:cut]), _only(table, [*every[:heads], *every[cut:]])
+    return [fitting for part in parts for fitting in _parts(part, console)]
+
+
+def _only(table: Table, which: Iterable[int]) -> Table:
+    """Return some of the columns of a table."""
+    columns = [table.columns[i] for i in which]
+    part = table_of(*(str(column.header) for column in columns))
+    part.padding = table.padding
+    for cells in zip(*(column.cells for column in columns), strict=True):
+        part.add_row(*cells)
+    return part
 
 
 def table_of(*columns: str) -> Table:

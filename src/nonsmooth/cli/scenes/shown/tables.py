@@ -159,7 +159,7 @@ def family(result: "Family") -> None:
     table = table_of(
         heading, "T [s]", *(["phi [rad]"] if scene.frequency else []),
         *(["motion"] if scene.motions else []), *(f"{phase} [s]" for phase in phases),
-        "least x", "largest x", "estimate", "it",
+        "least x [m]", "largest x [m]", "estimate", "it",
     )  # fmt: skip
     count = len(result.rows)
     chosen = sorted({round(i * (count - 1) / (ROWS - 1)) for i in range(ROWS)})
