@@ -157,6 +157,7 @@ def test_modes_over_the_position(run, tmp_path) -> None:
     ]
     rows = rows_of(target)
     assert len(rows) == 10
+    assert float(out.split()[-2]) == pytest.approx(float(rows[-1]["omega"]), rel=1e-7)
     assert rows[-1]["node"] == "2"  # recognised, though 1/2 is the fifth of five values
     status, out, _ = run("modes", "beam-mass", "--vary", "mass=1:100:3", "--log", "--json")
     assert [point["value"] for point in json.loads(out)["points"]] == [1.0, 10.0, 100.0]

@@ -75,7 +75,7 @@ def run(
         click.echo(mode_tables.caption(attached, vary.parameter))
         how = f"{found[0].shown}, N = {found[0].order}"
         how = how if wanted["tol"] is None else "to a tolerance"
-        click.echo(f"{vary.flag} varies; {how}\n")
+        click.echo(f"{vary.flag} varies; {how}; omega in rad/s\n")
         mode_tables.family(vary.flag, labels, found)
     figure = drawn_by("modes.family_figure", vary.flag, values, found, log)
     rows = csv_rows.of_modes(found, vary.flag, values)

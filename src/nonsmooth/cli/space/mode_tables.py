@@ -133,10 +133,10 @@ def _expected(method: str, expected: int | None) -> str:
 
 
 def family(name: str, values: Sequence[str], found: "Sequence[Modes]") -> None:
-    """Print the wave numbers of the modes, a row a value of a parameter."""
+    """Print the angular frequencies of the modes, a row a value of a parameter."""
     count = max(map(len, found))
-    table = table_of(name, *(f"beta_{i + 1}" for i in range(count)), "off at most")
+    table = table_of(name, *(f"omega_{i + 1}" for i in range(count)), "off at most")
     for value, expansion in zip(values, found, strict=True):
         off = max(abs(mode.error) for mode in expansion)
-        table.add_row(value, *(f"{mode.beta:.8g}" for mode in expansion), f"{off:.1e}")
+        table.add_row(value, *(f"{mode.omega:.8g}" for mode in expansion), f"{off:.1e}")
     print_table(table)

@@ -9,7 +9,7 @@ from ..about import Given, Output
 from ..named import STRUCTURES, NamedCommand
 from ..output import DATA, PICTURES, drawn_by, write_result
 from ..problems import Problem, as_problems
-from .options import attached_from, command_of, compute
+from .options import ALL, attached_from, command_of, compute
 
 if TYPE_CHECKING:
     from nonsmooth.solver.space.attached import Attached
@@ -40,6 +40,7 @@ Examples:
   nonsmooth modes {structure} --method all --order 12 -o modes.png
   nonsmooth modes {structure} --forced 2 --tol 1e-12 --count 3
   nonsmooth modes {structure} --vary position=1/20:1/2:10
+  nonsmooth modes {structure} --shapes 101 -o shapes.csv
 """
 
 
@@ -90,35 +91,57 @@ def command(structure: "Structure", said: str) -> click.Command:
             help="Modes over a parameter or the position.",
         ),
         click.Option(["--log"], is_flag=True, help="With --vary: points by a constant factor."),
+        click.Option(
+            ["--shapes"], type=int, metavar="POINTS",
+            help="Mass-normalised shapes at so many places, to -o FILE or as --json.",
+        ),
     ]  # fmt: skip
     return command_of(structure, said, run, options, OUTPUT, HELP, EPILOG_OF)
 
 
 def run(
-    given: "Given[Structure]", vary: str | None, log: bool, json_: bool, output: Path | None,
-    **wanted: Any,
+    given: "Given[Structure]", vary: str | None, log: bool, shapes: int | None, json_: bool,
+    output: Path | None, **wanted: Any,
 ) -> int:  # fmt: skip
     """Compute the modes, or those over a parameter; the exit status."""
     attached = attached_from(given)
     if vary is None and log:
         raise Problem("--log: expected --vary with it")
+    if shapes is not None:
+        _check_shapes(shapes, vary, wanted["method"], json_, output)
     if vary is not None:
         from . import family
 
         return family.run(attached, wanted, vary, log, json_, output)
-    return _run_once(attached, wanted, json_, output)
+    return _run_once(attached, wanted, shapes, json_, output)
+
+
+def _check_shapes(
+    points: int, vary: str | None, method: str | None, json_: bool, output: Path | None
+) -> None:
+    if points < 2:
+        raise Problem(f"--shapes: got {points}, expected a whole number from 2")
+    if vary is not None:
+        raise Problem("--shapes: got --vary with it, expected one structure")
+    if method == ALL:
+        raise Problem("--shapes: got --method all with it, expected one method")
+    if not json_ and (output is None or output.suffix.lower() in PICTURES):
+        raise Problem(f"--shapes: expected -o FILE that ends in one of {', '.join(DATA)}")
 
 
 def _run_once(
-    attached: "Attached", wanted: dict[str, Any], json_: bool, output: Path | None
-) -> int:
+    attached: "Attached", wanted: dict[str, Any], shapes: int | None, json_: bool,
+    output: Path | None,
+) -> int:  # fmt: skip
     """Compute the modes, show them, write them; the exit status."""
     from nonsmooth.files import documents
+    from nonsmooth.files.json_text import sealed
 
     from . import mode_tables
 
     found = compute(attached, wanted)
-    text = documents.text_of_modes(attached.structure, documents.of_modes(found))
+    kind, data = ("modes", found) if shapes is None else ("shapes", [found[0].shapes(shapes)])
+    text = sealed(documents.document_of(kind, data))
     if json_:
         click.echo(text, nl=False)
     else:
@@ -127,7 +150,8 @@ def _run_once(
         click.echo(f"\n{mode_tables.legend(attached.structure)}")
     _warn(found)
     with as_problems():
-        write_result(output, text, drawn_by("modes.modes_figure", found), found)
+        written = found if shapes is None else data[0]
+        write_result(output, text, drawn_by("modes.modes_figure", found), written)
     return 0
 
 
