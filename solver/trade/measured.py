@@ -35,7 +35,8 @@ class TradePoint:
     order, functions : int or None
         None where the way has none.
     seconds : float
-        Median time of one orbit, with its search from rough times and its checks.
+        Median time of one orbit, with its search from rough times and its checks; of the exact
+        one from its own times.
     error, estimate : float
         Error of the times as a part of the period, not below rounding; and as estimated
         without the exact orbit, 0 for the exact flow.
@@ -84,8 +85,9 @@ def trade(case: Case, progress: Callable[[str], None] = lambda done: None) -> Tr
     NoOrbit
         If there is no exact orbit to compare with, or none was found.
     """
-    exact_orbit(case)
-    seconds = median_seconds(lambda: exact_orbit(case))
+    exact = exact_orbit(case)
+    start = exact.durations[: len(exact.case.cell.phases)], exact.forcing_phase or 0.0
+    seconds = median_seconds(lambda: exact_orbit(exact.case, *start))  # else it is looked up
     points = [TradePoint(EXACT, None, None, seconds, ROUNDING, 0.0)]
     progress(EXACT)
     for method, order in ways(case):

@@ -28,7 +28,8 @@ Examples:
 """
 
 LEGEND = """times: largest error of a duration{and_phase}, as a part of T;
-estimate: the same, without the exact orbit; exact: by the flow of each phase."""
+estimate: the same, without the exact orbit; exact: by the flow of each phase,
+from its own times."""
 
 
 def command(scene: "LoadedScene", said: str) -> click.Command:
