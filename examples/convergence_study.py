@@ -30,7 +30,7 @@ sweep.plot(left, "times", markersize=3)
 sweep.plot(right, "discontinuous", markersize=3)
 left.set_xscale("log")
 right.set_xscale("log")
-right.legend(fontsize="small")
+figure.legend(*right.get_legend_handles_labels(), loc="outside upper center", ncols=3)
 figure.savefig("convergence.pdf")
 
 ns.save(sweep, "convergence.csv")

@@ -47,5 +47,7 @@ for ax, (name, (values, ends)) in zip(axes.flat, responses.items(), strict=True)
         print(f"  {event.kind} {event.parameter:.12f}")
     branch.plot(ax, "amplitude")
     ax.set_title(name)
-    ax.legend(fontsize=8)
+every = {line.get_label(): line for ax in axes.flat for line in ax.lines}
+named = {name: line for name, line in every.items() if not name.startswith("_")}
+figure.legend(named.values(), named.keys(), loc="outside upper center", ncols=4)
 figure.savefig("responses.png", dpi=200)

@@ -60,6 +60,11 @@ class Trade:
     case: Case
     points: tuple[TradePoint, ...]
 
+    def front_of(self, method: str) -> list[tuple[float, float]]:
+        """Return times and errors of a method that no other order of it beats in both."""
+        every = [(p.seconds, p.error) for p in self.points if p.method == method]
+        return sorted(every[i] for i in front(every))
+
     def as_dict(self) -> dict[str, Any]:
         """Return the points as the document that ``tradeoff --json`` writes."""
         return {

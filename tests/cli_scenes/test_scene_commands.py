@@ -340,7 +340,7 @@ def test_generate_of_one_scene(run, tmp_path: Path, monkeypatch) -> None:
 def test_an_orbit_that_is_far_off_is_not_returned_without_a_word(run) -> None:
     status, _, err = run("solve", "impact", "--method", "hb", "--order", 1)
     assert status == 0
-    assert "its times are off by 18% of the period, by the estimate" in err
+    assert "its times are off by 18 % of the period, by the estimate" in err
 
 
 def test_full_digits_are_those_that_the_estimate_leaves(run) -> None:

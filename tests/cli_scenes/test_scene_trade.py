@@ -86,6 +86,7 @@ def test_the_picture_has_a_line_a_method_through_its_points(case) -> None:
     points = (
         TradePoint(EXACT, None, None, 1e-3, 2e-16, 0.0, front=True),
         TradePoint("hb", 2, None, 2e-3, 1e-1, 1e-1),
+        TradePoint("hb", 3, None, 4e-3, 9e-2, 9e-2),  # the next one beats it in both
         TradePoint("hb", 4, None, 3e-3, 5e-2, 5e-2),
         TradePoint("ck-tau", 4, None, 4e-3, 1e-6, 1e-6),
     )
@@ -93,10 +94,12 @@ def test_the_picture_has_a_line_a_method_through_its_points(case) -> None:
     assert isinstance(figure, Figure)
     axes = figure.axes[0]
     lines = {line.get_label(): line for line in axes.lines}
-    assert list(lines) == ["the front", "exact flow", "hb", "c0-tau"]
+    assert list(lines) == ["exact flow", "hb", "c0-tau"]  # a front of one point is no line
     assert list(lines["hb"].get_xdata()) == [2e-3, 3e-3]
     assert list(lines["hb"].get_ydata()) == [1e-1, 5e-2]
-    assert list(lines["the front"].get_ydata()) == [2e-16]
+    quick = TradePoint("hb", 1, None, 1e-4, 5e-1, 5e-1, front=True)
+    front = trade_figure(Trade(case, (*points, quick))).axes[0].lines[0]
+    assert (front.get_label(), list(front.get_ydata())) == ("the front", [5e-1, 2e-16])
     assert "error of the times" in axes.get_ylabel()
     assert "time" in axes.get_xlabel()
 

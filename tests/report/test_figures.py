@@ -73,7 +73,7 @@ def test_the_histories_are_those_of_the_exact_orbit(
     name: str, derivative: int, label: str
 ) -> None:
     axes = report_axes(name)
-    assert labels(axes) == ("t/T", label)
+    assert labels(axes) == ("$t/T$", label)
     assert axes.get_xlim() == (0, 1.2)
     part, values = data(longest(axes))
     assert 1.19 < part.max() <= 1.2
@@ -108,7 +108,7 @@ def test_each_acceleration_is_that_of_the_method_its_legend_names(
     name: str, methods: tuple[str, ...], order: int
 ) -> None:
     axes = report_axes(name)
-    assert labels(axes) == ("t/T", "acceleration [m/s²]")
+    assert labels(axes) == ("$t/T$", "acceleration [m/s²]")
     found = explained(axes)
     assert list(found) == ["exact", *(NAMES[method] for method in methods)]
     part, values = data(found["exact"])
@@ -154,14 +154,14 @@ def exact_periods(belt: ns.StickSlip, method: str) -> dict[int, float]:
 @pytest.mark.parametrize(
     ("name", "label", "scale", "expected", "floor"),
     [
-        ("fig-4", "T / T exact", "linear", exact_periods, 0),
-        ("fig-4-errors", "|T / T exact − 1|", "log", period_errors, 0),
+        ("fig-4", "$T$ / $T$ exact", "linear", exact_periods, 0),
+        ("fig-4-errors", "|$T$ / $T$ exact − 1|", "log", period_errors, 0),
         ("fig-6", "error (22) of the acceleration", "log", acceleration_errors, 1e-8),
     ],
 )
 def test_convergence_is_drawn_against_the_order(name, label, scale, expected, floor) -> None:
     axes = report_axes(name)
-    assert labels(axes) == ("order N", label)
+    assert labels(axes) == ("order $N$", label)
     assert axes.get_yscale() == scale
     found = explained(axes)
     assert list(found) == list(NAMES.values())
@@ -216,7 +216,7 @@ def test_every_picture_has_a_plate_that_says_what_is_against_what() -> None:
     for name in (*shown, "fig-4", "fig-4-errors"):
         axes, text = report_axes(name), described[name]
         assert (axes.get_yscale() == "log") == ("logarithmic" in text), name
-        assert ("against N" in text) == (axes.get_xlabel() == "order N"), name
+        assert ("against N" in text) == (axes.get_xlabel() == "order $N$"), name
         if name in shown:
             assert text.lower().startswith(axes.get_ylabel().split()[0]), name
     assert described["fig-2a"].startswith("Phase plane")

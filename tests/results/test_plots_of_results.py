@@ -52,7 +52,7 @@ def test_a_motion_against_time_has_both_sides_of_each_switch(kind: str, axes) ->
     for switch in np.cumsum(motion.durations)[:-1] / motion.period:
         assert (switch - part > 0).any()
         assert np.abs(part - switch).min() < 1e-8
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("t/T", "acceleration [m/s²]")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("$t/T$", "acceleration [m/s²]")
     plane = motion.plot(Figure().subplots()).lines[0]
     x, v = curve(plane)
     times = part[once] * motion.period
@@ -158,7 +158,10 @@ def test_new_axes_have_the_style_of_all_pictures() -> None:
     plt = pytest.importorskip("matplotlib.pyplot")
     plt.switch_backend("agg")
     axes = ns.plot([thing("belt"), thing("exact-belt")])
-    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["c1, N = 6", "exact"]
+    assert [text.get_text() for text in axes.figure.legends[0].get_texts()] == [
+        "c1, N = 6",
+        "exact",
+    ]
     assert axes.xaxis.get_gridlines()[0].get_visible()
     plt.close(axes.figure)
 

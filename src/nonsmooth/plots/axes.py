@@ -76,15 +76,20 @@ def draw_errors(axes: Any, orders: Any, errors: Any, **look: Any) -> None:
     """Draw errors against the order on logarithmic axes; those below `LEAST` at `LEAST`."""
     sizes = [np.nan if np.isnan(error) else max(abs(error), LEAST) for error in errors]
     axes.plot(orders, sizes, **{"markersize": 4, "linewidth": 0.9} | look)
-    axes.set(yscale="log", xlabel="order N")
+    axes.set(yscale="log", xlabel="order $N$")
     axes.xaxis.get_major_locator().set_params(integer=True)
 
 
 def frame(figure: Figure, axes: Any, words: str, columns: int = 3) -> None:
     """Put the legend of one pair of axes above a figure, and words below it."""
+    legend_above(figure, axes, columns)
+    figure.supxlabel(words, fontsize=7, wrap=True)
+
+
+def legend_above(figure: Any, axes: Any, columns: int = 3) -> None:
+    """Put the legend of one pair of axes above a figure, beside no curve."""
     handles, labels = axes.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=columns, frameon=False)
-    figure.supxlabel(words, fontsize=7, wrap=True)
 
 
 def write(figure: Callable[[], Figure], target: Path) -> None:

@@ -27,7 +27,7 @@ QUANTITIES = {
     "estimate": "estimated error of the times",
     "period": "period [s]",
     "amplitude": "amplitude of the displacement [m]",
-    "multiplier": "largest modulus of a multiplier",
+    "multiplier": "largest |multiplier|",
     "strobe": "displacement once a period of the forcing [m]",
 }
 
@@ -184,7 +184,7 @@ def _draw_times(axes: Any, result: "Family", style: dict[str, Any]) -> None:
         ]
         axes.plot(along, part, **{"linestyle": line, "label": name} | style)
     axes.set_ylabel(QUANTITIES["times"])
-    axes.legend(frameon=False)
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, frameon=False, fontsize=8)
 
 
 def family_figure(result: "Family", log: bool = False) -> Figure:
@@ -217,7 +217,7 @@ def branch_figure(results: "Sequence[Branch]", diagrams: "Sequence[Diagram]" = (
         draw(result, upper, "strobe" if diagrams else "amplitude")
         draw(result, lower, "multiplier")
     lower.axhline(1.0, color="0.7", linewidth=0.8, zorder=0)
-    lower.set_ylim(0.0, 2.0)
+    lower.set_ylim(-0.05, 2.0)
     upper.set_xlabel("")
     frame(figure, upper, described(results[0].case, results[0].parameter), columns=5)
     return figure

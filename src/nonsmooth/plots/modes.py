@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.scenes.methods import about
 
 from ..style import EXACT
-from .axes import LEAST, axes_or_new, check_quantity, frame
+from .axes import LEAST, axes_or_new, check_quantity, frame, legend_above
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -59,8 +59,8 @@ def draw(
     draw_exact(modes, axes, quantity, number)
     _draw_mode(modes, axes, quantity, number, style)
     if ax is None:
-        axes.set_xlabel("x [m]")
-        axes.legend(frameon=False)
+        axes.set_xlabel("$x$ [m]")
+        legend_above(axes.figure, axes)
     return axes
 
 
@@ -112,7 +112,7 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
         jumping.set(title=f"{found[0][0].quantity}, the first that jumps")
         last = min(place + rows, count) - 1
         for panel in axes[last % rows, 2 * (place // rows) :][:2]:
-            panel.set(xlabel="x [m]")
+            panel.set(xlabel="$x$ [m]")
             panel.tick_params(labelbottom=True)
     figure.align_ylabels()
     words = f"{found[0].structure.name}: {found[0].attached.description}"
@@ -215,7 +215,7 @@ def draw_convergence(
     broken = "u" + "'" * study.attached.structure.broken
     axes.set(xlabel="unknowns", ylabel=ERRORS[quantity].replace("{broken}", broken))
     if ax is None:
-        axes.legend(frameon=False)
+        legend_above(axes.figure, axes)
     return axes
 
 

@@ -66,7 +66,7 @@ def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> An
         again = part < BEYOND - 1
         part, values = np.append(part, 1 + part[again]), np.append(values, values[again])
         axes.plot(part, values, **look)
-        axes.set(xlabel="t/T", ylabel=HISTORIES[quantity])
+        axes.set(xlabel="$t/T$", ylabel=HISTORIES[quantity])
     return axes
 
 

@@ -38,11 +38,11 @@ def plot(result: Any, ax: Any = None, **options: Any) -> Any:
     if not several or not all(hasattr(each, "plot") for each in result):
         expected = "an orbit, sweep, family, modes or simulation, or several in a sequence"
         raise TypeError(f"result: got {result!r:.80}, expected {expected}")
-    from .axes import axes_or_new  # noqa: PLC0415
+    from .axes import axes_or_new, legend_above  # noqa: PLC0415
 
     axes = axes_or_new(ax)
     for each in result:
         each.plot(axes, **options)
     if ax is None:
-        axes.legend(frameon=False)
+        legend_above(axes.figure, axes)
     return axes

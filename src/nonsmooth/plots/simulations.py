@@ -60,7 +60,7 @@ def draw(
         axes.set(xlabel=HISTORIES["displacement"], ylabel=HISTORIES["velocity"])
     else:
         axes.plot(times[late], columns[quantity], **look)
-        axes.set(xlabel="t [s]", ylabel=LABELS[quantity])
+        axes.set(xlabel="$t$ [s]", ylabel=LABELS[quantity])
     return axes
 
 
@@ -76,7 +76,7 @@ def simulation_figure(motion: "Simulation") -> Figure:
         draw(motion, panels[name], name).label_outer()
     plane, colour = panels[PLANE], about("hb").look["color"]
     draw(motion, plane, PLANE, color="0.7", linewidth=0.6, label="from the start")
-    words = f"the last {LATE:.0%} of the time"
+    words = f"the last {100 * LATE:.0f} % of the time"
     since = (1 - LATE) * motion.time
     draw(motion, plane, PLANE, since=since, color=colour, linewidth=1.4, label=words)
     plane.legend(loc="lower left", bbox_to_anchor=(0, 1.0), frameon=False, fontsize=8)

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 
-from .axes import axes_or_new, check_quantity, described
+from .axes import axes_or_new, check_quantity, described, frame, legend_above
 from .families import name_of
 
 if TYPE_CHECKING:
@@ -59,11 +59,11 @@ def draw_basins(result: "Basins", ax: Any = None) -> Any:
         every = "each period" if each.cycles == 1 else f"every {each.cycles} periods"
         axes.plot(
             x, v, MARKS[i % len(MARKS)], color=colors[2 + i], markeredgecolor="black",
-            label=every,
+            label=f"{every}, x = {x[0]:.3g} m",
         )  # fmt: skip
     axes.set(xlabel="displacement [m]", ylabel="velocity [m/s]")
-    if count:
-        axes.legend(frameon=True, fontsize=8)
+    if ax is None:
+        legend_above(axes.figure, axes, 2)
     return axes
 
 
@@ -82,6 +82,5 @@ def diagram_figure(result: "Diagram") -> Figure:
 def basins_figure(result: "Basins") -> Figure:
     """Draw basins of attraction."""
     figure = Figure(figsize=(6, 5), layout="constrained")
-    draw_basins(result, figure.subplots())
-    figure.supxlabel(described(result.case), fontsize=7, wrap=True)
+    frame(figure, draw_basins(result, figure.subplots()), described(result.case), 2)
     return figure

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import EXACT, about
 
-from .axes import axes_or_new, check_quantity, described, draw_errors, frame
+from .axes import axes_or_new, check_quantity, described, draw_errors, frame, legend_above
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.sweep import Sweep
@@ -46,7 +46,7 @@ def draw(result: "Sweep", ax: Any = None, quantity: str = "times", **style: Any)
         draw_errors(axes, orders, [getattr(each, quantity) for each in errors], **look)
     axes.set_ylabel(f"error of {name_of_error(scene, quantity)}")
     if ax is None:
-        axes.legend(frameon=False)
+        legend_above(axes.figure, axes)
     return axes
 
 
@@ -72,15 +72,19 @@ def convergence_figure(result: "Sweep") -> Figure:
 
 
 def trade_figure(result: "Trade") -> Figure:
-    """Draw error against time, each method a line, the front behind them."""
+    """Draw error against time, each method a line, the front behind them.
+
+    Of a method the orders are drawn that no other of it beats in both: its own front.
+    """
     case = result.case
     figure = Figure(figsize=(7, 4.5), layout="constrained")
     axes = figure.subplots()
     best = sorted((p.seconds, p.error) for p in result.points if p.front)
     wide: dict[str, Any] = {"color": "0.8", "linewidth": 5, "zorder": 1}
-    axes.step(*zip(*best, strict=True), where="post", label="the front", **wide)
+    if len(best) > 1:
+        axes.step(*zip(*best, strict=True), where="post", label="the front", **wide)
     for method in dict.fromkeys(point.method for point in result.points):
-        points = [(p.seconds, p.error) for p in result.points if p.method == method]
+        points = result.front_of(method)
         look = {"color": "0.2", "marker": "*"} if method == EXACT else about(method).look
         words = "exact flow" if method == EXACT else shown(case.scene, method)
         times, errors = zip(*points, strict=True)

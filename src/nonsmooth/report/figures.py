@@ -142,7 +142,9 @@ def period(axes: Any, case: Case) -> None:
         axes.plot(orders, [1 + error for error in errors], **_marked(method))
         if method != "c1":
             reach = max([reach, *(abs(error) for error in errors)])
-    axes.set(xlabel="order N", ylabel="T / T exact", ylim=(1 - 1.2 * reach, 1 + 1.2 * reach))
+    axes.set(
+        xlabel="order $N$", ylabel="$T$ / $T$ exact", ylim=(1 - 1.2 * reach, 1 + 1.2 * reach)
+    )
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.ticklabel_format(axis="y", useOffset=False)
     legend(axes, 3)
@@ -163,7 +165,7 @@ def period_error(axes: Any, case: Case) -> None:
     where: Any = {"xycoords": ("axes fraction", "data"), "ha": "right", "va": "top"}
     _beside(axes, "0.1 %", (0.99, BAND), xytext=(0, -3), fontsize=8, color="0.4", **where)
     _errors(axes, case, "period")
-    axes.set(ylabel="|T / T exact − 1|")
+    axes.set(ylabel="|$T$ / $T$ exact − 1|")
 
 
 def acceleration_error(axes: Any, case: Case) -> None:

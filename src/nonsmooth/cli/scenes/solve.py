@@ -127,5 +127,5 @@ def _warn(orbits: "list[Orbit]") -> None:
     for orbit in orbits:
         off = orbit.estimate.times
         if off > FAR_OFF:
-            hint = f"its times are off by {off:.0%} of the period, by the estimate"
+            hint = f"its times are off by {100 * off:.0f} % of the period, by the estimate"
             click.echo(f"nonsmooth: {orbit.method}, N = {orbit.order}: {hint}", err=True)

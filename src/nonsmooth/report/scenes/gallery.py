@@ -54,8 +54,9 @@ ROW = ("name", "times", "times_theory", "discontinuous", "discontinuous_theory")
 def overshoots(found: Collected) -> str:
     """Return by how much each expansion goes beyond the largest jump, as text."""
     return "\n".join(
-        f"{name:16} N = {orbit.order:2}: {100 * overshoot(orbit, found.exact):6.2f} %"
+        f"{name:16} N = {orbit.order:2}: {round(100 * most, 2) + 0.0:6.2f} %"  # not -0.00
         for name, orbit in found.ringing.items()
+        for most in [overshoot(orbit, found.exact)]
     )
 
 

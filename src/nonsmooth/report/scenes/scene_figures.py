@@ -79,7 +79,7 @@ def jumping(axes: Any, found: Collected) -> None:
         words = f"{name}, N = {orbit.order}"
         axes.plot(*_over_time(orbit, order), label=words, **line(orbit) | {"linewidth": 1})
     unit = "m/s" if order == 1 else f"m/s$^{order}$"
-    axes.set(xlabel="t/T", ylabel=f"{label_of(order)} [{unit}]")
+    axes.set(xlabel="$t/T$", ylabel=f"{label_of(order)} [{unit}]")
     legend(axes, 2)
 
 
@@ -96,7 +96,7 @@ def convergence(name: str) -> Draw:
                 slope = errors[0] * (np.array(orders) / orders[0]) ** -rate
                 axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
         what = name_of_error(found.case.scene, name)
-        axes.set(xlabel="order N", ylabel=f"error of {what}")
+        axes.set(xlabel="order $N$", ylabel=f"error of {what}")
         axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
         axes.minorticks_off()
         legend(axes, 3)

@@ -44,7 +44,7 @@ def digits_figure(case: "Case", found: "list[Kept]") -> Figure:
         rows = [extreme or "as given" for extreme in extremes]
         image = _draw_map(axes, digits, words, labels, rows)
         axes.set_title(shown(case.scene, method), fontsize=9)
-        axes.set_xlabel("" if method == EXACT else "order N")
+        axes.set_xlabel("" if method == EXACT else "order $N$")
     bar = figure.colorbar(image, ax=maps, shrink=0.8)
     bar.set_label("digits of the times")
     figure.supxlabel(f"{case.scene.name}: {case.description}", fontsize=7, wrap=True)
