@@ -13,6 +13,7 @@ from ...scene_files.read import is_path, read_scene, text_of
 from .. import expansions, scenes
 from ..galerkin import GalerkinConditions
 from ..scene import Scene, in_order, switches
+from ..scene.orders import IMAGE
 from ..system import GalerkinSystem, Section
 from .bodies import body_equations
 from .method import ONE_CYCLE, method_equations, spelled, unknowns
@@ -100,7 +101,9 @@ def _parameters(scene: Scene) -> str:
     )
     forced = f"  {ONE_CYCLE}" if scene.frequency is not None else ""
     source = f"  After {scene.source}." if scene.source else ""
-    return f"Parameters: {listed}.{source}{forced}"
+    mirrored = ",-" in f",{scene.motion}"  # of an order of phases that is not declared
+    image = f"  With `{IMAGE}` behind it a phase is mirrored." if mirrored else ""
+    return f"Parameters: {listed}.{source}{forced}{image}"
 
 
 def scene_named(scene: str | Scene) -> Scene:

@@ -137,8 +137,8 @@ def text_of(shown: "Iterable[Section]", unicode: bool = True) -> str:
     """Return sections as text for a terminal."""
     parts = []
     for section in shown:
-        heading = spoken(section.heading, unicode).replace(KEPT, " ")
-        parts.append(f"{heading}\n{'=' * len(heading)}\n")
+        heading = _filled(spoken(section.heading, unicode))
+        parts.append(f"{heading}\n{'=' * max(map(len, heading.splitlines()))}\n")
         if section.note:
             parts.append(_filled(spoken(section.note, unicode)) + "\n")
         parts.extend(f"{equation_text(e, unicode)}\n" for e in section.equations)

@@ -14,8 +14,8 @@ from .data import Memory, Phase, a, forcing, v, with_values, x
 from .error import SceneError
 from .scene import Scene
 
-#: Behind the phases of half a period, and behind the name of a phase that is mirrored.
-MIRRORED = "mirrored"
+#: Behind the phases of half a period; and behind the name of a phase that is mirrored.
+MIRRORED, IMAGE = "mirrored", "_m"
 
 
 def in_order(scene: Scene, phases: str) -> Scene:
@@ -33,7 +33,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
     >>> from nonsmooth.codegen import scenes
     >>> found = in_order(scenes.load("dry-friction"), "slide,stop,-slide,-stop")
     >>> [phase.name for phase in found.phases]
-    ['slide', 'stop', 'slide_mirrored', 'stop_mirrored']
+    ['slide', 'stop', 'slide_m', 'stop_m']
     >>> found.phases[2].equation
     -F*forcing + F_N*mu_k + a*m + c*v + k*x
     """
@@ -51,7 +51,7 @@ def in_order(scene: Scene, phases: str) -> Scene:
         raise ValueError(
             f"phases: got {MIRRORED}, but a mirror image is no motion of {base.name}"
         )
-    called = numbered([f"{name}_{MIRRORED}" if minus else name for name, minus in steps])
+    called = numbered([f"{name}{IMAGE}" if minus else name for name, minus in steps])
     memory, meant = _settings(base, steps, called)
     found = []
     for (name, minus), own, values in zip(steps, called, meant, strict=True):
