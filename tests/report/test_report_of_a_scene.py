@@ -20,7 +20,7 @@ from nonsmooth.report.scenes.collected import (
     rate_of_jump,
     rate_of_times,
 )
-from nonsmooth.report.scenes.scene_page import GIBBS, multipliers, page
+from nonsmooth.report.scenes.scene_page import GIBBS, _beside, multipliers, page
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 from nonsmooth.solver.stability.stability import Stability
 
@@ -112,6 +112,7 @@ def test_the_page_says_the_numbers(found: Collected) -> None:
     assert f"{found.exact.period:.12g}" in text
     assert f"{found.exact.forcing_phase:.12g}" in text
     assert "0.2 m" in text
+    assert "x is continuous, x′ jumps where" in " ".join(text.split())
     curve = next(curve for way, curve in found.curves.items() if way.name == "c0-tau")
     assert f"{curve[8].times:.1e} at N = 8" in text
     beyond = gallery.overshoots(found).splitlines()
@@ -119,7 +120,7 @@ def test_the_page_says_the_numbers(found: Collected) -> None:
         percent = 100 * overshoot(orbit, found.exact)
         assert f"{name}, N = {orbit.order}: {max(0.0, percent):.2g} %" in text
         assert line.startswith(name)
-        assert line.endswith(f"{percent:6.2f} %")
+        assert line.endswith(f"{round(percent, 2) + 0.0:6.2f} %")  # and no -0.00
     assert text.count('role="img"') == len(pictures)
     lines = gallery.table_of_rates(found).splitlines()
     assert lines[0].split() == ["expansion", "times", "theory", "jump", "theory"]
@@ -153,6 +154,10 @@ def test_a_multiplier_is_judged_by_its_modulus(value: float, row: tuple[str, ...
     found = multipliers(motion)  # type: ignore[arg-type]
     shown = dict(zip(("modulus", "argument", "stable"), row, strict=True))
     assert (found["rows"], found["shift"]) == ([shown], True)
+
+
+def test_rounding_beside_the_largest_is_printed_as_nothing() -> None:
+    assert [_beside(v, (-1.5, 0.2)) for v in (-1.25, 1e-13, -3e-16)] == ["-1.25", "1e-13", "0"]
 
 
 def test_an_orbit_may_have_lost_multipliers_or_have_none(monkeypatch) -> None:

@@ -23,6 +23,9 @@ from ..pictures import figure, files, write_all
 from .collected import Collected, collect, overshoot, steps
 from .scene_figures import FIGURES, figures_of, theory
 
+#: Part of the largest of its kind up to which a number is 0.
+ROUNDING = 1e-14
+
 #: The errors of an orbit that the page has.
 ERRORS = ("times", "discontinuous")
 
@@ -40,6 +43,7 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         The derived equations, as a fragment.
     """
     case, scene = found.case, found.case.scene
+    *smooth, jumps = ("x" + "\N{PRIME}" * order for order in range(scene.k + 2))
     return filled(
         "scenes/scene.html.jinja",
         scene=document(scene),
@@ -48,6 +52,8 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         exact=_times(found),
         multipliers=multipliers(found.exact),
         k=scene.k,
+        smooth=" and ".join(filter(None, [", ".join(smooth[:-1]), smooth[-1]])),
+        jumps=jumps,
         ringing=_overshoots(found),
         gibbs=f"{100 * GIBBS:.2f}",
         rates=rates(found),
@@ -71,7 +77,7 @@ def equations_of(source: str) -> str:
 
 def _times(found: Collected) -> dict[str, Any]:
     exact = found.exact
-    turn = exact.forcing_phase
+    turn, extremes = exact.forcing_phase, exact.extremes
     return {
         "period": f"{exact.period:.12g}",
         "forcing_phase": None if turn is None else f"{turn:.12g}",
@@ -79,15 +85,19 @@ def _times(found: Collected) -> dict[str, Any]:
             {
                 "name": phase.name,
                 "duration": f"{phase.duration:.12g}",
-                "displacement": f"{phase.displacement:.8g}",
-                "velocity": f"{phase.velocity:.8g}",
+                **{name: _beside(vars(phase)[name], ends) for name, ends in extremes.items()},
             }
             for phase in exact.phases
         ],
         "extremes": {
-            name: tuple(f"{end:.8g}" for end in ends) for name, ends in exact.extremes.items()
+            name: tuple(f"{end:.8g}" for end in ends) for name, ends in extremes.items()
         },
     }
+
+
+def _beside(value: float, ends: tuple[float, float]) -> str:
+    """Return a number as text, 0 where it is rounding beside the largest of its kind."""
+    return f"{value if abs(value) > ROUNDING * max(map(abs, ends)) else 0.0:.8g}"
 
 
 def multipliers(exact: ExactOrbit) -> dict[str, Any]:
