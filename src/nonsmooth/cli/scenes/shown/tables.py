@@ -202,10 +202,11 @@ def branch(result: "Branch") -> None:
             event.motion or "",
             event.phase or "",
         )
-    print_table(table)
+    if result.events:
+        print_table(table)
     values, why = result["value"], result.why_it_ended
     first, last = (f"{values[i]:.9g} ({why[i]})" for i in (0, -1))
-    click.echo(f"{parameter.symbol} from {first} to {last}")
+    click.echo(filled(f"{parameter.symbol} from {first} to {last}", "  "))
 
 
 def trade(result: "Trade") -> None:
