@@ -145,8 +145,8 @@ def iterate_within(
 ) -> tuple[int, int, float, float]:
     """Do so within room for a Jacobian, its exchanges and five vectors."""
     n, (durations, forced) = len(z), times_of(case)
-    R, scales, step = vectors[0], vectors[1], vectors[2]
-    following, trial = vectors[3], vectors[4]
+    R, scales, step = vectors[0, :n], vectors[1, :n], vectors[2, :n]
+    following, trial = vectors[3, :n], vectors[4, :n]
     residual(case, z, R)
     damping, previous, correction = 1.0, np.inf, np.inf
     for iteration in range(1, limit + 1):

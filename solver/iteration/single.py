@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Vector
 from .iteration import (
     CONVERGED,
     DURATION_STEP,
@@ -24,8 +24,6 @@ from .iteration import (
     SINGULAR,
     SMALLEST_STEP,
     TOO_MANY,
-    jacobian,
-    residual,
 )
 
 #: A correction that is at most this part of the one before is taken without a derivative.
@@ -34,78 +32,81 @@ FAST = 0.25
 #: Most points of the inverse function; they are used up by rounding long before.
 POINTS = 8
 
-#: Rows of the room that is needed: points, differences; residual and derivative.
-ROOM = 3
+#: What is expected to be left of an error where the iteration ends, as a part of `ROUNDOFF`.
+LEFT = 1 / 16
+
+
+def residual(work: Any, y: float) -> float:
+    """Stand for the residual of the kernel."""
+    raise NotImplementedError
+
+
+def jacobian(work: Any, y: float) -> float:
+    """Stand for its derivative, where the residual was evaluated last."""
+    raise NotImplementedError
 
 
 def limited(step: float, y: float) -> float:
     """Return the damping that keeps a step within the limit of a duration."""
-    return min(1.0, DURATION_STEP * abs(y) / abs(step))
+    return min(1.0, DURATION_STEP * abs(y) / max(abs(step), 1e-300))
 
 
 def iterate_single(
-    work: Any, y: Vector, limit: int, room: Matrix
-) -> tuple[int, int, float, float]:
-    """Solve ``residual(work, y) = 0`` from `y`, which is overwritten.
+    work: Any, y: float, limit: int, points: Vector, differences: Vector
+) -> tuple[int, int, float, float, float]:
+    """Solve ``residual(work, y) = 0`` from `y`; there is room for `POINTS` of them.
 
-    It ends with a correction at rounding level, or where corrections no longer fall; the last
-    evaluation is at the solution.  See `iteration.iterate_scene`.  The room is of the shape
-    (`ROOM`, `POINTS`).
+    It ends where the correction that would follow is at rounding level, or corrections no
+    longer fall; the last evaluation is at the solution.  Returned are status, derivatives, that
+    correction, norm of the residual, and solution; see `iteration.iterate_scene`.
     """
-    points, differences, R, J = room[0], room[1], room[2, :1], room[2:, 1:2]
-    residual(work, y, R)
-    damping, previous, correction = 1.0, np.inf, np.inf
+    value, damping, previous, correction = residual(work, y), 1.0, np.inf, np.inf
     for iteration in range(1, limit + 1):
-        jacobian(work, y, J)
-        if J[0, 0] == 0:
-            return SINGULAR, iteration, correction, abs(R[0])
-        begin, value, size = y[0], R[0], max(abs(y[0]), 1e-300)
-        step = -value / J[0, 0]
+        slope = jacobian(work, y)
+        if slope == 0:
+            return SINGULAR, iteration, correction, abs(value), y
+        begin, size, step = y, max(abs(y), 1e-300), -value / slope
         length = abs(step) / size
         if not np.isfinite(length):
-            return OVERFLOW, iteration, correction, abs(value)
+            return OVERFLOW, iteration, correction, abs(value), y
         correction = length
         if length <= SETTLED and (length <= ROUNDOFF or length > 0.5 * previous):
-            y[0] = begin + limited(step, begin) * step
-            residual(work, y, R)
-            return CONVERGED, iteration, correction, abs(R[0])
+            y = begin + limited(step, begin) * step
+            return CONVERGED, iteration, correction, abs(residual(work, y)), y
+        points[0], points[1] = value, value
         damping = min(1.0, 2.0 * damping, limited(step, begin))
         while True:
-            y[0] = begin + damping * step
-            residual(work, y, R)
-            if abs(R[0]) <= (1 - damping / 4) * abs(value) or length <= SETTLED:
+            y = begin + damping * step
+            value = residual(work, y)
+            if abs(value) <= (1 - damping / 4) * abs(points[0]) or length <= SETTLED:
                 break
             damping /= 2
             if damping < SMALLEST_STEP:
-                y[0] = begin
-                residual(work, y, R)
-                return NO_DESCENT, iteration, correction, abs(R[0])
+                return NO_DESCENT, iteration, correction, abs(residual(work, begin)), begin
         previous = length
         if damping < 1:
             continue
         # divided differences of the inverse function, over the newest points first; the first
         # point stands there twice, for its slope
-        points[0], points[1] = value, value
-        differences[0], differences[1] = begin, 1.0 / J[0, 0]
+        differences[0], differences[1] = begin, 1.0 / slope
         for count in range(2, POINTS):
-            points[count] = R[0]
-            newer, product, following = y[0], 1.0, 0.0
+            points[count] = value
+            newer, product, following = y, 1.0, 0.0
             for j in range(count):
-                newer, differences[j] = (
-                    (newer - differences[j]) / (R[0] - points[count - 1 - j]),
-                    newer,
-                )
+                older, inverse = differences[j], 1.0 / (value - points[count - 1 - j])
+                differences[j] = newer
+                newer = (newer - older) * inverse
                 product *= -points[count - j]
                 following += newer * product
             differences[count] = newer
             ahead = abs(following) / size
-            if ahead <= ROUNDOFF:
-                y[0] += following
-                residual(work, y, R)
-                return CONVERGED, iteration, ahead, abs(R[0])
-            if not ahead <= FAST * length or limited(following, y[0]) < 1:
+            if not ahead <= max(FAST * length, ROUNDOFF) or limited(following, y) < 1:
                 break
-            y[0] += following
-            residual(work, y, R)
+            y += following
+            value = residual(work, y)
+            # errors fall by a factor that is squared each time
+            left = ahead * (ahead / length) ** 2
+            if min(ahead, left / LEFT) <= ROUNDOFF:
+                return CONVERGED, iteration, min(ahead, left), abs(value), y
             previous = length = correction = ahead
-    return TOO_MANY, limit, correction, abs(R[0])
+    return TOO_MANY, limit, correction, abs(value), y

@@ -12,7 +12,7 @@ order: see ``docs/digits.md``.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -100,7 +100,13 @@ def solved(kernel: Kernel, given: Any, size: int, times: Vector) -> Outcome:
         z = np.concatenate([np.zeros(size - len(times)), times])
     else:
         z = with_coefficients(kernel, given, size, times)
-    return newton(kernel.iterate, given, z)
+    found = newton(kernel.iterate, given, z)
+    if not kernel.condensed or kernel.signals:  # of a body, times are all it solves for
+        return found
+    R = np.empty(size)
+    with np.errstate(all="ignore"):
+        kernel.residual(given, found.unknowns, R)
+    return replace(found, residual_norm=float(np.abs(R).max()))
 
 
 def is_reversible(cell: Cell) -> bool:

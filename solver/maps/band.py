@@ -32,28 +32,39 @@ def factorise_band(D: Matrix, exchanged: Any, size: int) -> bool:
     """
     wide = False
     for i in range(PAD + size - 1, PAD + BLOCK - 1, -1):
-        own, above, second = D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
-        exchanged[i] = i
-        if LARGE * abs(own) < max(abs(above), abs(second)):
-            exchanged[i] = pivot = i - 1 if abs(above) >= abs(second) else i - 2
-            wide = True  # from now on rows may reach further down
-            for q in range(PAD + 1):
-                value = D[i, q]
-                D[i, q] = D[pivot, q + i - pivot]
-                D[pivot, q + i - pivot] = value
-            above, second = D[i - 1, PAD + 1], D[i - 2, PAD + 2]
-        inverse = 1.0 / D[i, PAD]
-        above, second = above * inverse, second * inverse
-        D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2] = inverse, above, second
-        for q in range(0 if wide else SIDE, PAD):
-            D[i - 1, q + 1] -= above * D[i, q]
-            D[i - 2, q + 2] -= second * D[i, q]
+        wide = factorise_row(D, exchanged, i, wide)
+    invert_block(D)
+    return wide
+
+
+def factorise_row(D: Matrix, exchanged: Any, i: int, wide: bool) -> bool:
+    """Take a row out of those below, two of which are there; whether rows are exchanged yet."""
+    own, above, second = D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2]
+    exchanged[i] = i
+    if LARGE * abs(own) < max(abs(above), abs(second)):
+        exchanged[i] = pivot = i - 1 if abs(above) >= abs(second) else i - 2
+        wide = True  # from now on rows may reach further down
+        for q in range(PAD + 1):
+            value = D[i, q]
+            D[i, q] = D[pivot, q + i - pivot]
+            D[pivot, q + i - pivot] = value
+        above, second = D[i - 1, PAD + 1], D[i - 2, PAD + 2]
+    inverse = 1.0 / D[i, PAD]
+    above, second = above * inverse, second * inverse
+    D[i, PAD], D[i - 1, PAD + 1], D[i - 2, PAD + 2] = inverse, above, second
+    for q in range(0 if wide else SIDE, PAD):
+        D[i - 1, q + 1] -= above * D[i, q]
+        D[i - 2, q + 2] -= second * D[i, q]
+    return wide
+
+
+def invert_block(D: Matrix) -> None:
+    """Put the inverse of the first two rows in their place."""
     a, b = D[PAD, PAD], D[PAD, PAD + 1]
     c, d = D[PAD + 1, PAD - 1], D[PAD + 1, PAD]
     inverse = 1.0 / (a * d - b * c)
     D[PAD, PAD], D[PAD, PAD + 1] = d * inverse, -b * inverse
     D[PAD + 1, PAD - 1], D[PAD + 1, PAD] = -c * inverse, a * inverse
-    return wide
 
 
 def eliminate(D: Matrix, exchanged: Any, size: int, B: Matrix, first: int, last: int) -> None:
@@ -96,13 +107,15 @@ def solve(
     substitute(D, wide, B, 0, rows, first, last)
 
 
-def add_full(full: Matrix, rows: int, B: Matrix, first: int, last: int, needed: int) -> None:
-    """Add to columns, solutions of the band, what its two full columns change."""
+def add_full(
+    full: Matrix, at: int, rows: int, B: Matrix, first: int, last: int, needed: int
+) -> None:
+    """Add to columns, solutions of the band, what its two full ones from `at` on change."""
     i, j = PAD + rows - 2, PAD + rows - 1
-    a, b, c, d = 1 - full[i, 0], -full[i, 1], -full[j, 0], 1 - full[j, 1]
+    a, b, c, d = 1 - full[i, at], -full[i, at + 1], -full[j, at], 1 - full[j, at + 1]
     inverse = 1.0 / (a * d - b * c)
     for column in range(first, last):
         before, behind = B[i, column], B[j, column]
         one, two = (d * before - b * behind) * inverse, (a * behind - c * before) * inverse
         for low in range(PAD, PAD + needed):
-            B[low, column] += one * full[low, 0] + two * full[low, 1]
+            B[low, column] += one * full[low, at] + two * full[low, at + 1]

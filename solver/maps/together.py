@@ -30,16 +30,23 @@ from ...generated.ck import (
     joint_rates,
     joints,
     order_of,
-    residual,
+    terms,
+    tests,
 )
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import SINGULAR, iterate_within
 from ..iteration.linear import least_squares
-from ..iteration.single import POINTS, ROOM, iterate_single
+from ..iteration.single import POINTS, iterate_single
+from .band import BLOCK
 from .series import (
+    DURATION,
+    extent,
+    factorise_phase,
+    fill_places,
+    gained,
+    gained_by_duration,
     phase_rate,
     phase_rates,
-    places_kept,
     solve_phase,
     solve_phases,
     unpack,
@@ -55,9 +62,9 @@ AGAIN = np.inf
 
 def times_of(place: Any) -> tuple[int, int]:
     """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
-    case, known = place[0], place[6]
+    case, whole, known = place[0], place[4], place[6]
     forced = 1 if case[4][2] != 0 else 0
-    durations, last = 0, len(known) - forced
+    durations, last = 0, len(whole) - forced
     for i in range(last - len(case[0]), last):
         durations += 0 if known[i] else 1
     return durations, forced
@@ -137,8 +144,9 @@ def together_residual(place: Any, y: Vector, R: Vector) -> None:
         if not known[i]:
             whole[i] = y[j]
             j += 1
+    theta, ends = work[-3:-1]
     solve_phases(case, whole, at, N, work)
-    joints(case, whole, at, work[-3], work[-2][0], work[-2][1], left[0], 0)
+    joints(case, whole, at, theta, ends[0], ends[1], left[0], 0)
     j = 0
     for i in range(len(whole)):
         if not used[i]:
@@ -201,125 +209,138 @@ def known_begin(case: Any, at: Any, known: Any) -> int:
     return found
 
 
-def event_residual(place: Any, s: Vector, R: Vector) -> None:
-    """Fill R with the event that ends a phase of duration ``s[0]``."""
-    case, at, N, work, y, p, begin = place
-    numbers, ends = case[1], work[-2]
-    y[at[len(case[0])] + p] = s[0]
-    solve_phase(case, y, at, N, work, p, 0.0)
-    R[0] = begin + (numbers[p, E_X] * ends[0, p, 0] + numbers[p, E_V] * ends[0, p, 1])
+def event_residual(place: Any, s: float) -> float:
+    """Return the event that ends a phase of duration `s`, where nothing forces."""
+    case, at, N, room, marks, y, p, begin = place
+    numbers = case[1]
+    y[at[len(case[0])] + p] = s
+    factorise_phase(case, N, room, marks, p, s)
+    solve_phase(case, y, at, N, room, marks, room, p)
+    x, v = gained(room, s, y[at[p] + 1])
+    found: float = begin + (numbers[p, E_X] * x + numbers[p, E_V] * v)
+    return found
 
 
-def event_rate(place: Any, s: Vector, J: Matrix) -> None:
-    """Fill J with its derivative, where the residual was evaluated last."""
-    case, at, N, work, y, p, _ = place
-    numbers, by = case[1], work[-1]
-    phase_rate(case, y, at, N, work, p, 2)
-    J[0, 0] = numbers[p, E_X] * by[0, p, 0, 0] + numbers[p, E_V] * by[0, p, 1, 0]
+def event_rate(place: Any, s: float) -> float:
+    """Return its derivative, where the residual was evaluated last."""
+    case, at, N, room, marks, y, p, _ = place
+    numbers = case[1]
+    phase_rate(case, y, at, N, room, marks, room, p, BLOCK, DURATION + 1)
+    x, v = gained_by_duration(room, s, y[at[p] + 1])
+    found: float = numbers[p, E_X] * x + numbers[p, E_V] * v
+    return found
 
 
 def one_by_one(
-    case: Any, y: Vector, at: Any, N: int, work: Any, first: int, limit: int, room: Matrix
-) -> tuple[int, int, float]:
+    case: Any, y: Vector, at: Any, N: int, rooms: Any, marks: Any, first: int, limit: int,
+    points: Vector, differences: Vector,
+) -> tuple[int, int, float, float]:  # fmt: skip
     """Solve for the durations one after the other, from a phase whose begin is known.
 
     The event that ends the last of them is the one that gives where the first begins: what is
-    gained on the way, `total`, is to be zero, or to bring the mass to the other side.  The room
-    is that of `iterate_single`, and a row more.
+    gained on the way, `total`, is to be zero, or to bring the mass to the other side.
     """
     kinds, numbers, cell = case[0], case[1], case[4]
-    count, ends = len(kinds), work[-2]
-    s, at_s = room[ROOM, :1], at[count]
-    iterations, correction, total, turned = 0, 0.0, 0.0, 1.0
+    count, at_s = len(kinds), at[len(kinds)]
+    iterations, correction, norm, total, turned = 0, 0.0, 0.0, 0.0, 1.0
     for i in range(count):
         p = (first + i) % count
-        s[0] = y[at_s + p]
-        begin = numbers[p, E_X] * y[at[p]] + numbers[p, E_V] * y[at[p] + 1] + numbers[p, E_0]
+        x, v = y[at[p]], y[at[p] + 1]
+        begin = numbers[p, E_X] * x + numbers[p, E_V] * v + numbers[p, E_0]
         if i == count - 1:
             begin = numbers[p, E_X] * turned * (total + (1.0 - cell[0]) * y[at[first]])
-        place = (case, at, N, work, y, p, begin)
         if kinds[p, FREE]:
-            status, steps, last, _ = iterate_single(place, s, limit, room[:ROOM])
+            place = (case, at, N, rooms[p], marks[p], y, p, begin)
+            status, steps, last, event, s = iterate_single(
+                place, y[at_s + p], limit, points, differences
+            )
+            iterations, correction = max(iterations, steps), max(correction, last)
+            norm = max(norm, event)
+            if status != 0:
+                return status, iterations, correction, norm
+            further, faster = gained(rooms[p], s, v)
         else:  # what a held phase gains is its speed times its duration
-            slope = numbers[p, E_X] * y[at[p] + 1]
+            slope = numbers[p, E_X] * v
             if slope == 0:
-                return SINGULAR, iterations, correction
-            status, steps, last = 0, 0, 0.0
-            s[0] = -begin / slope
-            event_residual(place, s, room[0])
-        iterations, correction = max(iterations, steps), max(correction, last)
-        if status != 0:
-            return status, iterations, correction
+                return SINGULAR, iterations, correction, norm
+            s = -begin / slope
+            further, faster = s * v, 0.0
+        y[at_s + p] = s
         if i < count - 1:
             q = (p + 1) % count
             sign = cell[0] if q == 0 else 1.0
-            total += turned * ends[0, p, 0]
+            total += turned * further
             turned *= sign
-            law = numbers[p, RHO] * y[at[p] + 1] + numbers[p, JUMP]
-            y[at[q]] = sign * (y[at[p]] + ends[0, p, 0])
-            y[at[q] + 1] = sign * (law + numbers[p, RHO] * ends[0, p, 1])
+            law = numbers[p, RHO] * v + numbers[p, JUMP]
+            y[at[q]] = sign * (x + further)
+            y[at[q] + 1] = sign * (law + numbers[p, RHO] * faster)
             for state in range(2):
                 of = kinds[p, OF_X + state]
                 if of == AFTER and is_alone(case, p, state):  # exactly as the event says
                     y[at[q] + state] = -sign * numbers[p, E_0] / numbers[p, E_X + state]
-    return 0, iterations, correction
+    return 0, iterations, correction, norm
 
 
 def all_at_once(
-    case: Any, at: Any, N: int, work: Any, whole: Vector, left: Matrix, known: Any, used: Any,
-    limit: int, J: Matrix, rows: Any, vectors: Matrix,
-) -> tuple[int, int, float]:  # fmt: skip
+    place: Any, J: Matrix, limit: int, exchanged: Any, vectors: Matrix
+) -> tuple[int, int, float, float]:
     """Solve for what is not known, from the times in `whole`; the room is Newton's method's."""
-    place = (case, at, N, work, whole, left, known, used)
+    case, at, _, _, whole, _, known, used = place
     durations, forced = times_of(place)
-    y, j = vectors[5], 0
+    y, j = vectors[5, : len(J)], 0
     for i in range(len(whole)):
         if not known[i]:
             y[j] = whole[i]
             j += 1
-    fitted(place, y, durations + forced, vectors[0], J)
-    status, iterations, correction, _ = iterate_within(place, y, limit, J, rows, vectors)
+    fitted(place, y, durations + forced, vectors[0, : len(J)], J)
+    found = iterate_within(place, y, limit, J, exchanged, vectors)
     together_residual(place, y, vectors[0])
     given_last(case, whole, at, known, used)
-    return status, iterations, correction
+    return found
+
+
+def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> int:
+    """Fill in places, times and what single conditions give; return what `known_begin` does.
+
+    marks : ndarray, shape (3, n)
+        Where the unknowns of each phase begin; of each unknown whether it is known; of each
+        condition whether it is used.
+    """
+    kinds, at, known, used = case[0], marks[0], marks[1], marks[2]
+    fill_places(kinds, N, at)
+    times = len(kinds) + (1 if case[4][2] != 0 else 0)
+    for i in range(times):
+        whole[len(whole) - 1 - i] = z[len(z) - 1 - i]
+    given_alone(case, whole, at, known, used)
+    first = known_begin(case, at, known)
+    if first < 0:
+        given_last(case, whole, at, known, used)
+    return first
 
 
 def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
     """Solve ``residual(case, z) = 0`` from the times in `z`, which is overwritten.
 
-    See `iteration.iterate_scene`; the norm returned is that of the whole residual.
+    See `iteration.iterate_scene`; the norm returned is that of what joins the phases.
     """
-    kinds, _, setting, _, cell = case[:5]
-    N = order_of(case, z)
-    at = places_kept(kinds, N)
-    work = workplace(kinds, at, N)
-    times = len(kinds) + (1 if cell[2] != 0 else 0)
-    size = at[len(kinds)] + len(setting) + times
-    whole, left = np.zeros(size), np.zeros((size, size))
-    known, used = np.zeros(size, dtype=np.bool_), np.zeros(size, dtype=np.bool_)
-    for i in range(times):
-        whole[size - times + i] = z[len(z) - times + i]
-    given_alone(case, whole, at, known, used)
-    first = known_begin(case, at, known)
+    kinds, N = case[0], order_of(case, z)
+    count, (length, columns, _) = len(kinds), extent(kinds, N)
+    size = len(case[2]) + count + (1 if case[4][2] != 0 else 0)
+    for p in range(count):
+        size += 2 + terms(kinds, p, N) - tests(kinds, p, N)
+    rooms, lines = np.zeros((count, length, columns)), np.zeros((9, max(size, POINTS)))
+    marks = np.zeros((count + 4, max(length, size)), dtype=np.int64)
+    whole, more, at = lines[0, :size], marks[count:], marks[count]
+    first = begin(case, z, N, whole, more)
     if first >= 0:
-        room = np.empty((ROOM + 1, POINTS))
-        status, iterations, correction = one_by_one(
-            case, whole, at, N, work, first, limit, room
-        )
-    else:
-        given_last(case, whole, at, known, used)
-        n = size
-        for i in range(size):
-            n -= 1 if known[i] else 0
-        J, rows, vectors = np.empty((n, n)), np.empty(n, dtype=np.int64), np.empty((6, n))
-        status, iterations, correction = all_at_once(
-            case, at, N, work, whole, left, known, used, limit, J, rows, vectors
-        )
-    unpack(case, whole, at, N, work, z)
-    R = np.empty(len(z))
-    residual(case, z, R)
-    norm = 0.0
-    for value in R:
-        if abs(value) > norm or np.isnan(value):
-            norm = abs(value)
-    return status, iterations, correction, norm
+        found = one_by_one(case, whole, at, N, rooms, marks, first, limit, lines[1], lines[2])
+        unpack(case, whole, at, N, rooms, marks, rooms, z)
+        return found
+    work, left = workplace(kinds, N, rooms, marks), np.zeros((size, size))
+    place = (case, at, N, work, whole, left, more[1], more[2])
+    n = size
+    for i in range(size):
+        n -= 1 if more[1, i] else 0
+    found = all_at_once(place, np.empty((n, n)), limit, more[3], lines[1:])
+    unpack(case, whole, at, N, rooms, marks, work[2], z)
+    return found
