@@ -27,7 +27,7 @@ from .iteration import (
 )
 
 #: A correction that is at most this part of the one before is taken without a derivative.
-FAST = 0.25
+FAST = 0.5
 
 #: Most points of the inverse function; they are used up by rounding long before.
 POINTS = 8

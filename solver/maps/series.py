@@ -70,24 +70,29 @@ def fill_places(kinds: Any, N: int, at: Any) -> None:
         at[p + 1] = at[p] + 2 + terms(kinds, p, N) - tests(kinds, p, N)
 
 
-def extent(kinds: Any, N: int) -> tuple[int, int, int]:
-    """Return rows and columns of the room of a phase, and how many derivatives are joined."""
-    rows, last, high = BLOCK, 0, 2
+def extent(case: Any, N: int) -> tuple[int, int, int, int]:
+    """Return how many unknowns are solved for together, and what room they need.
+
+    It is rows and columns of the room of a phase, and how many derivatives are joined.
+    """
+    kinds = case[0]
+    size, rows, last, high = len(case[2]) + (1 if case[4][2] != 0 else 0), BLOCK, 0, 2
     for p in range(len(kinds)):
         number = terms(kinds, p, N)
-        rows = max(rows, number + kinds[p, BESIDE])
-        last = max(last, number - tests(kinds, p, N))
+        own = number - tests(kinds, p, N)
+        size += 3 + own
+        rows, last = max(rows, number + kinds[p, BESIDE]), max(last, own)
         high = max(high, kinds[p, CLASS] + 1)
-    return PAD + rows + SIDE, LAST + last, high
+    return size, PAD + rows + SIDE, LAST + last, high
 
 
-def workplace(kinds: Any, N: int, rooms: Any, marks: Any) -> Any:
+def workplace(case: Any, N: int, rooms: Any, marks: Any) -> Any:
     """Return where phases are solved: their rooms, their marks, and what has room here.
 
     It is for the moments of the forcing; for which times there are bands; and, as `joints`
     takes them, for angles of the forcing, how phases end, and the derivatives.
     """
-    count, (length, columns, high) = len(kinds), extent(kinds, N)
+    count, (_, length, columns, high) = len(case[0]), extent(case, N)
     return (
         rooms,
         marks,
@@ -350,5 +355,5 @@ def unpack(
                 value -= m * unseen(rows + j, l, kinds[p, CLASS]) * z[place + j]
             z[place + i] = value / (m * unseen(l, l, kinds[p, CLASS]))
         place += left
-    for i in range(len(y) - at[len(kinds)]):
+    for i in range(len(z) - place):
         z[place + i] = y[at[len(kinds)] + i]

@@ -30,8 +30,6 @@ from ...generated.ck import (
     joint_rates,
     joints,
     order_of,
-    terms,
-    tests,
 )
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import SINGULAR, iterate_within
@@ -232,17 +230,17 @@ def event_rate(place: Any, s: float) -> float:
 
 
 def one_by_one(
-    case: Any, y: Vector, at: Any, N: int, rooms: Any, marks: Any, first: int, limit: int,
-    points: Vector, differences: Vector,
-) -> tuple[int, int, float, float]:  # fmt: skip
+    case: Any, z: Vector, N: int, limit: int, rooms: Any, lines: Matrix, marks: Any, first: int
+) -> tuple[int, int, float, float]:
     """Solve for the durations one after the other, from a phase whose begin is known.
 
     The event that ends the last of them is the one that gives where the first begins: what is
     gained on the way, `total`, is to be zero, or to bring the mass to the other side.
     """
-    kinds, numbers, cell = case[0], case[1], case[4]
-    count, at_s = len(kinds), at[len(kinds)]
-    iterations, correction, norm, total, turned = 0, 0.0, 0.0, 0.0, 1.0
+    kinds, numbers, cell, y = case[0], case[1], case[4], lines[0]
+    count, at = len(kinds), marks[len(kinds)]
+    at_s, status, iterations, correction, norm = at[count], 0, 0, 0.0, 0.0
+    total, turned = 0.0, 1.0
     for i in range(count):
         p = (first + i) % count
         x, v = y[at[p]], y[at[p] + 1]
@@ -252,20 +250,17 @@ def one_by_one(
         if kinds[p, FREE]:
             place = (case, at, N, rooms[p], marks[p], y, p, begin)
             status, steps, last, event, s = iterate_single(
-                place, y[at_s + p], limit, points, differences
+                place, y[at_s + p], limit, lines[1], lines[2]
             )
             iterations, correction = max(iterations, steps), max(correction, last)
-            norm = max(norm, event)
-            if status != 0:
-                return status, iterations, correction, norm
-            further, faster = gained(rooms[p], s, v)
+            norm, (further, faster) = max(norm, event), gained(rooms[p], s, v)
         else:  # what a held phase gains is its speed times its duration
             slope = numbers[p, E_X] * v
-            if slope == 0:
-                return SINGULAR, iterations, correction, norm
-            s = -begin / slope
+            status, s = (0, -begin / slope) if slope != 0 else (SINGULAR, 0.0)
             further, faster = s * v, 0.0
         y[at_s + p] = s
+        if status != 0:
+            break
         if i < count - 1:
             q = (p + 1) % count
             sign = cell[0] if q == 0 else 1.0
@@ -278,14 +273,15 @@ def one_by_one(
                 of = kinds[p, OF_X + state]
                 if of == AFTER and is_alone(case, p, state):  # exactly as the event says
                     y[at[q] + state] = -sign * numbers[p, E_0] / numbers[p, E_X + state]
-    return 0, iterations, correction, norm
+    unpack(case, y, at, N, rooms, marks, rooms, z)
+    return status, iterations, correction, norm
 
 
 def all_at_once(
-    place: Any, J: Matrix, limit: int, exchanged: Any, vectors: Matrix
+    place: Any, z: Vector, limit: int, J: Matrix, exchanged: Any, vectors: Matrix
 ) -> tuple[int, int, float, float]:
     """Solve for what is not known, from the times in `whole`; the room is Newton's method's."""
-    case, at, _, _, whole, _, known, used = place
+    case, at, N, work, whole, _, known, used = place
     durations, forced = times_of(place)
     y, j = vectors[5, : len(J)], 0
     for i in range(len(whole)):
@@ -296,11 +292,14 @@ def all_at_once(
     found = iterate_within(place, y, limit, J, exchanged, vectors)
     together_residual(place, y, vectors[0])
     given_last(case, whole, at, known, used)
+    unpack(case, whole, at, N, work[0], work[1], work[2], z)
     return found
 
 
-def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> int:
-    """Fill in places, times and what single conditions give; return what `known_begin` does.
+def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> tuple[int, int]:
+    """Fill in places, times and what single conditions give.
+
+    Returned are what `known_begin` does, and how many unknowns are left.
 
     marks : ndarray, shape (3, n)
         Where the unknowns of each phase begin; of each unknown whether it is known; of each
@@ -308,14 +307,33 @@ def begin(case: Any, z: Vector, N: int, whole: Vector, marks: Any) -> int:
     """
     kinds, at, known, used = case[0], marks[0], marks[1], marks[2]
     fill_places(kinds, N, at)
-    times = len(kinds) + (1 if case[4][2] != 0 else 0)
-    for i in range(times):
+    for i in range(len(kinds) + (1 if case[4][2] != 0 else 0)):
         whole[len(whole) - 1 - i] = z[len(z) - 1 - i]
     given_alone(case, whole, at, known, used)
-    first = known_begin(case, at, known)
+    first, unknown = known_begin(case, at, known), len(whole)
     if first < 0:
         given_last(case, whole, at, known, used)
-    return first
+    for i in range(len(whole)):
+        unknown -= 1 if known[i] else 0
+    return first, unknown
+
+
+def at_once(
+    case: Any, z: Vector, N: int, limit: int, rooms: Any, lines: Matrix, marks: Any, n: int
+) -> tuple[int, int, float, float]:
+    """Solve for `n` unknowns together: `all_at_once` within room that is made here."""
+    count, size = len(case[0]), extent(case, N)[0]
+    place = (
+        case,
+        marks[count],
+        N,
+        workplace(case, N, rooms, marks),
+        lines[0, :size],
+        np.zeros((size, size)),
+        marks[count + 1],
+        marks[count + 2],
+    )
+    return all_at_once(place, z, limit, np.empty((n, n)), marks[count + 3], lines[1:])
 
 
 def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
@@ -323,24 +341,11 @@ def iterate_together(case: Any, z: Vector, limit: int) -> tuple[int, int, float,
 
     See `iteration.iterate_scene`; the norm returned is that of what joins the phases.
     """
-    kinds, N = case[0], order_of(case, z)
-    count, (length, columns, _) = len(kinds), extent(kinds, N)
-    size = len(case[2]) + count + (1 if case[4][2] != 0 else 0)
-    for p in range(count):
-        size += 2 + terms(kinds, p, N) - tests(kinds, p, N)
+    count, N = len(case[0]), order_of(case, z)
+    size, length, columns, _ = extent(case, N)
     rooms, lines = np.zeros((count, length, columns)), np.zeros((9, max(size, POINTS)))
     marks = np.zeros((count + 4, max(length, size)), dtype=np.int64)
-    whole, more, at = lines[0, :size], marks[count:], marks[count]
-    first = begin(case, z, N, whole, more)
+    first, n = begin(case, z, N, lines[0, :size], marks[count:])
     if first >= 0:
-        found = one_by_one(case, whole, at, N, rooms, marks, first, limit, lines[1], lines[2])
-        unpack(case, whole, at, N, rooms, marks, rooms, z)
-        return found
-    work, left = workplace(kinds, N, rooms, marks), np.zeros((size, size))
-    place = (case, at, N, work, whole, left, more[1], more[2])
-    n = size
-    for i in range(size):
-        n -= 1 if more[1, i] else 0
-    found = all_at_once(place, np.empty((n, n)), limit, more[3], lines[1:])
-    unpack(case, whole, at, N, rooms, marks, work[2], z)
-    return found
+        return one_by_one(case, z, N, limit, rooms, lines, marks, first)
+    return at_once(case, z, N, limit, rooms, lines, marks, n)

@@ -16,7 +16,7 @@ from nonsmooth.solver.iteration.iteration import (
     SINGULAR,
     TOO_MANY,
 )
-from nonsmooth.solver.iteration.single import POINTS
+from nonsmooth.solver.iteration.single import FAST, POINTS
 from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import ONE, made
 
@@ -129,7 +129,7 @@ def test_it_begins_anew_where_corrections_do_not_shrink_fast() -> None:
     assert len(found.slopes) > 1
     steps = np.abs(np.diff(found.seen))
     for before, step, y in zip(steps, steps[1:], found.seen[1:], strict=False):
-        assert y in found.slopes or step <= 0.25 * before
+        assert y in found.slopes or step <= FAST * before
 
 
 def test_a_step_that_reduces_nothing_is_halved() -> None:

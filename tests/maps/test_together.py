@@ -23,20 +23,20 @@ def begun(scene, method, order):
     case = registry.load(scene)()
     kernel = registry.kernel(case.scene, method)
     given = kernel.given(case, order)
-    at, rooms, marks = rooms_of(given[0], order)
+    at, rooms, marks = rooms_of(given, order)
     rng = np.random.default_rng(order)
     times = kernel.durations + kernel.forced
     y = rng.normal(size=at[-1] + len(given[2]) + times)
     y[-times:] = rng.uniform(0.5, 2.0, times)
     known, used = np.zeros(len(y), dtype=bool), np.zeros(len(y), dtype=bool)
-    work = MAPS["workplace"](given[0], order, rooms, marks)
+    work = MAPS["workplace"](given, order, rooms, marks)
     place = (given, at, order, work, y.copy(), np.zeros((len(y), len(y))), known, used)
     return kernel, place, y
 
 
-def rooms_of(kinds, order):
+def rooms_of(given, order):
     """Return where the unknowns of each phase begin, and room for them."""
-    length, columns, _ = MAPS["extent"](kinds, order)
+    kinds, (_, length, columns, _) = given[0], MAPS["extent"](given, order)
     rooms, marks = np.zeros((len(kinds), length, columns)), np.zeros((len(kinds), length), int)
     at = np.zeros(len(kinds) + 1, dtype=np.int64)
     MAPS["fill_places"](kinds, order, at)
@@ -154,8 +154,8 @@ def test_phases_of_many_periods_keep_their_digits():
     kernel = registry.kernel(case.scene, "ck-tau")
     order, times = 60, np.array([2 * np.pi / case.cell.omega, 0.7])
     given = kernel.given(case, order)
-    at, rooms, marks = rooms_of(given[0], order)
-    work = MAPS["workplace"](given[0], order, rooms, marks)
+    at, rooms, marks = rooms_of(given, order)
+    work = MAPS["workplace"](given, order, rooms, marks)
     y = np.array([0.3, -0.2, *times])
     MAPS["solve_phases"](given, y, at, order, work)
     assert marks[0, MAPS["WIDE"]]  # exchanged
