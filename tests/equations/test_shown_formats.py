@@ -111,11 +111,12 @@ def test_a_long_product_is_broken_between_its_factors() -> None:
 @pytest.mark.parametrize("unicode", [True, False])
 def test_a_record_its_equations_and_a_notebook_show_the_same(unicode: bool) -> None:
     record = ns.equations("hb-c1")
+    document, shown_there, text = record.latex(), record._repr_latex_(), record.text(unicode)
     for row in record.equations:
         assert aligned(row) in row.latex() == row._repr_latex_()
-        assert row.latex() in record.latex()
-        assert row.latex() in record._repr_latex_()
-        assert row.text(unicode) in record.text(unicode)
+        assert row.latex() in document
+        assert row.latex() in shown_there
+        assert row.text(unicode) in text
         assert (rf"\tag{{{row.number}}}" if row.number else r"\notag") in row.latex()
 
 
