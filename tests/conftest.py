@@ -4,7 +4,7 @@ import gc
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -20,6 +20,7 @@ from hypothesis import settings
 
 import nonsmooth as ns
 from nonsmooth.cli import main
+from nonsmooth.solver.kernels.compiling import Account
 
 # The same examples in every run: a change that fails is a change, not a throw of dice.
 settings.register_profile(
@@ -30,9 +31,11 @@ settings.register_profile(
 )
 settings.load_profile("fixed")
 
-#: Rooms and files whose tests share what they derive: one process runs them.
+#: Rooms and files whose tests share what they derive or compile: one process runs them.
 SHARED = {
     **dict.fromkeys(("test_command_line", "test_documentation", "report"), "paper"),
+    **dict.fromkeys(("accuracy", "test_iteration_scenes"), "paper"),
+    **dict.fromkeys(("branch", "charts", "test_branches_of_bodies"), "branches"),
     **{room: room for room in ("equations", "galerkin", "space")},
 }
 
@@ -71,6 +74,33 @@ def pytest_collection_finish() -> None:
     """Look less often for garbage, and not in what is imported: 8 % of a derivation."""
     gc.freeze()
     gc.set_threshold(10_000, 50, 100)
+
+
+@pytest.fixture(scope="session")
+def accounts() -> Iterator[list[Account]]:
+    """Return the accounts of all kernels, as they are made."""
+    made: list[Account] = []
+    begin = Account.__init__
+
+    def noted(self: Account, *given: Any) -> None:
+        begin(self, *given)
+        made.append(self)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Account, "__init__", noted)
+        yield made
+
+
+@pytest.fixture(autouse=True)
+def nothing_spent(accounts: list[Account]) -> None:
+    """Let each test begin as a process does: compiled is what pays within one test.
+
+    Else all that ran before, and how busy the cores were, would decide it, and kernels would
+    be compiled for the last second of what they are needed for.
+    """
+    Account.total = 0.0
+    for account in accounts:
+        account.seconds = 0.0
 
 
 Outcome = tuple[int, str, str]

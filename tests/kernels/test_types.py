@@ -14,7 +14,7 @@ import nonsmooth as ns
 from nonsmooth.solver.branch import walk
 from nonsmooth.solver.branch.bodies.course import BODIES
 from nonsmooth.solver.charts import block
-from nonsmooth.solver.kernels import polynomials, series
+from nonsmooth.solver.kernels import bodies, polynomials, series
 from nonsmooth.solver.kernels.compiling import Account, rebuilt
 from nonsmooth.solver.kernels.family import Family
 from nonsmooth.solver.solve import solve_case
@@ -127,6 +127,13 @@ def test_branches_of_bodies(looked_at) -> None:
     names = looked_at(BODIES)
     ns.branch(ns.scene("chain-impact")(frequency=0.5), "gap", 0.5, 1.0)
     assert {"corrected", "look", "walk"} <= names
+
+
+def test_force_series(looked_at) -> None:
+    names = looked_at(bodies.FAMILY)
+    solve_case(ns.scene("beam-clearance")(modes=2), "ck-tau", 4)
+    solve_case(ns.scene("jenkins-absorber")(), "ck-tau", 4)
+    assert {"residual", "jacobian"} <= names
 
 
 def test_maps(looked_at) -> None:
