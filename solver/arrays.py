@@ -11,6 +11,9 @@ Vector: TypeAlias = npt.NDArray[np.float64]
 #: Indices of entries, or which of them are meant.
 Indices: TypeAlias = npt.NDArray[np.intp] | npt.NDArray[np.bool_]
 
+#: Array of int64, of any shape.
+Integers: TypeAlias = npt.NDArray[np.int64]
+
 #: Two-dimensional array of float64.
 Matrix: TypeAlias = npt.NDArray[np.float64]
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Matrix, Vector
+from .arrays import Integers, Matrix, Vector
 from .branch.branch import index_of
 from .branch.course import Course
 from .charts.block import NEITHER, STABLE, block_of
@@ -22,7 +22,6 @@ from .charts.curves import curves_of
 from .charts.lines import Line, Stretch, line_of
 from .charts.plane import Bounds, Plane
 from .results.chart import Chart, ChartInterrupted, EventCurve
-from .scenes.arrays import Integers
 from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.parameter_error import is_number

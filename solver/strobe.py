@@ -6,9 +6,8 @@ from itertools import repeat
 
 import numpy as np
 
-from .arrays import Matrix, Vector
+from .arrays import Integers, Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
-from .scenes.arrays import Integers
 from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.parameter_error import ParameterError, is_number, whole

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..arrays import Complex, Indices, Matrix, Vector
-from ..scenes.arrays import Integers
+from ..arrays import Complex, Indices, Integers, Matrix, Vector
 from .laws import free, law_matrix, places
 from .modal import BodyError
 from .poles import Forms, Poles, poles_of

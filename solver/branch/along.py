@@ -6,9 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import arrays
-from ..scenes.arrays import Integers
 from ..scenes.cell import Cell, Form
 from ..scenes.mirror import mirror, same
 

@@ -10,14 +10,13 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from ...generated.ck import F
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
 from ..kernels.compiling import Account
 from ..kernels.family import Family
 from ..kernels.kernel import pays
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
-from ..scenes.arrays import Integers
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form
 from ..scenes.dimensionless import Units

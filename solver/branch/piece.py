@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..orbit.exact_orbit import ExactOrbit
-from ..scenes.arrays import Integers
 from ..scenes.case import Case
 from ..scenes.cell import Cell, Form
 from . import walk

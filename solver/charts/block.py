@@ -5,14 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..branch import walk
 from ..branch.walk import MODULES
 from ..kernels import linking
 from ..kernels.compiling import Account, rebuilt
 from ..kernels.family import Family
 from ..kernels.kernel import pays
-from ..scenes.arrays import Integers
 from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import ROUNDING, of_monodromy
 from . import filling, following

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..branch.along import (
     ROUNDING,
     Along,
@@ -20,7 +20,6 @@ from ..branch.course import Course, Row, sizes_of
 from ..branch.piece import unit_of
 from ..flow.exact_system import arrays
 from ..orbit.exact_orbit import ExactOrbit, of_unknowns
-from ..scenes.arrays import Integers
 from ..scenes.case import Case
 
 #: Terms of the series by each parameter, in turn, until they are resolved.

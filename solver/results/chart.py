@@ -6,9 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..presentation.table import Table, Tabular
-from ..scenes.arrays import Integers
 from ..scenes.case import Case
 
 #: Whether an orbit is stable, by the number that an array has for it.

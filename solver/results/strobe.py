@@ -5,9 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..presentation.table import Table, Tabular
-from ..scenes.arrays import Integers
 from ..scenes.case import Case
 
 #: Units of what is seen.

@@ -1,16 +1,13 @@
 """The equations of a cell as arrays: what kernels of any scene take for a case."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from ...generated import ck
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from .cell import Cell, Phase
-
-Integers: TypeAlias = npt.NDArray[np.int64]
 
 
 class Arrays(NamedTuple):

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from ..arrays import Matrix
-from ..scenes.arrays import Integers
+from ..arrays import Integers, Matrix
 from ..scenes.case import Case
 from .machine import Machine, follow_by, with_array
 from .machines import AnyMachine, AnyState

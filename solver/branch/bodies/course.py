@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
+from ...arrays import Integers, Matrix, Vector
 from ...bodies.exact import evaluated
 from ...bodies.laws import under
 from ...bodies.modal import BodyError
@@ -14,7 +14,6 @@ from ...kernels import linking
 from ...kernels.family import Family
 from ...kernels.start import RoughTimes
 from ...orbit.exact_orbit import ExactOrbit, from_times
-from ...scenes.arrays import Integers
 from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ...scenes.case import Case
 from ...scenes.cell import Cell, Form

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...arrays import Matrix
-from ...scenes.arrays import Integers, arrays_of
+from ...arrays import Integers, Matrix
+from ...scenes.arrays import arrays_of
 from ...scenes.cell import Cell, Form
 from ..nodes import Node, ending, turns, walls
 from .column import NONE

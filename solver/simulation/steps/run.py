@@ -7,9 +7,8 @@ from math import inf
 
 import numpy as np
 
-from ...arrays import Matrix
+from ...arrays import Integers, Matrix
 from ...flow.responses import state_at
-from ...scenes.arrays import Integers
 from .chatter import CHATTER, accumulates, put_last
 from .clock import Clock, at_start, later, time_to
 from .column import NONE

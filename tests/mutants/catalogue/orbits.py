@@ -133,8 +133,8 @@ MUTANTS = (
     Mutant(
         "of two full columns the second is that of the first row alone",
         "solver/maps/series.py",
-        "full[PAD + low, 1] += tables[p, low, 1] * second",
-        "full[PAD + low, 1] += 0.0",
+        "room[PAD + low, FULL + 1] += tables[p, low, 1] * second",
+        "room[PAD + low, FULL + 1] += 0.0",
         TOGETHER,
     ),
     Mutant(
