@@ -80,11 +80,11 @@ class Modes(Tabular, Sequence[Mode]):
         return f"<{head}: {self[0].frequency:.10g} to {self[-1].frequency:.10g} Hz>"
 
     def __str__(self) -> str:
-        lines = [f"{'mode':>4}  {'f [Hz]':>13}  {'beta':>13}  {'f/f_ex-1':>9}  proved"]
+        lines = [f"{'mode':>4}  {'f [Hz]':>13}  {'omega [rad/s]':>13}  {'f/f_ex-1':>9}  proved"]
         for mode in self:
             within = mode.proved_within
             proved = "" if within is None else f"{within:.1e}"
-            numbers = f"{mode.frequency:13.9g}  {mode.beta:13.10g}  {mode.error:9.1e}"
+            numbers = f"{mode.frequency:13.9g}  {mode.omega:13.9g}  {mode.error:9.1e}"
             lines.append(f"{mode.number:4d}  {numbers}  {proved}".rstrip())
         return "\n".join(lines)
 

@@ -250,7 +250,7 @@ def test_what_the_pictures_of_a_study_show() -> None:
     along = vary_of("position=1/4:1/2:2", False, attached("beam-mass"))
     found = [ns.modes(each, count=2) for each in structures_of(along, attached("beam-mass"))]
     family = pictures.family_figure(along.flag, values_of(along), found)
-    assert family.axes[0].lines[1].get_ydata()[-1] == pytest.approx(2.0)
+    assert family.axes[0].lines[1].get_ydata()[-1] == pytest.approx((2 * np.pi) ** 2)
 
 
 @pytest.mark.parametrize(

@@ -234,16 +234,15 @@ def convergence_figure(study: "Convergence") -> Figure:
 def family_figure(
     name: str, values: "Sequence[float]", found: "Sequence[Modes]", log: bool = False
 ) -> Figure:
-    """Draw the wave numbers over a parameter, in units of pi: integers without attachment."""
+    """Draw the angular frequencies over a parameter."""
     figure = Figure(figsize=(8, 4.2), layout="constrained")
     axes = figure.subplots()
     for i in range(min(map(len, found))):
-        beta = [expansion[i].beta / np.pi for expansion in found]
-        axes.plot(values, beta, marker=".", linewidth=1.0, label=f"mode {i + 1}")
+        omega = [expansion[i].omega for expansion in found]
+        axes.plot(values, omega, marker=".", linewidth=1.0, label=f"mode {i + 1}")
     if log:
         axes.set_xscale("log")
-    axes.set(xlabel=name, ylabel=r"$\beta/\pi$")
-    axes.set_yticks(range(int(axes.get_ylim()[1]) + 1))
+    axes.set(xlabel=name, ylabel=r"$\omega$ [rad/s]", yscale="log")
     figure.legend(loc="outside right center", frameon=False)
     expansion = found[0]
     words = f"{expansion.structure.name} by {expansion.shown}, N = {expansion.order}"

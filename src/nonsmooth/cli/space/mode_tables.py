@@ -97,7 +97,7 @@ def convergence(study: "Convergence") -> None:
     structure = study.attached.structure
     names = {(line.method, line.forced): line.name(study.attached) for line in study.lines}
     table = table_of(
-        "method", "N", "unknowns", "beta", "lam/lam_ex-1", "u",
+        "method", "N", "unknowns", "omega [rad/s]", "lam/lam_ex-1", "u",
         _primes(structure.broken), "jump law",
     )  # fmt: skip
     for row in study.rows:
@@ -105,9 +105,10 @@ def convergence(study: "Convergence") -> None:
         if row.beta is None:
             table.add_row(*head, "no such mode", "", "", "", "")
             continue
+        omega = row.beta**structure.m * study.attached.frequency_unit
         table.add_row(
             *head,
-            f"{row.beta:.10g}",
+            f"{omega:.9g}",
             f"{row.eigenvalue_error:.1e}",
             f"{row.shape:.1e}",
             f"{row.discontinuous:.1e}",
