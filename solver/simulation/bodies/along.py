@@ -11,7 +11,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ...arrays import Complex, Matrix, Vector
+from ...arrays import Complex, Indices, Matrix, Vector
+from ...bodies.flow import CLEAR, steady
 from .regime import Regime
 
 #: How near to a drive a pole has no parts of its own, as a part of the frequency of the
@@ -30,31 +31,40 @@ class Along:
     Y: Vector
     rows: Matrix
 
-    def at(self, t: Vector) -> tuple[Matrix, Matrix]:
-        """Return values and slopes at times from the beginning; shape (F, len(t)) each."""
-        both = np.vstack([self.rows, self.rows @ self.regime.generator])
-        found = seen(self.regime, self.Y, both, t)
-        return found[: len(self.rows)], found[len(self.rows) :]
+    def at(self, t: Vector, form: int | None = None) -> tuple[Matrix, Matrix]:
+        """Return values and slopes at times from the beginning; shape (F, len(t)) each.
+
+        Of one form alone, if one is given.
+        """
+        parts, count = self._parts, len(self.rows)
+        which = slice(None) if form is None else slice(form, None, count)
+        clear = parts.apart * np.abs(t).max() >= CLEAR
+        free = self._all_free if clear.all() else parts.free(clear)
+        basis, waves = parts.basis[which], free.waves[which, None]
+        z = free.own[:, None] * np.exp(parts.s[:, None] * t)
+        if not clear.all():
+            z[~clear] = parts.driven(~clear, t, self._omega)
+        found = (basis @ z).real + (waves * np.exp(1j * self._omega * t)).real
+        found += free.constant[which, None]
+        return found[: len(found) // 2], found[len(found) // 2 :]
 
     @cached_property
     def sizes(self) -> Vector:
         """What each form is the sum of, added without sign, where the phase begins."""
-        parts = self._parts
-        waves = np.hypot(*self.rows[:, self._n : self._n + 2].T)
-        modes = np.abs(parts.basis) @ np.abs(parts.start)
-        return np.asarray(
-            modes + waves + np.abs(self.rows[:, self._n + 2 :]) @ np.abs(self.Y[self._n + 2 :])
-        )
+        n, modes = self._n, np.abs(self._basis) @ np.abs(self._parts.start)
+        waves = np.hypot(*self.rows[:, n : n + 2].T)
+        rest = np.abs(self.rows[:, n + 2 :]) @ np.abs(self.Y[n + 2 :])
+        return np.asarray(modes + waves + rest)
 
     def bounds(self, order: int, t: Vector, h: float) -> Matrix:
         """Return what a derivative never exceeds from times on, for h; shape (F, len(t))."""
-        parts, omega = self._parts, self.regime.part.flow.omega
+        parts, omega = self._parts, self._omega
         grow = np.exp(np.minimum(np.maximum(parts.s.real, 0.0) * h, 700.0))[:, None]
         decay = np.exp(np.minimum(np.outer(parts.s.real, t), 700.0))
         power = np.abs(parts.s)[:, None] ** order
-        own = np.abs(parts.own)[:, None] * decay * power * grow
+        own = np.abs(self._far.own)[:, None] * decay * power * grow
         if parts.near.any():
-            size, drive = np.abs(parts.start)[:, None], parts.drive[:, None]
+            size, drive = np.abs(parts.start)[:, None], self._drive[:, None]
             damped = np.maximum(-parts.s.real, 0.0)[:, None]
             for_long = np.minimum(t, 1 / np.maximum(damped, 1e-300)) * np.maximum(decay, 1.0)
             most = (size * decay + drive * (for_long + h)) * grow
@@ -62,27 +72,27 @@ class Along:
                 np.abs(parts.s)[:, None] ** (order - 1 - k) * omega**k for k in range(order)
             ]
             own[parts.near] = (power * most + drive * sum(terms))[parts.near]
-        waves = np.abs(parts.wave) * omega**order
-        return np.asarray(np.abs(parts.basis) @ own + waves[:, None])
+        waves = np.abs(self._far.waves[: len(self.rows)]) * omega**order
+        return np.asarray(np.abs(self._basis) @ own + waves[:, None])
 
     def least(self, t: float) -> Vector:
         """Return what each form is never below from a time on; minus infinity if not known."""
-        parts = self._parts
+        parts, far, count = self._parts, self._far, len(self.rows)
         still = np.abs(parts.s) <= STILL * np.abs(parts.s).max()
-        still &= parts.drive <= STILL * np.abs(self.Y).max()
+        still &= self._drive <= STILL * np.abs(self.Y).max()
         moving = parts.near & ~still
         if moving.any() or (parts.s.real > 0)[~still].any():
-            return np.full(len(self.rows), -np.inf)
-        left = np.where(still, 0.0, np.abs(parts.own) * np.exp(parts.s.real * t))
-        kept = (parts.basis[:, still] @ parts.start[still]).real
-        turning = np.abs(parts.wave) + np.abs(parts.basis) @ left
-        return np.asarray(parts.constant + kept - turning)
+            return np.full(count, -np.inf)
+        left = np.where(still, 0.0, np.abs(far.own) * np.exp(parts.s.real * t))
+        kept = (self._basis[:, still] @ parts.start[still]).real
+        turning = np.abs(far.waves[:count]) + np.abs(self._basis) @ left
+        return np.asarray(far.constant[:count] + kept - turning)
 
     def fastest(self, part: float) -> float:
         """Return the rate above which poles make no more than a part of the first form."""
         parts = self._parts
         turns = np.argsort(np.abs(parts.s))[::-1]
-        beyond = np.cumsum((np.abs(parts.basis[0]) * np.abs(parts.own))[turns])
+        beyond = np.cumsum((np.abs(self._basis[0]) * np.abs(self._far.own))[turns])
         counted = np.abs(parts.s)[turns][beyond > part * self.sizes[0]]
         return float(counted.max(initial=0.0))
 
@@ -90,53 +100,110 @@ class Along:
     def _n(self) -> int:
         return self.regime.states
 
+    @property
+    def _omega(self) -> float:
+        return self.regime.part.flow.omega
+
+    @property
+    def _basis(self) -> Complex:
+        """By which each pole is in each form."""
+        return self._parts.basis[: len(self.rows)]
+
+    @cached_property
+    def _drive(self) -> Vector:
+        """What drives the poles that are near to it."""
+        return np.asarray(np.abs(self._parts.drives).sum(axis=0) * self._parts.near)
+
+    @cached_property
+    def _all_free(self) -> "_Free":
+        return self._parts.free(np.ones(len(self._parts.s), dtype=bool))
+
+    @cached_property
+    def _far(self) -> "_Free":
+        return self._parts.free(~self._parts.near)
+
     @cached_property
     def _parts(self) -> "_Parts":
         flow, n, inputs = self.regime.part.flow, self._n, self.Y[self._n :]
-        half = flow.upper
-        s, basis = half.poles, self.rows[:, :n] @ half.basis
-        start = half.inverse @ self.Y[:n]
-        drives = half.drives(inputs)
-        turns = 1j * np.array([flow.omega, -flow.omega, 0.0])
-        apart = turns[:, None] - s
-        near = np.abs(apart).min(axis=0) <= (
-            REACH * flow.omega or UNFORCED * np.abs(s).max(initial=1.0)
-        )
-        up, down, one = np.array(drives) / np.where(near, 1.0, apart) * ~near
-        wave = basis @ up + (basis @ down).conj()
-        wave = wave + (self.rows[:, n] - 1j * self.rows[:, n + 1]) * (
-            inputs[0] + 1j * inputs[1]
-        )
-        constant = (basis @ one).real + self.rows[:, n + 2 :] @ inputs[2:]
-        own = np.where(near, 0.0, start - up - down - one)
-        drive = np.abs(drives).sum(axis=0) * near
-        return _Parts(s, basis, start, own, near, drive, wave, constant)
+        both = np.vstack([self.rows, self.rows @ self.regime.generator])
+        half, turns = flow.upper, 1j * np.array([flow.omega, -flow.omega, 0.0])
+        apart = turns[:, None] - half.poles
+        least = np.abs(apart).min(axis=0)
+        reach = REACH * flow.omega or UNFORCED * np.abs(half.poles).max(initial=1.0)
+        drives = np.array(half.drives(inputs))
+        direct = (both[:, n] - 1j * both[:, n + 1]) * (inputs[0] + 1j * inputs[1])
+        return _Parts(
+            half.poles, both[:, :n] @ half.basis, half.inverse @ self.Y[:n], drives,
+            drives / np.where(apart == 0, 1.0, apart), least, least <= reach, direct,
+            both[:, n + 2 :] @ inputs[2:],
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class _Free:
+    """What poles that are not near to their drives make of forms.
+
+    Parameters
+    ----------
+    own : ndarray of complex, shape (m,)
+        What of each pole is free where the phase begins; 0 of one that is near.
+    waves : ndarray of complex, shape (2 F,)
+        Factors of ``e^(i Omega t)``.
+    constant : ndarray, shape (2 F,)
+    """
+
+    own: Complex
+    waves: Complex
+    constant: Vector
 
 
 @dataclass(frozen=True, eq=False)
 class _Parts:
-    """What forms are made of.
+    """What forms and their slopes are made of.
 
     Parameters
     ----------
     s : ndarray of complex, shape (m,)
         Poles, one of each pair.
-    basis : ndarray of complex, shape (F, m)
-        By which each is in each form.
-    start, own : ndarray of complex, shape (m,)
-        Of each pole where the phase begins, and what of it is free; 0 of one near a drive.
-    drive : ndarray, shape (m,)
-        What drives those that are near.
+    basis : ndarray of complex, shape (2 F, m)
+        By which each is in each form, and in each slope.
+    start : ndarray of complex, shape (m,)
+        Of each pole where the phase begins.
+    drives, answers : ndarray of complex, shape (3, m)
+        What drives each, by ``e^(i Omega t), e^(-i Omega t), 1``, and its steady answers.
+    apart : ndarray, shape (m,)
+        How far each pole is from what drives it.
+    near : ndarray of bool, shape (m,)
+        Which have no steady answer.
+    direct : ndarray of complex, shape (2 F,)
+    fixed : ndarray, shape (2 F,)
+        What forms have without poles: factors of ``e^(i Omega t)``, and constants.
     """
 
     s: Complex
     basis: Complex
     start: Complex
-    own: Complex
-    near: "np.ndarray[tuple[int], np.dtype[np.bool_]]"
-    drive: Vector
-    wave: Complex
-    constant: Vector
+    drives: Complex
+    answers: Complex
+    apart: Vector
+    near: Indices
+    direct: Complex
+    fixed: Vector
+
+    def free(self, clear: Indices) -> _Free:
+        """Return what some of the poles make of forms, by their steady answers."""
+        up, down, one = np.where(clear, self.answers, 0.0)
+        waves = self.basis @ up + (self.basis @ down).conj() + self.direct
+        constant = (self.basis @ one).real + self.fixed
+        return _Free(np.where(clear, self.start, 0.0) - up - down - one, waves, constant)
+
+    def driven(self, which: Indices, t: Vector, omega: float) -> Complex:
+        """Return some of the poles at times, also where they are near to their drives."""
+        s, (up, down, one) = self.s[which, None], self.drives[:, which, None]
+        found = self.start[which, None] * np.exp(s * t) + one * steady(s, 0.0, t)
+        if omega:
+            return np.asarray(found + up * steady(s, omega, t) + down * steady(s, -omega, t))
+        return np.asarray(found + (up + down) * steady(s, 0.0, t))
 
 
 def seen(regime: Regime, Y: Vector, rows: Matrix, t: Vector) -> Matrix:

@@ -20,8 +20,8 @@ POINTS, LONGER = 16, 4.0
 #: Times that intervals are divided or go on before a search is given up.
 MOST_ROUNDS = 20_000
 
-#: Newton's steps and halvings to a zero.
-STEPS = 60
+#: Newton's steps and halvings to a zero, and those to that of a cubic.
+STEPS, CUBIC = 60, 6
 
 
 def first_event(
@@ -72,7 +72,8 @@ def first_event(
         )
         below = values[forms, k + 1] < -tolerance[forms]
         if below.all() and (steepest[forms, k] < 0).all():
-            found = [(_zero(along, form, a, b), form) for form in forms]
+            cubics = np.array([values[:, k], values[:, k + 1], slopes[:, k], slopes[:, k + 1]])
+            found = [(_zero(along, form, a, b, cubics[:, form]), form) for form in forms]
             return _event(min(found))
         if b - a > 4 * EPS * b:
             t, h = a, (b - a) / POINTS
@@ -116,17 +117,42 @@ def _hulls(along: Along, t: Vector, values: Matrix, slopes: Matrix) -> tuple[Mat
     return least, steep + bound * h**3 / 124
 
 
-def _zero(along: Along, form: int, a: float, b: float) -> float:
-    """Return the zero of a form that falls between two times, by Newton's method."""
-    alone = Along(along.regime, along.Y, along.rows[form : form + 1])
-    low, high, t = max(0.0, 2 * a - b), b, (a + b) / 2  # it may begin below, by rounding
+def _zero(along: Along, form: int, a: float, b: float, cubic: Vector) -> float:
+    """Return the zero of a form that falls between two times, by Newton's method.
+
+    It starts from that of the cubic by the values at both, and the slopes.
+    """
+    low, high = max(0.0, 2 * a - b), b  # it may begin below, by rounding
+    t = a + (b - a) * _zero_of_cubic(cubic * [1.0, 1.0, b - a, b - a])
+    last = b - a
     for _ in range(STEPS):
-        values, slopes = alone.at(np.array([t]))
+        values, slopes = along.at(np.array([t]), form)
         value, slope = float(values[0, 0]), float(slopes[0, 0])
+        if value == 0:
+            return t
         low, high = (t, high) if value > 0 else (low, t)
         step = -value / slope if slope < 0 else np.inf
         moved = t + step if low < t + step < high else (low + high) / 2
-        if abs(moved - t) <= EPS * t or value == 0:
-            return moved if value else t
-        t = moved
+        step = abs(moved - t)
+        if step * min(1.0, (step / last) ** 2) <= EPS * t:  # steps shrink by their squares
+            return moved
+        t, last = moved, step
     return t
+
+
+def _zero_of_cubic(cubic: Vector) -> float:
+    """Return about where a cubic that falls from 0 to 1 vanishes.
+
+    Examples
+    --------
+    >>> round(_zero_of_cubic(np.array([1.0, -7.0, 0.0, -24.0])), 6)
+    0.5
+    """
+    start, end, falls, rises = map(float, cubic)
+    second, third = 3 * (end - start) - 2 * falls - rises, 2 * (start - end) + falls + rises
+    u = min(max(start / (start - end), 0.0), 1.0)
+    for _ in range(CUBIC):
+        slope = falls + u * (2 * second + 3 * u * third)
+        value = start + u * (falls + u * (second + u * third))
+        u = min(max(u - value / slope if slope < 0 else 0.5, 0.0), 1.0)
+    return u
