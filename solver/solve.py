@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 
 from .exact import ExactOrbit, exact_orbit, settled_orbit
-from .existence.known import is_stable, known, known_orbits
+from .existence.known import is_stable, known, known_orbits, stable_first
 from .in_order import cases_in_order
 from .kernels import registry
 from .no_orbit import NoOrbit, of_any_motion
@@ -97,7 +97,7 @@ def orbit_beside(
 
 
 def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = None) -> Case:
-    """Return the case of an order of phases of which an orbit is found; else of any.
+    """Return the case of an order of phases of which an orbit is found, stable if one is.
 
     Parameters
     ----------
@@ -110,15 +110,15 @@ def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = Non
         A `ValueError`: if there is no such order.
     """
     found = cases_in_order(case, phases, cycles)
-    return next((each for each in found if len(found) > 1 and _has_orbit(each)), found[0])
-
-
-def _has_orbit(case: Case) -> bool:
-    try:
-        exact_orbit(case)
-    except NoOrbit:
-        return False
-    return True
+    if len(found) == 1:
+        return found[0]
+    orbits: list[ExactOrbit] = []
+    for each in found:
+        with suppress(NoOrbit):
+            orbits.append(exact_orbit(each))
+        if orbits and is_stable(orbits[-1]):
+            break
+    return stable_first(orbits)[0].case if orbits else found[0]
 
 
 def with_motion(case: Case, order: int = COARSE[-1]) -> Case:

@@ -57,16 +57,22 @@ def _through(cell: "BodyCell", maps: Maps, turns: Vector) -> tuple[Matrix, Matri
     along, by_wave = maps[0]
     closed, offset = np.eye(along.shape[-1]), np.zeros_like(by_wave)
     for p, (part, (along, by_wave)) in enumerate(zip(parts_of(cell), maps, strict=True)):
-        across = part.switch.state
+        across = part.closing.state
         offset = along @ offset + by_wave @ later(turns[..., p])
-        offset = across @ offset + part.switch.inputs @ later(turns[..., p + 1])
+        offset = across @ offset + part.closing.inputs @ later(turns[..., p + 1])
         closed = across @ (along @ closed)
     return cell.sign * closed, cell.sign * offset
 
 
 def _closed(closed: Matrix, offset: Matrix) -> Matrix:
-    """Return where a cell begins that closes, by what is added to it on the way."""
-    return np.asarray(np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset))
+    """Return where a cell begins that closes, by what is added to it on the way.
+
+    Not numbers where nothing holds the body.
+    """
+    try:
+        return np.asarray(np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset))
+    except np.linalg.LinAlgError:
+        return np.full(offset.shape, np.nan)
 
 
 def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
@@ -88,12 +94,10 @@ def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:
     X = _closed(*_through(cell, maps, turns))
     found = np.empty((*durations.shape, 3))
     for p, (part, (along, by_wave)) in enumerate(zip(parts, maps, strict=True)):
-        states = part.lawful.A.shape[0]
         X = along @ X + by_wave @ later(turns[..., p])
-        there, event = later(turns[..., p + 1]), part.switch.event
-        of_state = np.delete(event, slice(states, states + 3))
-        found[..., p, :] = of_state @ X + event[states : states + 3] @ there
-        X = part.switch.state @ X + part.switch.inputs @ there
+        there, closing = later(turns[..., p + 1]), part.closing
+        found[..., p, :] = closing.gradient @ X + closing.waves @ there
+        X = closing.state @ X + closing.inputs @ there
     return found
 
 
@@ -129,12 +133,10 @@ def _passed(cell: "BodyCell", maps: Maps, times: Vector, X: Vector, X_by: Matrix
         X = along @ X + by_wave @ wave(theta[p])
         X_by = along @ X_by + np.outer(by_wave @ turned(theta[p]), turns[p])
         X_by[:, by_times.start + p] += rates(part, X, theta[p + 1])
-        states = part.lawful.A.shape[0]
-        event = np.delete(part.switch.event, slice(states, states + 3))
-        there = part.switch.event[states : states + 3]
+        event, there = part.closing.gradient, part.closing.waves
         events[p] = event @ X + there @ wave(theta[p + 1])
         events_by[p] = event @ X_by + there @ turned(theta[p + 1]) * turns[p + 1]
-        across, inputs = part.switch.state, part.switch.inputs
+        across, inputs = part.closing.state, part.closing.inputs
         X = across @ X + inputs @ wave(theta[p + 1])
         X_by = across @ X_by + np.outer(inputs @ turned(theta[p + 1]), turns[p + 1])
     starts[-1], starts_by[-1] = cell.sign * X, cell.sign * X_by

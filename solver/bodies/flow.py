@@ -1,5 +1,6 @@
 """The flow of a body in one phase, in the eigenbasis of that phase."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -16,9 +17,16 @@ WORST = 1e9
 CLEAR = 0.1
 
 
+#: Terms of the series of ``(e^z - 1 - z)/z^2`` for ``|z| < 1``.
+TERMS = 20
+
+
 @dataclass(frozen=True, eq=False)
 class Flow:
     """``y' = A y + inputs (cos, sin, 1, memory)`` in the eigenbasis of A.
+
+    Where nothing holds the body, its velocity moves a place: ``z_i' = z_(i + free) + inputs``
+    for i below `free`, and the poles of both are 0.
 
     Parameters
     ----------
@@ -28,6 +36,8 @@ class Flow:
         In the basis.
     omega : float
         Angular frequency of cos and sin.
+    free : int
+        In how many ways nothing holds the body.
     """
 
     poles: Complex
@@ -35,12 +45,18 @@ class Flow:
     inverse: Complex
     inputs: Complex
     omega: float
+    free: int = 0
 
     def matrix(self, t: float | Vector) -> Matrix:
         """Return ``exp(A t)``; of several times a stack."""
         half = self.upper
-        grown = half.basis * np.exp(half.poles * np.asarray(t)[..., None])[..., None, :]
-        return np.asarray(grown.real @ half.inverse.real - grown.imag @ half.inverse.imag)
+        t, free = np.asarray(t), self.free
+        grown = half.basis * np.exp(half.poles * t[..., None])[..., None, :]
+        found = grown.real @ half.inverse.real - grown.imag @ half.inverse.imag
+        if free:
+            moved = half.basis[:, :free] @ half.inverse[free : 2 * free]
+            found = found + t[..., None, None] * moved.real
+        return np.asarray(found)
 
     def driven(self, t: float | Vector) -> Matrix:
         """Return what the inputs make of rest in a time; shape (..., n, 3 + M), by input.
@@ -51,12 +67,28 @@ class Flow:
         return np.asarray((self.basis @ self._driven(t)).real)
 
     def _driven(self, t: float | Vector) -> Complex:
-        t = np.asarray(t)[..., None]
-        found = self.inputs * steady(self.poles, 0.0, t)[..., None]
-        up, down = (steady(self.poles, sign * self.omega, t) for sign in (1.0, -1.0))
-        half, other = (up + down) / 2, (up - down) / 2j  # answers to cos and sin of Omega t
-        cos, sin = self.inputs[:, 0], self.inputs[:, 1]
-        found[..., 0], found[..., 1] = cos * half + sin * other, sin * half - cos * other
+        t, (cos, sin) = np.asarray(t), self.inputs[:, :2].T
+        up, down = (cos - 1j * sin) / 2, (cos + 1j * sin) / 2
+        found = self.answered(self.inputs, 0.0, t)
+        found[..., :2] = self.answered(np.column_stack([up, 1j * up]), self.omega, t)
+        found[..., :2] += self.answered(np.column_stack([down, -1j * down]), -self.omega, t)
+        return found
+
+    def answered(self, drive: Complex, omega: float, t: Vector) -> Complex:
+        """Return what ``drive e^(i omega t)`` makes of rest; shape (..., n, k) by (n, k)."""
+        found = drive * steady(self.poles, omega, t[..., None])[..., None]
+        if self.free:
+            moving = drive[self.free : 2 * self.free]
+            found[..., : self.free, :] += moving * twice(omega, t)[..., None, None]
+        return np.asarray(found)
+
+    def moved(self, start: Complex, drives: Sequence[Complex], t: Vector) -> Complex:
+        """Return z at times, by its start and what drives it; shape (n, len(t))."""
+        found = start[:, None] * np.exp(self.poles[:, None] * t)
+        found[: self.free] += start[self.free : 2 * self.free, None] * t
+        for drive, omega in zip(drives, (self.omega, -self.omega, 0.0), strict=True):
+            if drive.any():
+                found += self.answered(drive[:, None], omega, t)[..., 0].T
         return np.asarray(found)
 
     def seen(self, rows: Matrix, y: Vector, inputs: Vector, t: Vector) -> Matrix:
@@ -65,29 +97,21 @@ class Flow:
         `inputs` are the cosine and the sine at the start, 1 and the memory.
         """
         half = self.upper
-        basis, start = rows @ half.basis, (half.inverse @ y)[:, None]
+        basis, start = rows @ half.basis, half.inverse @ y
         if self.is_clear(float(np.abs(t).max(initial=0.0))):
-            return half._clear(basis, start[:, 0], inputs, t)
-        return half._near(basis, start, inputs, t)
+            return half._clear(basis, start, inputs, t)
+        return np.asarray((basis @ half.moved(start, half.drives(inputs), t)).real)
 
     @cached_property
     def upper(self) -> "Flow":
         """The poles of which real parts are taken: one of each pair, twice."""
         kept = self.poles.imag >= 0
-        twice = np.where(self.poles[kept].imag > 0, 2.0, 1.0)
-        basis = self.basis[:, kept] * twice
-        return Flow(self.poles[kept], basis, self.inverse[kept], self.inputs[kept], self.omega)
-
-    def _near(self, basis: Complex, start: Complex, inputs: Vector, t: Vector) -> Matrix:
-        """Return forms of the state where a pole is near what drives it."""
-        turns = [steady(self.poles[:, None], q * self.omega, t[None, :]) for q in (1, -1, 0)]
-        half, other = (turns[0] + turns[1]) / 2, (turns[0] - turns[1]) / 2j
-        cos, sin = self.inputs[:, 0], self.inputs[:, 1]
-        by_cos, by_sin = cos * inputs[0] + sin * inputs[1], sin * inputs[0] - cos * inputs[1]
-        constant = self.inputs[:, 2:] @ inputs[2:]
-        moved = start * np.exp(self.poles[:, None] * t[None, :])
-        moved += by_cos[:, None] * half + by_sin[:, None] * other + constant[:, None] * turns[2]
-        return np.asarray((basis @ moved).real)
+        double = np.where(self.poles[kept].imag > 0, 2.0, 1.0)
+        basis = self.basis[:, kept] * double
+        return Flow(
+            self.poles[kept], basis, self.inverse[kept], self.inputs[kept], self.omega,
+            self.free,
+        )  # fmt: skip
 
     def drives(self, inputs: Vector) -> tuple[Complex, Complex, Complex]:
         """Return what drives each pole: factors of ``e^(i omega t), e^(-i omega t), 1``."""
@@ -124,19 +148,30 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
     BodyError
         If its eigenvectors are too near to each other.
     """
-    poles, basis = np.linalg.eig(lawful.A)
-    poles, basis = poles.astype(complex), basis.astype(complex)
+    free, rest = lawful.free, np.eye(len(lawful.A))
+    if free.shape[1]:
+        rest = np.linalg.qr(free, mode="complete")[0][:, free.shape[1] :]
+    poles, turned = np.linalg.eig(rest.T @ lawful.A @ rest)
+    vectors = rest @ turned
+    if free.shape[1]:  # the rest drives them: what is free is added to each vector
+        count, inner = free.shape[1] // 2, np.linalg.pinv(free)
+        drive = inner @ (lawful.A @ vectors - vectors * poles)
+        moving = drive[count:] / poles
+        vectors = vectors + free @ np.vstack([(drive[:count] + moving) / poles, moving])
+        poles = np.concatenate([np.zeros(2 * count), poles])
+    basis = np.hstack([free, vectors]).astype(complex)
     try:
         inverse = np.linalg.inv(basis)
         condition = float(np.linalg.norm(basis) * np.linalg.norm(inverse))
     except np.linalg.LinAlgError:
         condition = np.inf
-    if condition > WORST:
+    if not condition <= WORST:
         raise BodyError(
             "two poles of the body are one (a mode with exactly critical damping): change its "
             "damping a little"
         )
-    return Flow(poles, basis, inverse, inverse @ lawful.inputs.astype(complex), omega)
+    inputs = inverse @ lawful.inputs.astype(complex)
+    return Flow(poles.astype(complex), basis, inverse, inputs, omega, free.shape[1] // 2)
 
 
 def steady(poles: Complex, omega: float, t: float | Vector) -> Complex:
@@ -148,6 +183,16 @@ def steady(poles: Complex, omega: float, t: float | Vector) -> Complex:
         far = (np.exp(1j * omega * t) - np.exp(poles * t)) / apart
         near = np.exp(poles * t) * t * _phi(np.where(small, turned, 1.0))
     return np.asarray(np.where(small, near, far))
+
+
+def twice(omega: float, t: Vector) -> Complex:
+    """Return ``int_0^t (t - r) e^(i omega r) dr``: places that velocities are given to."""
+    z = 1j * omega * t
+    near, term = np.zeros_like(z), np.full_like(z, 0.5)
+    for n in range(3, 3 + TERMS):
+        near, term = near + term, term * z / n
+    far = np.where(np.abs(z) < 1, 1.0, z)
+    return np.asarray(t * t * np.where(np.abs(z) < 1, near, (np.expm1(far) - far) / far**2))
 
 
 def _phi(z: Complex) -> Complex:

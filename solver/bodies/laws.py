@@ -24,6 +24,9 @@ RETURN = 1.0
 #: By what a mode that moves freely is scaled where nothing forces, as a part of the fastest.
 SLOWEST = 1e-3
 
+#: What laws or dampers may see, as a part, of a way in which nothing holds a body.
+HELD = 1e-12
+
 #: What the determinant of the laws may be, as a part of its size, where they give no force.
 SINGULAR = 1e-13
 
@@ -65,12 +68,19 @@ class Lawful:
         What forms are of, the memory included.
     force : ndarray, shape (c, 2 m + 3 + M)
         The contact forces.
+    still : ndarray, shape (2 m, p)
+        Places at which the body stays: ``A place = 0``, and no law sees them.
+    free : ndarray, shape (2 m, 2 f)
+        Those of them that nothing brakes, then the velocities that move them:
+        ``A velocity = place``.
     """
 
     A: Matrix
     inputs: Matrix
     rows: Matrix
     force: Matrix
+    still: Matrix
+    free: Matrix
 
 
 def places(contacts: int) -> tuple[list[int], list[int], list[int], list[int]]:
@@ -144,7 +154,30 @@ def lawful(cell: "BodyCell", p: int) -> Lawful:
     states = own.A.shape[0]
     A = own.A + own.B @ force[:, :states]
     inputs = np.asarray(own.inputs + own.B @ force[:, states:], dtype=float)
-    return Lawful(np.asarray(A, dtype=float), inputs, rows, np.asarray(force, dtype=float))
+    by_law: Matrix = np.asarray(force, dtype=float)
+    return Lawful(np.asarray(A, dtype=float), inputs, rows, by_law, *_free_ways(cell, by_law))
+
+
+def _free_ways(cell: "BodyCell", force: Matrix) -> tuple[Matrix, Matrix]:
+    """Return the places at which the body stays, and ways in which it moves freely."""
+    body, m = cell.body, len(cell.body.squares)
+    rigid = np.flatnonzero(body.squares == 0)
+    w = scales(body, cell.omega)[rigid]
+    sizes = np.abs(force[:, : 2 * m]).max(axis=1, keepdims=True)
+    by_law = force[:, : 2 * m] / np.where(sizes == 0, 1.0, sizes)
+    damping = body.damping[:, rigid] / (np.abs(body.damping).max() or 1.0)
+    by_place, by_velocity = by_law[:, rigid] * w, by_law[:, m + rigid]
+    still, free = _unheld(by_place), _unheld(np.vstack([by_place, by_velocity, damping]))
+    zeros = np.zeros((2 * m, len(rigid)))
+    places, velocities = zeros.copy(), zeros
+    places[rigid], velocities[m + rigid] = np.diag(w), np.eye(len(rigid))
+    return places @ still, np.hstack([places @ free, velocities @ free])
+
+
+def _unheld(rows: Matrix) -> Matrix:
+    """Return the ways that no row sees, by column."""
+    _, values, turns = np.linalg.svd(rows)
+    return np.asarray(turns[(values > HELD).sum() :].T)
 
 
 def under(cell: "BodyCell", phase: "BodyPhase", seen: Vector, sign: int) -> Vector:

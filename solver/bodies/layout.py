@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..arrays import Complex, Indices, Integers, Matrix, Vector
-from .laws import free, law_matrix, places
+from .laws import free, law_matrix, lawful, places
 from .modal import BodyError
+from .part import shifts
 from .poles import Forms, Poles, poles_of
-from .switch import impulses
+from .switch import impulses, switch
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 MOST = 32
 
 #: Change of a mode over a cell of a forcing that is too little for its digits to be kept.
-RESONANT = 1e-9
+RESONANT = 1e-7
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,8 +29,9 @@ class Phase:
 
     Parameters
     ----------
-    law, event, seen : Forms
-        The laws; the event at its end and what forms are of, both by the law of the force.
+    law, force, event, seen : Forms
+        The laws; the force of the poles, the event at its end and what forms are of, all by
+        the law of the contact force.
     direct : ndarray, shape (c, c)
         What the forces add to the laws.
     velocity : Forms
@@ -38,18 +40,22 @@ class Phase:
         The contacts that an impulse meets at its end.
     impulse : ndarray, shape (c, c + 1)
         Impulses by the velocities, and the constant.
+    fixing : ndarray, shape (c,)
+        What the event at its end adds to the laws: 0 on an orbit; see `_fixing`.
     degree : int
         Of the series of a piece.
     pieces : int
     """
 
     law: Forms
+    force: Forms
     event: Forms
     seen: Forms
     direct: Matrix
     velocity: Forms
     hit: Indices
     impulse: Matrix
+    fixing: Vector
     degree: int
     pieces: int
 
@@ -79,8 +85,8 @@ class Layout:
     size: int
 
     def law(self, p: int) -> Forms:
-        """Return the contact forces in a phase, by its law."""
-        return self.phases[p].seen.some(places(self.poles.b.shape[1])[2])
+        """Return the forces of the poles in a phase, by its law."""
+        return self.phases[p].force
 
     @property
     def memory(self) -> slice:
@@ -108,17 +114,17 @@ def layout(cell: "BodyCell", order: int) -> Layout:
     Raises
     ------
     BodyError
-        If a mode repeats itself with the forcing: what the forces make of it is unbounded.
+        If a mode repeats itself with the forcing that no contact sees: what is made of it is
+        unbounded.
     """
     poles = poles_of(cell.body, cell.omega)
-    if cell.forced and (
-        np.abs(1 - cell.sign * np.exp(poles.s * cell.duration)).min() <= RESONANT
-    ):
-        raise BodyError(
-            "frequency: an undamped mode of the body repeats itself with the forcing, and the "
-            "series of the contact force loses its digits: damp it a little, or compute the "
-            "exact orbit alone"
-        )
+    if _is_resonant(cell, poles):
+        poles = poles_of(cell.body, cell.omega, hold=True)
+        if _is_resonant(cell, poles):
+            raise BodyError(
+                "frequency: an undamped mode of the body repeats itself with the forcing, and "
+                "no contact sees it: damp it a little, or leave it out"
+            )
     phases = tuple(_phase(cell, poles, p, order) for p in range(len(cell.phases)))
     contacts, elements, at = cell.body.at.shape[1], [], 0
     for p, phase in enumerate(phases):
@@ -135,6 +141,14 @@ def layout(cell: "BodyCell", order: int) -> Layout:
     )
 
 
+def _is_resonant(cell: "BodyCell", poles: Poles) -> bool:
+    """Whether a mode repeats itself with the forcing, as far as digits are concerned."""
+    if not cell.forced:
+        return False
+    changes = np.abs(1 - cell.sign * np.exp(poles.s * cell.duration))
+    return bool(changes.min(initial=np.inf) <= RESONANT)
+
+
 class Setting(NamedTuple):
     """The same as arrays, which the functions of `series` take.
 
@@ -146,7 +160,7 @@ class Setting(NamedTuple):
         Forms by row: by the poles, (R, m); by the forcing, (R,); by 1 and the memory,
         (R, 1 + M).  The laws of each phase, the events, the velocities of the contacts, and
         what each memory is set to.
-    direct, impulse : ndarray
+    direct, impulse, fixing : ndarray
         See `Phase`; of each phase.
     hits : ndarray of int, shape (P, c)
         Which unknown is the impulse of each contact at the end of each phase, or -1.
@@ -169,6 +183,7 @@ class Setting(NamedTuple):
     rest: Matrix
     direct: Matrix
     impulse: Matrix
+    fixing: Matrix
     hits: Integers
     pieces: Integers
     degrees: Integers
@@ -200,6 +215,7 @@ def setting(cell: "BodyCell", order: int) -> Setting:
         np.concatenate(rest).astype(float),
         np.array([phase.direct for phase in own.phases], dtype=float),
         np.array([phase.impulse for phase in own.phases], dtype=float),
+        np.array([phase.fixing for phase in own.phases], dtype=float),
         hits,
         np.array([(p, at, own.is_last(e)) for e, (p, at) in enumerate(own.elements)]),
         np.array([phase.degree for phase in own.phases]),
@@ -216,22 +232,36 @@ def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
     rows = law_matrix(cell, cell.phases[p])
     by_force = np.vstack([own.by_force, np.zeros((memory, contacts))])
     direct = rows @ by_force
-    closure = np.linalg.solve(direct, rows)  # the forces are less this of the rest
-    x, v, f, a = places(contacts)
-    unforced = np.eye(width + memory)
-    unforced[f] = 0.0
-    law = rows @ unforced
+    # the forces are less this of the rest
+    closure: Matrix = np.asarray(np.linalg.solve(direct, rows), dtype=float)
+    law = poles.forms(rows)
     event = np.array([cell.phases[p].event])
-    seen = (np.eye(width + memory) - by_force @ closure) @ unforced
+    seen = np.eye(width + memory) - by_force @ closure
     by_velocity, constant = impulses(cell, p)
     hit = np.flatnonzero(np.abs(by_velocity).sum(axis=1) + np.abs(constant))
-    given = not (law[:, [*x, *v, *a]].any() or law[:, 2].any())
+    given = not (law.poles.any() or law.turn.any())
     degree, pieces = (0, 1) if given else _pieces(order)
+    velocity = np.eye(width + memory)[places(contacts)[1]]
     return Phase(
-        poles.forms(law), poles.forms(event @ seen), poles.forms(seen[:width]), direct,
-        poles.forms(np.eye(width + memory)[v]), hit, np.column_stack([by_velocity, constant]),
-        degree, pieces,
+        law, poles.forms(-closure), poles.forms(event @ seen), poles.forms(seen[:width]),
+        direct, poles.forms(velocity), hit, np.column_stack([by_velocity, constant]),
+        _fixing(cell, poles, p) * np.diag(direct), degree, pieces,
     )  # fmt: skip
+
+
+def _fixing(cell: "BodyCell", poles: Poles, p: int) -> Vector:
+    """Return contact forces by the event at the end of a phase, which fix places as springs do.
+
+    On an orbit they are 0; see `Switch.fixing`.
+    """
+    found, ways = np.zeros(poles.b.shape[1]), shifts(cell)
+    if ways.size and poles.held is not None:
+        rows = lawful(cell, p).rows
+        event = switch(cell, p, rows).gradient @ ways
+        places_ = rows[places(len(found))[0], : 2 * len(cell.body.squares)]
+        moved = places_ @ ways[: places_.shape[1]] @ np.linalg.pinv(event[None])
+        found = poles.held.springs * moved[:, 0]
+    return found
 
 
 def _pieces(order: int) -> tuple[int, int]:

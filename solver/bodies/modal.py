@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..arrays import Complex, Matrix, Vector
+from ..arrays import Complex, Indices, Matrix, Vector
 
 #: Degrees of freedom up to which all modes are computed, by full matrices.
 DENSE = 1500
@@ -17,8 +17,12 @@ MANY = 0.2
 #: Where nothing forces, what is added to K for each M, as a part of the mean of K over M.
 SHIFT = 1e-8
 
-#: What rounding of K may change the square of a natural frequency by, as a part of it.
-LOST = 1e-3
+#: What rounding of K may change the square of a natural frequency by, as a part of it; and how
+#: many times its rounding the stiffness of a mode may be that has none.
+LOST, NOTHING = 1e-3, 4.0
+
+#: What a contact, or a damper, may see of a mode that it does not see, as a part.
+UNSEEN = 1e-11
 
 #: Steps in which the static answer of the modes left out is found.
 STEPS = 200
@@ -35,7 +39,7 @@ class Modal:
     Parameters
     ----------
     squares : ndarray, shape (m,)
-        Squares of the natural angular frequencies.
+        Squares of the natural angular frequencies; 0 where the body moves freely.
     damping : ndarray, shape (m, m)
         ``Phi^T C Phi``.
     at : ndarray, shape (m, c)
@@ -118,11 +122,12 @@ def modal(matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0) ->
     shift = shift or SHIFT * K.diagonal().sum() / M.diagonal().sum()
     stiff = None if whole else _solver(K + shift * M)
     squares, shapes = _modes(M, K, count, shift, stiff)
-    _check_digits(K, squares, shapes)
-    seen, driven = shapes.T @ at, shapes.T @ force
+    squares = _with_digits(K, squares, shapes)
+    own = shapes @ _seen_first(shapes.T @ at, squares == 0)
+    seen, driven = own.T @ at, own.T @ force
     damping = np.zeros((count, count))
     if "C" in matrices:
-        damping = shapes.T @ (matrices["C"] @ shapes)
+        damping = own.T @ (matrices["C"] @ own)
     mobility = seen.T @ seen
     residual, beyond = np.zeros_like(mobility), np.zeros(at.shape[1], dtype=complex)
     if stiff is not None:
@@ -130,7 +135,9 @@ def modal(matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0) ->
         left_out = at.T @ _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
         residual = (left_out[:, :-1] + left_out[:, :-1].T) / 2
         beyond = left_out[:, -1].astype(complex)
-    return Modal(squares, damping, seen, driven[:, 0], mobility, residual, beyond)
+    return _without_unseen(
+        Modal(squares, damping, seen, driven[:, 0], mobility, residual, beyond)
+    )
 
 
 def damped(body: Modal, ratio: float | None) -> Modal:
@@ -186,21 +193,46 @@ def _modes(
     return np.asarray(found[0], dtype=float)[order], shapes * signs
 
 
-def _check_digits(K: Any, squares: Vector, shapes: Matrix) -> None:
-    """Check that rounding of the entries of K leaves the natural frequencies their digits."""
+def _with_digits(K: Any, squares: Vector, shapes: Matrix) -> Vector:
+    """Return the squares of natural frequencies, 0 where the body moves freely.
+
+    That is where a mode has no stiffness beyond rounding of the entries of K; all others must
+    keep their digits.
+    """
     sizes = np.abs(shapes)
     rounding = np.finfo(float).eps * (sizes * (abs(K) @ sizes)).sum(axis=0)
-    lost = float((rounding / np.maximum(np.abs(squares), rounding)).max())
-    if lost == 1.0:
-        raise BodyError(
-            "K: a mode has no stiffness beyond rounding, in which the body moves freely: add a "
-            "weak spring to the ground"
-        )
+    squares = np.where(
+        np.abs((shapes * (K @ shapes)).sum(axis=0)) <= NOTHING * rounding, 0.0, squares
+    )
+    lost = float((rounding / np.where(squares == 0, np.inf, np.abs(squares))).max())
     if lost > LOST:
         raise BodyError(
             f"K: rounding of its entries may change a natural frequency by {lost / 2:.1g} of "
             "it: take fewer elements"
         )
+    return squares
+
+
+def _seen_first(at: Matrix, free: Indices) -> Matrix:
+    """Return a turn of the modes in which a body moves freely: what contacts see, comes first.
+
+    `at`, shape (m, c), is what they see of all modes.
+    """
+    found = np.eye(len(at))
+    if free.any():
+        found[np.ix_(free, free)] = np.linalg.svd(at[free])[0]
+    return found
+
+
+def _without_unseen(body: Modal) -> Modal:
+    """Return a body without the modes in which it moves freely and nothing sees it."""
+    sizes, damping = np.linalg.norm(body.at, axis=1), np.abs(body.damping)
+    kept = (body.squares != 0) | (sizes > UNSEEN * sizes.max())
+    kept |= damping.max(axis=0) > UNSEEN * damping.max()
+    return replace(
+        body, squares=body.squares[kept], damping=body.damping[np.ix_(kept, kept)],
+        at=body.at[kept], forcing=body.forcing[kept],
+    )  # fmt: skip
 
 
 def _left_out(M: Any, shapes: Matrix, right: Matrix, shift: float, stiff: Solve) -> Matrix:

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..arrays import Matrix, Vector
 from .flow import Flow, flow_of
-from .laws import Lawful, lawful
-from .switch import Switch, switch
+from .laws import HELD, Lawful, lawful
+from .switch import Switch, fixed, switch
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -17,11 +17,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """A phase of a cell: the body under its laws, its flow, the switch that ends it."""
+    """A phase of a cell: the body under its laws, its flow, the switch that ends it.
+
+    On an orbit the event happens there, and `closing` is the same switch; it fixes places that
+    nothing else does: see `switch.fixed`.
+    """
 
     lawful: Lawful
     flow: Flow
     switch: Switch
+    closing: Switch
 
 
 @lru_cache(maxsize=32)
@@ -33,11 +38,31 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     BodyError
         If a law does not fix its force, or a phase has no eigenbasis.
     """
-    found = []
+    laws = [lawful(cell, p) for p in range(len(cell.phases))]
+    switches = [switch(cell, p, own.rows) for p, own in enumerate(laws)]
+    flows = (flow_of(own, cell.omega) for own in laws)
+    closing = fixed(switches, shifts(cell))
+    return tuple(map(Part, laws, flows, switches, closing))
+
+
+def shifts(cell: "BodyCell") -> Matrix:
+    """Return the ways to shift ``X = (y, memory)`` that no phase and no switch sees.
+
+    They are columns; `switch.fixed` says what for.
+    """
+    count = 2 * len(cell.body.squares)
+    found = np.empty((count + len(cell.memory), 0))
+    if cell.sign < 0 or not (cell.body.squares == 0).any():
+        return found
     for p in range(len(cell.phases)):
         own = lawful(cell, p)
-        found.append(Part(own, flow_of(own, cell.omega), switch(cell, p, own.rows)))
-    return tuple(found)
+        if p == 0:
+            found = np.vstack([own.still, np.zeros((len(cell.memory), own.still.shape[1]))])
+        beside = found[:count] - own.still @ np.linalg.pinv(own.still) @ found[:count]
+        seen = np.vstack([beside, switch(cell, p, own.rows).state @ found - found])
+        _, values, turns = np.linalg.svd(seen)
+        found = found @ turns[(values > HELD * np.abs(found).max(initial=1.0)).sum() :].T
+    return found
 
 
 def wave(angle: float) -> Vector:

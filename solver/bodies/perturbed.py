@@ -44,9 +44,7 @@ def cell_map(
         q, sign = (p + 1, 1) if p + 1 < count else (0, cell.sign)
         before = rates(part, end, theta[p + 1])
         behind = sign * rates(parts[q], starts[q], theta[q] if q == 0 else theta[p + 1])
-        states = part.lawful.A.shape[0]
-        gradient = np.delete(part.switch.event, slice(states, states + 3))
-        waves = part.switch.event[states : states + 3]
+        gradient, waves = part.switch.gradient, part.switch.waves
         approach = cell.omega * float(waves @ turned(theta[p + 1]))
         scale = float(np.abs(gradient) @ np.abs(before)) + cell.omega * float(
             np.abs(waves).sum()

@@ -1,4 +1,10 @@
-"""A body by its poles: ``z' = s z + b force``, ``x = Re sum c z`` and the forced response."""
+"""A body by its poles: ``z' = s z + b force``, ``x = Re sum c z`` and the forced response.
+
+A body that moves freely has no response, and a double pole at 0; an undamped mode may repeat
+itself with the forcing.  Such a body is held at its contacts by springs and dampers, and b is
+for the contact force with what they take from it: their force is a form of the poles like any
+other, and the laws, of the contact force itself, count it in.
+"""
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -12,6 +18,29 @@ from .modal import BodyError, Modal
 
 #: How near the two real poles of a mode may be, as a part of them.
 APART = 1e-6
+
+#: What of a pole, and of what contacts see of it, is rounding, as parts.
+STILL = 1e-11
+
+#: The spring of a contact that holds a body which moves freely, by its mass there and the
+#: square of a frequency, and the damper.
+SPRING, DAMPER = 0.6, 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """What holds a body that moves freely, at its contacts.
+
+    Parameters
+    ----------
+    springs, dampers : ndarray, shape (contacts,)
+    residual : ndarray, shape (contacts, contacts)
+        Static compliance of the modes that are left out.
+    """
+
+    springs: Vector
+    dampers: Vector
+    residual: Matrix
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +56,8 @@ class Poles:
         H of ``x = Re(H e^(i theta))``, the answer to the forcing.
     omega : float
         Its angular frequency.
+    held : Held, optional
+        What holds a body that moves freely.
     """
 
     s: Complex
@@ -34,6 +65,7 @@ class Poles:
     c: Complex
     response: Complex
     omega: float
+    held: Held | None = None
 
     @cached_property
     def seen(self) -> tuple[Complex, Complex]:
@@ -41,15 +73,20 @@ class Poles:
         contacts = self.b.shape[1]
         by_pole = np.zeros((2 + 4 * contacts, len(self.s)), dtype=complex)
         by_turn = np.zeros(len(by_pole), dtype=complex)
-        x, v, _, a = places(contacts)
+        x, v, force, a = places(contacts)
         for j, q in enumerate((x, v, a)):
             by_pole[q] = (self.c * self.s[:, None] ** j).T
             by_turn[q] = self.response * (1j * self.omega) ** j
         by_turn[2] = 1.0
+        if self.held is not None:
+            for found in (by_pole.T, by_turn):
+                taken = self.held.springs * found[..., x] + self.held.dampers * found[..., v]
+                found[..., force] = -taken
+                found[..., x] -= taken @ self.held.residual
         return by_pole, by_turn
 
     def forms(self, rows: Matrix) -> "Forms":
-        """Return linear forms, their force entries 0, in terms of the poles."""
+        """Return linear forms in terms of the poles, without what forces add to them."""
         by_pole, by_turn = self.seen
         seen, memory = rows[:, : len(by_turn)], rows[:, len(by_turn) :]
         return Forms(seen @ by_pole, seen @ by_turn, rows[:, 3], memory)
@@ -93,21 +130,37 @@ class Forms:
 
 
 @lru_cache(maxsize=64)
-def poles_of(body: Modal, omega: float) -> Poles:
-    """Return the poles of a body.
+def poles_of(body: Modal, omega: float, hold: bool = False) -> Poles:
+    """Return the poles of a body; `hold` holds it at its contacts, as one that moves freely.
 
     Raises
     ------
     BodyError
-        If two are too near to each other.
+        If two are too near to each other, or the forcing is in resonance with a mode that no
+        contact sees.
     """
-    found = _of_modes(body) if body.is_proportional else _of_states(body, omega)
+    hold = hold or bool((body.squares == 0).any())
+    held = _held(body, omega) if hold else None
     rows = np.diag(body.squares - omega**2) + 1j * omega * body.damping
+    if held is not None:
+        found = _of_states(body, omega, held)
+        rows += body.at * (held.springs + 1j * omega * held.dampers) @ body.at.T
+    else:
+        found = _of_modes(body) if body.is_proportional else _of_states(body, omega)
     try:
         answer = np.linalg.solve(rows, body.forcing.astype(complex))
     except np.linalg.LinAlgError:
+        if not hold:
+            return poles_of(body, omega, hold=True)
         raise BodyError("an undamped mode is in resonance with the forcing") from None
-    return Poles(*found, body.at.T @ answer + body.beyond, omega)
+    return Poles(*found, body.at.T @ answer + body.beyond, omega, held)
+
+
+def _held(body: Modal, omega: float) -> Held:
+    """Return what holds a body at its contacts, at frequencies of the forcing or its own."""
+    rate = omega or float(np.sqrt(np.abs(body.squares).mean())) or 1.0
+    mass = 1 / np.diag(body.mobility)
+    return Held(SPRING * rate**2 * mass, DAMPER * rate * mass, body.residual)
 
 
 def _of_modes(body: Modal) -> tuple[Complex, Complex, Complex]:
@@ -124,15 +177,26 @@ def _of_modes(body: Modal) -> tuple[Complex, Complex, Complex]:
     return s, b, b * residues[:, None]
 
 
-def _of_states(body: Modal, omega: float) -> tuple[Complex, Complex, Complex]:
+def _of_states(
+    body: Modal, omega: float, held: Held | None = None
+) -> tuple[Complex, Complex, Complex]:
     """Return s, b, c from the eigenvectors of the equations of first order."""
     own = free(body, omega, 0)
-    s, basis = np.linalg.eig(own.A)
+    x, v, *_ = (own.rows[q, : len(own.A)] for q in places(body.at.shape[1]))
+    A = (
+        own.A
+        if held is None
+        else own.A - own.B @ (held.springs[:, None] * x + held.dampers[:, None] * v)
+    )
+    s, basis = np.linalg.eig(A)
     if np.linalg.cond(basis) > WORST:
         _too_near()
     b = np.linalg.solve(basis, own.B.astype(complex))
-    c = (own.rows[places(body.at.shape[1])[0], : len(own.A)] @ basis).T
-    kept = s.imag >= 0
+    c = (x @ basis).T
+    sizes = np.abs(c).max(axis=1)  # a place that nothing holds or sees has a pole at 0
+    kept = (s.imag >= 0) & (
+        (np.abs(s) > STILL * np.abs(s).max()) | (sizes > STILL * sizes.max())
+    )
     double = np.where(s.imag > 0, 2.0, 1.0)[kept]
     return (
         s[kept].astype(complex),

@@ -113,9 +113,9 @@ def solved(A: Matrix, right: Matrix) -> Matrix:
 
 def tested(
     case: Any, e: int, a: Complex, Z: Any, turn: Complex, states: Complex, begins: Vector,
-    s: float, A: Matrix, right: Vector,
+    s: float, event: Vector, constant: float, A: Matrix, right: Vector,
 ) -> None:  # fmt: skip
-    """Fill in the laws of a piece, tested with the polynomials."""
+    """Fill in the laws of a piece, tested with the polynomials; the event ends its phase."""
     p, at, contacts = case.pieces[e, 0], case.pieces[e, 1], len(case.b)
     count = case.degrees[p] + 1
     wave = np.exp(1j * begins[e])
@@ -136,6 +136,8 @@ def tested(
             case.turns[row] * wave * turn[p, :count]
         ).real
         right[at + k] -= case.rest[row, 0]
+        A[at + k] += case.fixing[p, k] * event
+        right[at + k] -= case.fixing[p, k] * constant
 
 
 def linear(case: Any, times: Vector) -> Any:
@@ -152,11 +154,15 @@ def linear(case: Any, times: Vector) -> Any:
     first = count * (contacts + 1)  # of the rows of velocities
     for e in range(len(case.pieces)):
         p = case.pieces[e, 0]
+        if case.pieces[e, 2]:
+            row = count * contacts + p
+            events[p], constants[p] = value(case, row, ends[e], begins[e + 1])
+    for e in range(len(case.pieces)):
+        p = case.pieces[e, 0]
         s = times[p] / case.counts[p]
-        tested(case, e, a, Z, turn, starts[e], begins, s, A, right)
+        tested(case, e, a, Z, turn, starts[e], begins, s, events[p], constants[p], A, right)
         if case.pieces[e, 2] == 0:
             continue
-        events[p], constants[p] = value(case, count * contacts + p, ends[e], begins[e + 1])
         for k in range(contacts):
             q = case.hits[p, k]
             if q < 0:
@@ -223,6 +229,11 @@ def jacobian(case: Any, times: Vector, J: Matrix) -> None:
     starts_by, ends_by = around(case, times, within, np.zeros_like(within))
     by, shifted = np.zeros((len(A), width)), np.zeros((count, width))
     for e in range(len(starts)):
+        p = case.pieces[e, 0]
+        if case.pieces[e, 2]:
+            row = count * contacts + p
+            shifted[p] = moved(case, row, ends_by[e], begins[e + 1], turns[e + 1])
+    for e in range(len(starts)):
         p, at, last = case.pieces[e]
         part, degrees, wave = 1.0 / case.counts[p], case.degrees[p] + 1, np.exp(1j * begins[e])
         turn_rates = moment_rates(turn[p, : degrees + 1].reshape(-1, 1))[:, 0]
@@ -235,10 +246,8 @@ def jacobian(case: Any, times: Vector, J: Matrix) -> None:
             rows[:, p] += part * (own[e, :degrees] @ law).real
             rows[:, p] += part * (1j * omega * case.turns[row] * wave * turn_rates).real
             by[at + k : at + degrees * contacts : contacts] = rows
-        if not last:
-            continue
-        shifted[p] = moved(case, count * contacts + p, ends_by[e], begins[e + 1], turns[e + 1])
-        for k in range(contacts):
+            by[at + k] += case.fixing[p, k] * shifted[p]
+        for k in range(contacts if last else 0):
             q = case.hits[p, k]
             for c in range(contacts if q >= 0 else 0):
                 velocity = moved(case, first + c, ends_by[e], begins[e + 1], turns[e + 1])

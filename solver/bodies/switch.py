@@ -1,7 +1,7 @@
 """What a switch makes of the state of a body: impulses, and the memory that it sets."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +11,10 @@ from .laws import free, places
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
+
+
+#: What an event may see of a way to shift a state that it does not see, as a part.
+UNSEEN = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,11 +28,58 @@ class Switch:
         Of cos, sin, 1 there.
     event : ndarray, shape (n + 3,)
         The event that ends the phase, over ``(y, cos, sin, 1, memory)``.
+    states : int
+        Entries of y.
     """
 
     state: Matrix
     inputs: Matrix
     event: Matrix
+    states: int
+
+    @property
+    def gradient(self) -> Matrix:
+        """The event's factors of ``X = (y, memory)``."""
+        return np.delete(self.event, slice(self.states, self.states + 3))
+
+    @property
+    def waves(self) -> Matrix:
+        """The event's factors of cos, sin, 1."""
+        return self.event[self.states : self.states + 3]
+
+    def fixing(self, ways: Matrix) -> "Switch":
+        """Return the switch that shifts the state as well, to where its event happens.
+
+        Parameters
+        ----------
+        ways : ndarray, shape (n, f)
+            Ways to shift it.
+        """
+        shift = ways @ np.linalg.pinv((self.gradient @ ways)[None])
+        state = self.state - shift @ self.gradient[None]
+        return replace(self, state=state, inputs=self.inputs - shift @ self.waves[None])
+
+
+def fixed(switches: Sequence[Switch], ways: Matrix) -> list[Switch]:
+    """Return the switches of a cell, which fix places that nothing else fixes.
+
+    At given durations nothing says where a ball is that moves freely between impacts.  Each
+    switch shifts it to where its event happens: on an orbit that is no shift.  Where a body is
+    that no event sees does not matter; the last switch moves it to 0.
+
+    Parameters
+    ----------
+    switches : sequence of Switch
+    ways : ndarray, shape (n, f)
+        Ways to shift the state that nothing sees but the events; there may be none.
+    """
+    if not ways.size:
+        return list(switches)
+    _, values, turns = np.linalg.svd(np.array([q.gradient for q in switches]) @ ways)
+    unseen = ways @ turns[(values > UNSEEN * np.abs(ways).max()).sum() :].T
+    *found, last = (q.fixing(ways) for q in switches)
+    onto = np.eye(len(unseen)) - unseen @ np.linalg.pinv(unseen)
+    return [*found, replace(last, state=onto @ last.state, inputs=onto @ last.inputs)]
 
 
 def impulses(cell: "BodyCell", p: int) -> tuple[Matrix, Matrix]:
@@ -89,4 +140,4 @@ def switch(cell: "BodyCell", p: int, rows: Matrix) -> Switch:
             seen[:, states:] += own.rows[:, :states] @ after[:states, states:]
             after[states + i] = form @ seen
     kept = [*range(states), *range(states + 3, width)]
-    return Switch(after[:, kept], after[:, states : states + 3], event)
+    return Switch(after[:, kept], after[:, states : states + 3], event, states)

@@ -221,6 +221,11 @@ def _same(one: Segment, two: Segment, near: float, size: float) -> bool:
     )
 
 
+def _alike(one: float, two: float) -> bool:
+    """Whether two durations are the same as far as a motion has settled."""
+    return abs(one - two) <= NEAR * max(one, two, 1.0)
+
+
 def _declared(cell: Cell, repeated: tuple[Segment, ...]) -> Settled | None:
     """Return the times of a cell of the declared order, if the phases that repeat are one."""
     count, one = len(cell.phases), repeated
@@ -237,7 +242,8 @@ def _declared(cell: Cell, repeated: tuple[Segment, ...]) -> Settled | None:
 
 def _other(cell: Cell, repeated: tuple[Segment, ...]) -> Settled:
     """Return on which other order of phases a motion settles, and that in words."""
-    names = ", ".join(f"{'-' if q.mirrored else ''}{q.phase.name}" for q in repeated)
+    steps = [q.step or Step(q.index, q.mirrored) for q in repeated]
+    names = ", ".join("-" * q.mirrored + cell.phases[q.phase].name for q in steps)
     count = round(sum(q.s for q in repeated) / cycle(cell))
     every = "each period" if count == 1 else f"every {count} periods"
     within = f", in {every} of the forcing" if cell.forced else ""
@@ -256,7 +262,10 @@ def _in_order(cell: Cell, repeated: tuple[Segment, ...], cycles: int) -> Other |
     turned = [steps[i:] + steps[:i] for i in range(len(steps))]
     turns = [i for i, each in enumerate(turned) if each == min(turned)]
     i = max(turns, key=lambda turn: repeated[turn].s)  # of several, by the longest phase
-    order = half_if_mirrored(cell, Order(steps[i:] + steps[:i]))
-    own = (repeated[i:] + repeated[:i])[: len(order.steps)]
+    order, own = Order(steps[i:] + steps[:i]), repeated[i:] + repeated[:i]
+    half = len(own) // 2  # of a motion that is its own mirror image, and not only its order
+    if all(_alike(one.s, two.s) for one, two in zip(own[:half], own[half:], strict=False)):
+        order = half_if_mirrored(cell, order)
+    own = own[: len(order.steps)]
     times = RoughTimes(tuple(q.s for q in own), own[0].angle, "the times of a simulation")
     return Other(order, times, cycles)

@@ -30,7 +30,7 @@ def drawn(random, names):
         values["mu_k"] = min(values["mu_k"], 0.9 * values["mu_s"])
     if "modes" in values:
         values["modes"] = MODES
-    varied = [q for q in scene.parameters if q.name != "modes"]
+    varied = [q for q in scene.parameters if q.name != "modes" and values[q.name]]
     vary = varied[random.integers(len(varied))]
     low, high = 0.6 * values[vary.name], 1.6 * values[vary.name]
     if vary.name in {"mu_k", "mu_s"}:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ....generated import force_harmonics as formula
-from ...arrays import Complex, Matrix, Vector
+from ...arrays import Complex, Indices, Matrix, Vector
 from ..poles import Forms
 from .frame import Frame, compliance, first_function, frame_of, integrals, of_real, values
 from .moving import Moving
@@ -133,7 +133,24 @@ def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, 
         A[place] -= weights @ rows
         right[place] += weights @ rest + constant
     ends = [values(frame, phase.event, p, 1) for p, phase in enumerate(frame.own.phases)]
-    return A, right, np.vstack([q for q, _ in ends]), np.concatenate([q for _, q in ends])
+    events, constants = (
+        np.vstack([q for q, _ in ends]),
+        np.concatenate([q for _, q in ends]),
+    )
+    mean, fixing = _fixing(frame)
+    A[mean] += fixing @ events
+    right[mean] -= fixing @ constants
+    return A, right, events, constants
+
+
+def _fixing(frame: Frame) -> tuple[Indices, Matrix]:
+    """Return the rows of the mean forces, and what events add to them: 0 on an orbit.
+
+    See `layout.Phase`.
+    """
+    mean = np.flatnonzero(np.repeat(frame.turns == 0, frame.own.poles.b.shape[1]))
+    by_law = [q.fixing / np.diag(q.direct) for q in frame.own.phases]
+    return mean, np.array(by_law).T[: len(mean)] / len(by_law)
 
 
 def _evaluated(cell: "BodyCell", order: int, functions: int, times: Vector) -> Evaluation:
@@ -175,7 +192,10 @@ def _moved(
     for place, weights, forms, q, side, _ in _statements(cell, frame):
         moved[place] -= weights @ moving.of(forms, q, side)
     phases = enumerate(frame.own.phases)
-    return moved, np.vstack([moving.of(phase.event, p, 1) for p, phase in phases])
+    shifted = np.vstack([moving.of(phase.event, p, 1) for p, phase in phases])
+    mean, fixing = _fixing(frame)
+    moved[mean] += fixing @ shifted
+    return moved, shifted
 
 
 @lru_cache(maxsize=8)

@@ -6,13 +6,13 @@ far as they ring.  A pole near the frequency of what drives it has no such parts
 ``z' = s z + drive`` bounds the derivatives.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from ...arrays import Complex, Indices, Matrix, Vector
-from ...bodies.flow import CLEAR, steady
+from ...bodies.flow import CLEAR, Flow
 from .regime import Regime
 
 #: How near to a drive a pole has no parts of its own, as a part of the frequency of the
@@ -43,7 +43,7 @@ class Along:
         basis, waves = parts.basis[which], free.waves[which, None]
         z = free.own[:, None] * np.exp(parts.s[:, None] * t)
         if not clear.all():
-            z[~clear] = parts.driven(~clear, t, self._omega)
+            z[~clear] = parts.driven(~clear, t)
         found = (basis @ z).real + (waves * np.exp(1j * self._omega * t)).real
         found += free.constant[which, None]
         return found[: len(found) // 2], found[len(found) // 2 :]
@@ -72,6 +72,8 @@ class Along:
                 np.abs(parts.s)[:, None] ** (order - 1 - k) * omega**k for k in range(order)
             ]
             own[parts.near] = (power * most + drive * sum(terms))[parts.near]
+            free = self._parts.flow.free  # places, which these velocities move
+            own[:free] += drive[free : 2 * free] * omega ** (order - 2)
         waves = np.abs(self._far.waves[: len(self.rows)]) * omega**order
         return np.asarray(np.abs(self._basis) @ own + waves[:, None])
 
@@ -80,6 +82,8 @@ class Along:
         parts, far, count = self._parts, self._far, len(self.rows)
         still = np.abs(parts.s) <= STILL * np.abs(parts.s).max()
         still &= self._drive <= STILL * np.abs(self.Y).max()
+        free = parts.flow.free
+        still[:free] &= still[free : 2 * free] & (parts.start[free : 2 * free] == 0)
         moving = parts.near & ~still
         if moving.any() or (parts.s.real > 0)[~still].any():
             return np.full(count, -np.inf)
@@ -133,7 +137,7 @@ class Along:
         drives = np.array(half.drives(inputs))
         direct = (both[:, n] - 1j * both[:, n + 1]) * (inputs[0] + 1j * inputs[1])
         return _Parts(
-            half.poles, both[:, :n] @ half.basis, half.inverse @ self.Y[:n], drives,
+            half, both[:, :n] @ half.basis, half.inverse @ self.Y[:n], drives,
             drives / np.where(apart == 0, 1.0, apart), least, least <= reach, direct,
             both[:, n + 2 :] @ inputs[2:],
         )  # fmt: skip
@@ -163,8 +167,8 @@ class _Parts:
 
     Parameters
     ----------
-    s : ndarray of complex, shape (m,)
-        Poles, one of each pair.
+    flow : Flow
+        By poles, one of each pair.
     basis : ndarray of complex, shape (2 F, m)
         By which each is in each form, and in each slope.
     start : ndarray of complex, shape (m,)
@@ -180,7 +184,7 @@ class _Parts:
         What forms have without poles: factors of ``e^(i Omega t)``, and constants.
     """
 
-    s: Complex
+    flow: Flow
     basis: Complex
     start: Complex
     drives: Complex
@@ -190,6 +194,11 @@ class _Parts:
     direct: Complex
     fixed: Vector
 
+    @property
+    def s(self) -> Complex:
+        """The poles."""
+        return self.flow.poles
+
     def free(self, clear: Indices) -> _Free:
         """Return what some of the poles make of forms, by their steady answers."""
         up, down, one = np.where(clear, self.answers, 0.0)
@@ -197,13 +206,11 @@ class _Parts:
         constant = (self.basis @ one).real + self.fixed
         return _Free(np.where(clear, self.start, 0.0) - up - down - one, waves, constant)
 
-    def driven(self, which: Indices, t: Vector, omega: float) -> Complex:
+    def driven(self, which: Indices, t: Vector) -> Complex:
         """Return some of the poles at times, also where they are near to their drives."""
-        s, (up, down, one) = self.s[which, None], self.drives[:, which, None]
-        found = self.start[which, None] * np.exp(s * t) + one * steady(s, 0.0, t)
-        if omega:
-            return np.asarray(found + up * steady(s, omega, t) + down * steady(s, -omega, t))
-        return np.asarray(found + (up + down) * steady(s, 0.0, t))
+        flow = self.flow
+        some = replace(flow, poles=flow.poles[which], inputs=flow.inputs[which])
+        return some.moved(self.start[which], list(self.drives[:, which]), t)
 
 
 def seen(regime: Regime, Y: Vector, rows: Matrix, t: Vector) -> Matrix:

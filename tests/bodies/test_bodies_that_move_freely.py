@@ -1,0 +1,203 @@
+"""Bodies that nothing holds but their contacts: a ball in a slot, a pair of gears.
+
+A particle between two walls has a closed form; a ball in a slot is moved on by matrix
+exponentials in physical coordinates; a pair of gears moves as one mass of the reduced inertia.
+"""
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.linalg import expm
+
+import nonsmooth as ns
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+
+F, g, k, r, Omega = sp.symbols("F g k r Omega", positive=True)
+
+#: A driven mass on a spring, and a ball in a slot of it.
+MASSES, SPRING, DAMPER = np.array([1.0, 0.05]), np.diag([1.0, 0.0]), np.diag([0.02, 0.0])
+
+#: Values of the parameters, as far as a test does not say others.
+VALUES = {"force": 0.1, "gap": 0.5, "frequency": 1.0, "restitution": 0.7, "stiffness": 1.0}
+
+
+@pytest.fixture(autouse=True)
+def _cache(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+
+
+def scene(name: str, M, K, at, contact, forcing=(1, 0), half=True, **more):
+    """Return the scene of a body whose contact is between two walls, or two springs."""
+    body = Body(M=M, K=K, forcing=[F * q for q in forcing], at={"ball": at}, **more)
+    ball = body.at["ball"]
+    inside = {"in the slot": g - sp.Abs(ball.x)}
+    if contact == "walls":
+        jump = {ball.v: -r * ball.v}
+        phases = [Phase("right", ball.force, Event(ball.x - g, jump=jump), inside)]
+        if not half:
+            phases.append(Phase("left", ball.force, Event(ball.x + g, jump=jump), inside))
+        own = Parameter("restitution", r, "", VALUES["restitution"], "")
+    else:
+        pushed = {"beyond": ball.x - g}
+        touch = Phase("touch", ball.force + k * (ball.x - g), Event(ball.x - g), pushed)
+        phases = [touch, Phase("free", ball.force, Event(ball.x + g), inside)]
+        own = Parameter("stiffness", k, "N/m", VALUES["stiffness"], "")
+    parameters = (
+        Parameter("force", F, "N", VALUES["force"], ""),
+        Parameter("gap", g, "m", VALUES["gap"], ""),
+        Parameter("frequency", Omega, "rad/s", VALUES["frequency"], ""),
+        own,
+    )
+    return ns.scene(
+        Scene(
+            name, name, parameters, tuple(phases), frequency=Omega, half_period=half, body=body
+        )
+    )
+
+
+def ball_in_a_slot(half: bool = True, weak: float = 0.0):
+    """Return a driven mass with a ball between two ends of a slot in it, on a weak spring."""
+    M, K = np.diag(MASSES), SPRING + np.diag([0.0, weak])
+    return scene("ball", M, K, [-1, 1], "walls", half=half, C=DAMPER)
+
+
+def particle():
+    """Return a driven mass between two walls, on no spring."""
+    return scene("particle", sp.eye(1), [[0]], [1], "walls", forcing=(1,))
+
+
+def reach(values) -> tuple[float, float]:
+    """Return a and b of ``a cos(phi) - b sin(phi) = 2 g``, which says when a particle impacts.
+
+    It moves by ``x = -(F/Omega^2) cos(Omega t + phi) + w t + c`` from one wall to the other
+    in half a period; w is what an impact asks for.
+    """
+    speed = values["force"] / values["frequency"]
+    rebound = (1 + values["restitution"]) / (1 - values["restitution"])
+    return 2 * speed / values["frequency"], np.pi * speed / values["frequency"] * rebound
+
+
+def off(orbit, sides, half: bool = False) -> float:
+    """Return how far from closed an orbit of the ball is, or from its switches, in gaps.
+
+    Its phases end on these sides of the slot.  The state is looked for that closes best at the
+    times of the orbit.
+    """
+    n, w = 2, np.array([-1.0, 1.0])
+    A = np.zeros((2 * n + 3, 2 * n + 3))
+    A[:n, n : 2 * n] = np.eye(n)
+    A[n : 2 * n, :n] = -SPRING / MASSES[:, None]
+    A[n : 2 * n, n : 2 * n] = -DAMPER / MASSES[:, None]
+    A[n, -3] = VALUES["force"] / MASSES[0]
+    A[-3, -2], A[-2, -3] = -VALUES["frequency"], VALUES["frequency"]
+    jump = np.eye(len(A))
+    given = (1 + VALUES["restitution"]) / (w @ (w / MASSES)) * w / MASSES
+    jump[n : 2 * n, n : 2 * n] -= np.outer(given, w)
+    through, rows = np.eye(len(A)), []
+    for phase in orbit.phases[: len(sides)]:
+        through = expm(A * phase.duration) @ through
+        rows.append(w @ through[:n])
+        through = jump @ through
+    sign = -1.0 if half else 1.0
+    closed = np.eye(2 * n) - sign * through[: 2 * n, : 2 * n]
+    waves = np.array([np.cos(orbit.forcing_phase), np.sin(orbit.forcing_phase), 1.0])
+    left = np.vstack([closed, np.array(rows)[:, : 2 * n]])
+    known = np.array(rows)[:, 2 * n :] @ waves
+    right = np.concatenate(
+        [sign * through[: 2 * n, 2 * n :] @ waves, VALUES["gap"] * np.array(sides) - known]
+    )
+    state = np.linalg.lstsq(left, right)[0]
+    return float(np.abs(left @ state - right).max() / VALUES["gap"])
+
+
+def test_a_particle_between_walls_has_its_closed_form() -> None:
+    case = particle()(gap=0.2)
+    a, b = reach(case.values)
+    size, turn = np.hypot(a, b), np.arctan2(b, a)
+    phases = [np.arccos(2 * case.values["gap"] / size) * sign - turn for sign in (1, -1)]
+    orbit = ns.exact(case)
+    apart = [
+        abs(np.remainder(orbit.forcing_phase - q + np.pi, 2 * np.pi) - np.pi) for q in phases
+    ]
+    assert min(apart) < 1e-14
+    assert [q.duration for q in orbit.phases] == pytest.approx([np.pi, np.pi], rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("method", "order", "error"), [("ck-tau", 8, 1e-13), ("hb-ck", 20, 1e-6)]
+)
+def test_expansions_of_a_particle_converge(method: str, order: int, error: float) -> None:
+    assert ns.solve(particle()(gap=0.2), method, order).errors.times < error
+
+
+def test_the_branch_of_a_particle_turns_where_it_just_reaches_the_walls() -> None:
+    case = particle()(gap=0.2)
+    branch = ns.branch(case, "gap", 0.1, 1.0)
+    (fold,) = [q for q in branch.events if q.kind == "fold"]
+    assert fold.parameter == pytest.approx(np.hypot(*reach(case.values)) / 2, rel=1e-12)
+
+
+@pytest.mark.parametrize("half", [True, False])
+def test_the_orbit_of_a_ball_closes(half: bool) -> None:
+    """As half a period, and as a whole one, whose closure leaves the place of the ball open."""
+    case = ball_in_a_slot(half)()
+    exact = ns.exact(case)
+    assert off(exact, [1] if half else [1, -1], half) < 1e-13
+    for method, order, error in (("ck-tau", 8, 1e-12), ("hb", 20, 1e-3), ("hb-ck", 20, 1e-6)):
+        orbit = ns.solve(case, method, order)
+        assert orbit.errors.times < error
+        assert orbit.exact.durations == pytest.approx(exact.durations, rel=1e-12)
+    sprung = ns.exact(ball_in_a_slot(half, weak=1e-8)())
+    assert exact.multipliers == pytest.approx(sprung.multipliers, rel=1e-5)
+
+
+def test_a_ball_settles_on_an_orbit_that_is_not_its_own_mirror_image() -> None:
+    """Two impacts on each side, at times that differ."""
+    case = ball_in_a_slot()()
+    found = ns.solve(case, order=12, phases="right,right,-right,-right")
+    assert found.stable
+    assert off(found.exact, [1, 1, -1, -1]) < 1e-13
+    last = [q.duration for q in ns.simulate(case, cycles=400).phases[-6:-2]]
+    own = [q.duration for q in found.exact.phases]
+    assert min(np.abs(np.roll(own, i) - last).max() for i in range(4)) < 1e-8
+
+
+@pytest.mark.parametrize("bearing", [0.0, 0.3])
+def test_gears_move_as_one_of_the_reduced_inertia(bearing: float) -> None:
+    """Nothing sees how far both have turned; bearings brake that all the same."""
+    inertias = np.array([2.0, 0.5])
+    reduced = 1 / (1 / inertias).sum()
+    C = 0.05 * np.array([[1, -1], [-1, 1]]) + bearing * np.diag(inertias)
+    pair = scene(
+        "gears", sp.diag(*inertias.tolist()), np.zeros((2, 2)), [1, -1], "springs", C=C
+    )
+    one = scene(
+        "reduced", [[reduced]], [[0.0]], [1], "springs", forcing=(reduced / inertias[0],),
+        C=[[0.05 + bearing * reduced]],
+    )  # fmt: skip
+    given = {"gap": 0.05, "force": 0.4}
+    found, expected = ns.exact(pair(**given)), ns.exact(one(**given))
+    assert found.durations == pytest.approx(expected.durations, rel=1e-12)
+    assert found.forcing_phase == pytest.approx(expected.forcing_phase, rel=1e-12)
+    beside = ns.solve(pair(**given), order=10)
+    assert beside.errors.times < 1e-11
+    seen = sorted(abs(expected.multipliers))
+    others = sorted(abs(found.multipliers))
+    assert min(abs(np.array(others) - seen[-1])) < 1e-11
+
+
+def test_nothing_pushes_back_from_one_stop() -> None:
+    """The mean of the contact force would have to be zero."""
+    M, K = np.eye(2), np.array([[1.0, -1.0], [-1.0, 1.0]])
+    body = Body(M=M, K=K, C=0.1 * K, forcing=[F, 0], at={"end": [0, 1]})
+    end = body.at["end"]
+    touch = Phase("touch", end.force + k * (end.x - g), Event(end.x - g), {"in": end.x - g})
+    free = Phase("free", end.force, Event(end.x - g), {"before the stop": g - end.x})
+    parameters = tuple(
+        Parameter(name, q, unit, 0.5, "")
+        for name, q, unit in (("force", F, "N"), ("gap", g, "m"), ("frequency", Omega, "rad/s"),
+                              ("stiffness", k, "N/m"))
+    )  # fmt: skip
+    one = ns.scene(Scene("stop", "", parameters, (touch, free), frequency=Omega, body=body))
+    with pytest.raises(ns.NoOrbit, match="no admissible orbit was found"):
+        ns.solve(one())
