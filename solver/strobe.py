@@ -8,10 +8,11 @@ import numpy as np
 
 from .arrays import Integers, Matrix, Vector
 from .results.strobe import Attractor, Basins, Diagram
-from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.parameter_error import ParameterError, is_number, whole
+from .simulation.bodies import turns
 from .simulation.machine import Machine
+from .simulation.machines import AnyMachine, AnyState, machine_of
 from .simulation.steps.state import State
 from .simulation.walk import strobed
 
@@ -36,7 +37,8 @@ def diagram(
     """Return the states once a period of the forcing, as a parameter takes each of some values.
 
     At each value the motion begins where that at the value before was left; from rest at the
-    first, and where that ended before or no phase takes its state.
+    first, and where that ended before or no phase takes its state.  Of a body it is the first
+    contact that is seen.
 
     Parameters
     ----------
@@ -66,7 +68,7 @@ def diagram(
     >>> found.states[0].shape, np.ptp(found.states[0][:, 0]) < 1e-9
     ((4, 2), np.True_)
     """
-    _check_forced(case, "diagram")
+    _check_forced(case)
     names = [q.name for q in case.scene.parameters]
     if parameter not in names:
         expected = f"one of {', '.join(names)}"
@@ -78,11 +80,10 @@ def diagram(
     states: list[Matrix] = []
     last: Vector | None = None
     for each in cases:
-        machine, units = Machine.of(each.cell), _units(each)
-        start = _taken(machine, None if last is None else last / units)
-        found = _followed(machine, start, transient + cycles)
-        states.append(found[transient + 1 :] * units)
-        last = found[-1] * units if len(found) == transient + cycles + 1 else None
+        machine = machine_of(each.cell)
+        start = _taken(each, machine, last)
+        found, last = _followed(each, machine, start, transient + cycles)
+        states.append(found[transient + 1 :])
         seen(each.values[parameter])
     return Diagram(case, parameter, tuple(q.values[parameter] for q in cases), tuple(states))
 
@@ -98,7 +99,7 @@ def basins(
     case : Case
     x, v : sequence of float
         Displacements in m and velocities in m/s at the start, where the phase of the forcing
-        is 0.
+        is 0.  Of a body they are those of its first contact, in the state nearest to rest.
     cycles : int
         Periods of the forcing that a motion is followed.
     executor : Executor, optional
@@ -123,7 +124,7 @@ def basins(
            3  x = 0.0656078 m, x' = 2.66716 m/s, each period
            1  x = -0.634615 m, x' = 0.207692 m/s, each period
     """
-    _check_forced(case, "basins")
+    _check_forced(case)
     whole("cycles", cycles, 2 * LONGEST + 1, MOST_CYCLES)
     xs, vs = (_axis(name, values) for name, values in (("x", x), ("v", v)))
     whole("starts", len(xs) * len(vs), 1, MOST_STARTS)
@@ -142,14 +143,14 @@ def _tails(case: Case, xs: Vector, v: float, cycles: int) -> Matrix:
 
     Not a number where no phase takes the start, or the motion ends.
     """
-    machine, units, last = Machine.of(case.cell), _units(case)[:2], 2 * LONGEST + 1
-    found = np.full((len(xs), last, 2), np.nan)
+    machine, units, kept = machine_of(case.cell), _units(case)[:2], 2 * LONGEST + 1
+    found = np.full((len(xs), kept, 2), np.nan)
     for i, x in enumerate(xs):
-        start = machine.remembered(State(float(x / units[0]), float(v / units[1]), 0.0))
+        start: AnyState = machine.released(float(x / units[0]), float(v / units[1]), 0.0)
         if machine.first(start) is not None:
-            states = _followed(machine, start, cycles)
-            if len(states) == cycles + 1:
-                found[i] = states[-last:, :2] * units
+            states, last = _followed(case, machine, start, cycles)
+            if last is not None:
+                found[i] = states[-kept:, :2]
     return found
 
 
@@ -194,18 +195,31 @@ def _period(tail: Matrix) -> int | None:
     return None
 
 
-def _followed(machine: Machine, start: State | None, cycles: int) -> Matrix:
-    """Return the states at each whole turn that is reached, without units."""
+def _followed(
+    case: Case, machine: AnyMachine, start: AnyState, cycles: int
+) -> tuple[Matrix, Vector | None]:
+    """Return what is seen at each whole turn that is reached, and the last state, in SI units.
+
+    That is None where the motion ends before.
+    """
+    units = _units(case)
     if start is None:
-        return np.empty((0, 2 + len(machine.cell.memory)))
-    return strobed(machine, start, cycles)[0]
+        return np.empty((0, len(units))), None
+    if isinstance(machine, Machine):
+        found = strobed(machine, start, cycles)[0] * units
+        return found, found[-1] if len(found) == cycles + 1 else None
+    states, last = turns.turns(case, machine, start, cycles)
+    return states * units, None if last is None else turns.in_si(case, machine, last)
 
 
-def _taken(machine: Machine, last: Vector | None) -> State | None:
+def _taken(case: Case, machine: AnyMachine, last: Vector | None) -> AnyState:
     """Return the last state of the motion before, if a phase takes it; else one at rest."""
     if last is not None:
-        x, v, *memory = last.tolist()
-        start = State(x, v, 0.0, memory=tuple(memory))
+        if isinstance(machine, Machine):
+            x, v, *memory = (last / _units(case)).tolist()
+            start: AnyState = State(x, v, 0.0, memory=tuple(memory))
+        else:
+            start = turns.from_si(case, machine, last)
         if machine.first(start) is not None:
             return start
     return machine.at_rest(0.0)
@@ -217,10 +231,9 @@ def _units(case: Case) -> Vector:
     return np.array([case.units.of_motion(power) for power in powers])
 
 
-def _check_forced(case: Case, what: str) -> None:
+def _check_forced(case: Case) -> None:
     if not isinstance(case, Case):
         raise TypeError(f"case: got {case!r:.80}, expected a Case")
-    check_one_mass(case.scene, what)
     if case.scene.frequency is None:
         words = "there is no period at which its states could be looked at"
         raise ValueError(f"scene: nothing forces {case.scene.name}: {words}")

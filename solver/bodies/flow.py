@@ -17,8 +17,8 @@ WORST = 1e9
 CLEAR = 0.1
 
 
-#: Terms of the series of ``(e^z - 1 - z)/z^2`` for ``|z| < 1``.
-TERMS = 20
+#: Where ``(e^z - 1 - z)/z^2`` is a series, and of how many terms.
+NEAR, TERMS = 0.1, 10
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,12 +187,18 @@ def steady(poles: Complex, omega: float, t: float | Vector) -> Complex:
 
 def twice(omega: float, t: Vector) -> Complex:
     """Return ``int_0^t (t - r) e^(i omega r) dr``: places that velocities are given to."""
+    if omega == 0:
+        return np.asarray(t * t / 2, dtype=complex)
     z = 1j * omega * t
-    near, term = np.zeros_like(z), np.full_like(z, 0.5)
-    for n in range(3, 3 + TERMS):
-        near, term = near + term, term * z / n
-    far = np.where(np.abs(z) < 1, 1.0, z)
-    return np.asarray(t * t * np.where(np.abs(z) < 1, near, (np.expm1(far) - far) / far**2))
+    small = np.abs(z) < NEAR
+    far = np.where(small, 1.0, z)
+    found = (np.expm1(far) - far) / far**2
+    if small.any():
+        near, term = np.zeros_like(z), np.full_like(z, 0.5)
+        for n in range(3, 3 + TERMS):
+            near, term = near + term, term * z / n
+        found = np.where(small, near, found)
+    return np.asarray(t * t * found)
 
 
 def _phi(z: Complex) -> Complex:

@@ -116,6 +116,10 @@ class Machine(Phases):
             return None
         return p, with_array(begun(self.rules, p, state))
 
+    def released(self, x: float, v: float, angle: float) -> State:
+        """Return the state with a displacement and a velocity, and a memory that suits it."""
+        return self.remembered(State(x, v, angle))
+
     def at_rest(self, angle: float) -> State | None:
         """Return the admissible state at rest that is nearest to 0."""
         cosine = math.cos(angle)

@@ -6,10 +6,8 @@ from collections.abc import Sequence
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.parameter_error import is_number
-from .bodies.machine import BodyMachine
 from .machines import AnyState, machine_of
 from .record import Simulation
-from .steps.state import State
 from .walk import follow
 
 #: Cycles that are simulated where neither cycles nor a time is given.
@@ -38,8 +36,9 @@ def simulate(
         The oscillator.
     state : (float, float), optional
         Displacement in m and velocity in m/s at the start; without it at rest at 0 or, if
-        the scene does not admit that, at or next to the nearest limit.  A body begins at rest:
-        at 0 or, without a state, where a phase leaves it in balance.
+        the scene does not admit that, at or next to the nearest limit.  Of a body they are
+        those of its first contact, in the state nearest to rest; without them it begins at
+        rest: at 0, or where a phase leaves it in balance.
     cycles : float, optional
         How many periods of the forcing or, where nothing forces, how many times 2 pi of the
         scene's unit of time; 20 without it and without `time`.
@@ -82,13 +81,8 @@ def simulate(
         start = machine.at_rest(turn)
         if start is None:
             raise ValueError("state: no displacement at rest is admitted, expected one")
-    elif isinstance(machine, BodyMachine):
-        if any(_given(case, state, turn)[:2]):
-            expected = f"(0, 0) or none: {case.scene.name} is a body, which begins at rest"
-            raise ValueError(f"state: got {tuple(state)!r}, expected {expected}")
-        start = machine.still(turn)
     else:
-        start = machine.remembered(_given(case, state, turn))
+        start = machine.released(*_given(case, state), turn)
     if machine.first(start) is None:
         raise ValueError(
             f"state: got {tuple(state or ())!r}, expected one that a phase of "
@@ -97,7 +91,8 @@ def simulate(
     return follow(case, machine, start, duration)
 
 
-def _given(case: Case, state: Sequence[float], angle: float) -> State:
+def _given(case: Case, state: Sequence[float]) -> tuple[float, float]:
+    """Return displacement and velocity without units."""
     try:
         x, v = state
     except (TypeError, ValueError):
@@ -107,8 +102,8 @@ def _given(case: Case, state: Sequence[float], angle: float) -> State:
     place = _number("state", x, "a finite displacement in m")
     speed = _number("state", v, "a finite velocity in m/s")
     units = case.units
-    found = State(place / units.length, speed / units.of_motion(1), angle)
-    if not (math.isfinite(found.x) and math.isfinite(found.v)):
+    found = place / units.length, speed / units.of_motion(1)
+    if not all(map(math.isfinite, found)):
         expected = (
             f"numbers within float64 in units of {units.length:.3g} m, {units.time:.3g} s"
         )

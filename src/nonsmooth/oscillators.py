@@ -393,7 +393,8 @@ def simulate(
         The oscillator.
     state : (float, float), optional
         Displacement in m and velocity in m/s at the start; without it at rest at 0 or, if
-        the scene does not admit that, at or next to the nearest limit.  A body begins at rest.
+        the scene does not admit that, at or next to the nearest limit.  Of a body they are
+        those of its first contact, in the state nearest to rest.
     cycles : float, optional
         How many periods of the forcing or, where nothing forces, how many times 2 pi of the
         scene's unit of time; 20 without it.

@@ -15,8 +15,6 @@ from nonsmooth.solver.trade.tolerance import choose_order
 #: What is computed for scenes of one mass alone.
 ONE_MASS = (
     ("map", "--vary", "gap=0.4:0.6:2", "--vary", "mass=1:2:2"),
-    ("simulate", "--vary", "gap=0.4:0.6:3"),
-    ("simulate", "--grid", "x=0:1:3", "--grid", "v=0:1:3"),
     ("digits",),
     ("report", "-o", "page"),
 )
@@ -73,15 +71,22 @@ def test_equations_of_a_body(run, name: str, format_: str) -> None:
         assert words in out
 
 
-@pytest.mark.parametrize("call", ["chart", "diagram", "basins"])
-def test_functions_say_it_too(call: str) -> None:
-    case = ns.scene("chain-impact")()
-    arguments = {
-        "diagram": ("gap", [0.4]), "basins": ([0.0], [0.0]),
-        "chart": ({"gap": (0.4, 0.6, 2), "mass": (1.0, 2.0, 2)},),
-    }  # fmt: skip
+def test_a_function_says_it_too() -> None:
+    axes = {"gap": (0.4, 0.6, 2), "mass": (1.0, 2.0, 2)}
     with pytest.raises(ValueError, match="a body of several degrees of freedom"):
-        getattr(ns, call)(case, *arguments[call])
+        ns.chart(ns.scene("chain-impact")(), axes)
+
+
+def test_a_diagram_and_basins_of_a_body(run) -> None:
+    vary = ("--vary", "gap=0.4:0.6:3", "--transient", 30, "--cycles", 4, "--json")
+    status, out, _ = run("simulate", "chain-impact", *vary)
+    assert status == 0
+    assert [len(each) for each in json.loads(out)["states"]] == [4, 4, 4]
+    status, out, _ = run(
+        "simulate", "chain-impact", "--grid", "x=-0.5:0:2", "--grid", "v=0:0.5:2", "--json"
+    )
+    assert status == 0
+    assert np.shape(json.loads(out)["index"]) == (2, 2)
 
 
 def test_documents_files_and_families_of_a_body(run, tmp_path) -> None:

@@ -211,8 +211,11 @@ def test_the_command(run, tmp_path) -> None:
     run("simulate", "beam-clearance", "--cycles", "2", "-o", str(tmp_path / "a.png"))
     run("simulate", "beam-clearance", "--cycles", "2", "-o", str(tmp_path / "a.csv"))
     assert "force" in (tmp_path / "a.csv").read_text("utf-8").splitlines()[0]
-    message = refused(run, "simulate", "chain-impact", "--state", "0,1")
-    assert "chain-impact is a body, which begins at rest" in message
+    _, out, _ = run("simulate", "chain-impact", "--cycles", "4", "--state", "0.1,-1", "--json")
+    begun = json.loads(out)["phases"][0]["start"]
+    assert tuple(begun.values()) == pytest.approx((0.1, -1.0), rel=1e-14)
+    message = refused(run, "simulate", "chain-impact", "--state", "1,1")
+    assert "state: got (1.0, 1.0), expected one that a phase of chain-impact takes" in message
 
 
 def test_a_row_rests_on_a_stop_until_it_is_pulled_off(monkeypatch, tmp_path) -> None:

@@ -54,6 +54,12 @@ class BodyMachine(BodyRules):
         """Return the state at rest where nothing is displaced."""
         return self._at(np.zeros(len(self.free.A)), angle)
 
+    def released(self, x: float, v: float, angle: float) -> BodyState:
+        """Return the state nearest to rest with a place and a velocity of the first contact."""
+        rows = self.regimes[0].contacts[:2, 0].copy()
+        rows[:, self.regimes[0].states + 2] -= x, v
+        return self.remembered(self.on(rows, self.still(angle)))
+
     def starts(self, angle: float) -> list[BodyState | None]:
         """Return states from which motions settle: at rest, held, and in balance."""
         rest = self.still(angle)

@@ -50,8 +50,9 @@ def options(forced: bool = True) -> list[click.Parameter]:
     return [
         click.Option(
             ["--state"], metavar="X,V",
-            help="Displacement in m and velocity in m/s at the start; a body begins at rest.  "
-            "[default: at rest at 0 or, where the scene does not admit that, near it]",
+            help="Displacement in m and velocity in m/s at the start, of a body those of its "
+            "first contact.  [default: at rest at 0 or, where the scene does not admit that, "
+            "near it]",
         ),
         click.Option(
             ["--cycles"], type=float,
@@ -116,11 +117,6 @@ def run(
     if vary is None and not grid:
         return _one(given, json_, output, **wanted)
     other = "--vary" if grid == () else "--grid"
-    if given.about.has_body:
-        expected = "expected one motion: such a body has no plane of states"
-        raise Problem(
-            f"{other}: {given.about.name} is a body of several degrees of freedom, {expected}"
-        )
     cycles = wanted.pop("cycles")
     for name, value in wanted.items():
         if value not in (None, 0.0):
