@@ -222,3 +222,12 @@ def seen(
     waves, others = np.array([np.cos(there), np.sin(there)]), rows[:, states + 2 :] @ inputs[2:]
     free = part.flow.seen(rows[:, :states], start[:states], inputs, t)
     return np.asarray(free + rows[:, states : states + 2] @ waves + others[:, None])
+
+
+def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
+    """Return what forms add up where a phase begins, each term without its sign."""
+    part, found = parts_of(cell)[p], evaluated(cell, times)
+    rows, states = part.lawful.rows, part.lawful.A.shape[0]
+    start, theta = found.starts[p], float(angles_of(cell, times)[p])
+    Y = np.concatenate([start[:states], wave(theta), start[states:]])
+    return np.asarray(np.abs(rows[: len(rows) - len(cell.memory)]) @ np.abs(Y))

@@ -6,14 +6,19 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from ..arrays import Vector
+from ..bodies.exact import magnitudes
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome, newton
 from ..kernels.kernel import Kernel
 from ..kernels.start import RoughTimes, solved
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..stability.in_words import in_words
 from . import admissible
 from .shown import Shown
+
+#: What is rounding of a sum over modes, as a part of its terms added without sign.
+NOISE = 64 * float(np.finfo(float).eps)
 
 #: Differences of times, as a part of the largest, of the same solution.
 SAME = 1e-11
@@ -44,6 +49,12 @@ class ExactOrbit(Shown):
         count = len(self.case.cell.phases)
         found = self.outcome.unknowns[2 * count : 2 * count + len(self.case.cell.memory)]
         return tuple(map(float, found))
+
+    def _least_sizes(self, p: int) -> Vector | float:
+        cell = self.case.cell
+        if not isinstance(cell, BodyCell):
+            return 0.0
+        return magnitudes(cell, self.times, p) * (NOISE / admissible.ROUNDING)
 
     @cached_property
     def violations(self) -> tuple[str, ...]:

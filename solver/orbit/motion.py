@@ -165,13 +165,14 @@ class Motion:
     def sizes(self) -> Matrix:
         """Sizes of x, x', the cosine of the forcing and 1 on each phase, without units.
 
-        Of a body those of all `signals`.
+        Of a body those of all `signals`, and as large as makes their rounding no violation.
 
         The largest of 65 values on each, enough for a scale.
         """
         cell, durations = self.case.cell, self.cell_durations
         if self.case.scene.has_body:
-            return np.array([np.abs(self.signals(p, LOOK)).max(axis=1) for p in self._of_cell])
+            seen = ((p, np.abs(self.signals(p, LOOK)).max(axis=1)) for p in self._of_cell)
+            return np.array([np.maximum(each, self._least_sizes(p)) for p, each in seen])
         found = np.ones((len(cell.phases), 4))
         for p, s in enumerate(durations):
             angle = self.angle + cell.omega * float(np.sum(durations[:p]))
@@ -179,6 +180,10 @@ class Motion:
             rows = (self.part(p, LOOK, 0), self.part(p, LOOK, 1), cosine)
             found[p, :3] = [np.abs(row).max() for row in rows]
         return found
+
+    def _least_sizes(self, p: int) -> Vector | float:
+        """Return what the sizes of `signals` on a phase are at least, by their rounding."""
+        return 0.0
 
     @property
     def _of_cell(self) -> range:

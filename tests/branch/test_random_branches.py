@@ -73,7 +73,13 @@ def assert_orbits_are_found_again(random, names, most: int) -> None:
         count += 1
         assert low <= branch["value"].min() <= branch["value"].max() <= high
         phases = case.scene.phases  # the name of a motion that nothing ends is that of one
-        rows = [q for q in branch if q.stable is not None and q.motion not in phases]
+        special = {
+            event.parameter for event in branch.events
+        }  # folds: times alone are not found
+        rows = [
+            q for q in list(branch)[1:-1] if q.stable is not None and q.value not in special
+        ]
+        rows = [q for q in rows if q.motion not in phases]
         for i in random.permutation(len(rows))[:ORBITS]:
             exact = found_again(case, branch, rows[i])
             assert exact.stable == rows[i].stable
