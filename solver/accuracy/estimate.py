@@ -3,7 +3,8 @@
 The better orbit is that of the method whose times converge fastest, from the orbit's own times,
 at an order where it has nearly always converged.  What it may be off by itself, the change to a
 few orders more, is added.  Only where no better orbit is found, it is the error against the
-exact one.
+exact one.  So it is of a body, whose every orbit is judged by that anyway: where modes hardly
+damped ring on in a contact, a few orders more change little, and are as far off.
 
 Rounding is added as well: what Newton's method left, and what all orders share.  Parameters and
 residuals are rounded, and where two orbits nearly meet, or little damps a resonance, the orbit
@@ -44,6 +45,8 @@ NOTHING = Errors(math.inf, math.inf, math.inf, math.inf)
 
 def estimate(orbit: Solution) -> Errors:
     """Return the estimated errors of an orbit, without sign; infinite where none is known."""
+    if orbit.case.scene.has_body:
+        return _with_rounding(orbit, orbit, _against_the_exact_orbit(orbit))
     if FIRST not in registry.methods(orbit.case.scene):
         return _against_the_exact_orbit(orbit)
     order = max(orbit.order + MORE, LEAST)
@@ -53,18 +56,20 @@ def estimate(orbit: Solution) -> Errors:
     beyond = better and _neighbour(better[0], order + MORE, True)
     if better is None or beyond is None:
         return _against_the_exact_orbit(orbit)
-    apart, doubt = better[1], beyond[1]
-    left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(better[0])
+    pairs = zip(*(vars(q).values() for q in (better[1], beyond[1])), strict=True)
+    return _with_rounding(orbit, better[0], Errors(*(abs(a) + abs(b) for a, b in pairs)))
+
+
+def _with_rounding(orbit: Solution, near: Motion, found: Errors) -> Errors:
+    """Return errors with what rounding adds to them, by an orbit near to the exact one."""
+    left, shared = CORRECTIONS * orbit.outcome.correction, EPSILON * condition(near)
     free = 0.0 if orbit.case.cell.forced else shared  # a forcing makes the period known
     turned = 2 * math.pi * shared  # times are parts of a period, and this of a radian
     return Errors(
-        period=abs(apart.period) + abs(doubt.period) + left + max(ROUNDING, free),
-        times=apart.times + doubt.times + left + max(ROUNDING, shared),
-        discontinuous=apart.discontinuous
-        + doubt.discontinuous
-        + left
-        + max(DERIVATIVE_ROUNDING, turned),
-        switches=apart.switches + doubt.switches + left + max(ROUNDING, shared),
+        period=found.period + left + max(ROUNDING, free),
+        times=found.times + left + max(ROUNDING, shared),
+        discontinuous=found.discontinuous + left + max(DERIVATIVE_ROUNDING, turned),
+        switches=found.switches + left + max(ROUNDING, shared),
     )
 
 

@@ -51,7 +51,7 @@ class Orbit(Solution):
 
     @cached_property
     def estimate(self) -> Errors:
-        """Errors as they are estimated without the exact orbit; see `estimate`."""
+        """Errors as they are estimated, of one mass without the exact orbit; see `estimate`."""
         return estimate(self)
 
     @cached_property

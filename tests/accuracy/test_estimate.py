@@ -198,3 +198,11 @@ def test_where_nothing_is_ill_conditioned_the_least_rounding_counts() -> None:
             assert condition(exact) <= skeel(exact) <= 8 * condition(exact)
             if not values:
                 assert EPSILON * skeel(exact) < ROUNDING
+
+
+@pytest.mark.parametrize("order", [24, 64])
+def test_it_covers_modes_that_ring_on_in_a_contact(order: int) -> None:
+    """Where the change to the next orders is a tenth of the error and less."""
+    case = ns.scene("beam-clearance")(modes=8, ratio=1e-4)
+    orbit = ns.solve(case, "ck-tau", order)
+    assert orbit.errors.times <= orbit.estimate.times <= 2 * orbit.errors.times

@@ -161,7 +161,7 @@ MUTANTS = (
     Mutant(
         "an estimate leaves out what rounding of the exact equations does",
         "solver/accuracy/estimate.py",
-        "EPSILON * condition(better[0])",
+        "EPSILON * condition(near)",
         "EPSILON",
         ("tests/accuracy/test_estimate.py::test_near_a_fold_the_estimate_holds",),
     ),

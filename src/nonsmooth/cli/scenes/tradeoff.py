@@ -28,7 +28,7 @@ Examples:
 """
 
 LEGEND = """times: largest error of a duration{and_phase}, as a part of T;
-estimate: the same, without the exact orbit; exact: by the flow of each phase,
+estimate: the same, {estimated}; exact: by the flow of each phase,
 from its own times."""
 
 
@@ -59,6 +59,8 @@ def run(given: "Given[LoadedScene]", json_: bool, output: Path | None) -> int:
         click.echo(captions.caption(case))
         tables.trade(result)
         also = " or of the phase of the forcing" if case.scene.frequency else ""
-        click.echo("\n" + LEGEND.format(and_phase=also))
+        click.echo(
+            "\n" + LEGEND.format(and_phase=also, estimated=captions.estimated(case.scene))
+        )
     write_result(output, text, drawn_by("sweeps.trade_figure", result))
     return 0

@@ -59,6 +59,11 @@ def derivative(scene: "LoadedScene") -> str:
     return "x" + "'" * (scene.k + 1)
 
 
+def estimated(scene: "LoadedScene") -> str:
+    """Return what an estimate is."""
+    return "with that of rounding" if scene.has_body else "without the exact orbit"
+
+
 def legend(scene: "LoadedScene", durations: bool = True) -> str:
     """Return what the headings of a table of orbits mean."""
     jumps, forced = derivative(scene), scene.frequency is not None
@@ -72,7 +77,7 @@ def legend(scene: "LoadedScene", durations: bool = True) -> str:
     parts += [
         f"times: {largest}, as a part of T",
         f"{jumps}: L2 error of {jumps}, the first derivative that jumps",
-        "estimate: of times, without the exact orbit",
+        f"estimate: of times, {estimated(scene)}",
         "it: Jacobians formed",
     ]
     return filled("; ".join(parts) + ".")
