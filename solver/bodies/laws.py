@@ -162,6 +162,8 @@ def _free_ways(cell: "BodyCell", force: Matrix) -> tuple[Matrix, Matrix]:
     """Return the places at which the body stays, and ways in which it moves freely."""
     body, m = cell.body, len(cell.body.squares)
     rigid = np.flatnonzero(body.squares == 0)
+    if not len(rigid):
+        return np.zeros((2 * m, 0)), np.zeros((2 * m, 0))
     w = scales(body, cell.omega)[rigid]
     sizes = np.abs(force[:, : 2 * m]).max(axis=1, keepdims=True)
     by_law = force[:, : 2 * m] / np.where(sizes == 0, 1.0, sizes)

@@ -1,7 +1,7 @@
 """The phases of a cell of a body: the laws, the flow and the switch of each, and its map."""
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,9 +24,20 @@ class Part:
     """
 
     lawful: Lawful
-    flow: Flow
     switch: Switch
     closing: Switch
+    omega: float
+
+    @cached_property
+    def flow(self) -> Flow:
+        """The flow of the body in the phase.
+
+        Raises
+        ------
+        BodyError
+            If there is no eigenbasis.
+        """
+        return flow_of(self.lawful, self.omega)
 
 
 @lru_cache(maxsize=32)
@@ -36,13 +47,12 @@ def parts_of(cell: "BodyCell") -> tuple[Part, ...]:
     Raises
     ------
     BodyError
-        If a law does not fix its force, or a phase has no eigenbasis.
+        If a law does not fix its force.
     """
     laws = [lawful(cell, p) for p in range(len(cell.phases))]
     switches = [switch(cell, p, own.rows) for p, own in enumerate(laws)]
-    flows = (flow_of(own, cell.omega) for own in laws)
     closing = fixed(switches, shifts(cell))
-    return tuple(map(Part, laws, flows, switches, closing))
+    return tuple(map(Part, laws, switches, closing, [cell.omega] * len(laws)))
 
 
 def shifts(cell: "BodyCell") -> Matrix:

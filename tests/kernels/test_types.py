@@ -2,7 +2,7 @@
 
 Compiling all of them takes minutes, and most of that goes to machine code.  Here numba goes as
 far as the types of each function, where it refuses what it does not know, and the function then
-runs as plain Python.  The exact equations and simulations are compiled in every run.
+runs as plain Python.  That takes half a minute: `.ci/run` runs these, `make test` does not.
 """
 
 import sys
@@ -63,6 +63,9 @@ def typed_only():
         return numba.njit(**options)(rebuilt(function, names))
 
     return make
+
+
+pytestmark = pytest.mark.long
 
 
 @pytest.fixture
