@@ -22,7 +22,6 @@ from .charts.curves import curves_of
 from .charts.lines import Line, Stretch, line_of
 from .charts.plane import Bounds, Plane
 from .results.chart import Chart, ChartInterrupted, EventCurve
-from .scenes.bodies.only import check_one_mass
 from .scenes.case import Case
 from .scenes.parameter_error import is_number
 
@@ -104,7 +103,6 @@ def chart(
     ['flip', 'grazing']
     """
     columns, rows = _axes(case, axes)
-    check_one_mass(case.scene, "map")
     names, bounds = (columns.name, rows.name), (columns.ends, rows.ends)
     corner = _at(case, names, (columns.low, rows.low))
     tasks = [(corner.with_value(*each), names, bounds, 1) for each in rows.lines()]

@@ -77,27 +77,13 @@ class Interval:
             yield Interval(low, high)
 
 
-def along(
-    content: Content, value: float, interval: Interval, z: Vector
-) -> tuple[Along, Interval]:
-    """Return a cell on an interval of a parameter, or on the part of it that can be resolved.
-
-    Parameters
-    ----------
-    content : callable
-        The cell at a value, and the forms that are watched there.
-    value : float
-        About which the interval is cut where its series do not converge.
-    z : ndarray
-        The unknowns there: their sizes.
-    """
-    series, interval = resolved(lambda at: entries(*content(at)), value, interval)
-    cell, _ = content(value)
+def framed(cell: Cell, z: Vector, series: Any) -> Along:
+    """Return the arrays of a cell by their series; `z` are unknowns of the usual sizes."""
     found = arrays(cell)
     before = 2 * len(cell.phases) + len(cell.memory)
     divided = divided_phases(cell, z[before:])
     given = found.kinds, found.setting, series, divided, weights(cell, z)
-    return Along(*given, before, float(cell.sign)), interval
+    return Along(*given, before, float(cell.sign))
 
 
 def resolved(
@@ -110,8 +96,9 @@ def resolved(
     ----------
     values : callable
         What is expanded, at a value of the parameter; not finite where there is nothing.
-    value, interval
-        See `along`.
+    value : float
+        About which the interval is cut where the series do not converge.
+    interval : Interval
     blocks : ndarray of int, optional
         The block to which each entry belongs: rounding is a part of the largest of a block.
 
@@ -141,11 +128,18 @@ def _series(
     found[constant, 0] = known[0, constant]
     sizes = np.abs(found).max(axis=1)
     found[np.abs(found) <= ROUNDING * sizes[:, None]] = 0.0
-    if blocks is not None:
-        largest = np.zeros(blocks.max() + 1)
-        np.maximum.at(largest, blocks, sizes)
-        sizes = largest[blocks]
+    sizes = of_blocks(sizes, blocks)
     return found if (np.abs(found[:, -2:]) <= ROUNDING * sizes[:, None]).all() else None
+
+
+def of_blocks(sizes: Vector, blocks: Integers | None) -> Vector:
+    """Return the largest size in the block of each entry; its own without blocks."""
+    if blocks is None:
+        return sizes
+    largest = np.zeros(blocks.max() + 1)
+    np.maximum.at(largest, blocks, sizes)
+    found: Vector = largest[blocks]
+    return found
 
 
 def chebyshev(count: int) -> tuple[Vector, Matrix]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...generated.ck import F
 from ..arrays import Integers, Matrix, Vector
+from ..bodies.modal import BodyError
 from ..flow.exact_system import angles, arrays, phase_numbers, places
 from ..flow.flow import state_at
 from ..kernels.compiling import Account
@@ -23,11 +24,12 @@ from ..scenes.dimensionless import Units
 from ..scenes.loaded import LoadedScene
 from ..scenes.mirror import mirror, same
 from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
+from ..scenes.parameter_error import ParameterError
 from ..simulation.machines import AnyMachine, machine_of
 from ..simulation.nodes import Node, walls
 from ..simulation.steps.column import NONE
 from . import walk, watch
-from .along import Along, Content, Interval, along
+from .along import Along, Content, Interval, entries, framed, resolved
 from .walk import FAMILY
 from .watch import AT_SWITCH, BEHIND, WITHIN
 
@@ -210,8 +212,40 @@ class Course:
     def along(
         self, content: Content, value: float, interval: Interval, z: Vector
     ) -> tuple[Along, Interval]:
-        """Return its equations on an interval of a parameter; see `along.along`."""
-        return along(content, value, interval, z)
+        """Return its equations on an interval of a parameter, or on a part of it.
+
+        Parameters
+        ----------
+        content : callable
+            The cell at a value, and the forms that are watched there.
+        value : float
+            About which the interval is cut where its series do not converge.
+        z : ndarray
+            The unknowns there: their sizes.
+        """
+        cell, forms = content(value)
+        count = len(self.entries(cell, forms))
+
+        def values(at: float) -> Vector:
+            try:
+                return self.entries(*content(at))
+            except (BodyError, ParameterError):  # no such oscillator
+                return np.full(count, np.nan)
+
+        series, interval = resolved(values, value, interval, self.blocks(cell, forms))
+        return self.framed(cell, z, series), interval
+
+    def entries(self, cell: Cell, forms: list[Form]) -> Vector:
+        """Return all entries of the arrays of a cell that may vary, the forms behind them."""
+        return entries(cell, forms)
+
+    def blocks(self, cell: Cell, forms: list[Form]) -> Integers | None:
+        """Return the blocks of these entries, or None; see `along.resolved`."""
+        return None
+
+    def framed(self, cell: Cell, z: Vector, series: Any) -> Along:
+        """Return the arrays of a cell by their series; see `along.framed`."""
+        return framed(cell, z, series)
 
     def functions(self) -> dict[str, Any]:
         """Return the functions of a branch, in the form that is quicker by now."""

@@ -1,12 +1,14 @@
 """Rows of a map: which motion there is at each point, and whether it is stable."""
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Integers, Matrix, Vector
 from ..branch import walk
+from ..branch.bodies.course import BODIES
 from ..branch.walk import MODULES
 from ..kernels import linking
 from ..kernels.compiling import Account, rebuilt
@@ -24,25 +26,34 @@ ROOM, ASKED = 64, 4
 STABLE, NEITHER, UNSTABLE = 0, 1, 2
 
 
-def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
+def linked(branches: Family, equations: Any, make: linking.Make) -> dict[str, Any]:
     """Return the functions of maps, plain or compiled, over those of branches."""
-    form = walk.FAMILY.plain if make is rebuilt else walk.FAMILY.compiled
+    form = branches.plain if make is rebuilt else branches.compiled
     under = {name: q for name, q in form(walk.__name__).items() if callable(q)}
     return linking.made((filling, following), under, make)
 
 
-#: What they are made of, and the functions.
-FAMILY = Family(linked, (*MODULES, walk, following), filling.fill)
+#: What they are made of, and the functions: of one mass, and of bodies.
+FAMILY = Family(partial(linked, walk.FAMILY), (*MODULES, walk, following), filling.fill)
+OF_BODIES = Family(
+    partial(linked, BODIES), (*BODIES.modules, walk, following), filling.fill, BODIES.seconds
+)
 
 
-def account() -> Account:
-    """Return what all maps have cost in plain Python."""
-    return FAMILY.account_of(filling.__name__)
+def family_of(plane: Plane) -> Family:
+    """Return how the functions of a plane are made."""
+    return OF_BODIES if plane.course.family is BODIES else FAMILY
 
 
-def functions() -> dict[str, Any]:
+def account(plane: Plane) -> Account:
+    """Return what all maps of its kind have cost in plain Python."""
+    return family_of(plane).account_of(filling.__name__)
+
+
+def functions(plane: Plane) -> dict[str, Any]:
     """Return the functions of maps, in the form that is quicker by now."""
-    make = FAMILY.compiled if pays(account(), 1) else FAMILY.plain
+    family = family_of(plane)
+    make = family.compiled if pays(account(plane), 1) else family.plain
     return make(filling.__name__)
 
 
@@ -79,18 +90,18 @@ def orbits_of(
     A few are asked of the solver, which demands more than is watched: where it refuses one,
     none of the order counts on these rows.
     """
-    n, size = seeds.shape[1] - 2, 2 + len(plane.series.setting)
+    n, size = seeds.shape[1] - 2, plane.states
     near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
     orbits = _room(4 * len(near) + ROOM, len(A) * len(B), n, size)
     given = plane.series, plane.table, A, B
-    with account().spending(), np.errstate(all="ignore"):
-        count = functions()["sown"](*given, wide, near, orbits)
+    with account(plane).spending(), np.errstate(all="ignore"):
+        count = functions(plane)["sown"](*given, wide, near, orbits)
     begin = 0
     while begin < count:
         if count == len(orbits[0]):
             orbits = _larger(orbits, len(A) * len(B), n, size)
-        with account().spending(), np.errstate(all="ignore"):
-            begin, count = functions()["fill"](*given, begin, count, orbits)
+        with account(plane).spending(), np.errstate(all="ignore"):
+            begin, count = functions(plane)["fill"](*given, begin, count, orbits)
     Z, at, _, _, _, _, maps = (part[:count] for part in orbits)
     for k in np.linspace(0, count - 1, min(count, ASKED)).astype(int):
         orbit = plane.orbit(np.append(Z[k], [A[at[k] % len(A)], B[at[k] // len(A)]]))

@@ -161,8 +161,8 @@ def _unit(size: int, which: int) -> Vector:
 
 
 def _gauges(plane: Plane, y: Vector) -> Vector:
-    with account().spending(), np.errstate(all="ignore"):
-        found: Vector = functions()["gauges_at"](plane.series, plane.table, y)
+    with account(plane).spending(), np.errstate(all="ignore"):
+        found: Vector = functions(plane)["gauges_at"](plane.series, plane.table, y)
     return found
 
 
@@ -172,7 +172,7 @@ def _pinned(
     """Return where Newton's method leads across a border, None if nowhere, and the tangent."""
     number = len(_gauges(plane, y)) + gauge if gauge < 0 else gauge
     found = y.copy()
-    with account().spending(), np.errstate(all="ignore"):
+    with account(plane).spending(), np.errstate(all="ignore"):
         given = plane.series, plane.table, number, found, border
-        converged, direction = functions()["pinned"](*given)
+        converged, direction = functions(plane)["pinned"](*given)
     return (found if converged else None), direction

@@ -36,11 +36,8 @@ def row_of(plane: Any, b: float) -> Any:
     """Return the equations along the first parameter, as `extended` takes them."""
     kinds, setting, series, divided, weights, before, sign = plane
     waves = waves_at(b, series.shape[2])
-    found = np.zeros(series.shape[:2])
-    for i in range(len(found)):
-        for j in range(found.shape[1]):
-            for k in range(len(waves)):
-                found[i, j] += series[i, j, k] * waves[k]
+    rows = series.reshape(-1, len(waves))
+    found = np.dot(rows, waves).reshape(series.shape[0], series.shape[1])
     return kinds, setting, found, divided, weights, before, sign
 
 
@@ -114,7 +111,7 @@ def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> b
         See `cell_map`.
     """
     case = case_at(row_of(plane, b), a)
-    count, more = len(case[0]), len(case[2])
+    count, before = len(case[0]), plane[5]
     values, nothing = np.empty((len(table), 3)), np.empty((0, 2))
     watched(case, table, z, values, nothing)
     for row in range(len(values)):
@@ -122,10 +119,10 @@ def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> b
             if values[row, j] < 0:
                 return False
     for p in range(count):
-        if not z[2 * count + more + p] >= 0:
+        if not z[before + p] >= 0:
             return False
     reached, speed = end_rates(case, z), 0.0
-    for p in range(count):
+    for p in range(len(reached)):
         speed = max(speed, abs(z[2 * p + 1]), abs(reached[p, 0]))
     maps[0], maps[1], _ = cell_map(case, z, reached, speed)
     return True
@@ -134,7 +131,7 @@ def holds(plane: Any, table: Any, z: Vector, a: float, b: float, maps: Any) -> b
 def change(plane: Any, z: Vector, other: Vector) -> Vector:
     """Return by what two orbits differ, the phase of the forcing up to whole turns."""
     found = z - other
-    if len(z) > 3 * len(plane[0]) + len(plane[1]):
+    if len(z) > plane[5] + len(plane[0]):
         found[-1] -= 2 * pi * round(found[-1] / (2 * pi))
     return found
 

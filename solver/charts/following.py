@@ -27,8 +27,8 @@ FALLING = 0.7
 
 def gauges_at(plane: Any, table: Any, y: Vector) -> Vector:
     """Return what is watched at an orbit; the last is the determinant of the equations."""
-    n, size = len(y) - 2, 2 + len(plane[1])
-    border, extremes, maps = np.zeros(n + 1), np.empty((2, 2)), np.empty((2, size, size))
+    n = len(y) - 2
+    border, extremes, maps = np.zeros(n + 1), np.empty((2, 2)), np.empty((2, 0, 0))
     border[n] = 1.0
     _, found = look(row_of(plane, y[n + 1]), table, y[: n + 1], border, extremes, maps)
     gauges: Vector = found

@@ -7,19 +7,10 @@ from functools import cached_property
 import numpy as np
 
 from ..arrays import Integers, Matrix, Vector
-from ..branch.along import (
-    ROUNDING,
-    Along,
-    Interval,
-    chebyshev,
-    divided_phases,
-    entries,
-    weights,
-)
-from ..branch.course import Course, Row, sizes_of
+from ..branch.along import ROUNDING, Along, Interval, chebyshev, of_blocks
+from ..branch.course import Course, Row
 from ..branch.piece import unit_of
-from ..flow.exact_system import arrays
-from ..orbit.exact_orbit import ExactOrbit, of_unknowns
+from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
 
 #: Terms of the series by each parameter, in turn, until they are resolved.
@@ -73,21 +64,23 @@ class Plane:
             If the equations are not smooth over the rectangle.
         """
         cell = course.cell(case.numbers)
-        own = z / sizes_of(cell, case)
+        own = z / course.sizes(cell, case)
         rows = tuple(course.rows(case.numbers, own))
-        found = arrays(cell)
-        before = 2 * len(cell.phases) + len(cell.memory)
-        divided, sizes = divided_phases(cell, own[before:]), weights(cell, own)
         series = _series(course, case, indices, bounds, rows)
         table = course.table(case.numbers, own, rows)
-        given = found.kinds, found.setting, series, divided, sizes
-        whole = Along(*given, before, float(cell.sign))
+        whole = course.framed(cell, own, series)
         return cls(course, case, indices, bounds, whole, rows, table)
 
     @cached_property
     def sizes(self) -> Vector:
         """What 1 of each unknown is in SI units."""
-        return sizes_of(self.course.cell(self.case.numbers), self.case)
+        return self.course.sizes(self.course.cell(self.case.numbers), self.case)
+
+    @property
+    def states(self) -> int:
+        """How many numbers of a state are perturbed."""
+        of_a_body = self.course.mapped == 0
+        return self.series.before if of_a_body else self.course.mapped
 
     def inside(self, found: Matrix) -> Matrix:
         """Return unknowns and parameters in SI units as they are on the plane."""
@@ -107,8 +100,8 @@ class Plane:
         names = (self.case.scene.parameters[i].name for i in self.indices)
         given = dict(self.case.values) | dict(zip(names, self.values(y), strict=True))
         case = self.course.case(Case(self.case.scene, given, self.case.cycles))
-        own = sizes_of(self.course.cell(case.numbers), case)
-        return of_unknowns(case, y[:-2] * self.sizes / own)
+        own = self.course.sizes(self.course.cell(case.numbers), case)
+        return self.course.orbit(case, y[:-2] * self.sizes / own)
 
 
 def _series(
@@ -116,6 +109,8 @@ def _series(
 ) -> Matrix:
     """Return the Chebyshev coefficients of all entries over a rectangle."""
     ends = [np.divide(bounds[i], unit_of(case, indices[i])) for i in (0, 1)]
+    cell = course.cell(case.numbers)
+    blocks = course.blocks(cell, course.forms(case.numbers, rows, cell))
     for terms in TERMS:
         at, table = chebyshev(terms)
         values = []
@@ -125,10 +120,10 @@ def _series(
                 numbers[indices[0]], numbers[indices[1]] = float(a), float(b)
                 cell = course.cell(tuple(numbers))
                 forms = course.forms(tuple(numbers), rows, cell)
-                values.append(entries(cell, forms))
+                values.append(course.entries(cell, forms))
         grid = np.array(values).T.reshape(-1, terms, terms)
         found = table @ grid @ table.T
-        largest = np.abs(grid).max(axis=(1, 2), keepdims=True)
+        largest = of_blocks(np.abs(grid).max(axis=(1, 2)), blocks)[:, None, None]
         found[np.abs(found) <= terms * ROUNDING * largest] = 0.0
         if not (found[:, -1:].any() or found[:, :, -1:].any()):
             used = [np.flatnonzero(found.any(axis=i))[-1] + 1 for i in ((0, 2), (0, 1))]

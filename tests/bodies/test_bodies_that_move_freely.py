@@ -11,6 +11,10 @@ from scipy.linalg import expm
 
 import nonsmooth as ns
 from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.solver import chart, in_order
+from nonsmooth.solver import exact as solver_exact
+from nonsmooth.solver.charts import lines
+from nonsmooth.solver.kernels.compiling import Account
 
 F, g, k, r, Omega = sp.symbols("F g k r Omega", positive=True)
 
@@ -18,7 +22,7 @@ F, g, k, r, Omega = sp.symbols("F g k r Omega", positive=True)
 MASSES, SPRING, DAMPER = np.array([1.0, 0.05]), np.diag([1.0, 0.0]), np.diag([0.02, 0.0])
 
 #: Values of the parameters, as far as a test does not say others.
-VALUES = {"force": 0.1, "gap": 0.5, "frequency": 1.0, "restitution": 0.7, "stiffness": 1.0}
+VALUES = {"force": 0.03, "gap": 0.5, "frequency": 1.0, "restitution": 0.7, "stiffness": 1.0}
 
 
 @pytest.fixture(autouse=True)
@@ -88,7 +92,7 @@ def off(orbit, sides, half: bool = False) -> float:
     A[:n, n : 2 * n] = np.eye(n)
     A[n : 2 * n, :n] = -SPRING / MASSES[:, None]
     A[n : 2 * n, n : 2 * n] = -DAMPER / MASSES[:, None]
-    A[n, -3] = VALUES["force"] / MASSES[0]
+    A[n, -3] = orbit.case.values["force"] / MASSES[0]
     A[-3, -2], A[-2, -3] = -VALUES["frequency"], VALUES["frequency"]
     jump = np.eye(len(A))
     given = (1 + VALUES["restitution"]) / (w @ (w / MASSES)) * w / MASSES
@@ -111,7 +115,7 @@ def off(orbit, sides, half: bool = False) -> float:
 
 
 def test_a_particle_between_walls_has_its_closed_form() -> None:
-    case = particle()(gap=0.2)
+    case = particle()(gap=0.2, force=0.1)
     a, b = reach(case.values)
     size, turn = np.hypot(a, b), np.arctan2(b, a)
     phases = [np.arccos(2 * case.values["gap"] / size) * sign - turn for sign in (1, -1)]
@@ -127,11 +131,11 @@ def test_a_particle_between_walls_has_its_closed_form() -> None:
     ("method", "order", "error"), [("ck-tau", 8, 1e-13), ("hb-ck", 20, 1e-6)]
 )
 def test_expansions_of_a_particle_converge(method: str, order: int, error: float) -> None:
-    assert ns.solve(particle()(gap=0.2), method, order).errors.times < error
+    assert ns.solve(particle()(gap=0.2, force=0.1), method, order).errors.times < error
 
 
 def test_the_branch_of_a_particle_turns_where_it_just_reaches_the_walls() -> None:
-    case = particle()(gap=0.2)
+    case = particle()(gap=0.2, force=0.1)
     branch = ns.branch(case, "gap", 0.1, 1.0)
     (fold,) = [q for q in branch.events if q.kind == "fold"]
     assert fold.parameter == pytest.approx(np.hypot(*reach(case.values)) / 2, rel=1e-12)
@@ -153,7 +157,7 @@ def test_the_orbit_of_a_ball_closes(half: bool) -> None:
 
 def test_a_ball_settles_on_an_orbit_that_is_not_its_own_mirror_image() -> None:
     """Two impacts on each side, at times that differ."""
-    case = ball_in_a_slot()()
+    case = ball_in_a_slot()(force=0.1)
     found = ns.solve(case, order=12, phases="right,right,-right,-right")
     assert found.stable
     assert off(found.exact, [1, 1, -1, -1]) < 1e-13
@@ -201,3 +205,26 @@ def test_nothing_pushes_back_from_one_stop() -> None:
     one = ns.scene(Scene("stop", "", parameters, (touch, free), frequency=Omega, body=body))
     with pytest.raises(ns.NoOrbit, match="no admissible orbit was found"):
         ns.solve(one())
+
+
+def test_a_map_has_the_fold_of_its_closed_form(monkeypatch) -> None:
+    for module in (solver_exact, in_order):  # where there is no orbit it is soon said
+        monkeypatch.setattr(module, "PHASES", 100)
+        monkeypatch.setattr(module, "FEW", 100)
+    monkeypatch.setattr(chart, "LINES", 2)
+    monkeypatch.setattr(lines, "VALUES", 2)
+    monkeypatch.setattr(Account, "pays", lambda account: False)
+    case = particle()(force=0.1)
+    found = ns.chart(case, {"gap": (0.6, 0.7, 3), "restitution": (0.6, 0.62, 2)})
+    values = dict(case.values)
+
+    def largest(restitution: float) -> float:
+        return float(np.hypot(*reach(values | {"restitution": restitution})) / 2)
+
+    for i, restitution in enumerate((0.6, 0.62)):
+        there = [motion is not None for motion in found.motion[i]]
+        assert there == [gap < largest(restitution) for gap in (0.6, 0.65, 0.7)]
+    (curve,) = found.curves
+    assert curve.kind == "fold"
+    for gap, restitution in curve.points:
+        assert gap == pytest.approx(largest(restitution), rel=1e-12)

@@ -14,7 +14,6 @@ from nonsmooth.solver.trade.tolerance import choose_order
 
 #: What is computed for scenes of one mass alone.
 ONE_MASS = (
-    ("map", "--vary", "gap=0.4:0.6:2", "--vary", "mass=1:2:2"),
     ("digits",),
     ("report", "-o", "page"),
 )
@@ -69,12 +68,6 @@ def test_equations_of_a_body(run, name: str, format_: str) -> None:
     assert status == 0
     for words in ("dynamic compliance", "tested with", "the motion repeats", "mobility"):
         assert words in out
-
-
-def test_a_function_says_it_too() -> None:
-    axes = {"gap": (0.4, 0.6, 2), "mass": (1.0, 2.0, 2)}
-    with pytest.raises(ValueError, match="a body of several degrees of freedom"):
-        ns.chart(ns.scene("chain-impact")(), axes)
 
 
 def test_a_diagram_and_basins_of_a_body(run) -> None:

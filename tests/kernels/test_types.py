@@ -144,3 +144,10 @@ def test_maps(looked_at) -> None:
     stop = ns.scene("impact")(damping=0.1, restitution=0.8)
     ns.chart(stop, {"frequency": (2.0, 2.1, 2), "gap": (0.0, 0.02, 2)})
     assert {"sown", "fill"} <= names
+
+
+def test_maps_of_bodies(looked_at) -> None:
+    names = looked_at(block.OF_BODIES)
+    row = ns.scene("chain-impact")()
+    ns.chart(row, {"gap": (0.4, 0.41, 2), "restitution": (0.6, 0.61, 2)})
+    assert {"sown", "fill"} <= names

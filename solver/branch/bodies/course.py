@@ -8,7 +8,6 @@ import numpy as np
 from ...arrays import Integers, Matrix, Vector
 from ...bodies.exact import evaluated
 from ...bodies.laws import under
-from ...bodies.modal import BodyError
 from ...bodies.part import parts_of
 from ...kernels import linking
 from ...kernels.family import Family
@@ -18,9 +17,8 @@ from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ...scenes.case import Case
 from ...scenes.cell import Cell, Form
 from ...scenes.mirror import same
-from ...scenes.parameter_error import ParameterError
 from .. import walk
-from ..along import SMALL, Along, Content, Interval, divided_phases, resolved
+from ..along import SMALL, Along, divided_phases
 from ..course import ROUNDING, Course, Row
 from ..watch import BEGINS, BEHIND, INTO, IS_END, WITHIN
 from . import equations, watched
@@ -52,24 +50,19 @@ class BodyCourse(Course):
         assert isinstance(found, BodyCell)
         return found
 
-    def along(
-        self, content: Content, value: float, interval: Interval, z: Vector
-    ) -> tuple[Along, Interval]:
-        """Return its equations on an interval of a parameter, or on a part of it."""
-        cell, forms = content(value)
+    def entries(self, cell: Cell, forms: list[Form]) -> Vector:
+        """Return the entries of its arrays."""
+        assert isinstance(cell, BodyCell)
+        return np.concatenate([block.ravel() for block in arrays(cell, forms)])
+
+    def blocks(self, cell: Cell, forms: list[Form]) -> Integers:
+        """Return the number of the array of each entry: the largest has the rounding of all."""
         assert isinstance(cell, BodyCell)
         known = arrays(cell, forms)
-        blocks = np.repeat(np.arange(len(known)), [block.size for block in known])
+        return np.repeat(np.arange(len(known)), [block.size for block in known])
 
-        def values(at: float) -> Vector:
-            try:
-                there, rows = content(at)
-                assert isinstance(there, BodyCell)
-                return np.concatenate([block.ravel() for block in arrays(there, rows)])
-            except (BodyError, ParameterError):  # no such body
-                return np.full(len(blocks), np.nan)
-
-        series, interval = resolved(values, value, interval, blocks)
+    def framed(self, cell: Cell, z: Vector, series: Any) -> Along:
+        """Return the arrays of a cell by their series; the size of its state is one number."""
         count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
         memory = slice(before - len(cell.memory), before)
@@ -78,8 +71,7 @@ class BodyCourse(Course):
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
         weights[before : before + count] = 1 / float(z[before : before + count].sum())
         divided, width = divided_phases(cell, z[before:]), np.array([before + 3])
-        given = kinds, width, series, divided, weights, before, float(cell.sign)
-        return Along(*given), interval
+        return Along(kinds, width, series, divided, weights, before, float(cell.sign))
 
     @property
     def mapped(self) -> int:

@@ -139,7 +139,7 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
             end = -end if table[row, KIND] == BEHIND else end
             if isnan(values[into, END]) or end > values[into, END]:
                 values[into, END] = end
-        for j in range(2):
+        for j in range(len(extremes)):
             form = case[4][p, j]
             for side in (1.0, -1.0):
                 inside, _ = least_inside(grid, s, finer, expanded(generator, side * form), 0)

@@ -124,15 +124,17 @@ def _zero(along: Along, form: int, a: float, b: float, cubic: Vector) -> float:
     """
     low, high = max(0.0, 2 * a - b), b  # it may begin below, by rounding
     t = a + (b - a) * _zero_of_cubic(cubic * [1.0, 1.0, b - a, b - a])
-    last = b - a
+    last, rounding = b - a, NOISE * float(along.sizes[form])
     for _ in range(STEPS):
         values, slopes = along.at(np.array([t]), form)
         value, slope = float(values[0, 0]), float(slopes[0, 0])
         if value == 0:
             return t
         low, high = (t, high) if value > 0 else (low, t)
-        step = -value / slope if slope < 0 else np.inf
-        moved = t + step if low < t + step < high else (low + high) / 2
+        moved = t - value / slope if slope < 0 else np.inf
+        if abs(value) <= rounding and slope < 0:
+            return min(max(moved, low), high)
+        moved = moved if low < moved < high else (low + high) / 2
         step = abs(moved - t)
         if step * min(1.0, (step / last) ** 2) <= EPS * t:  # steps shrink by their squares
             return moved
