@@ -18,7 +18,7 @@ from . import admissible
 from .shown import Shown
 
 #: What is rounding of a sum over modes, as a part of its terms added without sign.
-NOISE = 64 * float(np.finfo(float).eps)
+NOISE = 256 * float(np.finfo(float).eps)
 
 #: Differences of times, as a part of the largest, of the same solution.
 SAME = 1e-11

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from bodies.reference_bodies import case, of, references
 
+from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.kernels import registry
@@ -99,3 +100,16 @@ def test_an_order_in_which_nothing_changes_is_refused() -> None:
     scene = case("clearance-2").scene
     with pytest.raises(UnknownScene, match="nothing changes where open_0 ends and open_0 begi"):
         Case(motion_of(scene, "contact_1,open_0,open_0"), {}).cell  # noqa: B018
+
+
+def test_a_slip_below_the_rounding_of_the_modes_is_one() -> None:
+    """Where friction nearly holds: the velocity is a difference of those of both masses."""
+    case = registry.load("absorber-friction")(
+        mass=1.055200042676784, absorber_mass=0.143209, stiffness=0.8635312907465575,
+        absorber_stiffness=0.1095921217335512, damping=0.01534874183030745,
+        absorber_damping=0.0027056707934270193, friction=0.02887758894906608,
+        force=0.137975624814348, frequency=0.6773265747666765,
+    )  # fmt: skip
+    orbit = exact_orbit(case)
+    assert orbit.stable
+    assert 0.02 < orbit.phases[0].duration < 0.03

@@ -145,4 +145,11 @@ MUTANTS = (
         "found = end",
         ("tests/simulation/test_one_mass_as_body.py",),
     ),
+    Mutant(
+        "an order that is its own mirror image is half a period at any times",
+        "solver/simulation/settle.py",
+        "    return abs(one - two) <= NEAR * max(one, two, 1.0)",
+        "    return True",
+        ("tests/bodies/test_bodies_that_move_freely.py",),
+    ),
 )

@@ -7,6 +7,9 @@ MATRICES = ("tests/space/test_space_matrices.py",)
 SUMS = ("tests/space/test_space_matrices.py::test_sums_over_the_modes_beyond_the_first",)
 REFERENCES = ("tests/space/test_space_references.py",)
 
+FREELY = ("tests/bodies/test_bodies_that_move_freely.py",)
+ROUNDING = ("tests/bodies/test_orders_of_bodies.py",)
+
 MUTANTS = (
     Mutant(
         "an inertia pulls the wrong way",
@@ -91,5 +94,33 @@ MUTANTS = (
         "    if lost > LOST:",
         "    if lost > 1.0:",
         ("tests/bodies/test_large_and_free_bodies.py",),
+    ),
+    Mutant(
+        "a velocity moves no place of a body that nothing holds",
+        "solver/bodies/flow.py",
+        "        found[: self.free] += start[self.free : 2 * self.free, None] * t",
+        "",
+        FREELY,
+    ),
+    Mutant(
+        "a law leaves out what holds a body that moves freely",
+        "solver/bodies/poles.py",
+        "                found[..., force] = -taken",
+        "                found[..., force] = 0.0",
+        FREELY,
+    ),
+    Mutant(
+        "events do not say where a ball is between impacts",
+        "solver/bodies/switch.py",
+        "        state = self.state - shift @ self.gradient[None]",
+        "        state = self.state",
+        FREELY,
+    ),
+    Mutant(
+        "rounding of a sum over modes is a violation",
+        "solver/orbit/exact_orbit.py",
+        "        return magnitudes(cell, self.times, p) * (NOISE / admissible.ROUNDING)",
+        "        return 0.0",
+        ROUNDING,
     ),
 )
