@@ -29,18 +29,21 @@ SPRING, DAMPER = 0.6, 0.8
 
 @dataclass(frozen=True, eq=False)
 class Held:
-    """What holds a body that moves freely, at its contacts.
+    """What holds a body that moves freely, at its contacts; the modes left out it does not.
 
     Parameters
     ----------
     springs, dampers : ndarray, shape (contacts,)
     residual : ndarray, shape (contacts, contacts)
         Static compliance of the modes that are left out.
+    beyond : ndarray of complex, shape (contacts,)
+        What these add to the response to the forcing.
     """
 
     springs: Vector
     dampers: Vector
     residual: Matrix
+    beyond: Complex
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,8 +82,10 @@ class Poles:
             by_turn[q] = self.response * (1j * self.omega) ** j
         by_turn[2] = 1.0
         if self.held is not None:
-            for found in (by_pole.T, by_turn):
-                taken = self.held.springs * found[..., x] + self.held.dampers * found[..., v]
+            turn, springs, dampers = 1j * self.omega, self.held.springs, self.held.dampers
+            for found, beyond in ((by_pole.T, 0.0), (by_turn, self.held.beyond)):
+                place, velocity = found[..., x] - beyond, found[..., v] - turn * beyond
+                taken = springs * place + dampers * velocity
                 found[..., force] = -taken
                 found[..., x] -= taken @ self.held.residual
         return by_pole, by_turn
@@ -160,7 +165,7 @@ def _held(body: Modal, omega: float) -> Held:
     """Return what holds a body at its contacts, at frequencies of the forcing or its own."""
     rate = omega or float(np.sqrt(np.abs(body.squares).mean())) or 1.0
     mass = 1 / np.diag(body.mobility)
-    return Held(SPRING * rate**2 * mass, DAMPER * rate * mass, body.residual)
+    return Held(SPRING * rate**2 * mass, DAMPER * rate * mass, body.residual, body.beyond)
 
 
 def _of_modes(body: Modal) -> tuple[Complex, Complex, Complex]:

@@ -228,3 +228,18 @@ def test_a_map_has_the_fold_of_its_closed_form(monkeypatch) -> None:
     assert curve.kind == "fold"
     for gap, restitution in curve.points:
         assert gap == pytest.approx(largest(restitution), rel=1e-12)
+
+
+@pytest.mark.parametrize("method", ["ck-tau", "hb-ck"])
+def test_few_modes_of_a_row_that_only_its_end_holds(method: str) -> None:
+    """What the modes left out answer to the forcing, and to the contact, is not held."""
+    n = 6
+    K = 4.0 * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
+    K[0, 0] = K[-1, -1] = 4.0
+    row = scene(
+        "row", np.eye(n) / n, K, np.eye(n)[-1].tolist(), "springs", forcing=[1, *[0] * (n - 1)],
+        C=0.02 * K + 0.05 * np.eye(n) / n, modes=3,
+    )  # fmt: skip
+    case = row(force=0.4, gap=0.1, stiffness=2.0)
+    order, error = (20, 1e-11) if method == "ck-tau" else (30, 1e-5)
+    assert ns.solve(case, method, order).errors.times < error
