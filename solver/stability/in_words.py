@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .monodromy import NoMultipliersError
+from .stability import ROUNDING
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
@@ -46,10 +47,18 @@ def in_words(motion: "Motion") -> str:
 
 
 def _numbers(values: list[complex]) -> str:
-    """Return multipliers as text: a pair once, with its modulus."""
+    """Return multipliers as text: a pair once, with its modulus; 0 what is rounding.
+
+    Examples
+    --------
+    >>> _numbers([0.5 + 0.5j, 0.5 - 0.5j, -9.9e-17 + 0j])
+    '0.5 +- 0.5i of modulus 0.70711, 0'
+    """
     parts = []
     for value in values:
-        if value.imag > 0:
+        if abs(value) <= ROUNDING:
+            parts.append("0")
+        elif value.imag > 0:
             pair = f"{value.real:.5g} +- {value.imag:.5g}i"
             parts.append(f"{pair} of modulus {abs(value):.5g}")
         elif value.imag == 0:
