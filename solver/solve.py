@@ -112,13 +112,13 @@ def with_order(case: Case, phases: str | Sequence[str], cycles: int | None = Non
     found = cases_in_order(case, phases, cycles)
     if len(found) == 1:
         return found[0]
-    orbits: list[ExactOrbit] = []
+    cases: dict[ExactOrbit, Case] = {}
     for each in found:
         with suppress(NoOrbit):
-            orbits.append(exact_orbit(each))
-        if orbits and is_stable(orbits[-1]):
+            cases[exact_orbit(each)] = each
+        if any(map(is_stable, cases)):
             break
-    return stable_first(orbits)[0].case if orbits else found[0]
+    return cases[stable_first(cases)[0]] if cases else found[0]
 
 
 def with_motion(case: Case, order: int = COARSE[-1]) -> Case:

@@ -16,7 +16,6 @@ WORST = 1e9
 #: Least turn or decay, over a phase, of a pole against what drives it.
 CLEAR = 0.1
 
-
 #: Where ``(e^z - 1 - z)/z^2`` is a series, and of how many terms.
 NEAR, TERMS = 0.1, 10
 

@@ -267,6 +267,10 @@ class Course:
         """How many numbers of a state are perturbed in the maps kept with an orbit."""
         return 2 + len(self._generic.memory)
 
+    def perturbed(self, along: Along) -> int:
+        """Return how many numbers of a state are perturbed in any map of its cell."""
+        return self.mapped
+
     def unknowns(self, orbit: ExactOrbit) -> Vector:
         """Return those of an exact orbit, without units."""
         return orbit.outcome.unknowns

@@ -90,7 +90,7 @@ def orbits_of(
     A few are asked of the solver, which demands more than is watched: where it refuses one,
     none of the order counts on these rows.
     """
-    n, size = seeds.shape[1] - 2, plane.states
+    n, size = seeds.shape[1] - 2, plane.perturbed
     near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
     orbits = _room(4 * len(near) + ROOM, len(A) * len(B), n, size)
     given = plane.series, plane.table, A, B

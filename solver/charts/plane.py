@@ -77,10 +77,9 @@ class Plane:
         return self.course.sizes(self.course.cell(self.case.numbers), self.case)
 
     @property
-    def states(self) -> int:
+    def perturbed(self) -> int:
         """How many numbers of a state are perturbed."""
-        of_a_body = self.course.mapped == 0
-        return self.series.before if of_a_body else self.course.mapped
+        return self.course.perturbed(self.series)
 
     def inside(self, found: Matrix) -> Matrix:
         """Return unknowns and parameters in SI units as they are on the plane."""

@@ -242,13 +242,17 @@ def _declared(cell: Cell, repeated: tuple[Segment, ...]) -> Settled | None:
 
 def _other(cell: Cell, repeated: tuple[Segment, ...]) -> Settled:
     """Return on which other order of phases a motion settles, and that in words."""
-    steps = [q.step or Step(q.index, q.mirrored) for q in repeated]
-    names = ", ".join("-" * q.mirrored + cell.phases[q.phase].name for q in steps)
+    steps = tuple(q.step or Step(q.index, q.mirrored) for q in repeated)
     count = round(sum(q.s for q in repeated) / cycle(cell))
+    other = _in_order(cell, repeated, count if cell.forced else 1)
+    if other is not None:  # named from where it begins, so that it can be asked for
+        own, turned = other.order.steps, (steps[i:] + steps[:i] for i in range(len(steps)))
+        steps = next(each for each in turned if each[: len(own)] == own)
+    names = ", ".join("-" * q.mirrored + cell.phases[q.phase].name for q in steps)
     every = "each period" if count == 1 else f"every {count} periods"
     within = f", in {every} of the forcing" if cell.forced else ""
     words = f"a simulation settles on another order of phases: {names}{within}"
-    return Settled(None, words, _in_order(cell, repeated, count if cell.forced else 1))
+    return Settled(None, words, other)
 
 
 def _in_order(cell: Cell, repeated: tuple[Segment, ...], cycles: int) -> Other | None:

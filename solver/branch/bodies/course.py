@@ -78,6 +78,10 @@ class BodyCourse(Course):
         """None: of many modes the maps of all orbits would be too much to keep."""
         return 0
 
+    def perturbed(self, along: Along) -> int:
+        """Return how many numbers a state has, with its memory."""
+        return along.before
+
     def unknowns(self, orbit: ExactOrbit) -> Vector:
         """Return those of an exact orbit, without units: its state, and its times."""
         cell = orbit.case.cell
