@@ -28,7 +28,7 @@ STABLE, NEITHER, UNSTABLE = 0, 1, 2
 
 def linked(branches: Family, equations: Any, make: linking.Make) -> dict[str, Any]:
     """Return the functions of maps, plain or compiled, over those of branches."""
-    form = branches.plain if make is rebuilt else branches.compiled
+    form = branches.plain if make is rebuilt else branches.inner
     under = {name: q for name, q in form(walk.__name__).items() if callable(q)}
     return linking.made((filling, following), under, make)
 

@@ -50,7 +50,7 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
 
 
 #: The force series: one kernel of all bodies.
-FAMILY = Family(linked, (force_series, integrals), series.residual, seconds=40.0)
+FAMILY = Family(linked, (force_series, integrals), series.residual, seconds=20.0)
 
 
 def kernel(

@@ -92,8 +92,8 @@ class CacheWarning(UserWarning):
     """What is compiled is not kept for the next process."""
 
 
-def jit(function: types.FunctionType, *, counted: bool = True) -> Any:
-    """Return `function` compiled, and kept in numba's cache where that can be written.
+def inner(function: types.FunctionType, *, counted: bool = True) -> Any:
+    """Return `function` compiled for others that are compiled, which Python cannot call.
 
     Parameters
     ----------
@@ -103,12 +103,29 @@ def jit(function: types.FunctionType, *, counted: bool = True) -> Any:
     """
     import numba  # noqa: PLC0415  (750 ms, for compiled kernels only)
 
+    from .inner import Inner  # noqa: PLC0415  (see above)
+
     options: dict[str, Any] = {
         "error_model": "numpy",
         "_nrt": counted,
         "forceinline": not counted and len(function.__code__.co_code) <= SHORT,
-        "parallel": "prange" in function.__code__.co_names,
     }
+    return numba.njit(pipeline_class=Inner, **options)(function)
+
+
+def entry(compiled: Any) -> Any:
+    """Return an `inner` function for Python to call, kept in numba's cache if possible.
+
+    What is none, a constant or a function where numba is disabled, is returned as it is.
+    """
+    options = getattr(compiled, "targetoptions", None)
+    return compiled if options is None else jit(compiled.py_func, **options)
+
+
+def jit(function: types.FunctionType, **options: Any) -> Any:
+    """Return `function` compiled, and kept in numba's cache where that can be written."""
+    import numba  # noqa: PLC0415  (see `inner`)
+
     text = Path(function.__code__.co_filename)
     try:
         return _cached(function, text.parent, options)
@@ -118,7 +135,20 @@ def jit(function: types.FunctionType, *, counted: bool = True) -> Any:
         if text.exists():  # what is not from a file has no cache anywhere
             folder = text.parent / "__pycache__"
             _warn_once(str(folder), "not writable, and no other folder is")
-    return numba.njit(**options)(function)
+    return numba.jit(**options)(function)
+
+
+class Entries(dict[str, Any]):
+    """Compiled functions by their names, each made for Python when it is asked for."""
+
+    def __init__(self, of: dict[str, Any]) -> None:
+        super().__init__()
+        self._of = of
+
+    def __missing__(self, name: str) -> Any:
+        """Return the function of a name."""
+        found = self[name] = entry(self._of[name])
+        return found
 
 
 def _cached(function: types.FunctionType, source: Path, options: dict[str, Any]) -> Any:
@@ -126,16 +156,14 @@ def _cached(function: types.FunctionType, source: Path, options: dict[str, Any])
 
     `NotPrivate` is raised if others may write to it, a RuntimeError if there is no folder.
     """
-    import numba  # noqa: PLC0415  (see `jit`)
+    import numba  # noqa: PLC0415  (see `inner`)
 
     from .numba_cache import check_cache, guard, owned  # noqa: PLC0415
 
     with owned():
-        found = numba.njit(cache=True, **options)(function)
-    cached = getattr(found, "_cache", None)
-    if cached is not None:  # numba may be disabled
-        check_cache(cached, source)
-        guard(cached, f"{function.__module__}.{function.__qualname__}", _warn_once)
+        found = numba.jit(cache=True, **options)(function)
+    check_cache(found._cache, source)
+    guard(found._cache, f"{function.__module__}.{function.__qualname__}", _warn_once)
     return found
 
 

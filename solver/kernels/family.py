@@ -11,8 +11,9 @@ from typing import Any
 
 from ...generated import ck
 from ..scenes.methods import about
-from .compiling import COMPILE, Account, rebuilt
-from .kernel import Kernel, compiling
+from . import compiling
+from .compiling import COMPILE, Account, Entries, rebuilt
+from .kernel import Kernel, for_others
 from .linking import Make, text_of
 
 
@@ -67,7 +68,7 @@ class Family:
 
     def fingerprint(self, name: str) -> str:
         """Return a hash of all that is compiled."""
-        text = text_of(sys.modules[name], *self.modules)
+        text = text_of(sys.modules[name], *self.modules, compiling)
         return hashlib.sha256(name.encode() + text).hexdigest()[:16]
 
     @cache  # noqa: B019
@@ -76,10 +77,15 @@ class Family:
         return self.link(sys.modules[name], rebuilt)
 
     @cache  # noqa: B019
+    def inner(self, name: str) -> dict[str, Any]:
+        """Return them compiled by numba, for others that are compiled."""
+        return self.link(sys.modules[name], for_others(self.fingerprint(name)))
+
+    @cache  # noqa: B019
     def compiled(self, name: str) -> dict[str, Any]:
-        """Return them compiled by numba, cached where possible."""
+        """Return them compiled by numba, for Python to call, cached where possible."""
         self.account_of(name).is_compiled = True
-        return self.link(sys.modules[name], compiling(self.fingerprint(name)))
+        return Entries(self.inner(name))
 
 
 def module_of(method: str) -> ModuleType:

@@ -13,7 +13,7 @@ from typing import Any
 from ..arrays import Matrix, Vector
 from ..iteration.iteration import Iteration
 from ..scenes.case import Case
-from .compiling import PLAIN_ORDER, Account, jit, rebuilt
+from .compiling import PLAIN_ORDER, Account, inner, rebuilt
 from .linking import Make
 
 
@@ -95,12 +95,12 @@ def pays(spent: Account, order: int) -> bool:
     return spent.pays() or (order > PLAIN_ORDER and spent.is_cached())
 
 
-def compiling(key: str) -> Make:
-    """Return what compiles functions under names with a key of all that they are made from."""
+def for_others(key: str) -> Make:
+    """Return what compiles functions for others, under names with a key of all they are of."""
 
     def compiled_one(function: Any, names: dict[str, Any], counted: bool) -> Any:
         clone = rebuilt(function, names)
         clone.__qualname__ = f"{function.__name__}_{key}"
-        return jit(clone, counted=counted)
+        return inner(clone, counted=counted)
 
     return compiled_one

@@ -93,8 +93,8 @@ def compiled(family, path: Path):
     """Return the functions of a file, compiled as those of a generated module are."""
     module = imported(path)
     sys.modules[module.__name__] = module
-    family.__class__.compiled.cache_clear()
-    family.__class__.account_of.cache_clear()
+    for kept in ("inner", "compiled", "account_of"):
+        getattr(family.__class__, kept).cache_clear()
     return family.compiled(module.__name__)
 
 

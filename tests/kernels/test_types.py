@@ -99,7 +99,8 @@ def looked_at(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., set[str
         monkeypatch.setattr(Family, "plain", both)
         return known
 
-    monkeypatch.setattr(Family, "compiled", dispatchers)
+    for form in ("inner", "compiled"):
+        monkeypatch.setattr(Family, form, dispatchers)
     monkeypatch.setattr(Account, "pays", lambda account: False)
     monkeypatch.setattr(Account, "is_cached", lambda account: False)
     Family.kernel.cache_clear()

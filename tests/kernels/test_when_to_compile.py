@@ -7,8 +7,9 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.solver.kernels import compiling, polynomials, registry
-from nonsmooth.solver.kernels.compiling import COMPILE, LOAD, START, Account
+from nonsmooth.solver.kernels.compiling import COMPILE, LOAD, START, Account, Entries
 from nonsmooth.solver.kernels.family import Family
+from nonsmooth.solver.kernels.kernel import for_others
 
 
 @pytest.fixture
@@ -109,3 +110,23 @@ def test_a_scene_is_counted_and_switches(monkeypatch) -> None:
             registry.quicker_kernel(case.scene, "ck-tau", None, order)
         assert len(used) == (order > compiling.PLAIN_ORDER)
     Family.kernel.cache_clear()
+
+
+def double(x):
+    return 2 * x
+
+
+def fourfold(x):
+    return double(double(x))
+
+
+def test_what_others_call_has_no_machine_code_until_python_calls_it() -> None:
+    names: dict[str, object] = {"TWO": 2}
+    for function in (double, fourfold):
+        names[function.__name__] = for_others("0123")(function, names, True)
+    entries = Entries(names)
+    assert (entries["fourfold"](3.0), entries["TWO"]) == (12.0, 2)
+    assert names["double"].overloads
+    with pytest.raises(KeyError):
+        names["double"](3.0)
+    assert entries["double"](3.0) == 6.0
