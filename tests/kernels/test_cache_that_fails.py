@@ -197,7 +197,7 @@ def test_the_command_solves_with_files_of_no_size(tmp_path: Path) -> None:
     environment = os.environ | {
         "NUMBA_CACHE_DIR": str(tmp_path / "cache"),
         "PYTHONPATH": str(Path(nonsmooth.__file__).parents[1]),
-        "PYTHONDONTWRITEBYTECODE": "1",  # Python 3.11 would keep what is cut, for others to load
+        "PYTHONDONTWRITEBYTECODE": "1",  # Python 3.11 keeps what is cut
     }
     done = subprocess.run(
         [sys.executable, "-m", "nonsmooth", "sweep", "--method", "hb", "--orders", "60-80"],
