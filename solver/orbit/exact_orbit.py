@@ -92,8 +92,7 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     times = np.array([*start.durations, *([start.angle] if kernel.forced else [])])
     with kernel.spending():
         outcome = solved(kernel, case.cell, kernel.size(1), times)
-    orbit = case.presented(ExactOrbit(case, outcome))
-    return _kept(orbit) if kernel.condensed else orbit
+    return _kept(case.presented(ExactOrbit(case, outcome)))
 
 
 @lru_cache(maxsize=8)
@@ -105,7 +104,7 @@ def _found(case: Case) -> list[ExactOrbit]:
 def _kept(orbit: ExactOrbit) -> ExactOrbit:
     """Return the same solution as it was found before, with what was asked of it, if it was.
 
-    Of a body every judgement takes long, and all orders lead to the same solution.
+    All orders lead to the same solution, and to judge it takes longer than to find it.
     """
     if not orbit.outcome.converged:
         return orbit
