@@ -163,12 +163,15 @@ def _repeated(orbit: Motion) -> tuple[str, ...]:
 
 def _are_same(orbit: Motion, others: Sequence[OrbitPhase]) -> bool:
     """Whether the phases of an orbit are the same as others, but for rounding."""
+    pairs = list(zip(orbit.phases, others, strict=True))
+    apart = max(abs(one.duration - other.duration) for one, other in pairs)
+    if apart > SAME * orbit.period:
+        return False
     x, v = (max(map(abs, ends)) for ends in orbit.extremes.values())
     return all(
-        abs(one.duration - other.duration) <= SAME * orbit.period
-        and abs(one.displacement - other.displacement) <= SAME * x
+        abs(one.displacement - other.displacement) <= SAME * x
         and abs(one.velocity - other.velocity) <= SAME * v
-        for one, other in zip(orbit.phases, others, strict=True)
+        for one, other in pairs
     )
 
 

@@ -54,14 +54,17 @@ def _parts(table: Table, console: Console) -> list[Table]:
     def width() -> int:
         return console.measure(table).maximum
 
-    if width() > WIDTH:
-        table.padding = (0, 1, 0, 0)
-    if width() > WIDTH:
-        for column in table.columns[1:]:
-            column.header = Text(str(column.header).replace(" [", "\n["))
-    beside = width() - console.measure(_only(table, [0])).maximum - 1
+    if width() <= WIDTH:
+        return [table]
+    table.padding = (0, 1, 0, 0)
+    if width() <= WIDTH:
+        return [table]
+    for column in table.columns[1:]:
+        column.header = Text(str(column.header).replace(" [", "\n["))
+    whole = width()
+    beside = whole - console.measure(_only(table, [0])).maximum - 1
     longest = max(map(len, " ".join(map(str, table.columns[0].cells)).split()), default=0)
-    if width() > WIDTH and longest + 1 + beside <= WIDTH:
+    if whole > WIDTH and longest + 1 + beside <= WIDTH:
         table.columns[0].width = WIDTH - 1 - beside
     if width() <= WIDTH:
         return [table]
