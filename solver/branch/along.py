@@ -35,7 +35,7 @@ class Along(NamedTuple):
     series : ndarray, shape (entries, TERMS)
         Chebyshev coefficients of its other entries, and of the forms of a table.
     divided : ndarray of int, shape (P,)
-        Whether the row of the event of each phase is divided by its duration.
+        How often the row of the event of each phase is divided by its duration.
     weights : ndarray, shape (unknowns + 1,)
         1 over the size of each unknown, the parameter the last.
     before : int
@@ -77,11 +77,16 @@ class Interval:
             yield Interval(low, high)
 
 
-def framed(cell: Cell, z: Vector, series: Any) -> Along:
-    """Return the arrays of a cell by their series; `z` are unknowns of the usual sizes."""
+def framed(cell: Cell, z: Vector, series: Any, generic: Cell) -> Along:
+    """Return the arrays of a cell by their series.
+
+    `z` are unknowns of the usual sizes, `generic` is the cell at parameters that are not special.
+    """
     found = arrays(cell)
     before = 2 * len(cell.phases) + len(cell.memory)
     divided = divided_phases(cell, z[before:])
+    for p in np.flatnonzero(divided):
+        divided[p] += begins_still(generic, int(p))
     given = found.kinds, found.setting, series, divided, weights(cell, z)
     return Along(*given, before, float(cell.sign))
 
@@ -193,3 +198,9 @@ def returns(cell: Cell, p: int) -> bool:
     remembers = any(phase.event[width:]) or any(before.event[width:])
     leaps = remembers or before.leaps(phase.event)
     return same(before.event[:width], phase.event[:width]) and not leaps
+
+
+def begins_still(cell: Cell, p: int) -> bool:
+    """Whether a phase begins without speed, and the surface where it ends does not move."""
+    before, event = cell.phases[p - 1], cell.phases[p].event
+    return (before.rho, before.d) == (0.0, 0.0) and not any(event[1:3])

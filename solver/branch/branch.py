@@ -136,9 +136,10 @@ def cut_where_violated(segment: Segment) -> None:
     not follow.  A few orbits are asked for; between one that is and one that is not, by halves.
     """
     points, last = segment.points, 0
-    asked = {len(points) * part // 4 for part in (1, 2, 3)}
+    count = len(points) - (segment.end is not None)  # at its end an orbit is none any more
+    asked = {count * part // 4 for part in (1, 2, 3)}
     if segment.end is None:
-        asked.add(len(points) - 1)
+        asked.add(count - 1)
     for i in sorted(asked):
         if not _violations(*points[i]):
             last = i

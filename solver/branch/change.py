@@ -14,7 +14,7 @@ from ..scenes.loaded import UnknownScene
 from ..scenes.orders import Order, Step, image
 from ..scenes.parameter_error import ParameterError
 from ..simulation.followers import may_follow
-from .course import Course, Row
+from .course import ROUNDING, Course, Row
 from .follow import Found, halves_apart
 from .piece import NoStepError, Piece, Place
 from .watch import END, LEAST, START, WITHIN
@@ -244,7 +244,20 @@ class _At:
         """Yield the order without a phase, its neighbours as one if they are the same."""
         if len(self.slots) > 1:
             slots, angle = self._from(p)
-            yield from self._joined(slots[1:], angle)
+            if self._leaps(p):
+                yield Candidate(tuple(slots[1:]), self.half, angle)
+            else:
+                yield from self._joined(slots[1:], angle)
+
+    def _leaps(self, p: int) -> bool:
+        """Whether the velocity jumps where a phase begins."""
+        piece, y, last = self.found.piece, self.found.place.y, self.slots[p - 1]
+        begun = self.angle + self.cell.omega * sum(each.s for each in self.slots[: p - 1])
+        case, z, q = piece.equations(y), y[:-1], (p - 1) % len(self.slots)
+        before = self.course.moving_at(case, z, q, begun, last.s)[1]
+        before *= self.cell.sign if p == 0 else 1
+        after = self.course.moving_at(case, z, p, begun + self.cell.omega * last.s, 0.0)[1]
+        return abs(after - before) > ROUNDING * max(abs(before), 1.0)
 
     def _uncrossed(self, p: int) -> Iterator[Candidate]:
         """Yield the order in which a phase goes on where it ended."""

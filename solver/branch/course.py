@@ -174,9 +174,13 @@ class Course:
         """
         step = self.order.steps[row.phase]
         held = self.base.kinds[step.phase][1]
-        some = any(each for _, each in self.base.kinds)
         still = held or row.kind != WITHIN or self._is_of_velocity(row)
-        return "sticking" if some and still else "grazing"
+        return "sticking" if self.can_rest and still else "grazing"
+
+    @property
+    def can_rest(self) -> bool:
+        """Whether some phase holds the velocity."""
+        return any(held for _, held in self.base.kinds)
 
     def _is_of_velocity(self, row: Row) -> bool:
         """Whether a form is of the velocity, and not of the displacement."""
@@ -245,7 +249,7 @@ class Course:
 
     def framed(self, cell: Cell, z: Vector, series: Any) -> Along:
         """Return the arrays of a cell by their series; see `along.framed`."""
-        return framed(cell, z, series)
+        return framed(cell, z, series, self._generic)
 
     def functions(self) -> dict[str, Any]:
         """Return the functions of a branch, in the form that is quicker by now."""

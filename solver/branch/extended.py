@@ -6,7 +6,8 @@ them and the arclength, and the tangent, are in coordinates of size 1: each unkn
 weight.
 
 Of a phase that begins on the surface where it ends, the row of the event vanishes with the
-duration: what the event's form gains is divided by it (see `along.divided_phases`).
+duration: what the event's form gains is divided by it; twice, where the phase begins without
+speed (see `along.divided_phases`).
 
 Plain Python, or compiled by numba with the exact equations.
 """
@@ -16,9 +17,10 @@ from typing import Any
 
 import numpy as np
 
-from ...generated.ck import MEMORY, add_event, event, joint_rates, joints
+from ...generated.ck import E_X, MEMORY, add_event, event, joint_rates, joints
 from ..arrays import Matrix, Vector
-from ..flow.exact_system import angles, ends, places
+from ..flow.exact_system import angles, ends, phase_numbers, places
+from ..flow.responses import by_force, by_forcing
 from ..iteration.iteration import ROUNDOFF, scale_rows
 from ..iteration.linear import factorise, solve_factorised
 
@@ -66,8 +68,27 @@ def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
     joints(case, z, at, theta, gained, gained, R, 0)
     for p in range(count):
         if along[3][p] != 0:
-            _, change = event(case, z, at, gained, theta, p)
-            R[2 * count + p] = change / z[2 * count + len(case[2]) + p]
+            s = z[2 * count + len(case[2]) + p]
+            R[2 * count + p] = quotient(case, along[3], z, at, gained, theta, p, s)
+
+
+def quotient(
+    case: Any, divided: Any, z: Vector, at: Any, gained: Any, theta: Vector, p: int, s: float
+) -> float:
+    """Return what the event of a phase gains, divided by its duration once or twice.
+
+    Twice where the phase begins without speed: what is gained is made of its forces alone.
+    """
+    found: float = 0.0
+    if divided[p] == 1:
+        _, change = event(case, z, at, gained, theta, p)
+        found = change / s
+        return found
+    m, c, k, f, g = phase_numbers(case, z, p)
+    by, _ = by_force(m, c, k, s)
+    by_wave, _, _, _ = by_forcing(m, c, k, case[4][1], theta[p], s)
+    found = case[1][p, E_X] * ((f - k * z[2 * p]) * by + g * by_wave) / (s * s)
+    return found
 
 
 def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
@@ -81,12 +102,17 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     for p in range(count):
         if divided[p] != 0:
             row, at_s = 2 * count + p, 2 * count + len(case[2]) + p
-            _, change = event(case, z, at, gained, theta, p)
-            s = z[at_s]
-            R[row] = change / s
+            s, n = z[at_s], divided[p]
+            R[row] = quotient(case, divided, z, at, gained, theta, p, s)
             J[row, :] = 0.0
-            add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s)
-            J[row, at_s] -= change / (s * s)
+            add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s**n)
+            J[row, at_s] -= n * R[row] / s
+            if n > 1:  # these cancel where the duration vanishes
+                J[row, 2 * p + 1] = 0.0
+                h = DIFFERENCE / case[4][1]
+                above = quotient(case, divided, z, at, gained, theta, p, s + h)
+                below = quotient(case, divided, z, at, gained, theta, p, s - h)
+                J[row, at_s] = (above - below) / (2 * h)
 
 
 def rates(along: Any, z: Vector, q: float, J: Matrix) -> None:

@@ -327,6 +327,7 @@ def _located(
 
 def _word_of_duration(piece: Piece, p: int) -> str:
     """Return what it is called where a phase of a cell gets no duration."""
-    if piece.cell.phases[p].held:
+    still = piece.along.divided[p] > 1  # it begins without speed: a rest could
+    if piece.cell.phases[p].held or (still and piece.course.can_rest):
         return "sticking"
     return "grazing" if returns(piece.cell, p) else "vanishing"
