@@ -80,7 +80,8 @@ class Interval:
 def framed(cell: Cell, z: Vector, series: Any, generic: Cell) -> Along:
     """Return the arrays of a cell by their series.
 
-    `z` are unknowns of the usual sizes, `generic` is the cell at parameters that are not special.
+    `z` are unknowns of the usual sizes, `generic` is the cell of parameters of which none is
+    special.
     """
     found = arrays(cell)
     before = 2 * len(cell.phases) + len(cell.memory)

@@ -20,7 +20,11 @@ from .piece import NoStepError, Piece, Place
 from .watch import END, LEAST, START, WITHIN
 
 #: Durations of a phase that is put in, in turn, as parts of a cell; steps of the parameter.
-AHEAD = (1e-3, 1e-2, 1e-4)
+#: Near chatter a fold is as close as the last.
+AHEAD = (1e-3, 1e-2, 1e-4, 1e-5)
+
+#: Steps beside a flip, in turn.
+ASIDE = (1e-4, 1e-2, 1e-3)
 
 
 @dataclass(frozen=True)
@@ -106,7 +110,7 @@ def doubled(found: Found) -> tuple[Piece, Place] | None:
     free = np.linalg.svd(J / np.abs(J).max(axis=1, keepdims=True))[2][-2:]
     apart = [halves_apart(bare, each) for each in free]
     border = np.linalg.svd(np.array(apart).T)[2][0] @ free
-    for ahead in AHEAD[::-1]:
+    for ahead in ASIDE:
         try:
             led = bare.led(y + ahead * border / bare.along.weights, border)
             return _admitted(bare, led, border)

@@ -79,16 +79,13 @@ def quotient(
 
     Twice where the phase begins without speed: what is gained is made of its forces alone.
     """
-    found: float = 0.0
     if divided[p] == 1:
         _, change = event(case, z, at, gained, theta, p)
-        found = change / s
-        return found
+        return float(change / s)
     m, c, k, f, g = phase_numbers(case, z, p)
     by, _ = by_force(m, c, k, s)
     by_wave, _, _, _ = by_forcing(m, c, k, case[4][1], theta[p], s)
-    found = case[1][p, E_X] * ((f - k * z[2 * p]) * by + g * by_wave) / (s * s)
-    return found
+    return float(case[1][p, E_X] * ((f - k * z[2 * p]) * by + g * by_wave) / (s * s))
 
 
 def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:

@@ -30,8 +30,8 @@ START, LEAST, END = 0, 1, 2
 #: Points of a phase a radian of its quickest part, and most of them; terms of a Taylor series.
 DENSITY, MOST_POINTS, EXPANDED = 3.0, 4096, 14
 
-#: Corrections of a critical point by Newton's method.
-POLISH = 6
+#: Corrections of a critical point by Newton's method; halvings to where a rate is lowest.
+POLISH, HALVINGS = 6, 24
 
 
 def sampled(case: Any, z: Vector, p: int, angle: float) -> Matrix:
@@ -94,7 +94,8 @@ def least_inside(
 ) -> tuple[float, float]:
     """Return the least value of a form at its critical points inside a phase, and when.
 
-    Not a number without one.
+    Not a number without one.  Between two times of the grid its rate may change its sign, or
+    fall below zero and rise again: just behind an impact that is at any scale.
 
     equation : ndarray, shape (5,)
         See `phase_numbers`.
@@ -102,26 +103,47 @@ def least_inside(
         The first derivative of the form that is not zero by itself where the phase begins.
     """
     m, c, k, f, g = equation
-    least, when, before = nan, nan, 0.0
+    least, when, before, bent = nan, nan, 0.0, 0.0
     for i in range(len(grid)):
         t, x, v, wave, turned = grid[i]
         a = (f + g * wave - c * v - k * x) / m
         rate = form[0] * v + form[1] * a - form[2] * omega * turned
+        jerk = -(g * omega * turned + c * a + k * v) / m
+        bend = form[0] * a + form[1] * jerk - form[2] * omega * omega * wave
         if i == 0 and begins > 1:
             rate = taylor(equation, omega, angle + omega * t, x, v, form)[begins]
-        if i > 0 and before < 0 <= rate:
+        falls = i > 0 and before < 0 <= rate
+        dips = i > 0 and before >= 0 <= rate and bent < 0 < bend
+        if falls or dips:
             last, h = grid[i - 1], t - grid[i - 1, 0]
             terms = taylor(equation, omega, angle + omega * last[0], last[1], last[2], form)
-            u = h * before / (before - rate)
+            u = lowest_rate(terms, h, bend) if dips else h * before / (before - rate)
             for _ in range(POLISH):
-                bend = polynomial(terms, u, 2)
-                if bend > 0:
-                    u = min(max(u - polynomial(terms, u, 1) / bend, 0.0), h)
+                steep = polynomial(terms, u, 2)
+                if steep > 0:
+                    u = min(max(u - polynomial(terms, u, 1) / steep, 0.0), h)
             value = polynomial(terms, u, 0)
-            if isnan(least) or value < least:
+            if not isnan(u) and (isnan(least) or value < least):
                 least, when = value, last[0] + u
-        before = rate
+        before, bent = rate, bend
     return least, when
+
+
+def lowest_rate(terms: Vector, h: float, bend: float) -> float:
+    """Return about where the rate of a polynomial rises through zero, before a time `h`.
+
+    Its rate is positive at both ends, and its second derivative changes its sign, to `bend`.
+    Not a number where the rate does not fall to zero.
+    """
+    low, high = 0.0, h
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        if polynomial(terms, middle, 2) < 0:
+            low = middle
+        else:
+            high = middle
+    rate = polynomial(terms, high, 1)
+    return nan if rate >= 0 else min(high + sqrt(-2 * rate * (h - high) / bend), h)
 
 
 def form_of(case: Any, z: Vector, row: int) -> Vector:

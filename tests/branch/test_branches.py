@@ -12,7 +12,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.plots.families import branch_figure
 from nonsmooth.solver import branches
-from nonsmooth.solver.branch import piece, walk
+from nonsmooth.solver.branch import piece, walk, watch
 from nonsmooth.solver.branch.along import Interval
 from nonsmooth.solver.branch.branch import course_of, start_of
 from nonsmooth.solver.branch.extended import case_at, left_sides, rates
@@ -83,6 +83,23 @@ def test_what_is_watched_is_not_negative_on_an_orbit(motion) -> None:
     if there.cell.sign > 0:
         for name, own in zip(("displacement", "velocity"), ends, strict=True):
             assert orbit.extremes[name] == pytest.approx(own, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("slow", [0.4, 0.04, 1e-6])
+def test_a_form_that_falls_and_rises_again_within_a_step_has_its_least(slow: float) -> None:
+    """A mass without a spring, whose velocity is (t - t_1)(t - 3 t_1) but for t^3."""
+    t_1, omega = 0.05 * slow, 1.0
+    equation = np.array([1.0, 0.0, 0.0, -4 * t_1, 2 / omega])  # m, c, k, f, g
+    angle, v = -np.pi / 2, 3 * t_1**2
+    t = np.linspace(0, 1, 8)
+    turned = angle + omega * t
+    waves = np.cos(turned), np.sin(turned)
+    speed = v - 4 * t_1 * t + 2 * (1 - np.cos(t))
+    place = v * t - 2 * t_1 * t**2 + 2 * (t - np.sin(t))
+    grid = np.column_stack([t, place, speed, *waves])
+    least, when = watch.least_inside(equation, omega, angle, grid, (1.0, 0, 0, 0), 0)
+    assert when == pytest.approx(3 * t_1, rel=0.01)
+    assert least == pytest.approx(0.0, abs=0.01 * t_1**3)
 
 
 def test_compiled_and_plain_steps_have_the_same_bits() -> None:

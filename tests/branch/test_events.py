@@ -2,7 +2,8 @@
 
 Folds: Newton's method at 600 bits; flips and grazings of the impact oscillator and the boundary
 of dry friction: closed forms; the ends of contact: the linear response; the end of the damped
-stick-slip orbit: an ODE solver with events.
+stick-slip orbit: an ODE solver with events; of inelastic impacts: where the flight that leaves
+a rest hits the stop as it begins to press, or a period later, in 40 digits.
 """
 
 import numpy as np
@@ -55,6 +56,21 @@ RESPONSES = {
     "dry-friction, from below": (
         "dry-friction", FRICTION | {"frequency": 0.4}, "frequency", (0.3, 0.9),
         [("sticking", BOUNDARY)],
+    ),
+    # a further flight, of no duration at first, comes and goes before the rest
+    "impact-inelastic": (
+        "impact-inelastic", {"gap": 0.36}, "frequency", (0.15, 2.5),
+        [
+            *(
+                ("sticking", value)
+                for value in (
+                    0.152174998207463243, 0.175634302726275168, 0.202767346379209949,
+                    0.243920172273236434, 0.303002664284276000, 0.397274932907135740,
+                    0.589914111625039429, 1.502194456490285041,
+                )
+            ),
+            ("fold", 1.944029714127348675), ("grazing", 1.941901567308380107),
+        ],
     ),
     # c = 2 zeta sqrt(k m)
     "stick-slip-damped": (
@@ -245,6 +261,17 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cy
         exact = exactly(double, row)  # no repetition of a shorter one, or it raises
         assert exact.stable == row.stable
         assert exact.durations == pytest.approx(row.durations, rel=1e-8)
+
+
+def test_impacts_that_follow_ever_faster_are_put_in() -> None:
+    """A touch just behind an impact is not between two times of a grid, but in one step."""
+    case = ns.scene("impact-two-sided")(damping=0.258, gap=0.309, restitution=0.406)
+    branch = ns.branch(case, "frequency", 0.84, 1.4)
+    kinds = [event.kind for event in branch.events]
+    assert kinds == ["grazing", *["fold", "grazing"] * 9]
+    assert len(branch.rows[0].durations) == 2 * 10
+    for row in branch.rows[:: len(branch.rows) // 8]:
+        assert exactly(branch, row).durations == pytest.approx(row.durations, rel=1e-7)
 
 
 def test_what_is_not_watched_ends_a_branch_by_the_solver(monkeypatch) -> None:
