@@ -77,7 +77,7 @@ class Course:
     """
 
     #: Most phases of an order that is followed: near chatter there are ever more.
-    most: ClassVar[int] = 60
+    most: ClassVar[int] = 40
 
     #: How the functions of a branch are made.
     family: ClassVar[Family] = FAMILY
