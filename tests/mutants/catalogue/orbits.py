@@ -16,6 +16,7 @@ BALLS = ("tests/precision/test_balls.py",)
 DIGITS = "tests/precision/test_digits_of_scenes.py"
 PAPER = ("tests/accuracy/test_kim_perkins.py",)
 BRANCHES = "tests/bodies/test_branches_of_bodies.py"
+EVENTS = "tests/branch/test_events.py"
 
 MUTANTS = (
     Mutant(
@@ -262,5 +263,26 @@ MUTANTS = (
         "return least_factor(np.array(found))",
         "return 1.0",
         (f"{BRANCHES}::test_where_multipliers_leave_the_unit_circle",),
+    ),
+    Mutant(
+        "a flight that begins without speed has its event divided once",
+        "solver/branch/along.py",
+        "divided[p] += begins_still(generic, int(p))",
+        "divided[p] += 0",
+        (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
+    ),
+    Mutant(
+        "a form that falls and rises again between two times has no least value",
+        "solver/branch/watch.py",
+        "dips = i > 0 and before >= 0 <= rate and bent < 0 < bend",
+        "dips = False",
+        (f"{EVENTS}::test_impacts_that_follow_ever_faster_are_put_in",),
+    ),
+    Mutant(
+        "behind a rest that vanishes a flight goes on, though it ends by an impact",
+        "solver/branch/change.py",
+        "if self._leaps(p):",
+        "if False:",
+        (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
     ),
 )
