@@ -14,6 +14,7 @@ from ..watch import (
     BEHIND,
     END,
     EXPANDED,
+    HALVINGS,
     INTO,
     IS_END,
     KIND,
@@ -67,15 +68,16 @@ def expanded(generator: Matrix, form: Vector) -> Matrix:
 
 
 def least_inside(
-    grid: Matrix, s: float, finer: Any, terms: Matrix, begins: int
+    generator: Matrix, grid: Matrix, s: float, finer: Any, terms: Matrix, begins: int
 ) -> tuple[float, float]:
     """Return the least value of a form at its critical points inside a phase, and when.
 
-    Not a number without one.
+    Not a number without one.  Between two times of the grid its rate may change its sign, or
+    fall below zero and rise again: just behind an impact that is at any scale.
 
     Parameters
     ----------
-    grid : ndarray
+    generator, grid : ndarray
         See `along_phase`.
     s : float
         The duration.
@@ -87,30 +89,57 @@ def least_inside(
         The first derivative of the form that is not zero by itself where the phase begins.
     """
     least, when, h = nan, nan, s / (len(grid) - 1)
-    rates = grid @ terms[1]
+    rates, bends = grid @ terms[1], grid @ terms[2]
     if begins > 1:
         rates[0] = np.dot(terms[begins], grid[0])
     for i in range(len(grid) - 1):
-        if not rates[i] < 0 <= rates[i + 1]:
-            continue
-        Y, t, width, low, high = grid[i], i * h, h, rates[i], rates[i + 1]
-        for j in range(len(finer)):
-            width /= 2
-            middle = Y + finer[j] @ Y
-            rate = np.dot(terms[1], middle)
-            if rate < 0:
-                Y, t, low = middle, t + width, rate
-            else:
-                high = rate
-        own, u = terms @ Y, width * low / (low - high)
-        for _ in range(POLISH):
-            bend = polynomial(own, u, 2)
-            if bend > 0:
-                u = min(max(u - polynomial(own, u, 1) / bend, 0.0), width)
-        value = polynomial(own, u, 0)
-        if isnan(least) or value < least:
-            least, when = value, t + u
+        value, at = nan, nan
+        if rates[i] < 0 <= rates[i + 1]:
+            value, at = risen(grid[i], h, finer, terms)
+        elif rates[i] >= 0 <= rates[i + 1] and bends[i] < 0 < bends[i + 1]:
+            Y, u = turning(grid[i], h, finer, terms, 2)
+            Y = Y + less_one(generator, u[1]) @ Y
+            if np.dot(terms[1], Y) < 0:
+                u_min = u[0] + u[1]
+                value, at = risen(Y, h - u_min, halves(generator, h - u_min), terms)
+                at += u_min
+        if not isnan(value) and (isnan(least) or value < least):
+            least, when = value, i * h + at
     return least, when
+
+
+def turning(
+    Y: Vector, width: float, finer: Any, terms: Matrix, derivative: int
+) -> tuple[Vector, tuple[float, float]]:
+    """Return where a derivative of a form changes its sign from minus in a time `width`.
+
+    It is the state a little before, when that is, and how much later the derivative vanishes.
+    """
+    t = 0.0
+    for j in range(len(finer)):
+        width /= 2
+        middle = Y + finer[j] @ Y
+        if np.dot(terms[derivative], middle) < 0:
+            Y, t = middle, t + width
+    own, low, high = terms @ Y, 0.0, width
+    for _ in range(HALVINGS):
+        middle_t = (low + high) / 2
+        if polynomial(own, middle_t, derivative) < 0:
+            low = middle_t
+        else:
+            high = middle_t
+    return Y, (t, high)
+
+
+def risen(Y: Vector, width: float, finer: Any, terms: Matrix) -> tuple[float, float]:
+    """Return the value of a form where its rate rises through zero in a time, and when."""
+    Y, (t, u) = turning(Y, width, finer, terms, 1)
+    own = terms @ Y
+    for _ in range(POLISH):
+        bend = polynomial(own, u, 2)
+        if bend > 0:
+            u = min(max(u - polynomial(own, u, 1) / bend, 0.0), width)
+    return polynomial(own, u, 0), t + u
 
 
 def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) -> None:
@@ -133,7 +162,7 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
             if table[row, KIND] == WITHIN:
                 terms = expanded(generator, form)
                 values[row, START] = np.dot(terms[begins], first)
-                values[row, LEAST], _ = least_inside(grid, s, finer, terms, begins)
+                values[row, LEAST], _ = least_inside(generator, grid, s, finer, terms, begins)
                 values[row, END] = -np.dot(terms[1], last) if table[row, IS_END] != 0 else end
                 continue
             end = -end if table[row, KIND] == BEHIND else end
@@ -142,7 +171,8 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
         for j in range(len(extremes)):
             form = case[4][p, j]
             for side in (1.0, -1.0):
-                inside, _ = least_inside(grid, s, finer, expanded(generator, side * form), 0)
+                turned = expanded(generator, side * form)
+                inside, _ = least_inside(generator, grid, s, finer, turned, 0)
                 for value in (np.dot(form, first), np.dot(form, last), side * inside):
                     if not isnan(value):
                         extremes[j, 0] = min(extremes[j, 0], value)
@@ -155,4 +185,4 @@ def when_least(case: Any, table: Any, z: Vector, row: int) -> float:
     generator, s = case[1][p], z[case[1].shape[1] - 3 + p]
     grid = along_phase(generator, s, starts(case, z)[p])
     finer, terms = halves(generator, s / (len(grid) - 1)), expanded(generator, case[6][row])
-    return least_inside(grid, s, finer, terms, table[row, BEGINS])[1]
+    return least_inside(generator, grid, s, finer, terms, table[row, BEGINS])[1]
