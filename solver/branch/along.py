@@ -1,6 +1,6 @@
 """The equations of a cell along one of its parameters: arrays whose entries are series."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -35,7 +35,8 @@ class Along(NamedTuple):
     series : ndarray, shape (entries, TERMS)
         Chebyshev coefficients of its other entries, and of the forms of a table.
     divided : ndarray of int, shape (P,)
-        How often the row of the event of each phase is divided by its duration.
+        How often the row of the event of each phase is divided by its duration: twice, where
+        a phase begins without what the event is the second integral of.
     weights : ndarray, shape (unknowns + 1,)
         1 over the size of each unknown, the parameter the last.
     before : int
@@ -77,17 +78,18 @@ class Interval:
             yield Interval(low, high)
 
 
-def framed(cell: Cell, z: Vector, series: Any, generic: Cell) -> Along:
+def framed(cell: Cell, z: Vector, series: Any, others: Sequence[Cell]) -> Along:
     """Return the arrays of a cell by their series.
 
-    `z` are unknowns of the usual sizes, `generic` is the cell of parameters of which none is
-    special.
+    `z` are unknowns of the usual sizes, `others` the cell at the ends of the series.
     """
     found = arrays(cell)
     before = 2 * len(cell.phases) + len(cell.memory)
     divided = divided_phases(cell, z[before:])
-    for p in np.flatnonzero(divided):
-        divided[p] += begins_still(generic, int(p))
+    for p in range(len(cell.phases)):
+        begins = begins_still if divided[p] else begins_slowly
+        if all(begins(each, p) for each in (cell, *others)):
+            divided[p] = 2
     given = found.kinds, found.setting, series, divided, weights(cell, z)
     return Along(*given, before, float(cell.sign))
 
@@ -205,3 +207,16 @@ def begins_still(cell: Cell, p: int) -> bool:
     """Whether a phase begins without speed, and the surface where it ends does not move."""
     before, event = cell.phases[p - 1], cell.phases[p].event
     return (before.rho, before.d) == (0.0, 0.0) and not any(event[1:3])
+
+
+def begins_slowly(cell: Cell, p: int) -> bool:
+    """Whether a phase that ends without speed begins with none, and without acceleration.
+
+    It begins where a rest ends by what it takes to hold the mass: the force of the phase.
+    """
+    before, phase = cell.phases[p - 1], cell.phases[p]
+    before = mirror(before) if p == 0 and cell.sign < 0 else before
+    of_speed = phase.event[1] and not any((phase.event[0], *phase.event[2:]))
+    if phase.held or not (before.held and before.speed == 0 and of_speed) or cell.memory:
+        return False
+    return same(before.event, (-phase.k, 0.0, phase.g, phase.f))

@@ -288,7 +288,10 @@ class _At:
         return slots[p + 1].step if p + 1 < len(slots) else self.next_cell(slots[0]).step
 
     def _joined(self, slots: list[Slot], angle: float) -> Iterator[Candidate]:
-        """Yield phases whose last and first meet where nothing may change."""
+        """Yield phases whose last and first meet where nothing may change.
+
+        What would rest for ever is no motion to follow.
+        """
         last, first = slots[-1], self.next_cell(slots[0])
         if not self._alike(last.step, first.step):
             yield Candidate(tuple(slots), self.half, angle)
@@ -297,7 +300,7 @@ class _At:
             yield Candidate(
                 (*slots[1:-1], joined), self.half, angle + self.cell.omega * slots[0].s
             )
-        elif self.cell.forced:
+        elif self.cell.forced and not self.course.base.kinds[last.step.phase][1]:
             whole = Slot(last.step, slots[0].state, last.s * (2 if self.half else 1))
             yield Candidate((whole,), False, angle, endless=True)
 

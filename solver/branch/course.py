@@ -237,7 +237,8 @@ class Course:
                 return np.full(count, np.nan)
 
         series, interval = resolved(values, value, interval, self.blocks(cell, forms))
-        return self.framed(cell, z, series), interval
+        others = [content(end)[0] for end in (interval.low, interval.high)]
+        return self.framed(cell, z, series, others), interval
 
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:
         """Return all entries of the arrays of a cell that may vary, the forms behind them."""
@@ -247,9 +248,9 @@ class Course:
         """Return the blocks of these entries, or None; see `along.resolved`."""
         return None
 
-    def framed(self, cell: Cell, z: Vector, series: Any) -> Along:
+    def framed(self, cell: Cell, z: Vector, series: Any, others: Sequence[Cell]) -> Along:
         """Return the arrays of a cell by their series; see `along.framed`."""
-        return framed(cell, z, series, self._generic)
+        return framed(cell, z, series, others)
 
     def functions(self) -> dict[str, Any]:
         """Return the functions of a branch, in the form that is quicker by now."""

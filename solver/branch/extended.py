@@ -12,12 +12,12 @@ speed (see `along.divided_phases`).
 Plain Python, or compiled by numba with the exact equations.
 """
 
-from math import isfinite, sqrt
+from math import isfinite, pi, sqrt
 from typing import Any
 
 import numpy as np
 
-from ...generated.ck import E_X, MEMORY, add_event, event, joint_rates, joints
+from ...generated.ck import E_V, E_X, MEMORY, add_angle, add_event, event, joint_rates, joints
 from ..arrays import Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
 from ..flow.responses import by_force, by_forcing
@@ -77,14 +77,18 @@ def quotient(
 ) -> float:
     """Return what the event of a phase gains, divided by its duration once or twice.
 
-    Twice where the phase begins without speed: what is gained is made of its forces alone.
+    Twice where the phase begins without speed, and is to come back to where it began: what is
+    gained is made of its forces alone.  Or where it begins without acceleration as well, and is
+    to have no speed again: that is made of the change of the forcing alone.
     """
     if divided[p] == 1:
         _, change = event(case, z, at, gained, theta, p)
         return float(change / s)
     m, c, k, f, g = phase_numbers(case, z, p)
+    by_wave, _, by_angle, _ = by_forcing(m, c, k, case[4][1], theta[p], s)
+    if case[1][p, E_X] == 0:
+        return float(case[1][p, E_V] * case[4][1] * g * by_angle / (s * s))
     by, _ = by_force(m, c, k, s)
-    by_wave, _, _, _ = by_forcing(m, c, k, case[4][1], theta[p], s)
     return float(case[1][p, E_X] * ((f - k * z[2 * p]) * by + g * by_wave) / (s * s))
 
 
@@ -102,9 +106,13 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
             s, n = z[at_s], divided[p]
             R[row] = quotient(case, divided, z, at, gained, theta, p, s)
             J[row, :] = 0.0
-            add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s**n)
-            J[row, at_s] -= n * R[row] / s
-            if n > 1:  # these cancel where the duration vanishes
+            if n == 1 or case[1][p, E_X] != 0:
+                add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s**n)
+                J[row, at_s] -= n * R[row] / s
+            else:
+                turning = quotient(case, divided, z, at, gained, theta + pi / 2, p, s)
+                add_angle(J, row, turning, case[4][1], 2 * count + len(case[2]), p)
+            if n > 1:  # differences, since terms cancel where the duration vanishes
                 J[row, 2 * p + 1] = 0.0
                 h = DIFFERENCE / case[4][1]
                 above = quotient(case, divided, z, at, gained, theta, p, s + h)

@@ -1,8 +1,9 @@
 """The equations of an order of phases over two parameters, in one set of units."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 
@@ -68,7 +69,8 @@ class Plane:
         rows = tuple(course.rows(case.numbers, own))
         series = _series(course, case, indices, bounds, rows)
         table = course.table(case.numbers, own, rows)
-        whole = course.framed(cell, own, series)
+        corners = [course.cell(each) for each in _corners(case, indices, bounds)]
+        whole = course.framed(cell, own, series, corners)
         return cls(course, case, indices, bounds, whole, rows, table)
 
     @cached_property
@@ -101,6 +103,17 @@ class Plane:
         case = self.course.case(Case(self.case.scene, given, self.case.cycles))
         own = self.course.sizes(self.course.cell(case.numbers), case)
         return self.course.orbit(case, y[:-2] * self.sizes / own)
+
+
+def _corners(
+    case: Case, indices: tuple[int, int], bounds: Bounds
+) -> Iterator[tuple[float, ...]]:
+    """Yield all parameters, without units, at the corners of a rectangle."""
+    for ends in product(*bounds):
+        numbers = list(case.numbers)
+        for index, end in zip(indices, ends, strict=True):
+            numbers[index] = end / unit_of(case, index)
+        yield tuple(numbers)
 
 
 def _series(

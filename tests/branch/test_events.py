@@ -57,6 +57,11 @@ RESPONSES = {
         "dry-friction", FRICTION | {"frequency": 0.4}, "frequency", (0.3, 0.9),
         [("sticking", BOUNDARY)],
     ),
+    # it slides ever less, and rests for ever where friction is as large as the force
+    "dry-friction, to rest": (
+        "dry-friction", {"normal_force": 2.6}, "normal_force", (2.5, 5.0),
+        [("sticking", 1 / 0.3)],
+    ),
     # a further flight, of no duration at first, comes and goes before the rest
     "impact-inelastic": (
         "impact-inelastic", {"gap": 0.36}, "frequency", (0.15, 2.5),

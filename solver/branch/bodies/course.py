@@ -61,7 +61,7 @@ class BodyCourse(Course):
         known = arrays(cell, forms)
         return np.repeat(np.arange(len(known)), [block.size for block in known])
 
-    def framed(self, cell: Cell, z: Vector, series: Any) -> Along:
+    def framed(self, cell: Cell, z: Vector, series: Any, others: Sequence[Cell]) -> Along:
         """Return the arrays of a cell by their series; the size of its state is one number."""
         count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)

@@ -267,8 +267,8 @@ MUTANTS = (
     Mutant(
         "a flight that begins without speed has its event divided once",
         "solver/branch/along.py",
-        "divided[p] += begins_still(generic, int(p))",
-        "divided[p] += 0",
+        "            divided[p] = 2\n",
+        "            divided[p] = divided[p]\n",
         (f"{EVENTS}::test_what_happens_is_located_to_rounding",),
     ),
     Mutant(
