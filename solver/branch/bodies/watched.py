@@ -73,7 +73,7 @@ def least_inside(
     """Return the least value of a form at its critical points inside a phase, and when.
 
     Not a number without one.  Between two times of the grid its rate may change its sign, or
-    fall below zero and rise again: just behind an impact that is at any scale.
+    fall below zero and rise again: just behind a jump of the velocity at any scale.
 
     Parameters
     ----------
