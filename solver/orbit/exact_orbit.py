@@ -20,8 +20,9 @@ from .shown import Shown
 #: What is rounding of a sum over modes, as a part of its terms added without sign.
 NOISE = 256 * float(np.finfo(float).eps)
 
-#: Differences of times, as a part of the largest, of the same solution.
-SAME = 1e-11
+#: Differences of times, as a part of the largest, of the same solution of a body; of any one,
+#: those that are rounding.
+SAME, EQUAL = 1e-11, 1e-13
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -63,8 +64,18 @@ class ExactOrbit(Shown):
 
     @cached_property
     def admissible(self) -> bool:
-        """Whether the solution is an orbit: nothing in `violations`."""
-        return not (admissible.is_seen_violated(self) or self.violations)
+        """Whether the solution is an orbit: nothing in `violations`.
+
+        All orders lead to the same solution, and to judge it takes longer than to find it: what
+        differs from an orbit by rounding is one.
+        """
+        own, known = self.times, _admitted(self.case)
+        if any(np.abs(each - own).max() <= EQUAL * np.abs(own).max() for each in known):
+            return True
+        found = not (admissible.is_seen_violated(self) or self.violations)
+        if found and self.outcome.converged:
+            known.append(own)
+        return found
 
     @property
     def label(self) -> str:
@@ -92,7 +103,14 @@ def from_times(case: Case, start: RoughTimes) -> ExactOrbit:
     times = np.array([*start.durations, *([start.angle] if kernel.forced else [])])
     with kernel.spending():
         outcome = solved(kernel, case.cell, kernel.size(1), times)
-    return _kept(case.presented(ExactOrbit(case, outcome)))
+    orbit = case.presented(ExactOrbit(case, outcome))
+    return _kept(orbit) if kernel.condensed else orbit
+
+
+@lru_cache(maxsize=8)
+def _admitted(case: Case) -> list[Vector]:
+    """Return the times of solutions of a case that are orbits: filled by others."""
+    return []
 
 
 @lru_cache(maxsize=8)
@@ -104,7 +122,7 @@ def _found(case: Case) -> list[ExactOrbit]:
 def _kept(orbit: ExactOrbit) -> ExactOrbit:
     """Return the same solution as it was found before, with what was asked of it, if it was.
 
-    All orders lead to the same solution, and to judge it takes longer than to find it.
+    Of a body every judgement takes long, and all orders lead to the same solution.
     """
     if not orbit.outcome.converged:
         return orbit
