@@ -1,6 +1,6 @@
 """The equations of a cell along one of its parameters: arrays whose entries are series."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -78,17 +78,17 @@ class Interval:
             yield Interval(low, high)
 
 
-def framed(cell: Cell, z: Vector, series: Any, others: Sequence[Cell]) -> Along:
+def framed(cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
     """Return the arrays of a cell by their series.
 
     `z` are unknowns of the usual sizes, `others` the cell at the ends of the series.
     """
     found = arrays(cell)
     before = 2 * len(cell.phases) + len(cell.memory)
-    divided = divided_phases(cell, z[before:])
+    divided, cells = divided_phases(cell, z[before:]), (cell, *others)
     for p in range(len(cell.phases)):
         begins = begins_still if divided[p] else begins_slowly
-        if all(begins(each, p) for each in (cell, *others)):
+        if all(begins(each, p) for each in cells):
             divided[p] = 2
     given = found.kinds, found.setting, series, divided, weights(cell, z)
     return Along(*given, before, float(cell.sign))
@@ -212,11 +212,13 @@ def begins_still(cell: Cell, p: int) -> bool:
 def begins_slowly(cell: Cell, p: int) -> bool:
     """Whether a phase that ends without speed begins with none, and without acceleration.
 
-    It begins where a rest ends by what it takes to hold the mass: the force of the phase.
+    It begins where a rest ends by what it takes to hold the mass: the force of the phase, which
+    changes with the forcing.
     """
     before, phase = cell.phases[p - 1], cell.phases[p]
     before = mirror(before) if p == 0 and cell.sign < 0 else before
     of_speed = phase.event[1] and not any((phase.event[0], *phase.event[2:]))
-    if phase.held or not (before.held and before.speed == 0 and of_speed) or cell.memory:
+    at_rest = before.held and before.speed == before.d == 0
+    if phase.held or not (at_rest and of_speed and phase.g) or cell.memory:
         return False
     return same(before.event, (-phase.k, 0.0, phase.g, phase.f))

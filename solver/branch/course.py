@@ -1,6 +1,6 @@
 """The order of phases that a part of a branch has, and what is watched along it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -237,7 +237,7 @@ class Course:
                 return np.full(count, np.nan)
 
         series, interval = resolved(values, value, interval, self.blocks(cell, forms))
-        others = [content(end)[0] for end in (interval.low, interval.high)]
+        others = (content(end)[0] for end in (interval.low, interval.high))
         return self.framed(cell, z, series, others), interval
 
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:
@@ -248,7 +248,7 @@ class Course:
         """Return the blocks of these entries, or None; see `along.resolved`."""
         return None
 
-    def framed(self, cell: Cell, z: Vector, series: Any, others: Sequence[Cell]) -> Along:
+    def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
         """Return the arrays of a cell by their series; see `along.framed`."""
         return framed(cell, z, series, others)
 

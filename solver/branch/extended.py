@@ -7,7 +7,7 @@ weight.
 
 Of a phase that begins on the surface where it ends, the row of the event vanishes with the
 duration: what the event's form gains is divided by it; twice, where the phase begins without
-speed (see `along.divided_phases`).
+speed (see `along.framed`).
 
 Plain Python, or compiled by numba with the exact equations.
 """
@@ -92,6 +92,14 @@ def quotient(
     return float(case[1][p, E_X] * ((f - k * z[2 * p]) * by + g * by_wave) / (s * s))
 
 
+def quickest(case: Any, z: Vector, p: int) -> float:
+    """Return the largest of the rates at which anything happens in a phase, or in the cell."""
+    m, c, k, _, _ = phase_numbers(case, z, p)
+    first = 2 * len(case[0]) + len(case[2])
+    cell = 1 / np.sum(z[first : first + len(case[0])])
+    return float(max(sqrt(abs(k) / m), abs(c) / m, case[4][1], cell))
+
+
 def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     """Fill R with the left sides of the equations of a cell, J with their derivatives by z."""
     at, count = places(case), len(case[0])
@@ -109,12 +117,12 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
             if n == 1 or case[1][p, E_X] != 0:
                 add_event(case, J, row, at, gained_by, theta, p, 0.0, 1 / s**n)
                 J[row, at_s] -= n * R[row] / s
-            else:
-                turning = quotient(case, divided, z, at, gained, theta + pi / 2, p, s)
-                add_angle(J, row, turning, case[4][1], 2 * count + len(case[2]), p)
+            else:  # a wave: a quarter of a turn on it is its own derivative
+                by_angle = quotient(case, divided, z, at, gained, theta + pi / 2, p, s)
+                add_angle(J, row, by_angle, case[4][1], 2 * count + len(case[2]), p)
             if n > 1:  # differences, since terms cancel where the duration vanishes
                 J[row, 2 * p + 1] = 0.0
-                h = DIFFERENCE / case[4][1]
+                h = DIFFERENCE / quickest(case, z, p)
                 above = quotient(case, divided, z, at, gained, theta, p, s + h)
                 below = quotient(case, divided, z, at, gained, theta, p, s - h)
                 J[row, at_s] = (above - below) / (2 * h)

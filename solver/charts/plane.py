@@ -69,7 +69,7 @@ class Plane:
         rows = tuple(course.rows(case.numbers, own))
         series = _series(course, case, indices, bounds, rows)
         table = course.table(case.numbers, own, rows)
-        corners = [course.cell(each) for each in _corners(case, indices, bounds)]
+        corners = map(course.cell, _corners(case, indices, bounds))
         whole = course.framed(cell, own, series, corners)
         return cls(course, case, indices, bounds, whole, rows, table)
 

@@ -14,6 +14,7 @@ from nonsmooth.plots.families import branch_figure
 from nonsmooth.solver import branches
 from nonsmooth.solver.branch import piece, walk, watch
 from nonsmooth.solver.branch.along import Interval
+from nonsmooth.solver.branch.bodies import watched
 from nonsmooth.solver.branch.branch import course_of, start_of
 from nonsmooth.solver.branch.extended import case_at, left_sides, rates
 from nonsmooth.solver.exact import exact_orbit
@@ -98,6 +99,23 @@ def test_a_form_that_falls_and_rises_again_within_a_step_has_its_least(slow: flo
     place = v * t - 2 * t_1 * t**2 + 2 * (t - np.sin(t))
     grid = np.column_stack([t, place, speed, *waves])
     least, when = watch.least_inside(equation, omega, angle, grid, (1.0, 0, 0, 0), 0)
+    assert when == pytest.approx(3 * t_1, rel=0.01)
+    assert least == pytest.approx(0.0, abs=0.01 * t_1**3)
+
+
+@pytest.mark.parametrize("t_1", [2e-3, 5e-5])
+def test_a_form_of_a_body_that_falls_and_rises_again_has_its_least(t_1: float) -> None:
+    """The same motion, as that of a body; its state has the wave and 1 behind it."""
+    generator = np.zeros((5, 5))
+    generator[0, 1] = generator[3, 2] = 1.0
+    generator[1, 2:] = 2.0, 0.0, -4 * t_1
+    generator[2, 3] = -1.0
+    begin = np.array([0.0, 3 * t_1**2, 0.0, -1.0, 1.0])  # x, v, cos, sin, 1
+    grid = watched.along_phase(generator, 1.0, begin)
+    assert 3 * t_1 < 1 / (len(grid) - 1)
+    finer = watched.halves(generator, 1 / (len(grid) - 1))
+    terms = watched.expanded(generator, np.eye(5)[0])
+    least, when = watched.least_inside(generator, grid, 1.0, finer, terms, 0)
     assert when == pytest.approx(3 * t_1, rel=0.01)
     assert least == pytest.approx(0.0, abs=0.01 * t_1**3)
 

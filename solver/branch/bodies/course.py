@@ -1,6 +1,6 @@
 """The order of phases that a part of a branch of a body has, and what is watched along it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -61,8 +61,11 @@ class BodyCourse(Course):
         known = arrays(cell, forms)
         return np.repeat(np.arange(len(known)), [block.size for block in known])
 
-    def framed(self, cell: Cell, z: Vector, series: Any, others: Sequence[Cell]) -> Along:
-        """Return the arrays of a cell by their series; the size of its state is one number."""
+    def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
+        """Return the arrays of a cell by their series; the size of its state is one number.
+
+        No event is divided twice: the others are not looked at.
+        """
         count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
         memory = slice(before - len(cell.memory), before)

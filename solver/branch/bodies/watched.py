@@ -97,12 +97,12 @@ def least_inside(
         if rates[i] < 0 <= rates[i + 1]:
             value, at = risen(grid[i], h, finer, terms)
         elif rates[i] >= 0 <= rates[i + 1] and bends[i] < 0 < bends[i + 1]:
-            Y, u = turning(grid[i], h, finer, terms, 2)
-            Y = Y + less_one(generator, u[1]) @ Y
+            Y, (t, u) = turning(grid[i], h, finer, terms, 2)
+            Y = Y + less_one(generator, u) @ Y
+            left = h - t - u
             if np.dot(terms[1], Y) < 0:
-                u_min = u[0] + u[1]
-                value, at = risen(Y, h - u_min, halves(generator, h - u_min), terms)
-                at += u_min
+                value, at = risen(Y, left, halves(generator, left), terms)
+                at += t + u
         if not isnan(value) and (isnan(least) or value < least):
             least, when = value, i * h + at
     return least, when
