@@ -4,7 +4,8 @@
 
 Microseconds, the median of some rounds: of a step along a branch with all that is watched and
 its multipliers' map; of an orbit of a whole branch, with its events, rows and multipliers; of a
-phase of a simulation without records.  Then of a point of a map of two parameters, filled in
+phase of a simulation without records.  Then of a step along the response of a beam with a stop,
+by its modes, and of an orbit of that; and of a point of a map of two parameters, filled in
 from orbits that are known on some lines of it.  Behind them ten million additions of a loop in
 Python, by which machines can be compared.
 """
@@ -17,6 +18,7 @@ import numpy as np
 
 import nonsmooth as ns
 from nonsmooth.solver.branch import walk
+from nonsmooth.solver.branch.bodies.course import BODIES
 from nonsmooth.solver.branch.branch import index_of, start_of
 from nonsmooth.solver.branch.walk import FAMILY
 from nonsmooth.solver.chart import LINES, planes_of
@@ -72,6 +74,25 @@ def measured(scene: str) -> tuple[float, float, float]:
     return median(steps), median(branch), median(simulation)
 
 
+#: Modes of the beam, and the range of the frequency that is followed.
+MODES, RESPONSE = (2, 6, 20, 60), (95.0, 110.0)
+
+
+def of_beam(modes: int) -> tuple[float, float]:
+    """Return what a step and an orbit of a branch of a structure cost."""
+    case = ns.scene("beam-clearance")(modes=modes)
+    orbit = ns.exact(case)
+    piece, place = start_of(orbit, index_of(case, "frequency"), RESPONSE)
+
+    def steps() -> int:
+        return len(piece.walk(place, 1e-3, 1e-4 * case.values["frequency"], STEPS)[0])
+
+    def branch() -> int:
+        return len(ns.branch(case, "frequency", *RESPONSE))
+
+    return median(steps), median(branch)
+
+
 #: What varies beside the frequency, its range, and points of a map each way.
 MAPS = {
     "impact": ((0.1, 0.8), "gap"),
@@ -109,6 +130,7 @@ def additions() -> float:
 def main() -> None:
     """Measure and print."""
     FAMILY.compiled(walk.__name__)
+    BODIES.compiled(walk.__name__)
     machine.FAMILY.compiled(run.__name__)
     block.FAMILY.compiled(filling.__name__)
     print("us                    step   orbit of a branch   phase")
@@ -116,6 +138,11 @@ def main() -> None:
         with np.errstate(all="ignore"):
             step, orbit, phase = measured(scene)
         print(f"{scene:20} {step:6.0f}   {orbit:17.0f}   {phase:5.1f}")
+    print("ms             modes   step   orbit of a branch")
+    for modes in MODES:
+        with np.errstate(all="ignore"):
+            step, orbit = of_beam(modes)
+        print(f"beam-clearance {modes:5}   {step / 1e3:4.2f}   {orbit / 1e3:17.2f}")
     print("us            point of a map")
     for scene in MAPS:
         print(f"{scene:20} {mapped(scene):7.0f}")

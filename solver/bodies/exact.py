@@ -26,6 +26,10 @@ if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
 
+#: Part of the condition of an eigenbasis that its digits are lost by, at most.
+LOST = 1 / 32
+
+
 @dataclass(frozen=True, eq=False)
 class Evaluation:
     """What the times of a cell say.
@@ -225,9 +229,16 @@ def seen(
 
 
 def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
-    """Return what forms add up where a phase begins, each term without its sign."""
+    """Return what forms add up where a phase begins, each term without its sign.
+
+    That is over the modes and what drives them.  Where two poles of the phase are almost one,
+    it is over these, and more: their vectors have less digits by the condition of the basis.
+    """
     part, found = parts_of(cell)[p], evaluated(cell, times)
     rows, states = part.lawful.rows, part.lawful.A.shape[0]
     start, theta = found.starts[p], float(angles_of(cell, times)[p])
     Y = np.concatenate([start[:states], wave(theta), start[states:]])
-    return np.asarray(np.abs(rows[: len(rows) - len(cell.memory)]) @ np.abs(Y))
+    rows, half = rows[: len(rows) - len(cell.memory)], part.flow.upper
+    by_poles = np.abs(rows[:, :states] @ half.basis) @ np.abs(half.inverse @ start[:states])
+    least = np.abs(rows) @ np.abs(Y)
+    return np.asarray(np.maximum(least, by_poles * part.flow.condition * LOST))

@@ -13,6 +13,12 @@ from .modal import BodyError
 #: Condition of an eigenbasis beyond which it keeps too few digits.
 WORST = 1e9
 
+#: Most that a vector is turned by what rounding left of it: where it is more, poles are one.
+TURN = 1e-8
+
+#: Least that a pole is corrected by, as a part of it: less is rounding.
+SHIFT = 8 * np.finfo(float).eps
+
 #: Least turn or decay, over a phase, of a pole against what drives it.
 CLEAR = 0.1
 
@@ -112,6 +118,12 @@ class Flow:
             self.free,
         )  # fmt: skip
 
+    @cached_property
+    def condition(self) -> float:
+        """How many times the digits of its vectors are those of a state: 1 at least."""
+        norms = np.linalg.norm(self.basis) * np.linalg.norm(self.inverse)
+        return float(norms) / max(len(self.poles), 1)
+
     def drives(self, inputs: Vector) -> tuple[Complex, Complex, Complex]:
         """Return what drives each pole: factors of ``e^(i omega t), e^(-i omega t), 1``."""
         cos, sin = self.inputs[:, 0], self.inputs[:, 1]
@@ -150,7 +162,8 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
     free, rest = lawful.free, np.eye(len(lawful.A))
     if free.shape[1]:
         rest = np.linalg.qr(free, mode="complete")[0][:, free.shape[1] :]
-    poles, turned = np.linalg.eig(rest.T @ lawful.A @ rest)
+    own = rest.T @ lawful.A @ rest
+    poles, turned = graded(own, *np.linalg.eig(own))
     vectors = rest @ turned
     if free.shape[1]:  # the rest drives them: what is free is added to each vector
         count, inner = free.shape[1] // 2, np.linalg.pinv(free)
@@ -171,6 +184,27 @@ def flow_of(lawful: Lawful, omega: float) -> Flow:
         )
     inputs = inverse @ lawful.inputs.astype(complex)
     return Flow(poles.astype(complex), basis, inverse, inputs, omega, free.shape[1] // 2)
+
+
+def graded(A: Matrix, poles: Complex, vectors: Complex) -> tuple[Complex, Complex]:
+    """Return eigenvalues and vectors with the digits that their own sizes allow.
+
+    Those of a matrix of many sizes come with the rounding of the largest.  What is left of
+    ``A v - s v``, where the slow ones have hardly a part in the quick rows, corrects them.
+    """
+    try:
+        left = np.linalg.solve(vectors, A @ vectors - vectors * poles)
+    except np.linalg.LinAlgError:
+        return poles, vectors
+    apart = poles - poles[:, None] + np.eye(len(poles))
+    turns = left / np.where(apart == 0, 1.0, apart) - np.diag(np.diag(left))
+    alone = np.abs(turns).max(axis=0, initial=0.0) < TURN
+    counts = alone & (np.abs(np.diag(left)) > SHIFT * np.abs(poles))
+    more = np.where(counts, np.vstack([np.diag(left), vectors @ turns]), 0.0)
+    found = np.vstack([poles, vectors]) + more.astype(complex)
+    found.imag[:, poles.imag == 0] = 0.0
+    found[:, poles.imag < 0] = found[:, poles.imag > 0].conj()  # pairs stay pairs
+    return found[0], found[1:]
 
 
 def steady(poles: Complex, omega: float, t: float | Vector) -> Complex:

@@ -17,8 +17,8 @@ from .modal import BodyError, Modal
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell, BodyPhase
 
-#: The rate at which a held contact returns to its speed, over the frequency of the forcing: on
-#: an orbit it begins at that speed, and the rate only keeps two poles of it apart.
+#: The rate, without units, at which a held contact returns to its speed: on an orbit it begins
+#: at that speed, and the rate only keeps two poles of it apart.
 RETURN = 1.0
 
 #: By what a mode that moves freely is scaled where nothing forces, as a part of the fastest.
@@ -208,6 +208,6 @@ def law_matrix(cell: "BodyCell", phase: "BodyPhase") -> Matrix:
     found = np.array(phase.laws)
     if phase.held:
         found[0] /= found[0, 5]
-        found[0, 1] += RETURN * (cell.omega or 1.0)
-        found[0, 3] -= RETURN * (cell.omega or 1.0) * phase.speed
+        found[0, 1] += RETURN
+        found[0, 3] -= RETURN * phase.speed
     return found

@@ -17,6 +17,9 @@ TERMS, ROUNDING = 24, 1e-15
 #: Least size of a state or a memory, as a part of the largest of them.
 SMALL = 0.01
 
+#: Coordinates of values that stand for all of an interval.
+SOME = -1.0, -0.4271, 0.3183, 1.0
+
 #: Length of the shortest interval on which series are resolved, as a part of its values.
 SHORTEST = 1e-10
 
@@ -43,6 +46,8 @@ class Along(NamedTuple):
         Unknowns that stand before the durations.
     sign : float
         What the next cell is multiplied by.
+    known : tuple
+        What else is known; of one mass nothing, of a body see `bodies.arrays.Known`.
     """
 
     kinds: Integers
@@ -52,6 +57,7 @@ class Along(NamedTuple):
     weights: Vector
     before: int
     sign: float
+    known: Any = ()
 
 
 @dataclass(frozen=True)
@@ -69,6 +75,10 @@ class Interval:
         """Return the value of a coordinate; the ends are exact."""
         return ((1 - q) * self.low + (1 + q) * self.high) / 2
 
+    def some(self) -> list[float]:
+        """Return its ends, and values between that nothing sets apart."""
+        return [self.value(q) for q in SOME]
+
     def halves_about(self, value: float) -> "Iterator[Interval]":
         """Yield it, its half about a value in it, and so on; one at least."""
         low, high, shortest = self.low, self.high, SHORTEST * abs(value)
@@ -81,7 +91,7 @@ class Interval:
 def framed(cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
     """Return the arrays of a cell by their series.
 
-    `z` are unknowns of the usual sizes, `others` the cell at the ends of the series.
+    `z` are unknowns of the usual sizes, `others` the cell at `Interval.some`.
     """
     found = arrays(cell)
     before = 2 * len(cell.phases) + len(cell.memory)

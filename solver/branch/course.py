@@ -237,7 +237,7 @@ class Course:
                 return np.full(count, np.nan)
 
         series, interval = resolved(values, value, interval, self.blocks(cell, forms))
-        others = (content(end)[0] for end in (interval.low, interval.high))
+        others = (content(at)[0] for at in interval.some())
         return self.framed(cell, z, series, others), interval
 
     def entries(self, cell: Cell, forms: list[Form]) -> Vector:

@@ -30,6 +30,10 @@ DIFFERENCE = 2.0**-17
 #: Most corrections of a step, the last one that is small, and how fast they must fall.
 CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
 
+#: A correction that is no larger, and a part of the one before that is no larger: the next one
+#: is by the same derivatives, and shrinks as much.
+NEAR, FAST_FALL = 1e-4, 0.1
+
 
 def waves_at(q: float, count: int) -> Vector:
     """Return the first Chebyshev polynomials, two or more."""
@@ -160,15 +164,17 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
     """
     n = len(y) - 1
     J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
-    step, before, fall = np.zeros(n + 1), np.inf, 0.0
+    step, before, fall, size = np.zeros(n + 1), np.inf, 0.0, np.inf
     for turn in range(CORRECTIONS):
         left_sides(along, y[:n], y[n], step)
         step[n] = 0.0
-        bordered(along, y, border, J, scales)
+        if not (size <= NEAR and size <= FAST_FALL * before):
+            bordered(along, y, border, J, scales)
+            if not factorise(J, rows):
+                return False, fall
+        before = size
         for i in range(n + 1):
             step[i] /= scales[i]
-        if not factorise(J, rows):
-            return False, fall
         solve_factorised(J, rows, step)
         size = 0.0
         for j in range(n + 1):
@@ -183,8 +189,7 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
             return True, fall
         if turn > 0 and size > FALL * before:
             return False, fall
-        before = size
-    return before <= SMALL, fall
+    return size <= SMALL, fall
 
 
 def tangent(along: Any, y: Vector, border: Vector) -> tuple[Vector, float]:

@@ -284,7 +284,7 @@ def _root(piece: Piece, before: Place, length: float, i: int) -> tuple[float, Pl
         return 1.0 if np.isnan(found) else found
 
     try:
-        at = float(brentq(value, 0.0, length, xtol=1e-300, rtol=8.9e-16, maxiter=200))
+        at = float(brentq(value, 0.0, length, xtol=1e-300, rtol=1e-14, maxiter=200))
     except (ValueError, RuntimeError):  # no change of the sign, or too many trials
         raise NoStepError from None
     return at, piece.stepped(before, at)

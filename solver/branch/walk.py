@@ -49,20 +49,19 @@ def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bo
     return converged, fall, found
 
 
-def beside_minus_one(own: Matrix) -> float:
-    """Return the product over the multipliers of what they are more than -1."""
-    return float(np.linalg.det(own + np.eye(len(own))))
+def of_multipliers(own: Matrix) -> tuple[float, float]:
+    """Return the product over the multipliers of what they are more than -1.
 
-
-def beyond_one(own: Matrix) -> float:
-    """Return the product over pairs of multipliers of what they are together beyond 1."""
+    Behind it the product over pairs of multipliers of what they are together beyond 1.
+    """
+    minus = float(np.linalg.det(own + np.eye(len(own))))
     if len(own) == 2:
-        return float(own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0] - 1)
+        return minus, float(own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0] - 1)
     values, found = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
     for i in range(len(values)):
         for j in range(i):
             found *= values[i] * values[j] - 1
-    return found.real
+    return minus, found.real
 
 
 def look(
@@ -89,8 +88,7 @@ def look(
     gauges[-4], gauges[-3], gauges[-2], gauges[-1] = direction[n], np.nan, np.nan, determinant
     if np.isfinite(through).all():  # where an event is touched, perturbations are not mapped
         own = along[6] * through
-        gauges[-3] = beside_minus_one(own)
-        gauges[-2] = beyond_one(own)
+        gauges[-3], gauges[-2] = of_multipliers(own)
     return direction, gauges
 
 

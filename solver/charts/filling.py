@@ -34,11 +34,11 @@ DOWN, ALONG = (0, 0, 1, -1), (1, -1, 0, 0)
 
 def row_of(plane: Any, b: float) -> Any:
     """Return the equations along the first parameter, as `extended` takes them."""
-    kinds, setting, series, divided, weights, before, sign = plane
+    kinds, setting, series, divided, weights, before, sign, known = plane
     waves = waves_at(b, series.shape[2])
     rows = series.reshape(-1, len(waves))
     found = np.dot(rows, waves).reshape(series.shape[0], series.shape[1])
-    return kinds, setting, found, divided, weights, before, sign
+    return kinds, setting, found, divided, weights, before, sign, known
 
 
 def settled(plane: Any, z: Vector, a: float, b: float) -> tuple[bool, float, float]:

@@ -69,8 +69,8 @@ class Plane:
         rows = tuple(course.rows(case.numbers, own))
         series = _series(course, case, indices, bounds, rows)
         table = course.table(case.numbers, own, rows)
-        corners = map(course.cell, _corners(case, indices, bounds))
-        whole = course.framed(cell, own, series, corners)
+        others = map(course.cell, _some(case, indices, bounds))
+        whole = course.framed(cell, own, series, others)
         return cls(course, case, indices, bounds, whole, rows, table)
 
     @cached_property
@@ -105,14 +105,12 @@ class Plane:
         return self.course.orbit(case, y[:-2] * self.sizes / own)
 
 
-def _corners(
-    case: Case, indices: tuple[int, int], bounds: Bounds
-) -> Iterator[tuple[float, ...]]:
-    """Yield all parameters, without units, at the corners of a rectangle."""
-    for ends in product(*bounds):
+def _some(case: Case, indices: tuple[int, int], bounds: Bounds) -> Iterator[tuple[float, ...]]:
+    """Yield all parameters, without units, at the corners of a rectangle and some points."""
+    for point in product(*(Interval(*ends).some() for ends in bounds)):
         numbers = list(case.numbers)
-        for index, end in zip(indices, ends, strict=True):
-            numbers[index] = end / unit_of(case, index)
+        for index, value in zip(indices, point, strict=True):
+            numbers[index] = value / unit_of(case, index)
         yield tuple(numbers)
 
 

@@ -13,8 +13,11 @@ from typing import Any
 import numpy as np
 
 from ...generated.ck import E_COS, E_X, FREE, MEMORY, RHO, F
-from ..arrays import Matrix, Vector
+from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
+
+#: States of so many parts are looked at for what dies out; what is nothing beside 1.
+MANY, NOTHING = 16, 1e-17
 
 
 def end_rates(case: Any, z: Vector) -> Matrix:
@@ -89,3 +92,18 @@ def cell_map(
         found = np.dot(across, np.dot(along, found))
         size = np.dot(np.abs(across), np.dot(np.abs(along), size)) / min(1.0, crossed[p])
     return found, size, crossed
+
+
+def lasting(own: Matrix) -> Integers:
+    """Return of which parts of a state, of many, a perturbation lasts for a cell.
+
+    What a part makes of itself, or through others, is otherwise nothing beside a multiplier
+    that counts: those that are left have all others.
+    """
+    count, off = len(own), np.abs(own)
+    lasts = np.ones(count)
+    for j in range(count if count > MANY else 0):
+        itself, off[j, j] = off[j, j], 0.0
+        through = off[j].max() * off[:, j].max()
+        lasts[j] = itself > NOTHING or through > NOTHING
+    return np.flatnonzero(lasts)

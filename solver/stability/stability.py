@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Complex, Vector
+from ..arrays import Complex, Matrix
 from ..scenes.cell import Cell
+from .cell_map import lasting
 from .monodromy import Monodromy, monodromy
 
 if TYPE_CHECKING:
@@ -15,6 +16,10 @@ if TYPE_CHECKING:
 #: Rounding errors of the monodromy's entries, as parts of `Monodromy.size`: those of the times
 #: and states that Newton's method left are in them.
 ROUNDING = 1e-12
+
+#: How far from an eigenvalue an iteration for its vector is, as a part of the way to the next;
+#: its steps, each of which gains as much.
+BESIDE, ITERATIONS = 1e-6, 3
 
 
 @dataclass(frozen=True)
@@ -59,44 +64,61 @@ def stability(motion: "Motion") -> Stability:
 
 def of_monodromy(cell: Cell, found: Monodromy) -> Stability:
     """Return the multipliers of an orbit by the monodromy of its cell."""
-    values, errors = _eigenvalues(found)
-    if cell.cells == 2:  # the second half is the mirror image of the first
-        values, errors = values**2, 2 * np.abs(values) * errors + errors**2
+    own = _eigenvalues(found)
+    twice = cell.cells == 2  # the second half is the mirror image of the first
+    values, left = own**2 if twice else own, list(range(len(own)))
     trivial = None
     if not cell.forced:
         which = int(np.argmin(np.abs(values - 1)))
         trivial = float(values[which].real)
-        values, errors = np.delete(values, which), np.delete(errors, which)
-    order = sorted(range(len(values)), key=lambda j: (-abs(values[j]), -values[j].imag))
-    largest = float(errors[order[0]]) if order else 0.0
-    return Stability(values[order], trivial, largest)
+        left.remove(which)
+    left.sort(key=lambda j: (-abs(values[j]), -values[j].imag))
+    rounding = _rounding(found, own, left[0]) if left else 0.0
+    if twice and left:
+        rounding = 2 * float(np.abs(own[left[0]])) * rounding + rounding**2
+    return Stability(values[left], trivial, rounding)
 
 
-def _eigenvalues(found: Monodromy) -> tuple[Complex, Vector]:
-    """Return the eigenvalues of a cell's monodromy, and what rounding may change of each.
+def _eigenvalues(found: Monodromy) -> Complex:
+    """Return the eigenvalues of a cell's monodromy.
 
-    An error of the matrix shifts an eigenvalue by what the eigenvectors on both sides make of
-    it; a double one that has a single eigenvector by its root.  What a phase or a switch
-    forgets has a multiplier of 0, which is set, not computed.
+    What a phase or a switch forgets has a multiplier of 0, which is set, not computed; so has
+    what dies out in a cell.
     """
-    count = len(found.matrix)
-    if found.forgotten >= count - 1:  # at most one is left: the trace
-        left = np.eye(count)[0] * (found.forgotten < count)
-        values = (left * np.trace(found.matrix)).astype(complex)
-        return values, left * ROUNDING * float(np.trace(found.size))
-    values, right = np.linalg.eig(found.matrix)  # of a real matrix: pairs are exact
-    values = np.asarray(values, dtype=complex)
-    from_left, left = np.linalg.eig(found.matrix.T)
-    errors = np.empty(count)
-    zero = np.argsort(np.abs(values))[: found.forgotten]
-    for j, value in enumerate(values):
-        distance = np.abs(np.delete(values, j) - value).min(initial=np.inf)
-        moved = ROUNDING * float(np.linalg.norm(found.size))
-        if distance <= np.sqrt(moved):
-            errors[j] = np.sqrt(moved)
-            continue
-        across = left[:, int(np.argmin(np.abs(from_left - value)))]
-        shared = abs(across @ right[:, j])
-        errors[j] = ROUNDING * float(np.abs(across) @ found.size @ np.abs(right[:, j])) / shared
-    values[zero], errors[zero] = 0.0, 0.0
-    return values, errors
+    values = np.zeros(len(found.matrix), dtype=complex)
+    if found.forgotten >= len(values) - 1:  # at most one is left: the trace
+        values[: len(values) - found.forgotten] = np.trace(found.matrix)
+        return values
+    lasts = lasting(found.matrix)
+    values[: len(lasts)] = np.linalg.eigvals(found.matrix[np.ix_(lasts, lasts)])
+    values[np.argsort(np.abs(values))[: found.forgotten]] = 0.0
+    return values
+
+
+def _rounding(found: Monodromy, values: Complex, j: int) -> float:
+    """Return what rounding may change of an eigenvalue.
+
+    An error of the matrix shifts it by what the eigenvectors on both sides make of it; a double
+    one that has a single eigenvector by its root.
+    """
+    if values[j] == 0:
+        return 0.0
+    if found.forgotten >= len(values) - 1:
+        return ROUNDING * float(np.trace(found.size))
+    moved = ROUNDING * float(np.linalg.norm(found.size))
+    distance = np.abs(np.delete(values, j) - values[j]).min(initial=np.inf)
+    if distance <= np.sqrt(moved):
+        return float(np.sqrt(moved))
+    near = values[j] + min(moved, BESIDE * distance)
+    across, along = (_vector(own, near) for own in (found.matrix.T, found.matrix))
+    shared = abs(across @ along)
+    return ROUNDING * float(np.abs(across) @ found.size @ np.abs(along)) / float(shared)
+
+
+def _vector(matrix: Matrix, near: complex) -> Complex:
+    """Return the eigenvector of the eigenvalue that is nearest to a value, by iteration."""
+    shifted = matrix - near * np.eye(len(matrix))
+    found = np.cos(np.arange(1.0, 1 + len(matrix))).astype(np.complex128)  # of no symmetry
+    for _ in range(ITERATIONS):
+        found = np.linalg.solve(shifted, found / np.abs(found).max())
+    return np.asarray(found)

@@ -15,6 +15,7 @@ from nonsmooth.solver import branches
 from nonsmooth.solver.branch import piece, walk, watch
 from nonsmooth.solver.branch.along import Interval
 from nonsmooth.solver.branch.bodies import watched
+from nonsmooth.solver.branch.bodies.arrays import UNKNOWN
 from nonsmooth.solver.branch.branch import course_of, start_of
 from nonsmooth.solver.branch.extended import case_at, left_sides, rates
 from nonsmooth.solver.exact import exact_orbit
@@ -111,9 +112,10 @@ def test_a_form_of_a_body_that_falls_and_rises_again_has_its_least(t_1: float) -
     generator[1, 2:] = 2.0, 0.0, -4 * t_1
     generator[2, 3] = -1.0
     begin = np.array([0.0, 3 * t_1**2, 0.0, -1.0, 1.0])  # x, v, cos, sin, 1
-    grid = watched.along_phase(generator, 1.0, begin)
+    case = (None, generator[None], *[None] * 5, UNKNOWN)
+    grid = watched.along_phase(case, 0, 1.0, begin)
     assert 3 * t_1 < 1 / (len(grid) - 1)
-    finer = watched.halves(generator, 1 / (len(grid) - 1))
+    finer = watched.halves(case, 0, 1 / (len(grid) - 1))
     terms = watched.expanded(generator, np.eye(5)[0])
     least, when = watched.least_inside(generator, grid, 1.0, finer, terms, 0)
     assert when == pytest.approx(3 * t_1, rel=0.01)

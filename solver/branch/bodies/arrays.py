@@ -1,12 +1,13 @@
 """A cell of a body as the arrays of its equations; see `equations`."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
-from ...bodies.part import generator_of, parts_of
+from ...arrays import Complex, Indices, Matrix, Vector
+from ...bodies.modal import BodyError
+from ...bodies.part import Part, generator_of, parts_of
 from ...scenes.bodies.cell import BodyCell
 from ...scenes.cell import Form
 
@@ -42,6 +43,105 @@ def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
     ]
 
 
+#: What rates may differ by, as a part of the largest of a row, that do not vary.
+SAME = 1e-13
+
+
+class Known(NamedTuple):
+    """What is known of the arrays of a cell along a parameter.
+
+    Parameters
+    ----------
+    poles : ndarray of complex, shape (P, m)
+        Of each phase, one of each pair; not numbers where a pole depends on the parameter, or
+        nothing holds the body.  No rows where none is known.
+    basis, inverse : ndarray, shape (P, n, 2 m), (P, 2 m, n)
+        See `exponential.by_poles`: of places and velocities without their scales.
+    constant : ndarray
+        All entries, where the parameter has no part in them.
+    varying : ndarray of int
+        Those which it has a part in: their series stand alone.
+    """
+
+    poles: Complex
+    basis: Matrix
+    inverse: Matrix
+    constant: Vector
+    varying: Indices
+
+
+#: Eigenbases of a cell of which none is known.
+UNKNOWN = np.empty((0, 0), dtype=complex), np.empty((0, 0, 0)), np.empty((0, 0, 0))
+
+
+def known_of(
+    cell: BodyCell, others: Iterable[BodyCell], series: Matrix
+) -> tuple[Matrix, Known]:
+    """Return the series of the entries that vary, and what is known of a cell.
+
+    Parameters
+    ----------
+    cell : BodyCell
+        At one value of the parameter, or of both.
+    others : iterable of BodyCell
+        At others.
+    series : ndarray, shape (entries, ...)
+        Of all entries, by one parameter or two.
+    """
+    rows, parts = series.reshape(len(series), -1), parts_of(cell)
+    varying = np.flatnonzero(rows[:, 1:].any(axis=1))
+    found = [_of_places(part) for part in parts]
+    sizes = [np.abs(own).max(axis=1, keepdims=True) for own in found]
+    same = np.ones(len(parts), dtype=bool)
+    for other in others:
+        pairs = zip(found, map(_of_places, parts_of(other)), strict=True)
+        change = [np.abs(own - there) for own, there in pairs]
+        same &= [(a <= SAME * b).all() for a, b in zip(change, sizes, strict=True)]
+    own = [_held(part) if fixed else None for part, fixed in zip(parts, same, strict=True)]
+    return np.ascontiguousarray(series[varying]), _known(own, rows[:, 0].copy(), varying)
+
+
+def _of_places(part: Part) -> Matrix:
+    """Return the rates of a body by its places and velocities, without their scales."""
+    found, n = part.lawful.A.copy(), len(part.lawful.A) // 2
+    found[n:, :n] *= np.diag(found[:n, n:])
+    found[:n, n:] = np.eye(n)
+    return found
+
+
+def _held(part: Part) -> tuple[Complex, Complex, Complex] | None:
+    """Return poles and eigenbasis of a phase, one of each pair, if something holds the body."""
+    n = len(part.lawful.A) // 2
+    scales = np.append(np.diag(part.lawful.A[:n, n:]), np.ones(n))
+    try:
+        if part.flow.free:
+            return None
+    except BodyError:
+        return None
+    flow = part.flow.upper
+    return flow.poles, flow.basis / scales[:, None], flow.inverse * scales
+
+
+def _known(
+    own: Sequence[tuple[Complex, Complex, Complex] | None], constant: Vector, varying: Indices
+) -> Known:
+    """Return what is known of phases as one array of each."""
+    found = [each for each in own if each]
+    if not found:
+        return Known(*UNKNOWN, constant, varying)
+    n, m = len(found[0][1]), max(len(poles) for poles, _, _ in found)
+    all_poles = np.full((len(own), m), np.nan, dtype=complex)
+    bases, inverses = np.zeros((len(own), n, 2 * m)), np.zeros((len(own), 2 * m, n))
+    for p, each in enumerate(own):
+        if each:
+            poles, basis, inverse = each
+            k = len(poles)
+            all_poles[p] = np.append(poles, np.zeros(m - k))
+            bases[p, :, :k], bases[p, :, m : m + k] = basis.real, -basis.imag
+            inverses[p, :k], inverses[p, m : m + k] = inverse.real, inverse.imag
+    return Known(all_poles, bases, inverses, constant, varying)
+
+
 def case_of(cell: BodyCell, forms: Sequence[Form]) -> Any:
     """Return the arrays of a cell as `equations.case_at` does."""
-    return np.zeros(len(cell.phases), dtype=np.int64), *arrays(cell, forms)
+    return np.zeros(len(cell.phases), dtype=np.int64), *arrays(cell, forms), UNKNOWN

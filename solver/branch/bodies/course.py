@@ -1,7 +1,7 @@
 """The order of phases that a part of a branch of a body has, and what is watched along it."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -21,20 +21,24 @@ from .. import walk
 from ..along import SMALL, Along, divided_phases
 from ..course import ROUNDING, Course, Row
 from ..watch import BEGINS, BEHIND, INTO, IS_END, WITHIN
-from . import equations, watched
-from .arrays import arrays, case_of, durations_of, in_order
+from . import equations, exponential, factors, watched
+from .arrays import arrays, case_of, durations_of, in_order, known_of
 
 #: Derivatives of a form that are looked at where a phase begins.
 HIGHEST = 3
 
 
+#: What stands for functions of the same names.
+OWN = exponential, factors, equations, watched
+
+
 def linked(module: Any, make: linking.Make) -> dict[str, Any]:
     """Return the functions of a branch, over the equations of bodies."""
-    return linking.made((*walk.MODULES, module, equations, watched), {}, make)
+    return linking.made((*walk.MODULES, module, *OWN), {}, make)
 
 
 #: How they are made; see `branch.walk`.
-BODIES = Family(linked, (*walk.MODULES, equations, watched), equations.case_at, seconds=20.0)
+BODIES = Family(linked, (*walk.MODULES, *OWN), equations.case_at, seconds=20.0)
 
 
 class BodyCourse(Course):
@@ -64,7 +68,7 @@ class BodyCourse(Course):
     def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
         """Return the arrays of a cell by their series; the size of its state is one number.
 
-        No event is divided twice: the others are not looked at.
+        No event is divided twice.
         """
         count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
@@ -74,7 +78,10 @@ class BodyCourse(Course):
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
         weights[before : before + count] = 1 / float(z[before : before + count].sum())
         divided, width = divided_phases(cell, z[before:]), np.array([before + 3])
-        return Along(kinds, width, series, divided, weights, before, float(cell.sign))
+        assert isinstance(cell, BodyCell)
+        varying, known = known_of(cell, cast("Iterable[BodyCell]", others), series)
+        given = kinds, width, varying, divided, weights, before, float(cell.sign)
+        return Along(*given, known)
 
     @property
     def mapped(self) -> int:

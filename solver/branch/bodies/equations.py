@@ -13,19 +13,15 @@ The functions stand for those of the same names in `extended`, `cell_map` and `w
 Python, or compiled by numba.
 """
 
-from math import ceil, copysign, cos, log2, sin
+from math import copysign, cos, sin
 from typing import Any
 
 import numpy as np
 
-from ...arrays import Matrix, Vector
+from ...arrays import Complex, Matrix, Vector
+from ...stability.cell_map import lasting
 from ..extended import series_at
-
-#: Size of a matrix whose exponential is a Taylor series of twelve terms, to rounding.
-SHORT = 0.25
-
-#: 1 over the factorials.
-INVERSE_FACTORIALS = tuple(1 / float(np.prod(np.arange(1.0, k + 1))) for k in range(13))
+from .exponential import gained
 
 
 def case_at(along: Any, q: float) -> Any:
@@ -33,10 +29,13 @@ def case_at(along: Any, q: float) -> Any:
 
     The numbers of its kinds; generators and switches, shape (P, W, W); events, (P, W);
     displacement and velocity of the first contact, (P, 2, W); sigma, the angular frequency and
-    the duration of the cell; forms that are watched, (R, W).
+    the duration of the cell; forms that are watched, (R, W); the eigenbases that are known, see
+    `arrays.Known`.
     """
-    values = series_at(along[2], q)
     count, width = len(along[0]), along[1][0]
+    poles, basis, inverse, constant, varying = along[7]
+    values = constant.copy()
+    values[varying] = series_at(along[2], q)
     square, line = count * width * width, count * width
     rest = values[2 * square :]
     return (
@@ -47,31 +46,8 @@ def case_at(along: Any, q: float) -> Any:
         rest[line : 3 * line].reshape(count, 2, width),
         rest[3 * line : 3 * line + 3],
         rest[3 * line + 3 :].reshape(-1, width),
+        (poles, basis, inverse),
     )
-
-
-def less_one(matrix: Matrix, t: float) -> Matrix:
-    """Return ``exp(matrix t) - 1``, also where that is small: a Taylor series, doubled."""
-    size, doublings, f = norm(matrix) * abs(t), 0, INVERSE_FACTORIALS
-    if size > SHORT:
-        doublings = ceil(log2(size / SHORT))
-    A = matrix * (t / 2.0**doublings)
-    A2 = A @ A
-    A3, A4 = A2 @ A, A2 @ A2
-    high = f[9] * A + f[10] * A2 + f[11] * A3 + f[12] * A4
-    high = f[5] * A + f[6] * A2 + f[7] * A3 + f[8] * A4 + A4 @ high
-    found: Matrix = A + f[2] * A2 + f[3] * A3 + f[4] * A4 + A4 @ high
-    for _ in range(doublings):
-        found = found @ found + 2 * found
-    return found
-
-
-def norm(matrix: Matrix) -> float:
-    """Return the largest sum of sizes in a row."""
-    largest = 0.0
-    for i in range(len(matrix)):
-        largest = max(largest, np.abs(matrix[i]).sum())
-    return largest
 
 
 def begun(case: Any, z: Vector) -> Vector:
@@ -91,69 +67,62 @@ def starts(case: Any, z: Vector) -> Matrix:
     found = np.empty((len(generators), states + 3))
     found[0] = begun(case, z)
     for p in range(len(generators) - 1):
-        end = found[p] + less_one(generators[p], z[states + p]) @ found[p]
-        found[p + 1] = switches[p] @ end
+        found[p + 1] = switches[p] @ later(case, p, z[states + p], found[p])
+    return found
+
+
+def later(case: Any, p: int, t: float, Y: Vector) -> Vector:
+    """Return what a state becomes in a phase in a time."""
+    found: Vector = Y + gained(case, p, t, Y.reshape(-1, 1))[:, 0]
     return found
 
 
 def state_at(case: Any, z: Vector, p: int, t: float) -> Vector:
     """Return the state Y at a time from the beginning of a phase."""
-    begin = starts(case, z)[p]
-    found: Vector = begin + less_one(case[1][p], t) @ begin
-    return found
+    return later(case, p, t, starts(case, z)[p])
 
 
 def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
     """Fill R with the left sides of the equations at a value of the parameter."""
-    equations(case_at(along, q), along[3], z, R, np.empty((len(z), len(z))))
+    equations(case_at(along, q), along[3], z, R, np.empty((len(z), 0)))
 
 
 def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
-    """Fill R with the left sides of the equations of a cell, J with their derivatives by z."""
+    """Fill R with the left sides of the equations of a cell, J with their derivatives by z.
+
+    A J without columns asks for none.
+    """
     generators, switches, events = case[1], case[2], case[3]
-    sign, duration = case[5][0], case[5][2]
+    sign, duration, by = case[5][0], case[5][2], J.shape[1] > 0
     count, states, last = len(generators), generators.shape[1] - 3, len(z) - 1
-    Y, by = begun(case, z), np.zeros((states + 3, len(z)))
-    for i in range(states):
-        by[i, i] = 1.0
-    if last == states + count:
-        by[states, last], by[states + 1, last] = -Y[states + 1], Y[states]
+    Y = np.zeros((states + 3, 1 + J.shape[1]))  # the state, and its derivatives
+    Y[:, 0] = begun(case, z)
+    if by:
+        for i in range(states):
+            Y[i, 1 + i] = 1.0
+    if by and last == states + count:
+        Y[states, 1 + last], Y[states + 1, 1 + last] = -Y[states + 1, 0], Y[states, 0]
     for p in range(count):
         row, s = states + p, z[states + p]
-        grown = less_one(generators[p], s)
-        gain, gain_by = grown @ Y, grown @ by
-        Y, by = Y + gain, by + gain_by
-        rate = generators[p] @ Y
-        by[:, row] += rate
-        R[row], J[row] = np.dot(events[p], Y), events[p] @ by
-        if divided[p] != 0:
-            R[row], J[row] = np.dot(events[p], gain) / s, events[p] @ gain_by / s
+        gain = gained(case, p, s, Y)
+        Y = Y + gain
+        rate = generators[p] @ Y[:, 0].copy()
+        if by:
+            Y[:, 1 + row] += rate
+        found = events[p] @ (Y if divided[p] == 0 else gain / s)
+        R[row], J[row] = found[0], found[1:]
+        if by and divided[p] != 0:
             J[row, row] += (np.dot(events[p], rate) - R[row]) / s
-        Y, by = switches[p] @ Y, switches[p] @ by
-    R[:states] = z[:states] - sign * Y[:states]
-    J[:states] = -sign * by[:states]
-    for i in range(states):
-        J[i, i] += 1.0
+        Y = switches[p] @ Y
+    R[:states] = z[:states] - sign * Y[:states, 0]
+    J[:states] = -sign * Y[:states, 1:]
     if last == states + count:
-        R[last] = z[states:last].sum() - duration
-        J[last] = 0.0
-        J[last, states:last] = 1.0
-
-
-def factorise(A: Matrix, rows: Any) -> bool:
-    """Factorise as `linear.factorise` does, by whole rows: of many modes that is quicker."""
-    n = len(A)
-    for k in range(n):
-        pivot = k + int(np.argmax(np.abs(A[k:, k])))
-        rows[k] = pivot
-        if A[pivot, k] == 0 or not np.isfinite(A[pivot, k]):
-            return False
-        if pivot != k:
-            row = A[k].copy()
-            A[k], A[pivot] = A[pivot], row
-        A[k + 1 :, k] /= A[k, k]
-        A[k + 1 :, k + 1 :] -= A[k + 1 :, k : k + 1] * A[k, k + 1 :]
-    return True
+        R[last], J[last] = z[states:last].sum() - duration, 0.0
+    if by:
+        for i in range(states):
+            J[i, i] += 1.0
+        if last == states + count:
+            J[last, states:last] = 1.0
 
 
 def end_rates(case: Any, z: Vector) -> Matrix:
@@ -171,7 +140,7 @@ def cell_map(
     first = begun(case, z)
     Y = first
     for p in range(count):
-        grown = less_one(generators[p], z[states + p])
+        grown = gained(case, p, z[states + p], np.eye(states + 3))
         Y = Y + grown @ Y
         before = generators[p] @ Y
         Y = switches[p] @ Y
@@ -188,25 +157,21 @@ def cell_map(
     return found, size, crossed
 
 
-def beside_minus_one(own: Matrix) -> float:
-    """Return what has the sign of the product of all multipliers plus 1: the least of these."""
-    return least_factor(np.linalg.eigvals(own.astype(np.complex128)) + 1)
+def of_multipliers(own: Matrix) -> tuple[float, float]:
+    """Return what has the sign of the product of all multipliers plus 1, the least of these.
+
+    Behind it the same of what the multipliers are in pairs, together, less than 1.
+    """
+    lasts = lasting(own)
+    own = own[lasts][:, lasts]
+    values = np.linalg.eigvals(own.astype(np.complex128)).astype(np.complex128)
+    beneath = np.tril(np.ones(own.shape), -1).ravel() > 0
+    pairs = np.outer(values, values).ravel()[beneath]
+    return least_factor(values + 1), least_factor(1 - pairs)
 
 
-def beyond_one(own: Matrix) -> float:
-    """Return the same of what the multipliers are in pairs, together, beyond 1."""
-    values, found = np.linalg.eigvals(own.astype(np.complex128)), []
-    for i in range(len(values)):
-        for j in range(i):
-            found.append(values[i] * values[j] - 1)
-    return least_factor(np.array(found))
-
-
-def least_factor(factors: Any) -> float:
+def least_factor(factors: Complex) -> float:
     """Return the least size of factors, which are real or in pairs, with their joint sign."""
-    least, turned = np.inf, 1.0 + 0.0j
-    for factor in factors:
-        size = abs(factor)
-        least = min(least, size)
-        turned *= factor / size if size > 0 else 1.0
-    return copysign(least, turned.real)
+    sizes = np.abs(factors)
+    turned = np.prod(factors / np.where(sizes > 0, sizes, 1.0))
+    return copysign(sizes.min(), turned.real)

@@ -14,7 +14,6 @@ from ..watch import (
     BEHIND,
     END,
     EXPANDED,
-    HALVINGS,
     INTO,
     IS_END,
     KIND,
@@ -25,19 +24,23 @@ from ..watch import (
     WITHIN,
     polynomial,
 )
-from .equations import less_one, norm, starts
+from .equations import starts
+from .exponential import gained, norm
 
 #: Points of a phase for 1 of the size of its generator, at least and at most.
 CLOSE, FEWEST, MOST = 2.0, 32, 1024
 
+#: Halvings about where a derivative vanishes, before it is taken for a line.
+NARROWED = 8
 
-def along_phase(generator: Matrix, s: float, Y: Vector) -> Matrix:
+
+def along_phase(case: Any, p: int, s: float, Y: Vector) -> Matrix:
     """Return the states at equal times of a phase, as close as its waves; shape (points, W)."""
-    states = len(Y) - 3
-    size = norm(generator[:states, :states]) * abs(s)
+    states, one = len(Y) - 3, np.eye(len(Y))
+    size = norm(case[1][p, :states, :states]) * abs(s)
     count = int(min(max(ceil(CLOSE * size), FEWEST), MOST))
     found, done = np.empty((count + 1, len(Y))), 1
-    found[0], step = Y, less_one(generator, s / count)
+    found[0], step = Y, gained(case, p, s / count, one)
     while done <= count:
         more = min(done, count + 1 - done)
         found[done : done + more] = found[:more] + found[:more] @ step.T
@@ -45,14 +48,14 @@ def along_phase(generator: Matrix, s: float, Y: Vector) -> Matrix:
     return found
 
 
-def halves(generator: Matrix, h: float) -> Any:
+def halves(case: Any, p: int, h: float) -> Any:
     """Return ``exp(G t) - 1`` over a half, a quarter, ... of a step, to one that is short."""
-    states = len(generator) - 3
-    size = norm(generator[:states, :states]) * abs(h) * CLOSE
+    width = case[1].shape[1]
+    size = norm(case[1][p, : width - 3, : width - 3]) * abs(h) * CLOSE
     count = ceil(log2(size)) if size > 1 else 0
-    found = np.empty((count, len(generator), len(generator)))
+    found = np.empty((count, width, width))
     if count > 0:
-        found[count - 1] = less_one(generator, h / 2.0**count)
+        found[count - 1] = gained(case, p, h / 2.0**count, np.eye(width))
     for j in range(count - 2, -1, -1):
         found[j] = found[j + 1] @ found[j + 1] + 2 * found[j + 1]
     return found
@@ -92,53 +95,67 @@ def least_inside(
     rates, bends = grid @ terms[1], grid @ terms[2]
     if begins > 1:
         rates[0] = np.dot(terms[begins], grid[0])
-    for i in range(len(grid) - 1):
-        value, at = nan, nan
-        if rates[i] < 0 <= rates[i + 1]:
-            value, at = risen(grid[i], h, finer, terms)
-        elif rates[i] >= 0 <= rates[i + 1] and bends[i] < 0 < bends[i + 1]:
-            Y, (t, u) = turning(grid[i], h, finer, terms, 2)
-            Y = Y + less_one(generator, u) @ Y
-            left = h - t - u
-            if np.dot(terms[1], Y) < 0:
-                value, at = risen(Y, left, halves(generator, left), terms)
-                at += t + u
+    falls = (rates[:-1] < 0) & (rates[1:] >= 0)
+    dips = (rates[:-1] >= 0) & (rates[1:] >= 0) & (bends[:-1] < 0) & (bends[1:] > 0)
+    for i in np.flatnonzero(falls | dips):
+        value, at, Y = nan, 0.0, grid[i]
+        if dips[i]:
+            Y, at, u = turning(Y, h, h, finer, terms, 2)
+            Y, at = shortly(generator, Y, u), at + u
+        if falls[i] or np.dot(terms[1], Y) < 0:
+            value, u = risen(Y, h - at, h, finer, terms)
+            at += u
         if not isnan(value) and (isnan(least) or value < least):
             least, when = value, i * h + at
     return least, when
 
 
 def turning(
-    Y: Vector, width: float, finer: Any, terms: Matrix, derivative: int
-) -> tuple[Vector, tuple[float, float]]:
-    """Return where a derivative of a form changes its sign from minus in a time `width`.
+    Y: Vector, left: float, h: float, finer: Any, terms: Matrix, derivative: int
+) -> tuple[Vector, float, float]:
+    """Return where a derivative of a form changes its sign from minus, in the time `left`.
 
     It is the state a little before, when that is, and how much later the derivative vanishes.
     """
-    t = 0.0
+    t, width = 0.0, h
     for j in range(len(finer)):
         width /= 2
-        middle = Y + finer[j] @ Y
-        if np.dot(terms[derivative], middle) < 0:
-            Y, t = middle, t + width
-    own, low, high = terms @ Y, 0.0, width
-    for _ in range(HALVINGS):
+        if t + width < left:
+            middle = Y + finer[j] @ Y
+            if np.dot(terms[derivative], middle) < 0:
+                Y, t = middle, t + width
+    own, low, high = terms @ Y, 0.0, min(width, left - t)
+    for _ in range(NARROWED):
         middle_t = (low + high) / 2
         if polynomial(own, middle_t, derivative) < 0:
             low = middle_t
         else:
             high = middle_t
-    return Y, (t, high)
+    below, above = polynomial(own, low, derivative), polynomial(own, high, derivative)
+    if below < 0 < above:
+        low += (high - low) * below / (below - above)
+    return Y, t, low
 
 
-def risen(Y: Vector, width: float, finer: Any, terms: Matrix) -> tuple[float, float]:
+def shortly(generator: Matrix, Y: Vector, t: float) -> Vector:
+    """Return what a state becomes in a time that is short for its waves: a Taylor series."""
+    found, term = Y.copy(), Y
+    for j in range(1, EXPANDED):
+        term = generator @ term * (t / j)
+        found += term
+    return found
+
+
+def risen(
+    Y: Vector, left: float, h: float, finer: Any, terms: Matrix
+) -> tuple[float, float]:  # fmt: skip
     """Return the value of a form where its rate rises through zero in a time, and when."""
-    Y, (t, u) = turning(Y, width, finer, terms, 1)
+    Y, t, u = turning(Y, left, h, finer, terms, 1)
     own = terms @ Y
     for _ in range(POLISH):
         bend = polynomial(own, u, 2)
         if bend > 0:
-            u = min(max(u - polynomial(own, u, 1) / bend, 0.0), width)
+            u = min(max(u - polynomial(own, u, 1) / bend, 0.0), left - t)
     return polynomial(own, u, 0), t + u
 
 
@@ -152,8 +169,8 @@ def watched(case: Any, table: Any, z: Vector, values: Matrix, extremes: Matrix) 
     extremes[:, 0], extremes[:, 1] = np.inf, -np.inf
     for p in range(len(case[0])):
         generator, s = case[1][p], z[before + p]
-        grid = along_phase(generator, s, begin[p])
-        first, last, finer = grid[0], grid[-1], halves(generator, s / (len(grid) - 1))
+        grid = along_phase(case, p, s, begin[p])
+        first, last, finer = grid[0], grid[-1], halves(case, p, s / (len(grid) - 1))
         for row in range(len(table)):
             if table[row, PHASE] != p:
                 continue
@@ -183,6 +200,6 @@ def when_least(case: Any, table: Any, z: Vector, row: int) -> float:
     """Return when in its phase a form has the least value at a critical point inside."""
     p = table[row, PHASE]
     generator, s = case[1][p], z[case[1].shape[1] - 3 + p]
-    grid = along_phase(generator, s, starts(case, z)[p])
-    finer, terms = halves(generator, s / (len(grid) - 1)), expanded(generator, case[6][row])
+    grid = along_phase(case, p, s, starts(case, z)[p])
+    finer, terms = halves(case, p, s / (len(grid) - 1)), expanded(generator, case[6][row])
     return least_inside(generator, grid, s, finer, terms, table[row, BEGINS])[1]

@@ -16,6 +16,7 @@ BALLS = ("tests/precision/test_balls.py",)
 DIGITS = "tests/precision/test_digits_of_scenes.py"
 PAPER = ("tests/accuracy/test_kim_perkins.py",)
 BRANCHES = "tests/bodies/test_branches_of_bodies.py"
+EIGENBASES = "tests/bodies/test_eigenbases.py"
 EVENTS = "tests/branch/test_events.py"
 
 MUTANTS = (
@@ -197,8 +198,8 @@ MUTANTS = (
     Mutant(
         "the multipliers of half a period for those of a whole",
         "solver/stability/stability.py",
-        "values, errors = values**2, 2 * np.abs(values) * errors + errors**2",
-        "pass",
+        "values, left = own**2 if twice else own, ",
+        "values, left = own, ",
         MULTIPLIERS,
     ),
     Mutant(
@@ -253,16 +254,47 @@ MUTANTS = (
     Mutant(
         "a phase of a body that begins where it ends has its event undivided",
         "solver/branch/bodies/equations.py",
-        "if divided[p] != 0:",
-        "if divided[p] > 1:",
+        "found = events[p] @ (Y if divided[p] == 0 else gain / s)",
+        "found = events[p] @ Y",
         (f"{BRANCHES}::test_contact_ends_in_the_linear_response_and_begins_there",),
     ),
     Mutant(
         "pairs of multipliers of a body do not count",
         "solver/branch/bodies/equations.py",
-        "return least_factor(np.array(found))",
-        "return 1.0",
+        "return least_factor(values + 1), least_factor(1 - pairs)",
+        "return least_factor(values + 1), 1.0",
         (f"{BRANCHES}::test_where_multipliers_leave_the_unit_circle",),
+    ),
+    Mutant(
+        "slow poles of a body keep the rounding of the quickest",
+        "solver/bodies/flow.py",
+        "counts = alone & ",
+        "counts = alone & False & ",
+        (
+            f"{EIGENBASES}::test_slow_poles_have_their_own_digits",
+            f"{EIGENBASES}::test_a_flip_of_a_beam_of_60_modes",
+        ),
+    ),
+    Mutant(
+        "the eigenbasis at one value of a parameter stands for those at others",
+        "solver/branch/bodies/arrays.py",
+        "(a <= SAME * b).all()",
+        "(a <= 1.0 * b).all()",
+        (f"{EIGENBASES}::test_no_basis_is_known_where_a_rate_depends_on_the_parameter",),
+    ),
+    Mutant(
+        "places of a body are in other scales than its eigenbasis",
+        "solver/branch/bodies/exponential.py",
+        "scales[i] = generator[i, n // 2 + i]",
+        "scales[i] = 1.0",
+        (f"{EIGENBASES}::test_states_grow_as_exact_exponentials",),
+    ),
+    Mutant(
+        "the multipliers of what lasts are not all",
+        "solver/stability/cell_map.py",
+        "lasts[j] = itself > NOTHING or through > NOTHING",
+        "lasts[j] = itself > 0.1",
+        (f"{EIGENBASES}::test_multipliers_of_what_lasts_are_all",),
     ),
     Mutant(
         "a flight that begins without speed has its event divided once",

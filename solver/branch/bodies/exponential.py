@@ -1,0 +1,118 @@
+"""What a phase of a body adds to states in a time, ``(exp(G t) - 1) Y``, over arrays.
+
+By the eigenbasis of the phase, where it is known.  Else, and in a time in which little
+happens, by a Taylor series of the matrix, doubled.  In the eigenbasis each pole s answers to
+what there is at first, to the waves of the forcing and to what stays as it is: `answer`.
+
+Plain Python, or compiled by numba.
+"""
+
+from math import ceil, log2
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Complex, Matrix
+
+#: Size of a matrix whose exponential is a Taylor series of twelve terms, to rounding.
+SHORT = 0.25
+
+#: 1 over the factorials.
+INVERSE_FACTORIALS = tuple(1 / float(np.prod(np.arange(1.0, k + 1))) for k in range(13))
+
+#: A change over half a time that changes no digit.
+TINY = 1e-9
+
+
+def gained(case: Any, p: int, t: float, Y: Matrix) -> Matrix:
+    """Return what a phase adds to states, columns of shape (W, k), in a time.
+
+    case
+        See `equations.case_at`.
+    """
+    poles, basis, inverse = case[7]
+    if len(poles) > 0 and np.abs(poles[p]).max() * abs(t) > SHORT:
+        return by_poles(case[1][p], poles[p], basis[p], inverse[p], t, Y)
+    return less_one(case[1][p], t) @ Y
+
+
+def by_poles(
+    generator: Matrix, poles: Complex, basis: Matrix, inverse: Matrix, t: float, Y: Matrix
+) -> Matrix:
+    """Return it in the eigenbasis of a phase.
+
+    Parameters
+    ----------
+    generator : ndarray, shape (W, W)
+        G, by the states, then what stays as it is, the cosine, the sine and 1.  The states are
+        places, each times a scale that may vary, and velocities.
+    poles : ndarray of complex, shape (m,)
+        One of each pair.
+    basis : ndarray, shape (n, 2 m)
+        The real parts of their vectors, and less the imaginary ones.
+    inverse : ndarray, shape (2 m, n)
+        The real parts of the forms that are the parts along them, and the imaginary ones.
+    """
+    width, n, m = len(Y), len(basis), len(poles)
+    omega, kept = generator[width - 2, width - 3], Y[n:].copy()
+    kept[len(kept) - 3 : len(kept) - 1] = 0.0
+    drives = inverse @ np.ascontiguousarray(generator[:n, n:])
+    scales = np.ones((n, 1))
+    for i in range(n // 2):
+        scales[i] = generator[i, n // 2 + i]
+    own = inverse @ (Y[:n] / scales)
+    constant, wave = drives @ kept, drives[:, len(kept) - 3 :]
+    by_cos, by_sin = wave[:m, 0] + 1j * wave[m:, 0], wave[:m, 1] + 1j * wave[m:, 1]
+    cosine, sine = Y[width - 3], Y[width - 2]
+    up, down = answer(poles, 1j * omega, t), answer(poles, -1j * omega, t)
+    even, odd = (up + down) / 2, (up - down) * 0.5j
+    by_wave = np.outer(even * by_cos - odd * by_sin, cosine)
+    by_wave += np.outer(even * by_sin + odd * by_cos, sine)
+    still = answer(poles, 0j, t)
+    ahead = by_wave + (poles * still).reshape(m, 1) * (own[:m] + 1j * own[m:])
+    ahead += still.reshape(m, 1) * (constant[:m] + 1j * constant[m:])
+    for j in range(m):
+        own[j], own[m + j] = ahead[j].real, ahead[j].imag
+    found, half, whole = np.zeros(Y.shape), np.sin(omega * t / 2), np.sin(omega * t)
+    found[:n] = scales * (basis @ own)
+    found[width - 3] = -2 * half * half * cosine - whole * sine
+    found[width - 2] = whole * cosine - 2 * half * half * sine
+    return found
+
+
+def answer(poles: Complex, forcing: complex, t: float) -> Complex:
+    """Return ``(e^(s t) - e^(q t)) / (s - q)`` of poles s for one q: also where s is q.
+
+    It is what rest becomes that ``e^(q t)`` drives.
+    """
+    half = (poles - forcing) * (t / 2)
+    near = np.abs(half) <= 1
+    small = np.where(near & (np.abs(half) > TINY), half, 1 + 0j)
+    ratio = np.where(np.abs(half) > TINY, np.sinh(small) / small, 1 + 0j)
+    close = t * np.exp((poles + forcing) * (t / 2)) * ratio
+    apart = np.where(near, 1 + 0j, poles - forcing)
+    return np.where(near, close, (np.exp(poles * t) - np.exp(forcing * t)) / apart)
+
+
+def less_one(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(matrix t) - 1``, also where that is small: a Taylor series, doubled."""
+    size, doublings, f = norm(matrix) * abs(t), 0, INVERSE_FACTORIALS
+    if size > SHORT:
+        doublings = ceil(log2(size / SHORT))
+    A = matrix * (t / 2.0**doublings)
+    A2 = A @ A
+    A3, A4 = A2 @ A, A2 @ A2
+    high = f[9] * A + f[10] * A2 + f[11] * A3 + f[12] * A4
+    high = f[5] * A + f[6] * A2 + f[7] * A3 + f[8] * A4 + A4 @ high
+    found: Matrix = A + f[2] * A2 + f[3] * A3 + f[4] * A4 + A4 @ high
+    for _ in range(doublings):
+        found = found @ found + 2 * found
+    return found
+
+
+def norm(matrix: Matrix) -> float:
+    """Return the largest sum of sizes in a row."""
+    largest = 0.0
+    for i in range(len(matrix)):
+        largest = max(largest, np.abs(matrix[i]).sum())
+    return largest

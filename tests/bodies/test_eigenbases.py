@@ -1,0 +1,150 @@
+"""The flow of a body in its eigenbasis, and linear algebra of many unknowns."""
+
+import mpmath as mp
+import numpy as np
+import pytest
+from bodies.reference_bodies import case
+
+import nonsmooth as ns
+from nonsmooth.solver.bodies.flow import graded
+from nonsmooth.solver.bodies.part import parts_of
+from nonsmooth.solver.branch.bodies import exponential
+from nonsmooth.solver.branch.bodies.arrays import case_of, known_of
+from nonsmooth.solver.branch.bodies.factors import factorise, solve_factorised
+from nonsmooth.solver.scenes.bodies.cell import BodyCell
+from nonsmooth.solver.stability.cell_map import lasting
+from nonsmooth.solver.stability.monodromy import monodromy
+
+
+def exact(generator: np.ndarray, t: float) -> np.ndarray:
+    """Return ``exp(generator t) - 1`` in 40 digits."""
+    with mp.workdps(40):
+        found = mp.expm(mp.matrix(generator) * mp.mpf(t)) - mp.eye(len(generator))
+        return np.array(found.tolist(), dtype=float)
+
+
+def own_basis(generator: np.ndarray, n: int) -> tuple[np.ndarray, ...]:
+    """Return poles, basis and inverse as `exponential.by_poles` takes them."""
+    scales = np.append(np.diag(generator[: n // 2, n // 2 : n]), np.ones(n - n // 2))
+    poles, vectors = np.linalg.eig(generator[:n, :n])
+    kept, inverse = poles.imag >= 0, np.linalg.inv(vectors) * scales
+    vectors = vectors[:, kept] * np.where(poles[kept].imag > 0, 2.0, 1.0) / scales[:, None]
+    basis = np.hstack([vectors.real, -vectors.imag])
+    found = np.vstack([inverse[kept].real, inverse[kept].imag])
+    return poles[kept].astype(complex), basis, found
+
+
+@pytest.mark.parametrize("omega", [0.0, 1.3, 30.0])
+@pytest.mark.parametrize("damping", [0.0, 0.2, 100.0])
+def test_states_grow_as_exact_exponentials(omega: float, damping: float) -> None:
+    """Two modes, the second in resonance with 30 rad/s; a memory, and waves that drive both."""
+    n, rng = 4, np.random.default_rng(7)
+    generator = np.zeros((n + 4, n + 4))
+    generator[:2, 2:4] = np.diag([1.5, 30.0])
+    generator[2:4, :2] = -np.diag([1.5, 30.0])
+    generator[2:4, 2:4] = -damping * np.diag([1.0, 0.1])
+    generator[2:4, n:] = rng.normal(size=(2, 4))
+    generator[n + 1, n + 2], generator[n + 2, n + 1] = -omega, omega
+    for t in (1e-9, 1e-3, 0.1, 1.0, 7.0):
+        wanted = exact(generator, t)
+        size = np.abs(wanted).max()
+        given = generator, *own_basis(generator, n), t, np.eye(n + 4)
+        assert exponential.by_poles(*given) == pytest.approx(wanted, abs=3e-14 * size)
+        assert exponential.less_one(generator, t) == pytest.approx(wanted, abs=3e-13 * size)
+
+
+def test_a_basis_stands_for_all_values_where_no_rate_depends_on_them() -> None:
+    own = case("two-stops-six-phases")
+    index = [q.name for q in own.scene.parameters].index("frequency")
+
+    def at(factor: float) -> BodyCell:
+        numbers = list(own.numbers)
+        numbers[index] *= factor
+        found = own.scene.cell(tuple(numbers), own.cycles, own.units)
+        assert isinstance(found, BodyCell)
+        return found
+
+    here, there = at(1.0), at(1.25)
+    entries = np.concatenate([q.ravel() for q in case_of(there, [])[1:6]])
+    _, known = known_of(here, [there], np.column_stack([entries, 0 * entries]))
+    assert np.isfinite(known.poles).all()
+    bare = case_of(there, [])
+    basis = (*bare[:7], (known.poles, known.basis, known.inverse))
+    for p in range(len(here.phases)):
+        states = np.eye(bare[1].shape[1])
+        wanted = exact(bare[1][p], 2.0)
+        found = exponential.gained(basis, p, 2.0, states)
+        assert found == pytest.approx(wanted, abs=1e-13 * np.abs(wanted).max())
+        assert exponential.gained(bare, p, 2.0, states) == pytest.approx(
+            wanted, abs=1e-12 * np.abs(wanted).max()
+        )
+
+
+def test_no_basis_is_known_where_a_rate_depends_on_the_parameter() -> None:
+    beam = ns.scene("beam-clearance")(modes=3)
+    softer = beam.with_value("contact_stiffness", 1.5e3)
+    here, there = (q.scene.cell(q.numbers, 1, beam.units) for q in (beam, softer))
+    entries = np.concatenate([q.ravel() for q in case_of(here, [])[1:6]])
+    _, known = known_of(here, [there], np.column_stack([entries, 0 * entries]))
+    names = [phase.name for phase in here.phases]
+    assert [bool(np.isfinite(q).all()) for q in known.poles] == [q != "contact" for q in names]
+
+
+def test_slow_poles_have_their_own_digits() -> None:
+    """Of a free beam with 60 modes, its quickest 1e5 times as quick as its slowest."""
+    cell = ns.scene("beam-clearance")(modes=60).cell
+    part = next(
+        q for q, own in zip(parts_of(cell), cell.phases, strict=True) if own.name == "separated"
+    )
+    ratio, w = 0.01, np.sqrt(np.sort(cell.body.squares))
+    wanted = w * (-ratio + 1j * np.sqrt(1 - ratio**2))
+    poles = part.flow.upper.poles
+    found = poles[np.argsort(np.abs(poles))]
+    assert w[-1] > 1e4 * w[0]
+    assert np.abs(found / wanted - 1).max() < 1e-13
+
+
+def test_multipliers_of_what_lasts_are_all() -> None:
+    """Of the same beam, of whose 120 multipliers most are nothing."""
+    orbit = ns.exact(ns.scene("beam-clearance")(modes=60))
+    matrix = monodromy(orbit).matrix
+    lasts = lasting(matrix)
+    assert len(lasts) < 60
+    every = np.linalg.eigvals(matrix)
+    every = every[np.argsort(-np.abs(every))][:20]
+    found = orbit.multipliers[:20]
+    apart = np.abs(found[:, None] - every).min(axis=1)
+    assert np.abs(every[-1]) < 1e-3
+    assert apart == pytest.approx(np.zeros(20), abs=1e-13)
+    assert len(orbit.multipliers) == 120
+
+
+def test_poles_that_are_one_are_left_as_they_are() -> None:
+    A = np.array([[0.0, 1.0], [-1.0, -2.0]])
+    poles, vectors = np.linalg.eig(A)
+    found, turned = graded(A, poles, vectors)
+    assert (found == poles).all()
+    assert (turned == vectors).all()
+
+
+@pytest.mark.parametrize("n", [1, 2, 31, 32, 33, 100])
+def test_factors_block_by_block(n: int) -> None:
+    rng = np.random.default_rng(n)
+    A, b = rng.normal(size=(n, n)), rng.normal(size=n)
+    factors, rows, x = A.copy(), np.empty(n, dtype=np.int64), b.copy()
+    assert factorise(factors, rows)
+    solve_factorised(factors, rows, x)
+    assert x == pytest.approx(np.linalg.solve(A, b), rel=1e-9, abs=1e-11)
+    sign = np.prod(np.where(rows == np.arange(n), 1.0, -1.0))
+    assert sign * np.diag(factors).prod() == pytest.approx(np.linalg.det(A), rel=1e-10)
+
+
+def test_a_singular_matrix_has_no_factors() -> None:
+    assert not factorise(np.ones((40, 40)), np.empty(40, dtype=np.int64))
+
+
+def test_a_flip_of_a_beam_of_60_modes() -> None:
+    """By the same matrices in 48 digits: exponentials, Newton's method, determinants."""
+    branch = ns.branch(ns.scene("beam-clearance")(modes=60), "frequency", 73.0, 74.0)
+    (flip,) = (event for event in branch.events if event.kind == "flip")
+    assert flip.parameter == pytest.approx(73.25586167924014, rel=2e-14)
