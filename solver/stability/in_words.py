@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arrays import Complex
 from .monodromy import NoMultipliersError
 from .stability import ROUNDING
 
@@ -37,13 +38,18 @@ def in_words(motion: "Motion") -> str:
     except NoMultipliersError as error:
         return f"no multipliers: {error}"
     name = "multiplier" if len(values) == 1 else "multipliers"
-    count = max(FEW, int((np.abs(values) > LARGE).sum()))
+    count = told(values)
     large, more = values[:count], len(values) - count
     less = f" and {more} smaller ones" if more > 0 else ""
     verdict = VERDICTS[stable]
     if stable is None and (abs(values - 1) <= motion.stability.rounding).any():
         verdict += f"; {NOT_ISOLATED}"
     return f"{name} {_numbers([complex(value) for value in large])}{less}: {verdict}"
+
+
+def told(values: Complex) -> int:
+    """Return how many of some multipliers are told, the largest first."""
+    return max(FEW, int((np.abs(values) > LARGE).sum()))
 
 
 def _numbers(values: list[complex]) -> str:

@@ -15,7 +15,7 @@ from nonsmooth.solver.trade.tolerance import choose_order
 #: What is computed for scenes of one mass alone.
 ONE_MASS = (
     ("digits",),
-    ("report", "-o", "page"),
+    ("stability",),
 )
 
 

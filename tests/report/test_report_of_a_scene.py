@@ -163,14 +163,16 @@ def test_rounding_beside_the_largest_is_printed_as_nothing() -> None:
 def test_an_orbit_may_have_lost_multipliers_or_have_none(monkeypatch) -> None:
     row = {"modulus": "0", "argument": "none", "stable": "stable"}
     found = multipliers(ns.exact(ns.scene("stick-slip")()))  # autonomous
-    assert found == {"rows": [row], "verdict": "stable", "shift": True}
+    assert found == {"rows": [row], "smaller": 0, "verdict": "stable", "shift": True}
 
     def touched(motion: object) -> None:
         raise NoMultipliersError("an event is touched")
 
     monkeypatch.setattr("nonsmooth.solver.orbit.motion.stability", touched)
     found = multipliers(ns.exact(ns.scene("impact")(gap=0.21)))
-    assert found == {"rows": [], "verdict": "an event is touched", "shift": False}
+    assert found == {
+        "rows": [], "smaller": 0, "verdict": "an event is touched", "shift": False
+    }  # fmt: skip
 
 
 def test_the_command_writes_a_folder(run, tmp_path: Path, monkeypatch) -> None:
@@ -186,6 +188,30 @@ def test_the_command_writes_a_folder(run, tmp_path: Path, monkeypatch) -> None:
     text = (target / "index.html").read_text("utf-8")
     assert "a driven mass that bounces off a stop" in text
     assert 'id="sketch-' in text
+
+
+def test_a_page_on_a_structure(run, tmp_path: Path, monkeypatch) -> None:
+    """Of impulses alone each order is exact; of many multipliers the largest are told."""
+    monkeypatch.setattr(collected, "POWER_ORDERS", (8, 16))
+    monkeypatch.setattr(collected, "FACTOR_ORDERS", (4, 6))
+    texts = []
+    for name in ("chain-impact", "jenkins-absorber"):
+        target = tmp_path / name
+        assert run("report", name, "-o", target)[0] == 0
+        text = (target / "index.html").read_text("utf-8")
+        assert Elements(text).open == []
+        assert "the structure answers it by its poles" in " ".join(text.split())
+        assert "Gibbs" not in text
+        assert 'id="sketch-' not in text
+        texts.append(text)
+    impacts, slides = texts
+    exact = ns.exact(ns.scene("chain-impact")())
+    assert f"There are {len(exact.multipliers) - 8} smaller ones." in impacts
+    assert f"{abs(exact.multipliers[0]):.5g}" in impacts
+    assert not re.search("N\\^-", impacts)
+    row = r"<th[^>]*>hb[^<]*</th><td>[^<]*</td><td>(.*?)</td>\s*<td>[^<]*</td><td>(.*?)</td>"
+    theory = [(f"N^-{power}", "") for power in (3, 5, 5, 7)]
+    assert re.findall(row, slides) == theory
 
 
 def test_the_thesis_is_measured_beside_its_theory() -> None:

@@ -27,5 +27,5 @@ def check_one_mass(scene: "LoadedScene", what: str) -> None:
     if scene.has_body:
         raise NotOfBodies(
             f"{what}: not of {scene.name}, a body of several degrees of freedom; for bodies "
-            "there are solve, sweep, tradeoff, branch, map, simulate, equations and scenes"
+            "there are solve, sweep, tradeoff, branch, map, simulate, report, equations, scenes"
         )

@@ -17,7 +17,7 @@ from .scenes import named as scenes
 from .space import named as structures
 
 #: Commands that take scenes of one mass alone.
-ONE_MASS = ("digits", "report", "stability")
+ONE_MASS = ("digits", "stability")
 
 
 @dataclass(frozen=True)

@@ -93,8 +93,9 @@ def convergence(name: str) -> Draw:
             axes.loglog(orders, errors, label=way.name, **_marked(way))
             if about(way.method).power and orders:
                 rate = theory(found, way, name)
-                slope = errors[0] * (np.array(orders) / orders[0]) ** -rate
-                axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
+                slope = errors[0] * (np.array(orders) / orders[0]) ** -(rate or 0.0)
+                if rate is not None and errors[0] > LEAST:
+                    axes.loglog(orders, slope, color="0.75", linewidth=3, zorder=0)
         what = name_of_error(found.case.scene, name)
         axes.set(xlabel="order $N$", ylabel=f"error of {what}")
         axes.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
@@ -104,12 +105,17 @@ def convergence(name: str) -> Draw:
     return draw
 
 
-def theory(found: Collected, way: Way, name: str) -> float:
-    """Return the power of 1/N with which an error of a series should fall."""
-    functions = way.functions or 0
-    if name == "times":
-        return rate_of_times(found.case, functions)
-    return rate_of_jump(found.case, functions)
+def theory(found: Collected, way: Way, name: str) -> float | None:
+    """Return the power of 1/N with which an error of a series should fall, if that is known.
+
+    What the force on a structure makes of a derivative of its motion is not; impulses alone
+    leave no error.
+    """
+    functions, scene = way.functions or 0, found.case.scene
+    if scene.has_body and (name != "times" or not any(scene.classes)):
+        return None
+    rate = rate_of_times if name == "times" else rate_of_jump
+    return rate(found.case, functions)
 
 
 def _marked(way: Way) -> dict[str, Any]:

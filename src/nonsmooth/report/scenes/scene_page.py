@@ -14,7 +14,7 @@ from nonsmooth.solver.exact import ExactOrbit
 from nonsmooth.solver.kernels.registry import mathematics, methods
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
-from nonsmooth.solver.stability.in_words import in_words
+from nonsmooth.solver.stability.in_words import in_words, told
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 
 from ..checks.fourier import GIBBS
@@ -47,6 +47,7 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
     return filled(
         "scenes/scene.html.jinja",
         scene=document(scene),
+        is_body=scene.has_body,
         values=case.values,
         description=case.description,
         exact=_times(found),
@@ -103,17 +104,19 @@ def _beside(value: float, ends: tuple[float, float]) -> str:
 def multipliers(exact: ExactOrbit) -> dict[str, Any]:
     """Return the Floquet multipliers of the exact orbit, the largest first, as a table.
 
-    A pair is two rows.  Besides, the verdict on the orbit, or why it has no multipliers, and
-    whether the multiplier 1 of a shift in time is left out.
+    A pair is two rows.  Besides, how many smaller ones there are, the verdict on the orbit, or
+    why it has no multipliers, and whether the multiplier 1 of a shift in time is left out.
     """
     _, _, verdict = in_words(exact).partition(": ")
     try:
         found = exact.stability
     except NoMultipliersError:
-        return {"rows": [], "verdict": verdict, "shift": False}
-    rows = [_multiplier(complex(value), found.rounding) for value in found.multipliers]
+        return {"rows": [], "smaller": 0, "verdict": verdict, "shift": False}
+    count = min(told(found.multipliers), len(found.multipliers))
+    rows = [_multiplier(complex(value), found.rounding) for value in found.multipliers[:count]]
     return {
-        "rows": rows, "verdict": verdict, "shift": found.trivial_multiplier is not None
+        "rows": rows, "smaller": len(found.multipliers) - count, "verdict": verdict,
+        "shift": found.trivial_multiplier is not None,
     }  # fmt: skip
 
 
@@ -148,7 +151,9 @@ def rates(found: Collected) -> list[dict[str, str]]:
         measured, power = rate(way.method, errors), about(way.method).power
         row = {"name": way.name}
         for name in ERRORS:
-            expected = f"N^-{theory(found, way, name):g}" if power else "faster than any power"
+            fall = theory(found, way, name)
+            expected = "" if fall is None else f"N^-{fall:g}"
+            expected = expected if power else "faster than any power"
             row |= {name: measured.text(name), f"{name}_theory": expected}
         rows.append(row)
     return rows
