@@ -91,7 +91,8 @@ def settled_cases(case: Case) -> Iterator[tuple[Case, RoughTimes]]:
         other = settled.other
         if other is None or other.cycles != case.cycles or other.order in seen:
             continue
-        seen.add(other.order)
+        if settled.conclusive:
+            seen.add(other.order)
         scene = in_order(base.scene, other.order)
         if scene.motion not in declared:
             yield Case(scene, case.values, case.cycles), other.times

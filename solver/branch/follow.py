@@ -218,14 +218,17 @@ def _meeting(piece: Piece, before: Place, after: Place) -> Found:
     return Found("branch-point", None, None, piece, before, estimate=apart)
 
 
-def _in_turn(found: Iterable[tuple[float, Found]]) -> list[Found]:
+def _in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
     """Return what happens in a step in turn, each once, up to where the order changes.
 
     Where several things are watched that vanish at one place, one of them stands for all: a
     change of the order before others, of those the end of a phase.
     """
-    events = sorted(found, key=lambda each: each[0])
+    every = sorted(found, key=lambda each: each[0])
+    events = [(at, event) for at, event in every if event is not None]
     first = next((at for at, event in events if event.changes), None)
+    if any(event is None and (first is None or at <= first) for at, event in every):
+        raise NoStepError
     if first is None:
         return [event for _, event in events]
     here = [event for at, event in events if event.changes and at - first <= SAME * first]
@@ -259,8 +262,8 @@ def in_units(there: Piece, piece: Piece, y: Vector) -> Vector:
 
 def _events(
     piece: Piece, before: Place, after: Place, length: float
-) -> Iterator[tuple[float, Found]]:
-    """Yield what happens in a step, with where in it."""
+) -> Iterator[tuple[float, Found | None]]:
+    """Yield what happens in a step, with where in it; None of what is not seen where it is."""
     start, end = before.gauges, after.gauges
     for i in range(len(start)):
         if happens(start[i], end[i], i < len(start) - OWN):
@@ -303,13 +306,13 @@ def _estimated(event: Found, after: Place, length: float) -> Found:
 
 def _located(
     piece: Piece, before: Place, length: float, i: int, end: float
-) -> Iterator[tuple[float, Found]]:
+) -> Iterator[tuple[float, Found | None]]:
     """Yield where something that is watched vanishes in a step, if it does."""
     forms, phases = 3 * len(piece.table), len(piece.along.kinds)
     at, place = _root(piece, before, length, i)
     if not abs(float(place.gauges[i])) <= ZERO * abs(end):
-        if i < forms + phases:  # no orbit beyond, and it is not seen where
-            raise NoStepError
+        if i < forms + phases:  # there is no orbit beyond
+            yield at, None
         return
     if i < forms:
         row, column = piece.rows[i // 3], i % 3

@@ -47,6 +47,10 @@ ANGLES = tuple(2.4 * j % (2 * math.pi) for j in range(1, 6))
 #: its size; and what is rounding there.
 NEAR, ROUNDING = 1e-3, 1e-10
 
+#: By how much the last phases of a motion that has not settled may differ, that Newton's method
+#: is to start from them.
+ROUGH = 0.03
+
 #: What is rounding of a duration, in units of time: of two events that meet, its square root.
 NO_TIME = 1e-7
 
@@ -167,9 +171,15 @@ def settled(cell: Cell, motion: Simulation) -> Settled:
 
 
 def _unsettled(cell: Cell, motion: Simulation) -> Settled:
+    """Return that a motion has not settled; with its last phases, where they almost repeat."""
     last = motion.segments[-1]
     cycles = round((last.t + last.s) / cycle(cell))
-    return Settled(None, f"a simulation of {cycles} cycles does not settle", conclusive=False)
+    words = f"a simulation of {cycles} cycles does not settle"
+    repeated = None if motion.ended else _repeated(cell, motion.segments, ROUGH)
+    if repeated is None:
+        return Settled(None, words, conclusive=False)
+    found = _declared(cell, repeated) or _other(cell, repeated)
+    return replace(found, words=words, conclusive=False)
 
 
 def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
@@ -185,11 +195,14 @@ def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
     return _declared(cell, repeated) or _other(cell, repeated)
 
 
-def _repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] | None:
+def _repeated(
+    cell: Cell, segments: tuple[Segment, ...], rough: float = 0.0
+) -> tuple[Segment, ...] | None:
     """Return the phases that a motion repeats at its end, twice; None if there are none.
 
     What is left of a transient that decays no slower than those of the phases is the change
-    from one repeat to the next over what decays in that time.
+    from one repeat to the next over what decays in that time.  Where phases may differ by as
+    much as is `rough`, that is not asked.
     """
     *done, cut = segments
     for length in range(1, len(done) // 3 + 1):
@@ -198,9 +211,10 @@ def _repeated(cell: Cell, segments: tuple[Segment, ...]) -> tuple[Segment, ...] 
         turns = passed / cycle(cell)
         if turns > MOST + NEAR:
             return None
-        if cell.forced and not (round(turns) and abs(turns - round(turns)) <= NEAR):
+        whole = abs(turns - round(turns)) <= max(NEAR, rough)
+        if cell.forced and not (round(turns) and whole):
             continue
-        near = NEAR * -math.expm1(-_slowest_decay(cell) * passed)
+        near = rough or NEAR * -math.expm1(-_slowest_decay(cell) * passed)
         size = min(1.0, max(max(map(abs, q.state)) for q in again))
         pairs = zip(done[-2 * length :], done[-3 * length : -length], strict=True)
         if all(_same(one, two, near, size) for one, two in pairs) and (

@@ -1,5 +1,6 @@
 """Branches of bodies: what happens on them, against closed forms by matrix exponentials."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, partial
 
@@ -24,6 +25,7 @@ from nonsmooth.solver.branch.change import doubled
 from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
+from nonsmooth.solver.results.branch import BranchEvent
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.stability.stability import stability
 
@@ -241,6 +243,64 @@ def test_a_branch_ends_where_there_is_no_such_body() -> None:
     found = ns.branch(overdamped, "ratio", 0.98, 1.0)
     assert found.why_it_ended == ("the end of the range", "the step cannot get smaller")
     assert 0.999 < max(row.value for row in found.rows) < 1.0
+
+
+def answer(case: Case, omega: float, joint: float) -> np.ndarray:
+    """Return the amplitudes of both masses with a spring of this stiffness between them."""
+    v = case.values
+    k, c = v["absorber_stiffness"] + joint, v["absorber_damping"]
+    K = np.array([[v["stiffness"] + k, -k], [-k, k]])
+    C = np.array([[v["damping"] + c, -c], [-c, c]])
+    M = np.diag([v["mass"], v["absorber_mass"]])
+    found = np.linalg.solve(K - omega**2 * M + 1j * omega * C, [v["force"], 0.0])
+    return np.asarray(found)
+
+
+def at_the_limit(case: Case, force: Callable[[float], float], near: float) -> float:
+    """Return where along the frequency a force is that of friction."""
+
+    def beyond(omega: float) -> float:
+        return force(omega) - case.values["friction"]
+
+    return float(brentq(beyond, 0.999 * near, 1.001 * near, xtol=1e-300, rtol=1e-15))
+
+
+def test_a_slip_vanishes_where_friction_just_holds() -> None:
+    """Both masses then move as one, which is no branch to follow: it ends."""
+    case = ns.scene("absorber-friction")(force=0.1)
+
+    def force(omega: float) -> float:
+        v = case.values
+        mass, loss = v["mass"] + v["absorber_mass"], 1j * omega * v["damping"]
+        moved = v["force"] / (v["stiffness"] - mass * omega**2 + loss)
+        return float(v["absorber_mass"] * omega**2 * abs(moved))
+
+    branch = ns.branch(case, "frequency", 0.6, 1.4)
+    assert branch.why_it_ended == ("sticking", "sticking")
+    assert {event.kind for event in branch.events} == {"sticking"}
+    low, high = min(branch.events, key=_value), max(branch.events, key=_value)
+    for event in (low, high):
+        wanted = at_the_limit(case, force, event.parameter)
+        assert event.parameter == pytest.approx(wanted, rel=1e-14)
+
+
+def test_a_slider_stops_where_its_spring_just_holds() -> None:
+    case = ns.scene("jenkins-absorber")()
+    k = case.values["tangential_stiffness"]
+
+    def force(omega: float) -> float:
+        first, second = answer(case, omega, k)
+        return float(k * abs(second - first))
+
+    branch = ns.branch(case, "frequency", 0.6, 1.8)
+    assert branch.why_it_ended == ("vanishing", "vanishing")
+    for event in branch.events:
+        wanted = at_the_limit(case, force, event.parameter)
+        assert event.parameter == pytest.approx(wanted, rel=1e-14)
+
+
+def _value(event: BranchEvent) -> float:
+    return event.parameter
 
 
 def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:

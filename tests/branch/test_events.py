@@ -6,11 +6,15 @@ stick-slip orbit: an ODE solver with events; of inelastic impacts: where the fli
 a rest hits the stop as it begins to press, or a period later, in 40 digits.
 """
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
+from nonsmooth.solver.branch.follow import _in_turn
+from nonsmooth.solver.branch.piece import NoStepError
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.in_order import motion_of
@@ -296,3 +300,15 @@ def test_an_orbit_at_rest_at_zero_at_every_switch_is_followed() -> None:
     for row in found.rows[:: len(found.rows) // 3]:
         exact = ns.exact(rest.scene(gap=0.0, frequency=row.value))
         assert row.durations == pytest.approx([q.duration for q in exact.phases], rel=1e-12)
+
+
+def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
+    """Beyond it there are no such orbits; before it a step is to be shorter."""
+    fold = SimpleNamespace(changes=False, column=None, value=1.0)
+    ends = SimpleNamespace(changes=True, column=None, value=2.0)
+    found = [(0.3, None), (0.2, ends), (0.1, fold)]
+    assert _in_turn(found) == [fold, ends]
+    with pytest.raises(NoStepError):
+        _in_turn([(0.15, None), *found])
+    with pytest.raises(NoStepError):
+        _in_turn([(0.3, None), (0.1, fold)])

@@ -177,6 +177,20 @@ def test_the_work_is_bounded_and_what_was_done_is_said() -> None:
         assert 0 <= int(head.removeprefix("a simulation of ")) < 500
 
 
+def test_newton_starts_where_a_motion_almost_repeats() -> None:
+    """In resonance the absorber slips without a stop, and transients last beyond the budget."""
+    case = ns.scene("absorber-friction")(force=0.1, frequency=1)
+    found = [*settle.from_several_states(case.of_fullest(), settle.FEW)]
+    assert all(each.words.endswith("does not settle") for each in found)
+    assert not any(each.conclusive for each in found)
+    assert any(each.other for each in found)
+    orbit = ns.exact(case)
+    assert orbit.case.scene.motion == "slip,mirrored"
+    assert orbit.stable
+    lasting = ns.simulate(case, cycles=1000).phases[-3:-1]
+    assert [q.duration for q in lasting] == pytest.approx(orbit.durations, rel=1e-9)
+
+
 def test_what_was_repeated_before_is_not_what_a_motion_settles_on() -> None:
     """The last phase goes on for many cycles, and does not last for ever."""
     case = IMPACT()
@@ -230,7 +244,7 @@ def holds(said: str, case, machine, start) -> bool:
         return motion.segments[-1].t <= cycles * cycle(case.cell)
     order = said.rpartition(": ")[2].removeprefix("a simulation settles on ")
     names = order.partition(", in ")[0].split(", ")
-    late = [f"{'-' if q.mirrored else ''}{q.phase.name}" for q in motion.segments[:-1]]
+    late = [f"{'-' * (q.step or q).mirrored}{q.phase.name}" for q in motion.segments[:-1]]
     if "another" not in said:  # of a cell; its mirror image follows
         late, names = [name.lstrip("-") for name in late], names * case.cell.cells
     turned = [names[i:] + names[:i] for i in range(len(names))]

@@ -43,6 +43,29 @@ def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
     ]
 
 
+def begins_slowly(cell: BodyCell, p: int) -> bool:
+    """Whether a phase begins where its event happens, and the event has no rate there.
+
+    Both follow from what is so where the phase before ends: by its event and, if it is held,
+    by its speed.
+    """
+    generators, switches, events, seen, *_ = arrays(cell, [])
+    before, mirrored = cell.phases[p - 1], np.ones(len(events[0]))
+    if p == 0:
+        mirrored[:-1] = cell.sign
+    known = [events[p - 1]]
+    if before.held:
+        known.append(seen[p - 1, 1] - before.speed * np.eye(len(mirrored))[-1])
+    through = mirrored[:, None] * switches[p - 1]
+    asked = np.array([events[p] @ through, events[p] @ generators[p] @ through])
+    left = asked - asked @ np.linalg.pinv(np.array(known)) @ np.array(known)
+    sizes = np.abs(np.array([events[p], events[p] @ generators[p]])).max(axis=1, keepdims=True)
+    return bool((np.abs(left) <= FLAT * sizes).all())
+
+
+#: What is nothing of a form, as a part of its largest entry.
+FLAT = 1e-11
+
 #: What rates may differ by, as a part of the largest of a row, that do not vary.
 SAME = 1e-13
 

@@ -18,11 +18,11 @@ from ...scenes.case import Case
 from ...scenes.cell import Cell, Form
 from ...scenes.mirror import same
 from .. import walk
-from ..along import SMALL, Along, divided_phases
+from ..along import SMALL, Along, divided_phases, returns
 from ..course import ROUNDING, Course, Row
 from ..watch import BEGINS, BEHIND, INTO, IS_END, WITHIN
 from . import equations, exponential, factors, watched
-from .arrays import arrays, case_of, durations_of, in_order, known_of
+from .arrays import arrays, begins_slowly, case_of, durations_of, in_order, known_of
 
 #: Derivatives of a form that are looked at where a phase begins.
 HIGHEST = 3
@@ -66,10 +66,7 @@ class BodyCourse(Course):
         return np.repeat(np.arange(len(known)), [block.size for block in known])
 
     def framed(self, cell: Cell, z: Vector, series: Any, others: Iterable[Cell]) -> Along:
-        """Return the arrays of a cell by their series; the size of its state is one number.
-
-        No event is divided twice.
-        """
+        """Return the arrays of a cell by their series; the size of its state is one number."""
         count, before = len(cell.phases), len(z) - len(cell.phases) - cell.forced
         kinds = np.zeros(count, dtype=np.int64)
         memory = slice(before - len(cell.memory), before)
@@ -77,9 +74,14 @@ class BodyCourse(Course):
         weights[: memory.start] = 1 / size
         weights[memory] = 1 / np.maximum(np.abs(z[memory]), SMALL * size)
         weights[before : before + count] = 1 / float(z[before : before + count].sum())
-        divided, width = divided_phases(cell, z[before:]), np.array([before + 3])
         assert isinstance(cell, BodyCell)
-        varying, known = known_of(cell, cast("Iterable[BodyCell]", others), series)
+        cells, width = cast("list[BodyCell]", [cell, *others]), np.array([before + 3])
+        divided = divided_phases(cell, z[before:])
+        for p in range(count):
+            once = divided[p] or not returns(cell, p)
+            if once and all(begins_slowly(each, p) for each in cells):
+                divided[p] = 2
+        varying, known = known_of(cell, cells[1:], series)
         given = kinds, width, varying, divided, weights, before, float(cell.sign)
         return Along(*given, known)
 

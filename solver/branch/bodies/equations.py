@@ -20,8 +20,8 @@ import numpy as np
 
 from ...arrays import Complex, Matrix, Vector
 from ...stability.cell_map import lasting
-from ..extended import series_at
-from .exponential import gained
+from ..extended import DIFFERENCE, series_at
+from .exponential import gained, less_two, norm
 
 
 def case_at(along: Any, q: float) -> Any:
@@ -103,16 +103,22 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     if by and last == states + count:
         Y[states, 1 + last], Y[states + 1, 1 + last] = -Y[states + 1, 0], Y[states, 0]
     for p in range(count):
-        row, s = states + p, z[states + p]
+        row, s, first = states + p, z[states + p], Y
         gain = gained(case, p, s, Y)
         Y = Y + gain
         rate = generators[p] @ Y[:, 0].copy()
         if by:
             Y[:, 1 + row] += rate
         found = events[p] @ (Y if divided[p] == 0 else gain / s)
+        if divided[p] == 2:
+            found = twice(case, p, s, first)
         R[row], J[row] = found[0], found[1:]
-        if by and divided[p] != 0:
+        if by and divided[p] == 1:
             J[row, row] += (np.dot(events[p], rate) - R[row]) / s
+        if by and divided[p] == 2:  # terms would cancel
+            h, start = DIFFERENCE / norm(generators[p]), first[:, :1].copy()
+            change = twice(case, p, s + h, start) - twice(case, p, s - h, start)
+            J[row, row] = change[0] / (2 * h)
         Y = switches[p] @ Y
     R[:states] = z[:states] - sign * Y[:states, 0]
     J[:states] = -sign * Y[:states, 1:]
@@ -123,6 +129,15 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
             J[i, i] += 1.0
         if last == states + count:
             J[last, states:last] = 1.0
+
+
+def twice(case: Any, p: int, s: float, Y: Matrix) -> Vector:
+    """Return what the event of a phase gains in its duration, divided by that twice.
+
+    It begins where the event happens and has no rate: what these would give is left out.
+    """
+    found: Vector = case[3][p] @ (less_two(case[1][p], s) @ Y) / (s * s)
+    return found
 
 
 def end_rates(case: Any, z: Vector) -> Matrix:

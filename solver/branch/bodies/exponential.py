@@ -95,7 +95,13 @@ def answer(poles: Complex, forcing: complex, t: float) -> Complex:
 
 
 def less_one(matrix: Matrix, t: float) -> Matrix:
-    """Return ``exp(matrix t) - 1``, also where that is small: a Taylor series, doubled."""
+    """Return ``exp(matrix t) - 1``, also where that is small."""
+    found: Matrix = matrix * t + less_two(matrix, t)
+    return found
+
+
+def less_two(matrix: Matrix, t: float) -> Matrix:
+    """Return ``exp(A t) - 1 - A t`` of a matrix A: a Taylor series, doubled."""
     size, doublings, f = norm(matrix) * abs(t), 0, INVERSE_FACTORIALS
     if size > SHORT:
         doublings = ceil(log2(size / SHORT))
@@ -104,9 +110,10 @@ def less_one(matrix: Matrix, t: float) -> Matrix:
     A3, A4 = A2 @ A, A2 @ A2
     high = f[9] * A + f[10] * A2 + f[11] * A3 + f[12] * A4
     high = f[5] * A + f[6] * A2 + f[7] * A3 + f[8] * A4 + A4 @ high
-    found: Matrix = A + f[2] * A2 + f[3] * A3 + f[4] * A4 + A4 @ high
+    found: Matrix = f[2] * A2 + f[3] * A3 + f[4] * A4 + A4 @ high
     for _ in range(doublings):
-        found = found @ found + 2 * found
+        whole = A + found
+        A, found = 2 * A, whole @ whole + 2 * found
     return found
 
 

@@ -266,6 +266,13 @@ MUTANTS = (
         (f"{BRANCHES}::test_where_multipliers_leave_the_unit_circle",),
     ),
     Mutant(
+        "a slip of a body that vanishes has its event divided never",
+        "solver/branch/bodies/course.py",
+        "                divided[p] = 2\n",
+        "                divided[p] = 0\n",
+        (f"{BRANCHES}::test_a_slip_vanishes_where_friction_just_holds",),
+    ),
+    Mutant(
         "slow poles of a body keep the rounding of the quickest",
         "solver/bodies/flow.py",
         "counts = alone & ",

@@ -15,6 +15,13 @@ CLOCK = ("tests/simulation/test_run.py::test_the_clock_loses_no_digit_behind_man
 
 MUTANTS = (
     Mutant(
+        "Newton's method does not start where a motion almost repeats",
+        "solver/simulation/settle.py",
+        "_repeated(cell, motion.segments, ROUGH)",
+        "_repeated(cell, motion.segments)",
+        ("tests/simulation/test_settle.py::test_newton_starts_where_a_motion_almost_repeats",),
+    ),
+    Mutant(
         "times are sums in float64",
         "solver/simulation/walk.py",
         "t = place.t + Fraction(s)",
