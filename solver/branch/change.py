@@ -290,7 +290,8 @@ class _At:
     def _joined(self, slots: list[Slot], angle: float) -> Iterator[Candidate]:
         """Yield phases whose last and first meet where nothing may change.
 
-        What would rest for ever is no motion to follow.
+        What would rest for ever is no motion to follow, and of what nothing sets a memory anew
+        there is one for each value of that.
         """
         last, first = slots[-1], self.next_cell(slots[0])
         if not self._alike(last.step, first.step):
@@ -300,9 +301,14 @@ class _At:
             yield Candidate(
                 (*slots[1:-1], joined), self.half, angle + self.cell.omega * slots[0].s
             )
-        elif self.cell.forced and not self.course.base.kinds[last.step.phase][1]:
+        elif self._goes_on(last.step):
             whole = Slot(last.step, slots[0].state, last.s * (2 if self.half else 1))
             yield Candidate((whole,), False, angle, endless=True)
+
+    def _goes_on(self, step: Step) -> bool:
+        """Whether a phase that nothing ends is one motion."""
+        held = self.course.base.kinds[step.phase][1]
+        return self.cell.forced and not held and not self.cell.memory
 
     def _alike(self, one: Step, other: Step) -> bool:
         """Whether two phases have the same equation."""

@@ -12,7 +12,7 @@ speed (see `along.framed`).
 Plain Python, or compiled by numba with the exact equations.
 """
 
-from math import isfinite, pi, sqrt
+from math import copysign, isfinite, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,10 @@ from ..iteration.linear import factorise, solve_factorised
 
 #: Step of the central difference by the parameter: its error is the square.
 DIFFERENCE = 2.0**-17
+
+#: A duration that is nothing, and its square is not; the least for derivatives, whose terms
+#: would cancel.
+AN_INSTANT, A_MOMENT = 1e-100, 1e-8
 
 #: Most corrections of a step, the last one that is small, and how fast they must fall.
 CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
@@ -63,17 +67,30 @@ def case_at(along: Any, q: float) -> Any:
     return kinds, numbers, setting, memory, values[second : second + 3], forms
 
 
+def lasting_on(case: Any, z: Vector, least: float) -> Vector:
+    """Return unknowns with no duration below the least: what is gained is divided by it."""
+    found, first = z.copy(), 2 * len(case[0]) + len(case[2])
+    for i in range(first, first + len(case[0])):
+        if abs(found[i]) < least:
+            found[i] = copysign(least, found[i])
+    return found
+
+
 def left_sides(along: Any, z: Vector, q: float, R: Vector) -> None:
     """Fill R with the left sides of the equations at a value of the parameter."""
-    case = case_at(along, q)
-    at, count = places(case), len(case[0])
+    sides_of(case_at(along, q), along[3], z, R)
+
+
+def sides_of(case: Any, divided: Any, z: Vector, R: Vector) -> None:
+    """Fill R with the left sides of the equations of a cell."""
+    at, count, z = places(case), len(case[0]), lasting_on(case, z, AN_INSTANT)
     theta = angles(case, z, at)
     gained, _ = ends(case, z, theta)
     joints(case, z, at, theta, gained, gained, R, 0)
     for p in range(count):
-        if along[3][p] != 0:
+        if divided[p] != 0:
             s = z[2 * count + len(case[2]) + p]
-            R[2 * count + p] = quotient(case, along[3], z, at, gained, theta, p, s)
+            R[2 * count + p] = quotient(case, divided, z, at, gained, theta, p, s)
 
 
 def quotient(
@@ -106,6 +123,7 @@ def quickest(case: Any, z: Vector, p: int) -> float:
 
 def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     """Fill R with the left sides of the equations of a cell, J with their derivatives by z."""
+    own, z = z, lasting_on(case, z, A_MOMENT)
     at, count = places(case), len(case[0])
     theta = angles(case, z, at)
     gained, gained_by = ends(case, z, theta)
@@ -130,6 +148,8 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
                 above = quotient(case, divided, z, at, gained, theta, p, s + h)
                 below = quotient(case, divided, z, at, gained, theta, p, s - h)
                 J[row, at_s] = (above - below) / (2 * h)
+    if (own != z).any():
+        sides_of(case, divided, own, R)
 
 
 def rates(along: Any, z: Vector, q: float, J: Matrix) -> None:
@@ -203,8 +223,8 @@ def tangent(along: Any, y: Vector, border: Vector) -> tuple[Vector, float]:
     found, determinant = np.zeros(n + 1), 1.0
     found[n] = 1.0
     bordered(along, y, border, J, scales)
-    if not factorise(J, rows):
-        return found * np.nan, np.nan
+    if not factorise(J, rows):  # a pivot is 0, or nothing is known
+        return found * np.nan, 0.0 if np.isfinite(J).all() else np.nan
     for j in range(n + 1):
         determinant *= J[j, j] if rows[j] == j else -J[j, j]
     solve_factorised(J, rows, found)

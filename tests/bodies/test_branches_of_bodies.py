@@ -235,6 +235,15 @@ def test_equations_have_the_exact_orbit_as_solution_and_right_derivatives(name: 
             step = 1e-6 * np.eye(n)[j]
             above, below = filled(z + step, divided)[0], filled(z - step, divided)[0]
             assert J[:, j] == pytest.approx((above - below) / 2e-6, abs=1e-7)
+    first = len(z) - len(times)
+    for often, s in ((1, 0.0), (1, 1e-17), (2, 0.0), (2, -1e-9), (2, float(z[first]))):
+        divided, there = often * np.eye(len(cell.phases))[0], z.copy()
+        there[first] = s
+        _, J = filled(there, divided)
+        for j in range(n):
+            step = 1e-5 * np.eye(n)[j]
+            above, below = filled(there + step, divided)[0], filled(there - step, divided)[0]
+            assert J[:, j] == pytest.approx((above - below) / 2e-5, rel=1e-5, abs=1e-5)
 
 
 def test_a_branch_ends_where_there_is_no_such_body() -> None:
@@ -297,6 +306,18 @@ def test_a_slider_stops_where_its_spring_just_holds() -> None:
     for event in branch.events:
         wanted = at_the_limit(case, force, event.parameter)
         assert event.parameter == pytest.approx(wanted, rel=1e-14)
+
+
+def test_no_motion_is_followed_of_which_there_is_one_for_each_memory() -> None:
+    """Where the slider has stopped for ever it may be at any of many places."""
+    case = ns.scene("jenkins-absorber")(
+        mass=0.88, absorber_mass=0.068, stiffness=1.0, absorber_stiffness=0.032,
+        tangential_stiffness=0.065, damping=0.036, absorber_damping=0.002, force=0.245,
+        frequency=0.845,
+    )  # fmt: skip
+    branch = ns.branch(case, "friction", 0.039, 0.061)
+    assert branch.why_it_ended == ("the end of the range", "vanishing")
+    assert {row.motion for row in branch.rows} == {None}
 
 
 def _value(event: BranchEvent) -> float:

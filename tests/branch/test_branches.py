@@ -73,6 +73,33 @@ def test_the_derivatives_are_those_of_the_equations(motion) -> None:
             np.testing.assert_allclose(J[:, column], difference, rtol=1e-6, atol=1e-7)
 
 
+@pytest.mark.parametrize("motion", MOTIONS[::4], ids=lambda motion: motion.label)
+def test_divided_equations_and_derivatives_have_a_limit(motion) -> None:
+    """Of a duration that is exactly 0, or next to nothing."""
+    there, place = started(motion)
+    along = there.along._replace(divided=np.ones_like(there.along.divided))
+    n = len(place.y) - 1
+    for s in (0.0, 1e-17, -1e-12):
+        z, J, R = place.y[:-1].copy(), np.empty((n, n + 1)), np.empty((2, n))
+        z[along.before] = s
+        rates(along, z, 0.3, J)
+        for j in range(n):
+            for side in (0, 1):
+                other = z.copy()
+                other[j] += (1 - 2 * side) * 1e-5
+                left_sides(along, other, 0.3, R[side])
+            found = (R[0] - R[1]) / 2e-5
+            np.testing.assert_allclose(J[:, j], found, rtol=1e-5, atol=1e-5)
+
+
+def test_the_determinant_of_singular_equations_is_zero() -> None:
+    there, place = started(MOTIONS[0])
+    nowhere = np.zeros(len(place.y))
+    direction, determinant = there.functions["tangent"](there.along, place.y, nowhere)
+    assert determinant == 0.0
+    assert np.isnan(direction).all()
+
+
 @pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: motion.label)
 def test_what_is_watched_is_not_negative_on_an_orbit(motion) -> None:
     there, place = started(motion)

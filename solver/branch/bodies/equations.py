@@ -20,7 +20,7 @@ import numpy as np
 
 from ...arrays import Complex, Matrix, Vector
 from ...stability.cell_map import lasting
-from ..extended import DIFFERENCE, series_at
+from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
 from .exponential import gained, less_two, norm
 
 
@@ -103,7 +103,8 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
     if by and last == states + count:
         Y[states, 1 + last], Y[states + 1, 1 + last] = -Y[states + 1, 0], Y[states, 0]
     for p in range(count):
-        row, s, first = states + p, z[states + p], Y
+        row, first = states + p, Y
+        s = z[row] if z[row] != 0 else AN_INSTANT
         gain = gained(case, p, s, Y)
         Y = Y + gain
         rate = generators[p] @ Y[:, 0].copy()
@@ -113,12 +114,8 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
         if divided[p] == 2:
             found = twice(case, p, s, first)
         R[row], J[row] = found[0], found[1:]
-        if by and divided[p] == 1:
-            J[row, row] += (np.dot(events[p], rate) - R[row]) / s
-        if by and divided[p] == 2:  # terms would cancel
-            h, start = DIFFERENCE / norm(generators[p]), first[:, :1].copy()
-            change = twice(case, p, s + h, start) - twice(case, p, s - h, start)
-            J[row, row] = change[0] / (2 * h)
+        if by and divided[p] != 0:
+            J[row, row] += slope(case, divided[p], p, s, first[:, :1].copy(), rate, R[row])
         Y = switches[p] @ Y
     R[:states] = z[:states] - sign * Y[:states, 0]
     J[:states] = -sign * Y[:states, 1:]
@@ -129,6 +126,22 @@ def equations(case: Any, divided: Any, z: Vector, R: Vector, J: Matrix) -> None:
             J[i, i] += 1.0
         if last == states + count:
             J[last, states:last] = 1.0
+
+
+def slope(
+    case: Any, times: int, p: int, s: float, Y: Matrix, rate: Vector, value: float
+) -> float:
+    """Return the derivative of a divided event by the duration; Y is where the phase begins.
+
+    As a limit or by differences, where terms would cancel.
+    """
+    if times == 2:
+        h = DIFFERENCE / norm(case[1][p])
+        ahead, back = twice(case, p, s + h, Y), twice(case, p, s - h, Y)
+        return float((ahead[0] - back[0]) / (2 * h))
+    if abs(s) < A_MOMENT:
+        return float(np.dot(case[3][p], case[1][p] @ rate) / 2)
+    return float((np.dot(case[3][p], rate) - value) / s)
 
 
 def twice(case: Any, p: int, s: float, Y: Matrix) -> Vector:
