@@ -31,6 +31,9 @@ ORDER = 10
 #: Values at which orbits are looked for where all branches are wanted.
 VALUES = 7
 
+#: Parts of the range at which an orbit to start from is looked for, in turn.
+STARTS = (0.0, 1.0, 0.5, 0.25, 0.75)
+
 #: Where orbits of twice the period, or without their symmetry, begin.
 DOUBLED = frozenset(("flip", "branch-point"))
 
@@ -95,7 +98,7 @@ def branch_case(
     case : Case
         The oscillator; where `start` is not given, the branch is followed from the orbit at
         its own value of the parameter, if that is in the range; else from one at the ends of
-        the range, or in the middle.
+        the range, in the middle or at a quarter.
     parameter : str
         One of the scene.
     first, last : float
@@ -268,7 +271,8 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
     own, (low, high) = case.values[parameter], bounds
     values = [own] if low <= own <= high else []
     tried: list[str] = []
-    for value in dict.fromkeys([*values, low, high, (low + high) / 2]):
+    parts = (low + part * (high - low) for part in STARTS)
+    for value in dict.fromkeys([*values, *parts]):
         try:
             return exact_orbit(case.with_value(parameter, value))
         except NoOrbit as finding:

@@ -265,7 +265,8 @@ def branch(
     ----------
     case : Case
         The oscillator.  The branch is that of its orbit, if its value of the parameter is in
-        the range; else of one that is found at an end of the range or in the middle.
+        the range; else of one that is found at an end of the range, in the middle or at a
+        quarter.
     parameter : str
         Its name.
     first, last : float

@@ -275,7 +275,10 @@ def at_the_limit(case: Case, force: Callable[[float], float], near: float) -> fl
 
 
 def test_a_slip_vanishes_where_friction_just_holds() -> None:
-    """Both masses then move as one, which is no branch to follow: it ends."""
+    """Both masses then move as one, which is no branch to follow: it ends.
+
+    At the case's own frequency, at the ends and in the middle they do, too.
+    """
     case = ns.scene("absorber-friction")(force=0.1)
 
     def force(omega: float) -> float:
@@ -284,7 +287,7 @@ def test_a_slip_vanishes_where_friction_just_holds() -> None:
         moved = v["force"] / (v["stiffness"] - mass * omega**2 + loss)
         return float(v["absorber_mass"] * omega**2 * abs(moved))
 
-    branch = ns.branch(case, "frequency", 0.6, 1.4)
+    branch = ns.branch(case, "frequency", 0.5, 2.1)
     assert branch.why_it_ended == ("sticking", "sticking")
     assert {event.kind for event in branch.events} == {"sticking"}
     low, high = min(branch.events, key=_value), max(branch.events, key=_value)
