@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Complex, Matrix
+from ..arrays import Complex
 from ..scenes.cell import Cell
 from .cell_map import lasting
 from .monodromy import Monodromy, monodromy
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 #: and states that Newton's method left are in them.
 ROUNDING = 1e-12
 
-#: How far from an eigenvalue an iteration for its vector is, as a part of the way to the next;
+#: How far from an eigenvalue an iteration for its vectors is, as a part of the way to the next;
 #: its steps, each of which gains as much.
-BESIDE, ITERATIONS = 1e-6, 3
+BESIDE, ITERATIONS = 1e-6, 2
 
 
 @dataclass(frozen=True)
@@ -110,15 +110,10 @@ def _rounding(found: Monodromy, values: Complex, j: int) -> float:
     if distance <= np.sqrt(moved):
         return float(np.sqrt(moved))
     near = values[j] + min(moved, BESIDE * distance)
-    across, along = (_vector(own, near) for own in (found.matrix.T, found.matrix))
+    inverse = np.linalg.inv(found.matrix - near * np.eye(len(values)))
+    across = along = np.cos(np.arange(1.0, 1 + len(values)))  # of no symmetry
+    for _ in range(ITERATIONS):
+        across, along = across @ inverse, inverse @ along
+        across, along = across / np.abs(across).max(), along / np.abs(along).max()
     shared = abs(across @ along)
     return ROUNDING * float(np.abs(across) @ found.size @ np.abs(along)) / float(shared)
-
-
-def _vector(matrix: Matrix, near: complex) -> Complex:
-    """Return the eigenvector of the eigenvalue that is nearest to a value, by iteration."""
-    shifted = matrix - near * np.eye(len(matrix))
-    found = np.cos(np.arange(1.0, 1 + len(matrix))).astype(np.complex128)  # of no symmetry
-    for _ in range(ITERATIONS):
-        found = np.linalg.solve(shifted, found / np.abs(found).max())
-    return np.asarray(found)
