@@ -232,7 +232,7 @@ def magnitudes(cell: "BodyCell", times: Vector, p: int) -> Vector:
     """Return what forms add up where a phase begins, each term without its sign.
 
     That is over the modes and what drives them.  Where two poles of the phase are almost one,
-    it is over these, and more: their vectors have less digits by the condition of the basis.
+    it is over these, and more: their vectors lose digits by the condition of the basis.
     """
     part, found = parts_of(cell)[p], evaluated(cell, times)
     rows, states = part.lawful.rows, part.lawful.A.shape[0]

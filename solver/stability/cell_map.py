@@ -17,7 +17,7 @@ from ..arrays import Integers, Matrix, Vector
 from ..flow.exact_system import angles, ends, phase_numbers, places
 
 #: States of so many parts are looked at for what dies out; what is nothing beside 1.
-MANY, NOTHING = 16, 1e-17
+MANY, DIED = 16, 1e-17
 
 
 def end_rates(case: Any, z: Vector) -> Matrix:
@@ -105,5 +105,5 @@ def lasting(own: Matrix) -> Integers:
     for j in range(count if count > MANY else 0):
         itself, off[j, j] = off[j, j], 0.0
         through = off[j].max() * off[:, j].max()
-        lasts[j] = itself > NOTHING or through > NOTHING
+        lasts[j] = itself > DIED or through > DIED
     return np.flatnonzero(lasts)

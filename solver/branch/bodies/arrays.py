@@ -43,6 +43,10 @@ def arrays(cell: BodyCell, forms: Sequence[Form]) -> list[Matrix]:
     ]
 
 
+#: What is nothing of a form, as a part of its largest entry.
+FLAT = 1e-11
+
+
 def begins_slowly(cell: BodyCell, p: int) -> bool:
     """Whether a phase begins where its event happens, and the event has no rate there.
 
@@ -62,9 +66,6 @@ def begins_slowly(cell: BodyCell, p: int) -> bool:
     sizes = np.abs(np.array([events[p], events[p] @ generators[p]])).max(axis=1, keepdims=True)
     return bool((np.abs(left) <= FLAT * sizes).all())
 
-
-#: What is nothing of a form, as a part of its largest entry.
-FLAT = 1e-11
 
 #: What rates may differ by, as a part of the largest of a row, that do not vary.
 SAME = 1e-13

@@ -146,9 +146,7 @@ def shortly(generator: Matrix, Y: Vector, t: float) -> Vector:
     return found
 
 
-def risen(
-    Y: Vector, left: float, h: float, finer: Any, terms: Matrix
-) -> tuple[float, float]:  # fmt: skip
+def risen(Y: Vector, left: float, h: float, finer: Any, terms: Matrix) -> tuple[float, float]:
     """Return the value of a form where its rate rises through zero in a time, and when."""
     Y, t, u = turning(Y, left, h, finer, terms, 1)
     own = terms @ Y

@@ -306,7 +306,7 @@ MUTANTS = (
     Mutant(
         "the multipliers of what lasts are not all",
         "solver/stability/cell_map.py",
-        "lasts[j] = itself > NOTHING or through > NOTHING",
+        "lasts[j] = itself > DIED or through > DIED",
         "lasts[j] = itself > 0.1",
         (f"{EIGENBASES}::test_multipliers_of_what_lasts_are_all",),
     ),
