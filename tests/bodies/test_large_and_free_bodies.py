@@ -11,7 +11,7 @@ from scipy import sparse
 from scipy.linalg import expm
 
 import nonsmooth as ns
-from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.scene import Body, Event, Memory, Parameter, Phase, Scene
 from nonsmooth.solver.bodies import modal
 from nonsmooth.solver.bodies.layout import layout
 from nonsmooth.solver.scenes.parameter_error import ParameterError
@@ -184,3 +184,70 @@ def test_equal_frequencies_are_all_found() -> None:
     found = modal.modal({"M": M, "K": K, "at": at}, 12, 2.5e-5)
     angles = np.repeat(2 * np.arange(6) + 1, 2) * np.pi / 2001
     assert found.squares == pytest.approx(4 * np.sin(angles / 2) ** 2, rel=1e-8)
+
+
+def slider(spring: float, **body):
+    """Return a body with a contact on a spring and a slider in series."""
+    w, friction = sp.Symbol("w", real=True), sp.Symbol("f", positive=True)
+    own = Body(at={"tip": body.pop("at")}, **body)
+    tip = own.at["tip"]
+    pull = k * (tip.x - w)
+    slip = Phase("slip", tip.force + friction, Event(tip.v), {"it slips": tip.v})
+    hold = Phase(
+        "hold", tip.force + pull, Event(pull + friction), {"it holds": friction - sp.Abs(pull)}
+    )
+    return ns.scene(
+        Scene(
+            "slider", "a body with a slider", body=own, frequency=Omega, phases=(slip, hold),
+            half_period=True, memory=(Memory(w, "hold", tip.x - friction / k, "the slider"),),
+            parameters=(
+                Parameter("spring", k, "N/m", spring, "spring"),
+                Parameter("friction", friction, "N", 0.3, "friction"),
+                Parameter("frequency", Omega, "rad/s", 1.0, "frequency"),
+            ),
+        )
+    )()  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def shortened(tmp_path_factory):
+    """Return a body on a slider of which modes are left out, and the same without them.
+
+    What modes left out add to a contact is a spring in series with that of its law.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        damped = {"ratio": 0.3}
+        M, K = (q.toarray() for q in chain(12))
+        slowest = np.linalg.eigh(K)[1][:, 0]  # no other mode is forced
+        few = slider(10.0, M=M, K=K, at=np.eye(12)[-1], forcing=3 * slowest, **damped, modes=3)
+        own = few.cell.body.in_units(*(1 / unit for unit in vars(few.units).values()))
+        series = 1 / (1 / 10.0 + own.residual[0, 0])
+        rest = {"at": own.at[:, 0], "forcing": own.forcing, **damped}
+        yield few, slider(series, M=np.eye(3), K=np.diag(own.squares), **rest)
+
+
+@pytest.mark.parametrize("method", ["ck-tau", "hb-ck"])
+def test_a_slider_has_the_spring_of_modes_that_are_left_out(shortened, method: str) -> None:
+    """What it remembers is where the contact is under its force, which does not jump."""
+    few, whole = (ns.solve(case, method, order=16) for case in shortened)
+    assert few.case.cell.body.residual[0, 0] > 1e-3
+    durations = [[q.duration for q in orbit.phases] for orbit in (few, whole)]
+    assert durations[0] == pytest.approx(durations[1], rel=1e-12)
+    assert few.forcing_phase == pytest.approx(whole.forcing_phase, abs=1e-12)
+    sizes = [sorted(np.abs(orbit.multipliers)) for orbit in (few, whole)]
+    assert sizes[0] == pytest.approx(sizes[1], rel=1e-9, abs=1e-12)
+
+
+def test_a_simulated_slider_has_the_spring_of_modes_that_are_left_out(shortened) -> None:
+    few, whole = (ns.simulate(case, cycles=100) for case in shortened)
+    for one, other in zip(few.segments[-6:-1], whole.segments[-6:-1], strict=True):
+        assert one.phase.name == other.phase.name
+        assert one.s == pytest.approx(other.s, rel=1e-9)
+
+
+def test_a_branch_of_a_slider_has_the_spring_of_modes_that_are_left_out(shortened) -> None:
+    few, whole = (ns.branch(case, "frequency", 1.0, 1.3) for case in shortened)
+    assert [q.kind for q in few.events] == [q.kind for q in whole.events]
+    ends = [branch.rows[-1].durations for branch in (few, whole)]
+    assert ends[0] == pytest.approx(ends[1], rel=1e-11)

@@ -100,7 +100,8 @@ class BodyMachine(BodyRules):
             after = self.next_phase(p, surface, before, behind)
             if after == NONE:
                 return _passed(s, REFUSED, surface, 0.0, behind, p, behind, now)
-            entered = self.begun(after, self.entered(after, behind))
+            forces = self.forces(p, before)
+            entered = self.begun(after, self.entered(after, behind, forces))
             changes = after != p or entered.memory != state.memory or self.law(p, surface)
             if changes or s == start:
                 break
@@ -109,12 +110,14 @@ class BodyMachine(BodyRules):
         rest = self.rest_behind(p, behind) if left else NONE
         if rest != NONE:  # the last of the jumps stands for all that are left
             away, after, now = after, rest, later(now, left)
-            entered = self._rested(rest, behind, left, angle_of(now))
+            entered = self._rested(rest, behind, forces, left, angle_of(now))
         return _passed(s, EVENT, surface, left, behind, after, entered, now, away)
 
-    def _rested(self, rest: int, behind: BodyState, left: float, angle: float) -> BodyState:
+    def _rested(
+        self, rest: int, behind: BodyState, forces: Vector, left: float, angle: float
+    ) -> BodyState:
         """Return the state in which a rest begins behind jumps that go on for a time."""
-        begun = self.begun(rest, self.entered(rest, behind))
+        begun = self.begun(rest, self.entered(rest, behind, forces))
         y = state_at(self.regimes[rest], self.full(begun), left)
         return self.begun(rest, begun._replace(y=tuple(map(float, y)), angle=angle))
 
@@ -173,8 +176,9 @@ class BodyMachine(BodyRules):
         """
         if not self.cell.memory:
             return state
+        forces = np.zeros(self.free.B.shape[1])
         for p in range(len(self.nodes)):
-            found = self.entered(p, state)
+            found = self.entered(p, state, forces)
             for i in range(len(self.cell.memory)):
                 found = self.in_the_middle(p, found, i)
             if self.admits(p, found):
