@@ -68,9 +68,8 @@ class Layout:
     ----------
     phases : tuple of Phase
     poles : Poles
-    setting, taken : Forms
-        What each memory is set to, where its phase begins; and what the contact forces add to
-        that, where the phase before it ends.
+    setting : Forms
+        What each memory is set to.
     elements : tuple of (int, int)
         Of each piece its phase, and where its coefficients begin.
     first_impulse, first_memory, size : int
@@ -80,7 +79,6 @@ class Layout:
     phases: tuple[Phase, ...]
     poles: Poles
     setting: Forms
-    taken: Forms
     elements: tuple[tuple[int, int], ...]
     first_impulse: int
     first_memory: int
@@ -139,22 +137,8 @@ def layout(cell: "BodyCell", order: int) -> Layout:
     rows = np.array(values).reshape(count, width)
     setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
     return Layout(
-        phases, poles, setting, _taken(cell, phases, rows), tuple(elements), at, memory,
-        memory + count,
-    )  # fmt: skip
-
-
-def _taken(cell: "BodyCell", phases: tuple[Phase, ...], values: Matrix) -> Forms:
-    """Return what the contact forces of the phase before each setting add to `values`."""
-    weights = values @ free(cell.body, cell.omega, 0).by_force
-    found = []
-    for each, row in zip(cell.memory, weights, strict=True):
-        sign = 1 if each.phase else cell.sign
-        force = phases[each.phase - 1].force
-        found.append([sign * row @ part for part in vars(force).values()])
-    if not found:
-        return phases[0].force.some([])
-    return Forms(*map(np.array, zip(*found, strict=True)))
+        phases, poles, setting, tuple(elements), at, memory, memory + len(cell.memory)
+    )
 
 
 def _is_resonant(cell: "BodyCell", poles: Poles) -> bool:
@@ -174,8 +158,8 @@ class Setting(NamedTuple):
     b : ndarray of complex, shape (c, m)
     forms, turns, rest : ndarray
         Forms by row: by the poles, (R, m); by the forcing, (R,); by 1 and the memory,
-        (R, 1 + M).  The laws of each phase, the events, the velocities of the contacts, what
-        each memory is set to, and what forces add to that.
+        (R, 1 + M).  The laws of each phase, the events, the velocities of the contacts, and
+        what each memory is set to.
     direct, impulse, fixing : ndarray
         See `Phase`; of each phase.
     hits : ndarray of int, shape (P, c)
@@ -218,7 +202,6 @@ def setting(cell: "BodyCell", order: int) -> Setting:
         *(phase.event for phase in own.phases),
         own.phases[0].velocity,
         own.setting,
-        own.taken,
     ]
     rest = [np.column_stack([q.constant, q.memory]) for q in rows]
     hits = np.full((len(own.phases), own.poles.b.shape[1]), -1)

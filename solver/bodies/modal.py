@@ -1,4 +1,10 @@
-"""A body in its modes: what its contacts and its forcing see of it."""
+"""A body in its modes: what its contacts and its forcing see of it.
+
+Where modes are left out, their static answer to a force at a contact is a compliance there.
+Where a force may jump, the contact would leap: there the answer is a shape beside the modes
+that are kept, with its stiffness, mass and damping: R. H. MacNeal, Computers and Structures 1
+(1971), 581-601, with the inertia of S. Rubin, AIAA Journal 13 (1975), 995-1006.
+"""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -27,6 +33,10 @@ UNSEEN = 1e-11
 #: Steps in which the static answer of the modes left out is found.
 STEPS = 200
 
+#: What of the compliance at a contact is rounding, as a part; and what of a static answer is
+#: new beside the others.
+STIFF, NEW = 1e-12, 1e-10
+
 
 class BodyError(ValueError):
     """A body whose numbers allow no orbit to be computed; it says why."""
@@ -34,12 +44,15 @@ class BodyError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Modal:
-    """A body in the modes that are kept, ``q = Phi eta`` with ``Phi^T M Phi = I``.
+    """A body in some shapes, ``q = Phi eta`` with ``Phi^T M Phi = I``.
+
+    They are the modes that are kept and, where a contact force may jump, what the others answer
+    statically at the contacts.
 
     Parameters
     ----------
     squares : ndarray, shape (m,)
-        Squares of the natural angular frequencies; 0 where the body moves freely.
+        Squares of the angular frequencies; 0 where the body moves freely.
     damping : ndarray, shape (m, m)
         ``Phi^T C Phi``.
     at : ndarray, shape (m, c)
@@ -49,9 +62,9 @@ class Modal:
     mobility : ndarray, shape (c, c)
         ``w^T M^-1 w`` of the whole body: the velocities that unit impulses give.
     residual : ndarray, shape (c, c)
-        Static compliance of the modes that are left out.
+        Static compliance of what is left out.
     beyond : ndarray of complex, shape (c,)
-        What the modes left out add to the response of the contacts to the forcing.
+        What that adds to the response of the contacts to the forcing.
     """
 
     squares: Vector
@@ -85,11 +98,13 @@ class Modal:
 
     @property
     def kept_mobility(self) -> Matrix:
-        """``w^T M^-1 w`` of the modes that are kept."""
+        """``w^T M^-1 w`` of these shapes."""
         return self.at.T @ self.at
 
 
-def modal(matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0) -> Modal:
+def modal(
+    matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0, jumps: bool = False
+) -> Modal:
     """Return a body in its modes, damped by its matrix of damping alone; see `damped`.
 
     Parameters
@@ -101,11 +116,13 @@ def modal(matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0) ->
     shift : float
         What the spectrum is shifted by where a few of many modes are found; without it a small
         part of the highest.
+    jumps : bool
+        Whether a contact force may jump.
 
     Returns
     -------
     Modal
-        The modes left out answer the forcing statically; see `at_frequency`.
+        What is left out answers the forcing statically; see `at_frequency`.
 
     Raises
     ------
@@ -124,33 +141,68 @@ def modal(matrices: Mapping[str, Any], modes: int | None, shift: float = 0.0) ->
     squares, shapes = _modes(M, K, count, shift, stiff)
     squares = _with_digits(K, squares, shapes)
     own = shapes @ _seen_first(shapes.T @ at, squares == 0)
+    left_out = np.zeros((n, at.shape[1] + 1))
+    if stiff is not None:
+        left_out = _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
+    if stiff is not None and jumps:
+        seen = (own.T @ at) ** 2 / np.where(squares == 0, np.inf, squares)[:, None]
+        more, answers = _static_shapes(left_out[:, :-1], M, K, seen.sum(axis=0))
+        left_out -= answers @ ((answers.T @ np.hstack([at, force])) / more[:, None])
+        squares, own = np.append(squares, more), np.hstack([own, answers])
     seen, driven = own.T @ at, own.T @ force
-    damping = np.zeros((count, count))
+    damping = np.zeros((len(squares), len(squares)))
     if "C" in matrices:
         damping = own.T @ (matrices["C"] @ own)
-    mobility = seen.T @ seen
-    residual, beyond = np.zeros_like(mobility), np.zeros(at.shape[1], dtype=complex)
-    if stiff is not None:
-        mobility = at.T @ _solver(M)(at)
-        left_out = at.T @ _left_out(M, shapes, np.hstack([at, force]), shift, stiff)
-        residual = (left_out[:, :-1] + left_out[:, :-1].T) / 2
-        beyond = left_out[:, -1].astype(complex)
+    mobility = seen.T @ seen if stiff is None else at.T @ _solver(M)(at)
+    compliance = at.T @ left_out
+    residual = np.zeros_like(mobility) if jumps else compliance[:, :-1]
     return _without_unseen(
-        Modal(squares, damping, seen, driven[:, 0], mobility, residual, beyond)
-    )
+        Modal(
+            squares, damping, seen, driven[:, 0], mobility, (residual + residual.T) / 2,
+            compliance[:, -1].astype(complex),
+        )
+    )  # fmt: skip
+
+
+def _static_shapes(left_out: Matrix, M: Any, K: Any, kept: Vector) -> tuple[Vector, Matrix]:
+    """Return static answers as shapes with unit mass, and the squares of their frequencies.
+
+    Parameters
+    ----------
+    left_out : ndarray, shape (n, c)
+        What the modes that are left out answer to a unit force at each contact.
+    M, K : sparse array, shape (n, n)
+    kept : ndarray, shape (c,)
+        By how much each contact gives way without them.
+
+    Returns
+    -------
+    squares : ndarray, shape (a,)
+        Fewer than contacts where answers are rounding, or combinations of others.
+    shapes : ndarray, shape (n, a)
+    """
+    stiff, mass = left_out.T @ (K @ left_out), left_out.T @ (M @ left_out)
+    seen = np.diag(stiff) > STIFF * kept
+    sizes = np.sqrt(np.diag(stiff)[seen])
+    values, turns = np.linalg.eigh(stiff[np.ix_(seen, seen)] / np.outer(sizes, sizes))
+    new = values > NEW
+    basis = turns[:, new] / sizes[:, None] / np.sqrt(values[new])  # of unit stiffness
+    values, turns = np.linalg.eigh(basis.T @ mass[np.ix_(seen, seen)] @ basis)
+    shapes = left_out[:, seen] @ basis @ turns / np.sqrt(values)
+    return 1 / values, shapes * _signs(shapes)
 
 
 def damped(body: Modal, ratio: float | None) -> Modal:
-    """Return a body whose every mode has a damping ratio, if one is given."""
+    """Return a body whose every shape has a damping ratio, if one is given."""
     if ratio is None:
         return body
     return replace(body, damping=np.diag(2 * ratio * np.sqrt(np.abs(body.squares))))
 
 
 def at_frequency(body: Modal, matrices: Mapping[str, Any], omega: float) -> Modal:
-    """Return a body whose modes left out answer a forcing with their damping and inertia.
+    """Return a body of which what is left out answers a forcing with damping and inertia.
 
-    Their damping is known where its matrix is given; else they answer statically.
+    The damping is known where its matrix is given; else the answer is static.
     """
     few = len(body.squares) < matrices["M"].shape[0]
     if not (few and omega and "C" in matrices and "forcing" in matrices):
@@ -176,7 +228,7 @@ def _modes(
     from scipy import linalg, sparse  # noqa: PLC0415  (a scene of one mass needs none)
 
     n = M.shape[0]
-    begin = np.random.default_rng(0).random(n) - 0.5  # the same in every run
+    begin = _begin(n)
     try:
         if stiff is None or (n <= DENSE and count > MANY * n):
             found = linalg.eigh(K.toarray(), M.toarray(), subset_by_index=(0, count - 1))
@@ -189,8 +241,17 @@ def _modes(
         raise BodyError(f"the modes of the body are not found: {error}") from None
     order = np.argsort(found[0])
     shapes = np.asarray(found[1], dtype=float)[:, order]
-    signs = np.sign(begin @ shapes)  # the same ones along a parameter
-    return np.asarray(found[0], dtype=float)[order], shapes * signs
+    return np.asarray(found[0], dtype=float)[order], shapes * _signs(shapes)
+
+
+def _begin(n: int) -> Vector:
+    """Return a vector that no mode is orthogonal to: the same in every run."""
+    return np.random.default_rng(0).random(n) - 0.5
+
+
+def _signs(shapes: Matrix) -> Vector:
+    """Return the signs that make shapes the same ones along a parameter."""
+    return np.asarray(np.sign(_begin(len(shapes)) @ shapes))
 
 
 def _with_digits(K: Any, squares: Vector, shapes: Matrix) -> Vector:

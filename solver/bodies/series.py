@@ -101,13 +101,6 @@ def value(case: Any, row: int, states: Complex, angle: float) -> tuple[Vector, f
     return found, (case.turns[row] * np.exp(1j * angle)).real + case.rest[row, 0]
 
 
-def setting_of(case: Any, i: int) -> tuple[int, int, int, int]:
-    """Return the piece that begins where a memory is set, that before, and its rows there."""
-    e, contacts = case.sets[i], len(case.b)
-    row = len(case.degrees) * (contacts + 1) + contacts + i
-    return e, (e if e > 0 else len(case.pieces)) - 1, row, row + len(case.sets)
-
-
 def solved(A: Matrix, right: Matrix) -> Matrix:
     """Return the solution of a linear system; not numbers where there is none."""
     found = np.full(right.shape, np.nan)
@@ -181,12 +174,11 @@ def linear(case: Any, times: Vector) -> Any:
                 A[q] -= case.impulse[p, k, c] * factors
                 right[q] += case.impulse[p, k, c] * constant
     for i in range(len(case.sets)):
-        q, (e, before, row, more) = memory + i, setting_of(case, i)
-        factors, constant = value(case, row, starts[e], begins[e])
-        taken, added = value(case, more, ends[before], begins[before + 1])
-        A[q] = -factors - taken
+        e, q = case.sets[i], memory + i
+        factors, constant = value(case, first + contacts + i, starts[e], begins[e])
+        A[q] = -factors
         A[q, q] += 1.0
-        right[q] = constant + added
+        right[q] = constant
     unknowns = solved(A, right)
     return begins, (a, Z, turn), (A, unknowns), (events, constants), (starts, ends)
 
@@ -261,10 +253,9 @@ def jacobian(case: Any, times: Vector, J: Matrix) -> None:
                 velocity = moved(case, first + c, ends_by[e], begins[e + 1], turns[e + 1])
                 by[q] -= case.impulse[p, k, c] * velocity
     for i in range(len(case.sets)):
-        e, before, row, more = setting_of(case, i)
-        by[case.size[1] + i] = -(
-            moved(case, row, starts_by[e], begins[e], turns[e])
-            + moved(case, more, ends_by[before], begins[before + 1], turns[before + 1])
+        e = case.sets[i]
+        by[case.size[1] + i] = -moved(
+            case, first + contacts + i, starts_by[e], begins[e], turns[e]
         )
     J[:count] = shifted - events @ solved(A, by)
     if case.numbers[2] > 0:

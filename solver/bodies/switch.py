@@ -118,10 +118,7 @@ def impulses_of(
 
 
 def switch(cell: "BodyCell", p: int, rows: Matrix) -> Switch:
-    """Return the switch at the end of a phase, in which forms are of these `rows`.
-
-    What the memory is set to is of the state behind it, and of the contact forces before.
-    """
+    """Return the switch at the end of a phase, in which forms are of these `rows`."""
     memory, contacts = len(cell.memory), cell.body.at.shape[1]
     own = free(cell.body, cell.omega, memory)
     states, width = own.A.shape[0], own.rows.shape[1]
@@ -141,7 +138,6 @@ def switch(cell: "BodyCell", p: int, rows: Matrix) -> Switch:
             form = form * np.where(np.arange(size) == 3, sign, 1)  # of the mirrored state
             seen[:, :states] = seen[:, :states] @ after[:states, :states]
             seen[:, states:] += own.rows[:, :states] @ after[:states, states:]
-            seen += rows[:size] - own.rows  # what the forces add: of modes that are left out
             after[states + i] = form @ seen
     kept = [*range(states), *range(states + 3, width)]
     return Switch(after[:, kept], after[:, states : states + 3], event, states)

@@ -51,7 +51,7 @@ def _body(notation: Notation) -> Iterator[Equation]:
     if body.ratio is not None:
         words += f"; C gives every mode the damping ratio `{body.ratio}`"
     if body.modes is not None:
-        words += f"; `{body.modes}` modes move"
+        words += f"; `{body.modes}` modes move, and the others answer statically"
     yield Equation("", words, (left, right))
     for c, contact in enumerate(contacts.each):
         b = vector(contacts, c)

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from ...scene import Scene
+from ...scene import Scene, switches
 from ...scene.bodies.body import Contact
 from ...scene.bodies.law import body_of, form, law_rows, place
 
@@ -58,8 +58,15 @@ class Contacts:
 
     def static(self, c: int, d: int) -> sp.Expr:
         """Return what a force at `d` adds to the displacement at `c` by modes left out."""
-        whole = body_of(self.scene).modes is None
-        return sp.Integer(0) if whole else sp.Symbol(self.name("D", c, d), real=True)
+        return sp.Symbol(self.name("D", c, d), real=True) if self.gives else sp.Integer(0)
+
+    @cached_property
+    def gives(self) -> bool:
+        """Whether modes left out are a compliance: no force jumps, nothing is remembered."""
+        if body_of(self.scene).modes is None or self.scene.memory:
+            return False
+        motions = self.scene.each_motion
+        return all(switch.jumps > 2 for motion in motions for switch in switches(motion))
 
     def whole(self, c: int, d: int, held: bool) -> sp.Symbol:
         """Return the mobility of the whole body, or before a held phase of the modes kept."""

@@ -116,9 +116,7 @@ def _statements(cell: "BodyCell", frame: Frame) -> Iterator[Statement]:
         at += len(phase.hit)
     for i, each in enumerate(cell.memory):
         row = np.eye(len(cell.memory))[i : i + 1]
-        place = slice(at + i, at + i + 1)
-        yield Statement(place, row, own.setting, each.phase, 0)
-        yield Statement(place, row, own.taken, (each.phase or len(own.phases)) - 1, 1)
+        yield Statement(slice(at + i, at + i + 1), row, own.setting, each.phase, 0)
 
 
 def _system(cell: "BodyCell", frame: Frame) -> tuple[Complex, Complex, Complex, Vector]:

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 #: Entries of a form for the first contact, the forcing and 1; and for each other contact.
 FIRST, OTHER = 6, 4
 
+#: The k of a scene in which contact forces do not jump.
+CONTINUOUS = 2
+
 #: What a phase has in place of the equation of motion of one mass.
 NO_EQUATION: Any = {"m": 1.0, "c": 0.0, "k": 0.0, "f": 0.0, "g": 0.0}
 
@@ -204,12 +207,16 @@ Entries: TypeAlias = tuple[tuple[Any, ...], ...]
 
 @lru_cache(maxsize=16)
 def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | None) -> Modal:
-    """Return the body in its modes: the same for all forcings and damping ratios."""
+    """Return the body in its modes: the same for all forcings and damping ratios.
+
+    What a motion remembers is of displacements, as is a force that may jump: neither leaves
+    room for a compliance without mass.
+    """
     matrices = _matrices(scene, entries, units)
     size = matrices["M"].shape[0]
     if modes is not None and modes > size:
         raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
-    return modal(matrices, modes, 1.0)
+    return modal(matrices, modes, 1.0, scene.k < CONTINUOUS or bool(scene.memory))
 
 
 @lru_cache(maxsize=4)

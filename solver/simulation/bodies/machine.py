@@ -100,8 +100,7 @@ class BodyMachine(BodyRules):
             after = self.next_phase(p, surface, before, behind)
             if after == NONE:
                 return _passed(s, REFUSED, surface, 0.0, behind, p, behind, now)
-            forces = self.forces(p, before)
-            entered = self.begun(after, self.entered(after, behind, forces))
+            entered = self.begun(after, self.entered(after, behind))
             changes = after != p or entered.memory != state.memory or self.law(p, surface)
             if changes or s == start:
                 break
@@ -110,14 +109,12 @@ class BodyMachine(BodyRules):
         rest = self.rest_behind(p, behind) if left else NONE
         if rest != NONE:  # the last of the jumps stands for all that are left
             away, after, now = after, rest, later(now, left)
-            entered = self._rested(rest, behind, forces, left, angle_of(now))
+            entered = self._rested(rest, behind, left, angle_of(now))
         return _passed(s, EVENT, surface, left, behind, after, entered, now, away)
 
-    def _rested(
-        self, rest: int, behind: BodyState, forces: Vector, left: float, angle: float
-    ) -> BodyState:
+    def _rested(self, rest: int, behind: BodyState, left: float, angle: float) -> BodyState:
         """Return the state in which a rest begins behind jumps that go on for a time."""
-        begun = self.begun(rest, self.entered(rest, behind, forces))
+        begun = self.begun(rest, self.entered(rest, behind))
         y = state_at(self.regimes[rest], self.full(begun), left)
         return self.begun(rest, begun._replace(y=tuple(map(float, y)), angle=angle))
 
@@ -176,9 +173,8 @@ class BodyMachine(BodyRules):
         """
         if not self.cell.memory:
             return state
-        forces = np.zeros(self.free.B.shape[1])
         for p in range(len(self.nodes)):
-            found = self.entered(p, state, forces)
+            found = self.entered(p, state)
             for i in range(len(self.cell.memory)):
                 found = self.in_the_middle(p, found, i)
             if self.admits(p, found):

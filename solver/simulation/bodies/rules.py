@@ -134,24 +134,16 @@ class BodyRules(Phases):
         moved, *_ = np.linalg.lstsq(own, rows @ self.full(state))
         return state._replace(y=tuple(map(float, np.array(state.y) - moved)))
 
-    def forces(self, p: int, state: BodyState) -> Vector:
-        """Return the contact forces in a phase."""
-        return np.asarray(self.regimes[p].contacts[2] @ self.full(state))
-
-    def entered(self, p: int, state: BodyState, forces: Vector) -> BodyState:
-        """Return the state in which a phase begins: with what its beginning sets.
-
-        That is of the contact forces before it, too: modes that are left out answer to them.
-        """
+    def entered(self, p: int, state: BodyState) -> BodyState:
+        """Return the state in which a phase begins: with what its beginning sets."""
         if not self._sets(p):
             return state
-        values, node = list(state.memory), self.nodes[p]
-        seen = self.free.rows @ self.full(state) + self.free.by_force @ forces
+        values, Y, node = list(state.memory), self.full(state), self.nodes[p]
         for i, each in enumerate(self.cell.memory):
             if each.phase == node.index:
                 form = np.array(each.value[: len(self.free.rows)])
                 form[3] *= -1 if node.mirrored else 1
-                values[i] = float(form @ seen)
+                values[i] = float(form @ (self.free.rows @ Y))
         return state._replace(memory=tuple(values))
 
     def _sets(self, p: int) -> bool:
@@ -193,11 +185,10 @@ class BodyRules(Phases):
         """Return the phase that follows on a surface; see `steps.switches.next_phase`."""
         declared = (p + 1) % len(self.nodes) if surface == self.nodes[p].event else NONE
         refused = declared if declared != NONE and not self._switches(p, before) else NONE
-        forces = self.forces(p, before)
         for q in self.turns[declared]:
             if q == refused or (q != declared and self._sets(q)):
                 continue
-            if self.admits(q, self.entered(q, state, forces)):
+            if self.admits(q, self.entered(q, state)):
                 return q
         return NONE
 

@@ -18,6 +18,7 @@ PAPER = ("tests/accuracy/test_kim_perkins.py",)
 BRANCHES = "tests/bodies/test_branches_of_bodies.py"
 EIGENBASES = "tests/bodies/test_eigenbases.py"
 EVENTS = "tests/branch/test_events.py"
+LARGE = "tests/bodies/test_large_and_free_bodies.py"
 
 MUTANTS = (
     Mutant(
@@ -302,6 +303,13 @@ MUTANTS = (
         "scales[i] = generator[i, n // 2 + i]",
         "scales[i] = 1.0",
         (f"{EIGENBASES}::test_states_grow_as_exact_exponentials",),
+    ),
+    Mutant(
+        "what modes left out answer has no mass, though a force may jump",
+        "solver/scenes/bodies/cell.py",
+        "scene.k < CONTINUOUS or bool(scene.memory)",
+        "False",
+        (f"{LARGE}::test_modes_left_out_have_a_mass_where_a_force_may_jump",),
     ),
     Mutant(
         "the multipliers of what lasts are not all",
