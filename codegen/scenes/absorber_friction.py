@@ -49,4 +49,8 @@ SCENE = Scene(
     phases=(SLIP, STICK),
     frequency=Omega,
     half_period=True,
+    extremes={
+        "no damping but by friction": {c1: 0, c2: 0},
+        "slip almost throughout": {f_R: F / 2000},
+    },
 )

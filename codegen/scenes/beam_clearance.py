@@ -73,4 +73,9 @@ SCENE = Scene(
     ),
     phases=(CONTACT, SEPARATED),
     frequency=Omega,
+    extremes={
+        "all modes": {n_m: 2 * COUNT},
+        "hardly any damping": {zeta: sp.Rational(1, 10**6)},
+        "a stop a hundredth as stiff": {k_c: k_c / 100},
+    },
 )

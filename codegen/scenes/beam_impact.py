@@ -49,4 +49,9 @@ SCENE = Scene(
     ),
     phases=(FLIGHT,),
     frequency=Omega,
+    extremes={
+        "all modes": {n_m: 2 * COUNT},
+        "hardly any loss": {r: sp.Rational(19, 20)},
+        "every mode damped by a fifth": {zeta: sp.Rational(1, 5)},
+    },
 )

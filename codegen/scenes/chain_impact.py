@@ -48,4 +48,8 @@ SCENE = Scene(
     ),
     phases=(FLIGHT,),
     frequency=Omega,
+    extremes={
+        "a rebound without loss": {r: 1},
+        "hardly any damping": {c: sp.Rational(1, 10**6)},
+    },
 )

@@ -52,4 +52,8 @@ SCENE = Scene(
     frequency=Omega,
     half_period=True,
     memory=(Memory(w, "stick", JOINT.x - f_R / k_t, "where the slider is"),),
+    extremes={
+        "no damping but by the slider": {c1: 0, c2: 0},
+        "slip almost throughout": {f_R: F / 200},
+    },
 )

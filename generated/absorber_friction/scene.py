@@ -10,12 +10,17 @@ force and a of the contact, then of x, v, force and a of each other, then of eac
 
 #: Where digits are easily lost, in words.
 EXTREMES = (
+    'no damping but by friction',
+    'slip almost throughout',
 )
 
 
 def extremes(m1, m2, k1, k2, c1, c2, f_R, F, Omega):
     """Return all parameters at each of the extremes."""
-    return ()
+    return (
+        (m1, m2, k1, k2, 0, 0, f_R, F, Omega),
+        (m1, m2, k1, k2, c1, c2, F/2000, F, Omega),
+    )
 
 
 MATHEMATICS = "5570f5bb39a077256c82effc9be8488df3732dac4b33bf95461a14f6ea785e14"  # of what fixes its motion

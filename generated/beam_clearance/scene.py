@@ -10,12 +10,19 @@ force and a of the contact, then of x, v, force and a of each other, then of eac
 
 #: Where digits are easily lost, in words.
 EXTREMES = (
+    'all modes',
+    'hardly any damping',
+    'a stop a hundredth as stiff',
 )
 
 
 def extremes(zeta, n_m, k_c, g, F, Omega):
     """Return all parameters at each of the extremes."""
-    return ()
+    return (
+        (zeta, 60, k_c, g, F, Omega),
+        (1/1000000, n_m, k_c, g, F, Omega),
+        (zeta, n_m, k_c/100, g, F, Omega),
+    )
 
 
 MATHEMATICS = "1a0ffa99c85b3427a965965bad11ba8a5ee6464193b58e7cb09d085c5a9b4537"  # of what fixes its motion

@@ -10,12 +10,19 @@ force and a of the contact, then of x, v, force and a of each other, then of eac
 
 #: Where digits are easily lost, in words.
 EXTREMES = (
+    'all modes',
+    'hardly any loss',
+    'every mode damped by a fifth',
 )
 
 
 def extremes(zeta, n_m, g, r, F, Omega):
     """Return all parameters at each of the extremes."""
-    return ()
+    return (
+        (zeta, 60, g, r, F, Omega),
+        (zeta, n_m, g, 19/20, F, Omega),
+        (1/5, n_m, g, r, F, Omega),
+    )
 
 
 MATHEMATICS = "14dbd6a99c5a23a6ce27ee473218c39a1c6e4b902bfa1ae3f5596149d84aba68"  # of what fixes its motion

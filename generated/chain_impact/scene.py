@@ -10,12 +10,17 @@ force and a of the contact, then of x, v, force and a of each other, then of eac
 
 #: Where digits are easily lost, in words.
 EXTREMES = (
+    'a rebound without loss',
+    'hardly any damping',
 )
 
 
 def extremes(m, c, k, g, r, F, Omega):
     """Return all parameters at each of the extremes."""
-    return ()
+    return (
+        (m, c, k, g, 1, F, Omega),
+        (m, 1/1000000, k, g, r, F, Omega),
+    )
 
 
 MATHEMATICS = "a40a718c0c300187a72d468fba1fe24533a2dd3af95b0fbeeaeac7570966e35a"  # of what fixes its motion

@@ -10,12 +10,17 @@ force and a of the contact, then of x, v, force and a of each other, then of eac
 
 #: Where digits are easily lost, in words.
 EXTREMES = (
+    'no damping but by the slider',
+    'slip almost throughout',
 )
 
 
 def extremes(m1, m2, k1, k2, k_t, c1, c2, f_R, F, Omega):
     """Return all parameters at each of the extremes."""
-    return ()
+    return (
+        (m1, m2, k1, k2, k_t, 0, 0, f_R, F, Omega),
+        (m1, m2, k1, k2, k_t, c1, c2, F/200, F, Omega),
+    )
 
 
 MATHEMATICS = "b6a7f8075a23e5c7c643792e92a766f43428ac4080a1827f00b0714e3f606108"  # of what fixes its motion

@@ -15,11 +15,15 @@ from ..kernels.kernel import Kernel
 from ..no_orbit import NoOrbit
 from ..orbit.attempt import attempt
 from ..scaling import equilibrated
+from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
+from ..scenes.cell import Cell
 from ..scenes.methods import EXACT, in_order
 from ..scenes.parameter_error import ParameterError
 from ..solve import number_of_functions
+from . import bodies as of_bodies
 from . import exact_balls
+from .balls import Residual
 from .refine import PrecisionError, refine
 
 #: Digits of the solution in balls: enough to judge float64.
@@ -147,8 +151,11 @@ def measure(
     Raises
     ------
     ParameterError
-        If parameters at an extreme are not those of an oscillator.
+        If parameters at an extreme are not those of an oscillator, or its body moves freely.
     """
+    if isinstance(case.cell, BodyCell) and (case.cell.body.squares == 0).any():
+        words = "got a body that moves freely, expected one whose poles say where it is"
+        raise ParameterError([f"digits: {words}"])
     found = []
     for words, each in extremes(case):
         for kept in at(words, each, orders, methods):
@@ -180,7 +187,7 @@ def at(
 def _of_exact(words: str, orbit: ExactOrbit, sensitive: float) -> Kept:
     kernel, cell = exact_kernel(orbit.case.cell), orbit.case.cell
     head, tail = (words, EXACT, None), (sensitive, orbit.outcome.iterations)
-    return _kept(head, tail, kernel, orbit.case, cell, orbit.outcome.unknowns, True)
+    return _kept(head, tail, kernel, orbit.case, cell, orbit.outcome.unknowns)
 
 
 def _of_method(
@@ -196,20 +203,20 @@ def _of_method(
     tail = (sensitive, found.iterations)
     if not (found.converged and found.admissible):
         return Kept(*head, "not-converged", None, None, *tail)
-    return _kept(head, tail, kernel, case, kernel.given(case, order), found.unknowns, False)
+    return _kept(head, tail, kernel, case, kernel.given(case, order), found.unknowns)
 
 
 def _kept(
     head: tuple[str, str, int | None], tail: tuple[float, int], kernel: Kernel,
-    case: Case, arguments: Any, z: Vector, exact: bool,
+    case: Case, arguments: Any, z: Vector,
 ) -> Kept:  # fmt: skip
     """Return how a solution of a kernel's equations compares with that in balls."""
+    z = _unknowns(case, kernel, z)
     J = np.empty((len(z), len(z)))
     kernel.jacobian(arguments, z, J)
     number = float(np.linalg.cond(equilibrated(J)))
-    made = (lambda: exact_balls.residual) if exact else None
     try:
-        precise = refine(kernel, arguments, z, DIGITS, made)
+        precise = refine(kernel, arguments, z, DIGITS, _in_balls(case, head[1], arguments))
     except PrecisionError:
         return Kept(*head, "not-converged", None, number, *tail)
     off = [float(abs(a - float(b))) for a, b in zip(precise, kernel.times(z), strict=True)]
@@ -217,6 +224,19 @@ def _kept(
         off[-1] /= case.cell.omega
     period = float(np.sum(kernel.split(z)[0])) * case.cell.cells
     return Kept(*head, "ok", max(off) / period, number, *tail)
+
+
+def _unknowns(case: Case, kernel: Kernel, z: Vector) -> Vector:
+    """Return what the residual of a kernel is of: of a body the times alone."""
+    return kernel.times(z) if case.scene.has_body else z
+
+
+def _in_balls(case: Case, method: str, arguments: Any) -> Callable[[], Residual] | None:
+    """Return what returns the equations of a method in balls; None for its own text in them."""
+    if case.scene.has_body:
+        residual = of_bodies.residual(method)
+        return lambda: lambda given, z, R: residual(arguments, z, R)
+    return (lambda: exact_balls.residual) if method == EXACT else None
 
 
 def condition(orbit: ExactOrbit) -> float:
@@ -229,17 +249,19 @@ def condition(orbit: ExactOrbit) -> float:
     the derivatives by the parameters.
     """
     case, kernel = orbit.case, exact_kernel(orbit.case.cell)
-    z, numbers = orbit.outcome.unknowns, case.numbers
+    z, numbers = _unknowns(case, kernel, orbit.outcome.unknowns), case.numbers
     J = np.empty((len(z), len(z)))
     kernel.jacobian(case.cell, z, J)
     changes = []
     for i, value in enumerate(numbers):
-        ends = []
-        for side in (1, -1):
-            moved = (*numbers[:i], value * (1 + side * STEP), *numbers[i + 1 :])
-            R = np.empty(len(z))
-            kernel.residual(case.scene.cell(moved, case.cycles, case.units), z, R)
-            ends.append(R)
+        near = (value * (1 + STEP), value * (1 - STEP))
+        try:
+            cells = [_with(case, i, each) for each in near]
+        except ParameterError:  # a whole number, which is not rounded
+            continue
+        ends = np.empty((2, len(z)))
+        for cell, R in zip(cells, ends, strict=True):
+            kernel.residual(cell, z, R)
         changes.append((ends[0] - ends[1]) / (2 * STEP))
     rows = np.abs(J).max(axis=1)
     by_parameters = np.linalg.solve(J / rows[:, None], np.array(changes).T / rows[:, None])
@@ -248,3 +270,9 @@ def condition(orbit: ExactOrbit) -> float:
         moved_by[-1] /= case.cell.omega
     period = float(np.sum(orbit.cell_durations)) * case.cell.cells
     return float(moved_by.max()) / period
+
+
+def _with(case: Case, i: int, value: float) -> Cell:
+    """Return the cell of a case with another number for one parameter, in the same units."""
+    numbers = (*case.numbers[:i], value, *case.numbers[i + 1 :])
+    return case.scene.cell(numbers, case.cycles, case.units)

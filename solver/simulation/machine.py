@@ -13,7 +13,6 @@ from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
 from ..scenes.bodies.cell import BodyCell
-from ..scenes.bodies.only import NotOfBodies
 from ..scenes.cell import Cell
 from ..scenes.classes import generator
 from ..scenes.orders import Step
@@ -86,11 +85,11 @@ class Machine(Phases):
 
         Raises
         ------
-        NotOfBodies
-            A `ValueError`: if it is that of a body.
+        ValueError
+            If it is that of a body.
         """
         if isinstance(cell, BodyCell):
-            raise NotOfBodies("got a body of several degrees of freedom, expected one mass")
+            raise ValueError("got a body of several degrees of freedom, expected one mass")
         return cls(cell, nodes(cell))
 
     @cached_property

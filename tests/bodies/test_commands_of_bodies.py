@@ -1,4 +1,4 @@
-"""Commands on bodies: what they compute, and what they say of what is for one mass alone."""
+"""Commands on bodies: what they compute, and what they refuse."""
 
 import json
 
@@ -11,18 +11,6 @@ import nonsmooth as ns
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.trade.choice import size
 from nonsmooth.solver.trade.tolerance import choose_order
-
-#: What is computed for scenes of one mass alone.
-ONE_MASS = (
-    ("digits",),
-    ("stability",),
-)
-
-
-@pytest.mark.parametrize("command", ONE_MASS, ids=lambda command: " ".join(command[:2]))
-def test_what_there_is_not_for_a_body_is_said(run, command) -> None:
-    name, *flags = command
-    assert "a body of several degrees of freedom" in refused(run, name, "chain-impact", *flags)
 
 
 @pytest.mark.parametrize("method", ["hb", "hb-ck", "hb-c1", "ck-tau"])

@@ -8,16 +8,10 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from nonsmooth.solver.scenes.bodies.only import NotOfBodies, check_one_mass
-
 from .about import completed
 from .case_files import said_first
-from .problems import Problem
 from .scenes import named as scenes
 from .space import named as structures
-
-#: Commands that take scenes of one mass alone.
-ONE_MASS = ("digits", "stability")
 
 
 @dataclass(frozen=True)
@@ -86,13 +80,7 @@ class NamedCommand(click.Command):
             return self, dashed, rest
         kind = next((q for q in self.kinds if dashed in q.known()), self.kinds[0])
         module = import_module(f".{kind.package}.{self.name}", __package__)
-        about = kind.named(name)
-        if self.name in ONE_MASS and getattr(about, "has_body", False):
-            try:
-                check_one_mass(about, str(self.name))
-            except NotOfBodies as error:
-                raise Problem(str(error)) from None
-        command: click.Command = module.command(about, said or "")
+        command: click.Command = module.command(kind.named(name), said or "")
         return command, said or "", rest
 
     def names(self) -> tuple[str, ...]:

@@ -19,6 +19,7 @@ BRANCHES = "tests/bodies/test_branches_of_bodies.py"
 EIGENBASES = "tests/bodies/test_eigenbases.py"
 EVENTS = "tests/branch/test_events.py"
 LARGE = "tests/bodies/test_large_and_free_bodies.py"
+BALLS_OF_BODIES = "tests/precision/test_digits_of_bodies.py"
 
 MUTANTS = (
     Mutant(
@@ -303,6 +304,20 @@ MUTANTS = (
         "scales[i] = generator[i, n // 2 + i]",
         "scales[i] = 1.0",
         (f"{EIGENBASES}::test_states_grow_as_exact_exponentials",),
+    ),
+    Mutant(
+        "the force series answers an odd polynomial as it begins, not as it ends",
+        "solver/bodies/series.py",
+        "gain = times[p] / case.counts[p] * alternating(a[p, : case.degrees[p] + 1])",
+        "gain = times[p] / case.counts[p] * a[p, : case.degrees[p] + 1]",
+        (f"{BALLS_OF_BODIES}::test_solutions_in_balls_are_those_of_the_kernels",),
+    ),
+    Mutant(
+        "impulses of harmonics are at the other end of their phase",
+        "solver/bodies/harmonics/frame.py",
+        "Break(p + 1, 0, int(c)) for p in range(count)",
+        "Break(p, 0, int(c)) for p in range(count)",
+        (f"{BALLS_OF_BODIES}::test_solutions_in_balls_are_those_of_the_kernels",),
     ),
     Mutant(
         "what modes left out answer has no mass, though a force may jump",

@@ -90,7 +90,10 @@ def run(
             order = "" if kept.order is None else f", N = {kept.order}"
             advance(f"{kept.extreme or 'given'}: {shown(case.scene, kept.method)}{order}")
 
-        found = measure(case, numbers, names, done)
+        try:
+            found = measure(case, numbers, names, done)
+        except ParameterError as error:
+            raise Problem(str(error)) from None
     text = _text(case, found, names)
     if json_:
         click.echo(text, nl=False)

@@ -1,0 +1,220 @@
+"""A body in balls: its poles, what its contacts see of them, and the laws as forms of these."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from flint import acb, acb_mat, arb, arb_mat
+
+from ...bodies.laws import places
+from ..refine import PrecisionError
+
+if TYPE_CHECKING:
+    from ...bodies.modal import Modal
+    from ...scenes.bodies.cell import BodyCell, BodyPhase
+
+#: An array of balls.
+Balls = Any
+
+
+class Forms(NamedTuple):
+    """Forms as ``Re sum poles z + Re(turn e^(i theta)) + constant + memory + direct force``.
+
+    Parameters
+    ----------
+    poles : ndarray of acb, shape (k, m)
+    turn : ndarray of acb, shape (k,)
+    constant : ndarray of arb, shape (k,)
+    memory : ndarray of arb, shape (k, M)
+    direct : ndarray of arb, shape (k, c)
+        By the contact forces.
+    """
+
+    poles: Balls
+    turn: Balls
+    constant: Balls
+    memory: Balls
+    direct: Balls
+
+    def less(self, weights: Balls, others: "Forms") -> "Forms":
+        """Return these forms less combinations of others."""
+        return Forms(*(a - weights @ b for a, b in zip(self, others, strict=True)))
+
+
+def balls(values: Any) -> Balls:
+    """Return an array of the exact values of float64 numbers."""
+    values = np.asarray(values)
+    make = acb if values.dtype == complex else arb
+    return np.array([make(q) for q in values.ravel().tolist()], dtype=object).reshape(
+        values.shape
+    )
+
+
+def solved(A: Balls, right: Balls) -> Balls:
+    """Return the solution of a linear system, real or complex.
+
+    Raises
+    ------
+    PrecisionError
+        If the matrix may be singular.
+    """
+    real = all(isinstance(q, arb) for q in (*A.flat, *right.flat))
+    matrix: Any = arb_mat if real else acb_mat
+    try:
+        found = matrix(A.tolist()).solve(matrix(right.tolist()))
+    except ZeroDivisionError:
+        raise PrecisionError("a linear system may be singular") from None
+    return np.array(found.tolist(), dtype=object).reshape(right.shape)
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """The poles of a body, of each pair the one above the real axis.
+
+    Parameters
+    ----------
+    modal : Modal
+    omega : arb
+        Angular frequency of the forcing.
+    """
+
+    modal: "Modal"
+    omega: Any
+
+    @classmethod
+    def of(cls, cell: "BodyCell") -> "Body":
+        """Return the body of a cell.
+
+        Raises
+        ------
+        PrecisionError
+            If it moves freely: then its poles say nothing of where it is.
+        """
+        if (cell.body.squares == 0).any():
+            raise PrecisionError("a body that moves freely")
+        return cls(cell.body, arb(cell.omega))
+
+    def duration(self, cell: "BodyCell") -> Any:
+        """Return that of a cell by its forcing."""
+        return 2 * arb.pi() * cell.cycles / self.omega / cell.cells
+
+    @cached_property
+    def poles(self) -> tuple[Balls, Balls, Balls]:
+        """The poles, shape (m,); by the forces, (m, c); displacements by them, (m, c).
+
+        ``z' = s z + b force``, and ``x = Re sum c z``.
+        """
+        return self._of_modes() if self.modal.is_proportional else self._of_states()
+
+    def _of_modes(self) -> tuple[Balls, Balls, Balls]:
+        rows: list[tuple[Any, Any, Any]] = []
+        at = balls(self.modal.at)
+        for i, square in enumerate(balls(self.modal.squares)):
+            half = arb(float(self.modal.damping[i, i])) / 2
+            root = acb(half * half - square).sqrt()
+            if root.contains(0):
+                raise PrecisionError("two poles of the body may be one")
+            pair = bool(square > half * half)
+            rows.append((root - half, at[i], at[i] / root / (1 if pair else 2)))
+            if not pair:
+                rows.append((-root - half, at[i], -at[i] / root / 2))
+        s, b, c = (np.array(q, dtype=object) for q in zip(*rows, strict=True))
+        return s, b, c
+
+    def _of_states(self) -> tuple[Balls, Balls, Balls]:
+        count, at = len(self.modal.squares), balls(self.modal.at)
+        A = balls(np.zeros((2 * count, 2 * count)))
+        A[:count, count:] = balls(np.eye(count))
+        A[count:, :count] = balls(np.diag(-self.modal.squares))
+        A[count:, count:] = balls(-self.modal.damping)
+        try:
+            s, basis = acb_mat(A.tolist()).eig(right=True)
+        except ValueError:
+            raise PrecisionError("the poles of the body are not told apart") from None
+        basis = np.array(basis.tolist(), dtype=object)
+        forced = np.concatenate([balls(np.zeros(at.shape)), at])
+        b, c = solved(basis, forced), basis[:count].T @ at
+        real = np.array([q.imag.contains(0) for q in s])
+        kept = real | np.array([bool(q.imag > 0) for q in s])
+        double = np.where(real, 1, 2)[kept, None]
+        return np.array(s, dtype=object)[kept], b[kept], c[kept] * double
+
+    @cached_property
+    def response(self) -> Balls:
+        """The complex amplitudes of the contacts in the answer to the forcing."""
+        body, turn = self.modal, acb(0, 1) * self.omega
+        squares, damping = balls(np.diag(body.squares)), balls(body.damping)
+        A = squares + turn * damping + turn * turn * balls(np.eye(len(squares)))
+        found = solved(A, balls(body.forcing.astype(complex))[:, None])[:, 0]
+        return balls(body.at).T @ found + balls(body.beyond)
+
+    def forms(self, rows: Balls) -> Forms:
+        """Return linear forms of what is seen, given as a cell has them."""
+        (s, _, c), turn = self.poles, acb(0, 1) * self.omega
+        contacts = c.shape[1]
+        width = 2 + 4 * contacts
+        seen, turns = balls(np.zeros((width, len(s)))), balls(np.zeros(width))
+        direct = balls(np.zeros((width, contacts)))
+        x, v, force, a = places(contacts)
+        for order, which in enumerate((x, v, a)):
+            seen[which] = (c * (s**order)[:, None]).T
+            turns[which] = self.response * turn**order
+        turns[2] = arb(1)
+        direct[x], direct[force] = balls(self.modal.residual), balls(np.eye(contacts))
+        direct[a] = balls(self.modal.at).T @ balls(self.modal.at)
+        own, memory = rows[:, :width], rows[:, width:]
+        return Forms(own @ seen, own @ turns, rows[:, 3], memory, own @ direct)
+
+
+def laws(phase: "BodyPhase") -> Balls:
+    """Return the laws of a phase by row; of a held contact, that it has its speed as well."""
+    found = balls(np.array(phase.laws, dtype=float))
+    if phase.held:
+        found[0, 1] += found[0, 5]
+        found[0, 3] -= found[0, 5] * arb(phase.speed)
+    return found
+
+
+def closed(own: Forms, law: Forms) -> Forms:
+    """Return forms with the contact forces by their laws."""
+    return own.less(solved(law.direct.T, own.direct.T).T, law)
+
+
+def impulses(cell: "BodyCell", p: int) -> tuple[list[int], Balls, Balls, Balls]:
+    """Return ``mobility J = factors v + constants`` at the end of a phase.
+
+    Returns
+    -------
+    hit : list of int
+        The contacts that an impulse meets.
+    mobility, factors, constants : ndarray of arb
+        Of these contacts.
+    """
+    jumps, last = list(cell.phases[p].jumps), p == len(cell.phases) - 1
+    after = cell.phases[0 if last else p + 1]
+    whole = balls(cell.body.mobility)
+    if after.held:
+        jumps[0] = (0.0, (cell.sign if last else 1) * after.speed)
+        at = balls(cell.body.at)
+        whole = at.T @ at
+    hit = [i for i, jump in enumerate(jumps) if jump != (1.0, 0.0)]
+    factors = balls(np.array([jumps[i][0] for i in hit], dtype=float)) - 1
+    constants = balls(np.array([jumps[i][1] for i in hit], dtype=float))
+    return hit, whole[np.ix_(hit, hit)], factors, constants
+
+
+def value(form: Sequence[Any], states: Balls, angle: Any) -> tuple[Balls, Any]:
+    """Return a form, without its forces, by what z is of: factors and constant.
+
+    Parameters
+    ----------
+    form : sequence
+        ``poles, turn, constant`` of one form.
+    states : ndarray of acb, shape (m, U)
+    angle : arb
+    """
+    poles, turn, constant = form
+    factors = np.array([acb(q).real for q in poles @ states], dtype=object)
+    return factors, (acb(turn) * (acb(0, 1) * angle).exp()).real + constant

@@ -1,0 +1,110 @@
+"""The exact equations of a body in balls, by the exponential of each phase.
+
+The state is ``Y = (eta, eta', cos, sin, 1, memory)`` of its modes, and a phase is ``Y' = A Y``.
+"""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from flint import acb, arb, arb_mat
+
+from ...bodies.laws import places
+from .body import Balls, Body, balls, impulses, laws, solved
+
+if TYPE_CHECKING:
+    from ...scenes.bodies.cell import BodyCell
+
+
+class Free(NamedTuple):
+    """A body without its contact forces, and what these add: see `solver.bodies.laws.Free`."""
+
+    A: Balls
+    B: Balls
+    rows: Balls
+    by_force: Balls
+
+
+def residual(cell: "BodyCell", times: Any, R: Any) -> None:
+    """Fill R with the events and the length of the cell, as ``solver.bodies.exact`` has them.
+
+    Raises
+    ------
+    PrecisionError
+        If a linear system may be singular.
+    """
+    count, body = len(cell.phases), Body.of(cell)
+    free, clock = _free(cell, body), 2 * len(cell.body.squares)
+    angle = times[count] if cell.forced else arb(0)
+    flows, events, switches = [], [], []
+    for p in range(count):
+        law = laws(cell.carrying(p))
+        forces = -solved(law @ free.by_force, law @ free.rows)
+        A, seen = free.A + free.B @ forces, free.rows + free.by_force @ forces
+        flows.append(np.array(arb_mat((A * times[p]).tolist()).exp().tolist(), dtype=object))
+        events.append(balls(cell.carrying(p).event) @ seen)
+        switches.append(_switch(cell, p, free, seen[places(cell.body.at.shape[1])[1]]))
+    whole = balls(np.eye(len(flows[0])))
+    for flow, switch in zip(flows, switches, strict=True):
+        whole = switch @ (flow @ whole)
+    own = [*range(clock), *range(clock + 3, len(whole))]
+    Y = balls(np.zeros(len(whole)))
+    Y[clock : clock + 3] = angle.cos(), angle.sin(), arb(1)
+    closing = balls(np.eye(len(own))) - whole[np.ix_(own, own)]
+    Y[own] = solved(closing, (whole[own] @ Y)[:, None])[:, 0]
+    for p in range(count):
+        Y = flows[p] @ Y
+        R[p] = events[p] @ Y
+        Y = switches[p] @ Y
+    if cell.forced:
+        R[count] = sum(times[:count], arb(0)) - body.duration(cell)
+
+
+def _free(cell: "BodyCell", body: Body) -> Free:
+    own, memory, contacts = body.modal, len(cell.memory), body.modal.at.shape[1]
+    count, at = len(own.squares), balls(own.at)
+    place, velocity, clock = slice(count), slice(count, 2 * count), 2 * count
+    A = balls(np.zeros((clock + 3 + memory,) * 2))
+    A[place, velocity] = balls(np.eye(count))
+    A[velocity, place], A[velocity, velocity] = (
+        balls(-np.diag(own.squares)),
+        -balls(own.damping),
+    )
+    A[velocity, clock] = balls(own.forcing)
+    A[clock, clock + 1], A[clock + 1, clock] = -body.omega, body.omega
+    B = balls(np.zeros((len(A), contacts)))
+    B[velocity] = at
+    x, v, force, a = places(contacts)
+    size = 2 + 4 * contacts
+    rows = balls(np.zeros((size + memory, len(A))))
+    rows[x, place], rows[v, velocity], rows[a] = at.T, at.T, at.T @ A[velocity]
+    rows[2, clock] = rows[3, clock + 2] = arb(1)
+    rows[size:, clock + 3 :] = balls(np.eye(memory))
+    for order, which in enumerate((x, v, a)):  # Re(h (i Omega)^order e^(i theta))
+        turned = balls(own.beyond) * (acb(0, 1) * body.omega) ** order
+        for row, h in zip(which, turned, strict=True):
+            rows[row, clock] = rows[row, clock] + h.real
+            rows[row, clock + 1] = rows[row, clock + 1] - h.imag
+    by_force = balls(np.zeros((size + memory, contacts)))
+    by_force[x], by_force[force] = balls(own.residual), balls(np.eye(contacts))
+    by_force[a] = at.T @ at
+    return Free(A, B, rows, by_force)
+
+
+def _switch(cell: "BodyCell", p: int, free: Free, velocities: Balls) -> Balls:
+    """Return what the switch at the end of a phase makes of its state."""
+    count, after = len(cell.body.squares), (p + 1) % len(cell.phases)
+    size, clock, found = 2 + 4 * cell.body.at.shape[1], 2 * count, balls(np.eye(len(free.A)))
+    hit, mobility, factors, constants = impulses(cell, p)
+    if hit:
+        right = factors[:, None] * velocities[hit]
+        right[:, clock + 2] = right[:, clock + 2] + constants
+        found = found + free.B[:, hit] @ solved(mobility, right)
+    sign = cell.sign if after == 0 else 1
+    for i, each in enumerate(cell.memory):
+        if each.phase == after:  # of the mirrored state
+            form = balls(np.array(each.value[:size], dtype=float))
+            form[3] = sign * form[3]
+            found[clock + 3 + i] = form @ (free.rows[:size] @ found)
+    mirrored = [*range(clock + 2), *range(clock + 3, len(found))]
+    found[mirrored] = sign * found[mirrored]
+    return found

@@ -1,0 +1,215 @@
+"""What is known of a cell of a body at given times in balls: poles, harmonics, breaks."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import factorial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from flint import acb, arb, fmpq
+
+from ...kernels.bodies import Given
+from .body import Balls, Body, Forms, balls, closed, impulses, laws
+from .pieces import Piece, around, moments
+
+if TYPE_CHECKING:
+    from ...scenes.bodies.cell import BodyCell
+
+
+def function(n: int, sign: int) -> list[Fraction]:
+    """Return ``beta_n`` between two of its breaks, by powers of the age from 0 to 1.
+
+    Its derivative of order n - 1 jumps by 1 at each break; ``beta_n' = beta_(n-1)``, and from
+    one cell to the next it is multiplied by `sign`.
+
+    Examples
+    --------
+    >>> function(1, 1)
+    [Fraction(1, 2), Fraction(-1, 1)]
+    """
+    found = [Fraction(1, 2)] if sign < 0 else [Fraction(1, 2), Fraction(-1)]
+    for _ in range(n - 1):
+        found = [Fraction(0), *(q / (i + 1) for i, q in enumerate(found))]
+        mean = sum((q / (i + 1) for i, q in enumerate(found)), Fraction(0))
+        found[0] -= mean if sign > 0 else sum(found, Fraction(0)) / 2
+    return found
+
+
+def legendre(powers: list[Fraction], age: Any, length: Any) -> dict[int, Any]:
+    """Return ``p(age + length u)`` in the polynomials ``P_j*(u)``, by j."""
+    found: dict[int, Any] = {}
+    for k in range(len(powers)):
+        derivative = arb(0)
+        for i in range(k, len(powers)):
+            part = powers[i] * factorial(i) / factorial(i - k)
+            derivative = derivative + _ball(part) * age ** (i - k)
+        for j in range(k + 1):  # u^k
+            part = Fraction((2 * j + 1) * factorial(k), factorial(k - j) * factorial(k + j + 1))
+            found[j] = found.get(j, arb(0)) + derivative * length**k * _ball(part)
+    return found
+
+
+def _ball(part: Fraction) -> Any:
+    return arb(fmpq(part.numerator, part.denominator))
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """What is known of a cell at given times; see ``solver.bodies.harmonics.frame``.
+
+    Parameters
+    ----------
+    given : Given
+    times : ndarray of arb
+    """
+
+    given: Given
+    times: Balls
+
+    @cached_property
+    def cell(self) -> "BodyCell":
+        """The cell."""
+        return self.given.cell
+
+    @cached_property
+    def body(self) -> Body:
+        """Its body."""
+        return Body.of(self.cell)
+
+    @cached_property
+    def count(self) -> int:
+        """How many phases there are."""
+        return len(self.cell.phases)
+
+    @cached_property
+    def T(self) -> Any:
+        """The duration of the cell."""
+        durations = self.times[: self.count]
+        return self.body.duration(self.cell) if self.cell.forced else sum(durations, arb(0))
+
+    @cached_property
+    def ends(self) -> list[Any]:
+        """Where phases begin, and the last ends, as parts of the cell."""
+        found = [arb(0)]
+        for p in range(self.count - 1):
+            found.append(found[-1] + self.times[p] / self.T)
+        return [*found, arb(1)]
+
+    @cached_property
+    def drive(self) -> Any:
+        """By how much the forcing turns in the cell."""
+        return self.body.omega * self.T
+
+    @cached_property
+    def angles(self) -> list[Any]:
+        """The angles of the forcing at `ends`."""
+        first = self.times[self.count] if self.cell.forced else arb(0)
+        return [first + self.drive * end for end in self.ends]
+
+    @cached_property
+    def turns(self) -> list[Any]:
+        """``h w T`` of the harmonics, ascending; of half a period the odd ones."""
+        order, step = self.given.order, arb.pi()
+        if self.cell.sign > 0:
+            return [2 * h * step for h in range(-order, order + 1)]
+        top = order - (order + 1) % 2
+        return [h * step for h in range(-top, top + 1, 2)]
+
+    @cached_property
+    def breaks(self) -> list[tuple[int, int, int]]:
+        """Where, n and contact of the functions, then where, 0 and contact of the impulses."""
+        contacts, functions = range(self.cell.body.at.shape[1]), self.given.functions or 0
+        found = [
+            (p, max(self.cell.classes[p], 1) + i, c)
+            for p in range(self.count)
+            for i in range(functions)
+            for c in contacts
+        ]
+        hits = [(p + 1, 0, c) for p in range(self.count) for c in impulses(self.cell, p)[0]]
+        return found + hits
+
+    @cached_property
+    def waves(self) -> int:
+        """How many unknowns are harmonics; those of `breaks` follow, then the memory."""
+        return int(len(self.turns) * self.cell.body.at.shape[1])
+
+    @cached_property
+    def memory(self) -> int:
+        """The first unknown that is a memory."""
+        return self.waves + len(self.breaks)
+
+    @cached_property
+    def size(self) -> int:
+        """How many unknowns there are."""
+        return self.memory + len(self.cell.memory)
+
+    @cached_property
+    def lengths(self) -> list[Any]:
+        """The phases, as parts of the cell."""
+        return [b - a for a, b in zip(self.ends, self.ends[1:], strict=False)]
+
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """The states of the poles by `breaks` on each phase."""
+        forces: list[dict[int, Any]] = [{} for _ in range(self.count)]
+        hits: list[list[tuple[int, int]]] = [[] for _ in range(self.count)]
+        for i, (p, n, c) in enumerate(self.breaks):
+            if n == 0:
+                hits[p - 1].append((i, c))
+                continue
+            powers = function(n, self.cell.sign)
+            for q in range(self.count):
+                side, age = 1 if q >= p else self.cell.sign, arb(0)
+                if q != p:
+                    age = self.ends[q] - self.ends[p] + (0 if q > p else 1)
+                series = legendre(powers, age, self.lengths[q])
+                forces[q][i] = (c, {j: side * factor for j, factor in series.items()})
+        lengths = [length * self.T for length in self.lengths]
+        return around(self.body.poles, lengths, forces, hits, len(self.breaks), self.cell.sign)
+
+    @cached_property
+    def laws(self) -> list[Forms]:
+        """The contact forces by the law of each phase."""
+        found = []
+        for phase in self.cell.phases:
+            law = self.body.forms(laws(phase))
+            poles, turn, constant, memory = (0 * q for q in law[:4])
+            force = Forms(poles, turn, constant, memory, balls(np.eye(len(law.direct))))
+            found.append(closed(force, law))
+        return found
+
+    def integral(self, q: int, turn: Any) -> Any:
+        """Return ``int e^(i turn u) du`` over a phase."""
+        wave = (acb(0, 1) * turn * self.ends[q]).exp()
+        return wave * self.lengths[q] * moments(acb(0, 1) * turn * self.lengths[q], 1)[0]
+
+    def compliance(self, forms: Forms) -> Balls:
+        """Return what forms are of each harmonic of the forces; shape (J, k, contacts)."""
+        s, b, _ = self.body.poles
+        found = [(forms.poles / (acb(0, 1) * turn / self.T - s)) @ b for turn in self.turns]
+        return of_real(np.array(found, dtype=object))
+
+    def values(self, forms: Forms, q: int, side: int) -> tuple[Balls, Balls]:
+        """Return forms at an end of phase `q`: rows over the unknowns, and what is known."""
+        wave = [(acb(0, 1) * turn * self.ends[q + side]).exp() for turn in self.turns]
+        harmonics = self.compliance(forms) * np.array(wave, dtype=object)[:, None, None]
+        states = self.pieces[q].end if side else self.pieces[q].start
+        rows = np.full((len(forms.poles), self.size), acb(0), dtype=object)
+        rows[:, : self.waves] = harmonics.transpose(1, 0, 2).reshape(len(rows), -1)
+        rows[:, self.waves : self.memory] = real(forms.poles @ states)
+        rows[:, self.memory :] = forms.memory
+        turned = (acb(0, 1) * self.angles[q + side]).exp()
+        return rows, real(forms.turn * turned) + forms.constant
+
+
+def real(values: Balls) -> Balls:
+    """Return the real parts of an array."""
+    flat = [acb(q).real for q in values.ravel()]
+    return np.array(flat, dtype=object).reshape(values.shape)
+
+
+def of_real(by_harmonic: Balls) -> Balls:
+    """Return the harmonics of the real part of what has these."""
+    other = [acb(q).conjugate() for q in by_harmonic[::-1].ravel()]
+    return (by_harmonic + np.array(other, dtype=object).reshape(by_harmonic.shape)) / 2

@@ -1,0 +1,121 @@
+"""Harmonics of the contact forces of a body in balls, and functions with breaks beside them."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from flint import acb, arb
+
+from ...bodies.laws import places
+from ...kernels.bodies import Given
+from .body import Balls, Forms, balls, closed, impulses, laws, solved
+from .frame import Frame, of_real, real
+
+
+def residual(given: Given, times: Any, R: Any) -> None:
+    """Fill R with the events and the length of the cell, as ``solver.bodies.harmonics`` does.
+
+    Raises
+    ------
+    PrecisionError
+        If poles are not told apart, or a linear system may be singular.
+    """
+    frame, cell = Frame(given, np.array(times, dtype=object)), given.cell
+    A = np.full((frame.size, frame.size), acb(0), dtype=object)
+    right = np.full(frame.size, acb(0), dtype=object)
+    A[: frame.waves], right[: frame.waves] = _galerkin(frame)
+    for place, row, known in _statements(frame):
+        A[place], right[place] = -row, known
+        A[place, place] = A[place, place] + 1
+    unknowns = solved(A, right[:, None])[:, 0]
+    for p, phase in enumerate(cell.phases):
+        event = closed(frame.body.forms(balls([phase.event])), frame.body.forms(laws(phase)))
+        rows, rest = frame.values(event, p, 1)
+        R[p] = acb(rows[0] @ unknowns).real + rest[0]
+    if cell.forced:
+        R[frame.count] = sum(times[: frame.count], arb(0)) - frame.T
+
+
+def _galerkin(frame: Frame) -> tuple[Balls, Balls]:
+    """Return the rows of the harmonics: the force less what the laws make of the state."""
+    J, contacts, breaks = len(frame.turns), frame.cell.body.at.shape[1], len(frame.breaks)
+    rows = np.full((J, contacts, frame.size), acb(0), dtype=object)
+    right = np.full((J, contacts), acb(0), dtype=object)
+    step = frame.turns[1] - frame.turns[0]
+    turn = (acb(0, 1) * frame.angles[0]).exp() / 2
+    for q, law in enumerate(frame.laws):
+        compliance = frame.compliance(law)
+        apart = {d: frame.integral(q, d * step) for d in range(1 - J, J)}
+        found = np.full((J, contacts, breaks), acb(0), dtype=object)
+        for h, eta in enumerate(frame.turns):
+            for other in range(J):
+                here = slice(other * contacts, (other + 1) * contacts)
+                own = compliance[other] * apart[other - h]
+                rows[h, :, here] = rows[h, :, here] - own
+            wave = (acb(0, -1) * eta * frame.ends[q]).exp() * frame.lengths[q]
+            found[h] = law.poles @ frame.pieces[q].by_wave(eta * frame.lengths[q]) * wave
+            alone = frame.integral(q, -eta)
+            rows[h, :, frame.memory :] = rows[h, :, frame.memory :] - law.memory * alone
+            ahead, behind = (frame.integral(q, g * frame.drive - eta) for g in (1, -1))
+            back = np.array([acb(g).conjugate() for g in law.turn], dtype=object)
+            driven = law.turn * turn * ahead + back * turn.conjugate() * behind
+            right[h] = right[h] + driven + law.constant * alone
+        between = slice(frame.waves, frame.memory)
+        rows[:, :, between] = rows[:, :, between] - of_real(found)
+    for h, eta in enumerate(frame.turns):
+        for c in range(contacts):
+            rows[h, c, h * contacts + c] = rows[h, c, h * contacts + c] + 1
+        for i, (p, n, c) in enumerate(frame.breaks):
+            if n and not eta.contains(0):  # the mean of a function is 0
+                own = (acb(0, 1) * eta) ** -n * (acb(0, -1) * eta * frame.ends[p]).exp()
+                rows[h, c, frame.waves + i] = rows[h, c, frame.waves + i] + own
+    return rows.reshape(J * contacts, -1), right.ravel()
+
+
+def _statements(frame: Frame) -> Iterator[tuple[int, Balls, Any]]:
+    """Yield what each factor, impulse and memory is: its place, a row, and what is known."""
+    cell, at, contacts = frame.cell, frame.waves, frame.cell.body.at.shape[1]
+    for p in range(frame.count if frame.given.functions else 0):
+        sign, left = (1, p - 1) if p else (cell.sign, frame.count - 1)
+        after, before, first = frame.laws[p], frame.laws[left], max(cell.classes[p], 1)
+        for n in range(1, first + (frame.given.functions or 0)):
+            if n >= first:
+                rows, rest = frame.values(after, p, 0)
+                ended, known = frame.values(before, left, 1)
+                for c in range(contacts):
+                    size = frame.T ** (n - 1)
+                    yield (
+                        at,
+                        size * (rows[c] - sign * ended[c]),
+                        size * (rest - sign * known)[c],
+                    )
+                    at += 1
+            after, before = _rate(frame, after, p), _rate(frame, before, left)
+    velocity = frame.body.forms(balls(np.eye(2 + 4 * contacts + len(cell.memory))))
+    for p in range(frame.count):
+        hit, mobility, factors, constants = impulses(cell, p)
+        if hit:
+            rows, rest = frame.values(velocity, p, 1)
+            v = [places(contacts)[1][c] for c in hit]
+            right = np.hstack(
+                [factors[:, None] * rows[v], (factors * rest[v] + constants)[:, None]]
+            )
+            for *row, known in solved(mobility.astype(object), right):
+                yield at, np.array(row, dtype=object), known
+                at += 1
+    for each in cell.memory:
+        form = balls([[*each.value[: 2 + 4 * contacts], *([0.0] * len(cell.memory))]])
+        rows, rest = frame.values(frame.body.forms(form), each.phase, 0)
+        yield at, rows[0], rest[0]
+        at += 1
+
+
+def _rate(frame: Frame, forms: Forms, p: int) -> Forms:
+    """Return the derivatives of forms by time under the laws of a phase."""
+    s, b, _ = frame.body.poles
+    law, by_force = frame.laws[p], real(forms.poles @ b)
+    poles, turn = forms.poles * s, acb(0, 1) * frame.body.omega * forms.turn
+    return Forms(
+        poles + by_force @ law.poles, turn + by_force @ law.turn, by_force @ law.constant,
+        by_force @ law.memory, forms.direct,
+    )  # fmt: skip

@@ -1,0 +1,148 @@
+"""States of the poles under forces that are polynomials on each piece of a cell, in balls."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from flint import acb, arb
+
+from .body import Balls, balls
+
+#: Of each column the contact at which its force acts, and the coefficients of that in
+#: Legendre polynomials of the piece, by degree.
+Forces = Mapping[int, tuple[int, Mapping[int, Any]]]
+
+
+def moments(kappa: Any, count: int) -> Balls:
+    """Return ``int_0^1 e^(kappa u) P_n*(u) du`` for n below `count`.
+
+    ``e^(kappa/2) i_n(kappa/2)``, i_n by its series 0F1 (DLMF 10.47.7, 10.39.9), or upwards by
+    its recurrence, which keeps digits where kappa is large.
+    """
+    kappa = acb(kappa)
+    if abs(kappa) > 2 * count:
+        grown = kappa.exp()
+        found = [(grown - 1) / kappa, (grown + 1) / kappa - 2 * (grown - 1) / kappa**2]
+        for n in range(1, count - 1):
+            found.append(found[n - 1] - 2 * (2 * n + 1) / kappa * found[n])
+        return np.array(found[:count], dtype=object)
+    half = kappa / 2
+    found, factor = [], half.exp()
+    for n in range(count):
+        if n:
+            factor = factor * half / (2 * n + 1)
+        found.append(factor * (half * half / 4).hypgeom_0f1(acb(2 * n + 3) / 2))
+    return np.array(found, dtype=object)
+
+
+def answers(kappa: Any, count: int) -> Balls:
+    """Return the Legendre coefficients of the polynomials p with ``p' - kappa p = P_n*``.
+
+    Shape ``(count, count)``, by n; ``P_j*' = sum 2 (2 i + 1) P_i*`` over i = j - 1, j - 3, ...
+    """
+    found = np.full((count, count), acb(0), dtype=object)
+    for n in range(count):
+        above = [acb(0), acb(0)]  # sums of the coefficients of odd and of even degree
+        for i in range(n, -1, -1):
+            slope = 2 * (2 * i + 1) * above[(i + 1) % 2]
+            found[n, i] = (slope - (1 if i == n else 0)) / kappa
+            above[i % 2] = above[i % 2] + found[n, i]
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """The states of the poles along a piece: ``decaying e^(kappa u) + sum rest P_n*(u)``.
+
+    Parameters
+    ----------
+    kappa : ndarray of acb, shape (m,)
+    start : ndarray of acb, shape (m, U)
+        By column, where the piece begins.
+    rest : ndarray of acb, shape (m, U, D)
+    """
+
+    kappa: Balls
+    start: Balls
+    rest: Balls
+
+    @cached_property
+    def decaying(self) -> Balls:
+        """The factors of ``e^(kappa u)``."""
+        signs = np.array([arb((-1) ** n) for n in range(self.rest.shape[2])], dtype=object)
+        return self.start - self.rest @ signs
+
+    @cached_property
+    def end(self) -> Balls:
+        """The states where it ends."""
+        grown = np.array([q.exp() for q in self.kappa], dtype=object)
+        return self.decaying * grown[:, None] + self.rest.sum(axis=2)
+
+    def tested(self, count: int) -> Balls:
+        """Return the integrals of the states with ``P_n*`` for n below it; (count, m, U)."""
+        by_pole = np.array([moments(q, count) for q in self.kappa], dtype=object)
+        found = [by_pole[:, n, None] * self.decaying for n in range(count)]
+        for n in range(min(count, self.rest.shape[2])):
+            found[n] = found[n] + self.rest[:, :, n] / (2 * n + 1)
+        return np.array(found, dtype=object)
+
+    def by_wave(self, turn: Any) -> Balls:
+        """Return the integral of the states with ``e^(-i turn u)``; shape (m, U)."""
+        against = acb(0, -1) * turn
+        decayed = [moments(q + against, 1)[0] for q in self.kappa]
+        own = moments(against, self.rest.shape[2])
+        return np.array(decayed, dtype=object)[:, None] * self.decaying + self.rest @ own
+
+
+def around(
+    poles: tuple[Balls, Balls, Balls],
+    lengths: Sequence[Any],
+    forces: Sequence[Forces],
+    hits: Sequence[Iterable[tuple[int, int]]],
+    columns: int,
+    sign: int,
+) -> list[Piece]:
+    """Return the pieces of a cell that repeats itself.
+
+    Parameters
+    ----------
+    poles : tuple
+        Of a `Body`.
+    lengths : sequence of arb
+        Durations of the pieces.
+    forces : sequence of Forces
+        On each piece.
+    hits : sequence of (column, contact)
+        Unit impulses behind each piece.
+    columns : int
+    sign : int
+        What the motion is multiplied by from one cell to the next.
+    """
+    s, b, _ = poles
+    rests = [_rest(s * t, b * t, own, columns) for t, own in zip(lengths, forces, strict=True)]
+    start = balls(np.zeros((len(s), columns)))
+    found: list[Piece] = []
+    for turn in range(2):
+        found, state = [], start
+        for t, rest, hit in zip(lengths, rests, hits, strict=True):
+            found.append(Piece(s * t, state, rest))
+            state = found[-1].end.copy()
+            for column, contact in hit:
+                state[:, column] = state[:, column] + b[:, contact]
+        if turn == 0:
+            grown = np.array([(q * sum(lengths, arb(0))).exp() for q in s], dtype=object)
+            start = sign * state / (1 - sign * grown)[:, None]
+    return found
+
+
+def _rest(kappa: Balls, b: Balls, forces: Forces, columns: int) -> Balls:
+    count = 1 + max((n for _, series in forces.values() for n in series), default=0)
+    rest = np.full((len(kappa), columns, count), acb(0), dtype=object)
+    by_degree = np.array([answers(q, count) for q in kappa], dtype=object)
+    for column, (contact, series) in forces.items():
+        for n, factor in series.items():
+            own = by_degree[:, n] * (b[:, contact] * factor)[:, None]
+            rest[:, column] = rest[:, column] + own
+    return rest
