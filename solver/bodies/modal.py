@@ -199,12 +199,22 @@ def damped(body: Modal, ratio: float | None) -> Modal:
     return replace(body, damping=np.diag(2 * ratio * np.sqrt(np.abs(body.squares))))
 
 
-def at_frequency(body: Modal, matrices: Mapping[str, Any], omega: float) -> Modal:
+def at_frequency(
+    body: Modal, matrices: Mapping[str, Any], omega: float, modes: int | None = None
+) -> Modal:
     """Return a body of which what is left out answers a forcing with damping and inertia.
 
-    The damping is known where its matrix is given; else the answer is static.
+    The damping is known where its matrix is given; else the answer is static.  `modes` are
+    kept.
+
+    Raises
+    ------
+    BodyError
+        If the forcing is faster than all modes that are kept: others may resonate with it.
     """
     few = len(body.squares) < matrices["M"].shape[0]
+    if few and omega**2 > np.sort(body.squares)[:modes].max():  # static shapes come last
+        raise BodyError("the forcing is faster than all modes that are kept: keep more of them")
     if not (few and omega and "C" in matrices and "forcing" in matrices):
         return body
     full = matrices["K"] - omega**2 * matrices["M"] + 1j * omega * matrices["C"]

@@ -23,6 +23,9 @@ SOME = -1.0, -0.4271, 0.3183, 1.0
 #: Length of the shortest interval on which series are resolved, as a part of its values.
 SHORTEST = 1e-10
 
+#: What two values differ by that are the same in other units, as a part of them.
+EQUAL = 16 * float(np.finfo(float).eps)
+
 
 #: What gives the cell at a value of the parameter, and the forms that are watched there.
 Content = Callable[[float], tuple[Cell, list[Form]]]
@@ -80,11 +83,16 @@ class Interval:
         return [self.value(q) for q in SOME]
 
     def halves_about(self, value: float) -> "Iterator[Interval]":
-        """Yield it, its half about a value in it, and so on; one at least."""
-        low, high, shortest = self.low, self.high, SHORTEST * abs(value)
+        """Yield it, its half about a value in it, and so on; one at least.
+
+        An end at which the value is, but for rounding, stays an end.
+        """
+        low, high = self.low, self.high
+        shortest, same = SHORTEST * abs(value), EQUAL * abs(value)
         yield self
         while high - low > shortest:
-            low, high = (low + value) / 2, (high + value) / 2
+            low = (low + value) / 2 if value - low > same else low
+            high = (high + value) / 2 if high - value > same else high
             yield Interval(low, high)
 
 

@@ -3,6 +3,7 @@
 import csv
 import json
 import signal
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
@@ -165,6 +166,17 @@ def test_an_interval_has_exact_ends() -> None:
     interval = Interval(0.1, 0.7)
     assert [interval.value(q) for q in (-1.0, 1.0)] == [0.1, 0.7]
     assert interval.q(0.4) == pytest.approx(0.0, abs=1e-15)
+
+
+@pytest.mark.parametrize("off", [-2e-16, 0.0, 2e-16, 5e-11])
+def test_halves_about_an_end_keep_it_and_are_few(off: float) -> None:
+    """Else an orbit at an end of the range would never be at an end of its piece."""
+    at_low = list(islice(Interval(0.1, 0.7).halves_about(0.1 * (1 + off)), 50))
+    at_high = list(islice(Interval(0.1, 0.7).halves_about(0.7 * (1 + off)), 50))
+    assert len(at_low) < 40 > len(at_high)
+    if abs(off) < 1e-15:
+        assert {part.low for part in at_low} == {0.1}
+        assert {part.high for part in at_high} == {0.7}
 
 
 def test_the_course_of_a_declared_motion_has_its_name() -> None:

@@ -187,11 +187,12 @@ def _body(
     try:
         if modes is not None and (modes != int(modes) or modes < 1):
             raise BodyError(f"modes: got {modes!r}, expected a whole number from 1")
-        matrices = _matrices(scene, entries, binary)
-        found = _modes(scene, entries, binary, None if modes is None else int(modes))
-        found = at_frequency(
-            damped(found, ratio), matrices, frequency * binary.time / units.time
-        )
+        matrices, count = _matrices(scene, entries, binary), None
+        if modes is not None:
+            count = int(modes)
+        found = damped(_modes(scene, entries, binary, count), ratio)
+        omega = frequency * binary.time / units.time
+        found = at_frequency(found, matrices, omega, count)
         ratios = (
             a / b for a, b in zip(*(vars(q).values() for q in (units, binary)), strict=True)
         )
