@@ -34,6 +34,9 @@ AN_INSTANT, A_MOMENT = 1e-100, 1e-8
 #: Most corrections of a step, the last one that is small, and how fast they must fall.
 CORRECTIONS, SMALL, FALL = 8, 1e-9, 0.5
 
+#: A first correction up to which the second may be as large: both are rounding.
+BARELY = 1e-12
+
 #: A correction that is no larger, and a part of the one before that is no larger: the next one
 #: is by the same derivatives, and shrinks as much.
 NEAR, FAST_FALL = 1e-4, 0.1
@@ -180,7 +183,8 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
     -------
     converged : bool
     fall : float
-        The second correction as a part of the first; 0 where there is none.
+        The second correction as a part of the first; 0 where there is none, or both are
+        rounding.
     """
     n = len(y) - 1
     J, scales, rows = np.empty((n + 1, n + 1)), np.empty(n + 1), np.empty(n + 1, np.int64)
@@ -203,7 +207,7 @@ def corrected(along: Any, y: Vector, border: Vector) -> tuple[bool, float]:
         size = sqrt(size)
         if not isfinite(size):
             return False, fall
-        if turn == 1:
+        if turn == 1 and before > BARELY:
             fall = size / before
         if size <= ROUNDOFF or (size <= SMALL and size > FALL * before):
             return True, fall

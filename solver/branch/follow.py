@@ -41,6 +41,9 @@ MOST = 1e8
 #: Beyond it a value where an event was located is a pole, not a zero, as a part of its change.
 ZERO = 1e-6
 
+#: What is watched, without units, may be below zero by this: it is rounding.
+ROUNDING = 4 * float(np.finfo(float).eps)
+
 #: What may be apart of events that are one, as a part of where they are.
 SAME = 1e-9
 
@@ -311,7 +314,7 @@ def _located(
     forms, phases = 3 * len(piece.table), len(piece.along.kinds)
     at, place = _root(piece, before, length, i)
     if not abs(float(place.gauges[i])) <= ZERO * abs(end):
-        if i < forms + phases:  # there is no orbit beyond
+        if i < forms + phases and abs(end) > ROUNDING:  # there is no orbit beyond
             yield at, None
         return
     if i < forms:

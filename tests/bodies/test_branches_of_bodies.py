@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.codegen.scenes import chain_impact as impacts
-from nonsmooth.scene import Event, Parameter
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
 from nonsmooth.solver import branches
 from nonsmooth.solver.bodies.exact import evaluated
 from nonsmooth.solver.bodies.motion import signals
@@ -294,6 +294,49 @@ def test_a_slip_vanishes_where_friction_just_holds() -> None:
     for event in (low, high):
         wanted = at_the_limit(case, force, event.parameter)
         assert event.parameter == pytest.approx(wanted, rel=1e-14)
+
+
+def joined_row(damping: sp.Matrix) -> Scene:
+    """Return five masses in a row, the last on friction with the one before it."""
+    F, f, Omega = sp.symbols("F f Omega", positive=True)
+    links = 2 * np.eye(5) - np.eye(5, k=1) - np.eye(5, k=-1)
+    links[-1, -1] = 1.0
+    row = Body(
+        M=np.eye(5), K=1.085 * links, C=damping, modes=3, forcing=sp.Matrix([F, 0, 0, 0, 0]),
+        at={"joint": [0, 0, 0, -1, 1]},
+    )  # fmt: skip
+    joint = row.at["joint"]
+    slip = Phase("slip", joint.force + f, Event(joint.v), {"it slips": joint.v})
+    holds = {"it holds": f - sp.Abs(joint.force)}
+    stick = Phase("stick", joint.a, Event(joint.force - f), holds, held=0)
+    parameters = (
+        Parameter("force", F, "N", 0.345, "amplitude"),
+        Parameter("friction", f, "N", 0.1, "friction"),
+        Parameter("frequency", Omega, "rad/s", 0.74, "of the force"),
+    )
+    return Scene(
+        "joined-row", "a row", parameters, (slip, stick), frequency=Omega, half_period=True,
+        body=row,
+    )  # fmt: skip
+
+
+def test_a_slip_of_a_joint_vanishes_where_friction_just_holds(monkeypatch, tmp_path) -> None:
+    """What is below zero by rounding, as it vanishes, does not end the branch before."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    damping = sp.zeros(5, 5)
+    damping[0, 0], damping[1, 1], damping[2, 2], damping[4, 4] = 0.18, 0.18, 0.55, 0.037
+    damping[1, 2] = damping[2, 1] = -0.061
+    case = ns.scene(joined_row(damping))()
+    body, omega = case.cell.body, case.cell.omega
+    stiff = np.diag(body.squares - omega**2) + 1j * omega * body.damping
+    free, pushed = np.linalg.solve(stiff, np.column_stack([body.forcing, body.at])).T
+    force = abs((body.at[:, 0] @ free + body.beyond[0]) / (body.at[:, 0] @ pushed))
+    law = case.cell.phases[0].laws[0]
+    wanted = case.values["force"] * abs(law[3] / law[4]) / force
+    branch = ns.branch(case, "force", 0.5 * wanted, 1.5 * wanted)
+    assert "sticking" in branch.why_it_ended
+    (event,) = branch.events
+    assert event.parameter == pytest.approx(wanted, rel=1e-12)
 
 
 def test_a_slider_stops_where_its_spring_just_holds() -> None:

@@ -150,6 +150,15 @@ def test_a_form_of_a_body_that_falls_and_rises_again_has_its_least(t_1: float) -
     assert least == pytest.approx(0.0, abs=0.01 * t_1**3)
 
 
+def test_from_the_branch_itself_corrections_do_not_count() -> None:
+    """They are rounding, of which the second may be as large as the first."""
+    for motion in MOTIONS:
+        there, place = started(motion)
+        own, y = walk.FAMILY.plain(walk.__name__)["corrected"], place.y.copy()
+        own(there.along, y, place.direction)
+        assert own(there.along, y, place.direction) == (True, 0.0)
+
+
 def test_compiled_and_plain_steps_have_the_same_bits() -> None:
     for motion in MOTIONS[::3]:
         there, place = started(motion)
