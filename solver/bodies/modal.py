@@ -212,8 +212,9 @@ def at_frequency(
     BodyError
         If the forcing is faster than all modes that are kept: others may resonate with it.
     """
-    few = len(body.squares) < matrices["M"].shape[0]
-    if few and omega**2 > np.sort(body.squares)[:modes].max():  # static shapes come last
+    n = matrices["M"].shape[0]
+    few, slow = len(body.squares) < n, np.sort(body.squares)[:modes]  # shapes come last
+    if modes is not None and modes < n and omega**2 > slow.max():
         raise BodyError("the forcing is faster than all modes that are kept: keep more of them")
     if not (few and omega and "C" in matrices and "forcing" in matrices):
         return body
