@@ -113,7 +113,8 @@ def branch_case(
     Raises
     ------
     ParameterError
-        If the scene has no such parameter, or an end of the range cannot be one.
+        If the scene has no such parameter, or an end of the range cannot be one, or there is
+        no such oscillator at any value that is tried.
     ValueError
         If the range is empty, or `start` is not in it.
     NoOrbit
@@ -241,9 +242,10 @@ def _doubled(found: Both, kinds: Container[str], seen: Seen) -> Iterator[Both]:
 
 
 def _orbits(case: Case) -> list[ExactOrbit]:
-    """Return the orbits of a case that are known, or one that is found."""
-    found = known_orbits(case)
-    with suppress(NoOrbit):
+    """Return the orbits of a case that are known, or one that is found; none if it is none."""
+    found: list[ExactOrbit] = []
+    with suppress(NoOrbit, ParameterError):
+        found = known_orbits(case)
         found = found or [exact_orbit(case)]
     return found
 
@@ -267,16 +269,25 @@ def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:
 
 
 def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
-    """Return an orbit from which a branch can be followed."""
+    """Return an orbit from which a branch can be followed.
+
+    Where there is no such oscillator at some of the values, it is looked for at the others.
+    """
     own, (low, high) = case.values[parameter], bounds
     values = [own] if low <= own <= high else []
     tried: list[str] = []
+    errors: list[ParameterError] = []
     parts = (low + part * (high - low) for part in STARTS)
     for value in dict.fromkeys([*values, *parts]):
         try:
             return exact_orbit(case.with_value(parameter, value))
         except NoOrbit as finding:
             tried.append(f"at {parameter} = {value:g}: {finding}")
+        except ParameterError as error:
+            errors.append(error)
+            tried.append(f"at {parameter} = {value:g}: {error}")
+    if len(errors) == len(tried):
+        raise errors[0]
     words = f"{case.scene.label}: no orbit was found from which a branch could be followed"
     raise NoOrbit(words, False, tuple(tried))
 

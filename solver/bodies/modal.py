@@ -33,6 +33,9 @@ UNSEEN = 1e-11
 #: Steps in which the static answer of the modes left out is found.
 STEPS = 200
 
+#: What of that answer rounding may go on changing, as a part.
+BY_ROUNDING = 1e-9
+
 #: What of the compliance at a contact is rounding, as a part; and what of a static answer is
 #: new beside the others.
 STIFF, NEW = 1e-12, 1e-10
@@ -318,11 +321,13 @@ def _left_out(M: Any, shapes: Matrix, right: Matrix, shift: float, stiff: Solve)
         return np.asarray(q - shapes @ (shapes.T @ (M @ q)))
 
     first = without(stiff(right - M @ (shapes @ (shapes.T @ right))))
-    found = first
+    found, last = first, np.inf
     for _ in range(STEPS):
         before, found = found, first + shift * without(stiff(M @ found))
-        if np.abs(found - before).max() <= 4 * np.finfo(float).eps * np.abs(found).max():
+        change, size = np.abs(found - before).max(), np.abs(found).max()
+        if change <= 4 * np.finfo(float).eps * size or last <= change <= BY_ROUNDING * size:
             return found
+        last = change
     raise BodyError("the modes left out are too slow for the forcing: keep more of them")
 
 

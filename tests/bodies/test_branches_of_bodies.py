@@ -27,6 +27,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.results.branch import BranchEvent
 from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.parameter_error import ParameterError
 from nonsmooth.solver.stability.stability import stability
 
 #: Most of the range of a parameter in a step.
@@ -252,6 +253,15 @@ def test_a_branch_ends_where_there_is_no_such_body() -> None:
     found = ns.branch(overdamped, "ratio", 0.98, 1.0)
     assert found.why_it_ended == ("the end of the range", "the step cannot get smaller")
     assert 0.999 < max(row.value for row in found.rows) < 1.0
+
+
+def test_a_branch_begins_where_there_is_a_body() -> None:
+    """At the case's own frequency the forcing is faster than all modes that are kept."""
+    few = ns.scene("beam-clearance")(modes=3, frequency=2000.0)
+    orbit = branches._start(few, "frequency", (100.0, 2500.0))
+    assert orbit.case.values["frequency"] == 100.0
+    with pytest.raises(ParameterError, match="keep more of them"):
+        ns.branch(few, "frequency", 1800.0, 2500.0)
 
 
 def answer(case: Case, omega: float, joint: float) -> np.ndarray:
