@@ -277,7 +277,7 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
     values = [own] if low <= own <= high else []
     tried: list[str] = []
     errors: list[ParameterError] = []
-    parts = (low + part * (high - low) for part in STARTS)
+    parts = ((1 - part) * low + part * high for part in STARTS)  # the ends are exact
     for value in dict.fromkeys([*values, *parts]):
         try:
             return exact_orbit(case.with_value(parameter, value))

@@ -213,6 +213,25 @@ def test_what_cannot_be_followed(arguments, words: str) -> None:
         ns.branch("clearance", "frequency", 1.0, 2.0)
 
 
+def test_a_branch_is_looked_for_at_the_very_ends_of_its_range(monkeypatch) -> None:
+    """Of these ends ``low + (high - low)`` is beyond `high`: an orbit there is not in it."""
+    low, high = 0.663512314592264, 1.7693661722460374
+    assert low + (high - low) > high
+    tried = []
+
+    def none(case: ns.Case) -> ns.ExactOrbit:
+        tried.append(case.values["frequency"])
+        raise NoOrbit("none", False, ())
+
+    monkeypatch.setattr(branches, "exact_orbit", none)
+    with pytest.raises(NoOrbit):
+        ns.branch(ns.scene("impact")(frequency=5.0), "frequency", low, high)
+    assert tried[:2] == [low, high]
+    assert len(tried) == 5
+    assert min(tried) == low
+    assert max(tried) == high
+
+
 def test_no_orbit_to_start_from_says_what_was_tried() -> None:
     with pytest.raises(NoOrbit) as caught:
         ns.branch(ns.scene("impact")(gap=50), "restitution", 0.5, 0.9)
