@@ -245,7 +245,7 @@ def test_modes_left_out_have_a_mass_where_a_force_may_jump(name: str) -> None:
 
 
 def test_static_shapes_give_way_as_the_whole_body_does() -> None:
-    """At two contacts; a third that is their sum adds none, a clamped one neither."""
+    """At two contacts; a third that is their sum adds no shape."""
     M, K = chain(40)
     at = np.zeros((40, 3))
     at[39, 0] = at[20, 1] = 1.0

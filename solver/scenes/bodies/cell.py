@@ -217,7 +217,8 @@ def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | No
     size = matrices["M"].shape[0]
     if modes is not None and modes > size:
         raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
-    return modal(matrices, modes, 1.0, scene.k < CONTINUOUS or bool(scene.memory))
+    jumps = scene.module.CLASS < CONTINUOUS  # whatever the order of the phases
+    return modal(matrices, modes, 1.0, jumps or bool(scene.module.MEMORY))
 
 
 @lru_cache(maxsize=4)
