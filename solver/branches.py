@@ -71,7 +71,7 @@ class Expansion:
             return cls()
         name = registry.generic_method(case.scene, FIRST if method is None else method)
         count = number_of_functions(case, name, functions)
-        kernel = registry.kernel(case.scene.each_motion[0], name, count)
+        kernel = registry.kernel(case.scene, name, count)
         return cls(name, check_order(kernel, ORDER if order is None else order), count)
 
     def beside(self, piece: Piece, place: Place) -> Beside | None:

@@ -85,7 +85,7 @@ def family_case(
         raise ValueError(f"values: got {len(cases)}, expected 1 to {MOST_VALUES}")
     name = registry.generic_method(scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions
-    number = check_order(registry.kernel(scene.each_motion[0], name, count), order)
+    number = check_order(registry.kernel(scene, name, count), order)
     found = _Rows(parameter, name, number, count, tuple(cases))
     try:
         for row in found.each():

@@ -54,7 +54,7 @@ def sweep_case(
     kernels = []
     for method in (registry.generic_method(scene, name) for name in wanted):
         count = number_of_functions(case, method, functions)
-        kernels.append((registry.kernel(scene.each_motion[0], method, count), method, count))
+        kernels.append((registry.kernel(scene, method, count), method, count))
     if methods is None:
         least = min((kernel for kernel, *_ in kernels), key=lambda kernel: kernel.lowest)
         numbers = [check_order(least, order) for order in numbers]

@@ -90,7 +90,7 @@ def kernel(
     Parameters
     ----------
     scene, method : LoadedScene, str
-        See `generic_method`.
+        See `generic_method`.  Of a scene with several motions it is that of the first.
     number : int, optional
         Functions beside the harmonics, of a method that has them; see `functions`.
     compile_it : bool
@@ -127,6 +127,7 @@ def _kernel(
 
     wanted = generic_method(scene, method)
     name, found = without_class(wanted), about(wanted)
+    scene = scene.each_motion[0]
     known = found.functions or (None,)
     if number not in known:
         expected = ", ".join(map(str, found.functions)) or "none"

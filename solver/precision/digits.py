@@ -153,7 +153,8 @@ def measure(
     ParameterError
         If parameters at an extreme are not those of an oscillator, or its body moves freely.
     """
-    if isinstance(case.cell, BodyCell) and (case.cell.body.squares == 0).any():
+    cell = case.each_motion[0].cell
+    if isinstance(cell, BodyCell) and (cell.body.squares == 0).any():
         words = "got a body that moves freely, expected one whose poles say where it is"
         raise ParameterError([f"digits: {words}"])
     found = []

@@ -71,7 +71,7 @@ def choose_order(
     case = with_motion(case) if motion is None else case.of_motion(motion)
     name = registry.generic_method(case.scene, method)
     count = number_of_functions(case, name, None) if functions is None else functions
-    kernel = registry.kernel(case.scene.each_motion[0], name, count)
+    kernel = registry.kernel(case.scene, name, count)
     search = _Search(case, tol, name, count, [])
     if MARGIN * tol <= ROUNDING:
         raise NotCertified(tol, (), math.nan)

@@ -137,6 +137,16 @@ def test_a_budget_on_the_command_line(run) -> None:
     assert json.loads(out)["order"] == 8
 
 
+def test_a_scene_of_several_motions(run) -> None:
+    case = load("dry-friction")()
+    methods = {point.method for point in trade(case).points}
+    assert methods == {EXACT, *(method for method, _ in trades.ways(case))}
+    orbit = ns.solve(case, budget=1.0)
+    assert (orbit.method, orbit.case.scene.motion) == ("ck-tau", "sliding")
+    status, out, _ = run("tradeoff", "dry-friction", "--mu-s", 0.4, "--mu-k", 0.4, "--json")
+    assert (status, json.loads(out)["scene"]) == (0, "dry-friction")
+
+
 def test_a_budget_beside_a_tolerance_or_an_order(case) -> None:
     with pytest.raises(ValueError, match="beside a tolerance"):
         ns.solve(case, budget=1.0, tol=1e-3)

@@ -51,6 +51,13 @@ def test_the_times_keep_the_digits_that_the_orbit_leaves(scene, words, case) -> 
             assert kept.met, kept
 
 
+def test_a_scene_of_several_motions_is_measured() -> None:
+    case = registry.load("dry-friction")()
+    found = digits.measure(case, (10,), ("ck-tau",))
+    assert len(found) == 2 * len(digits.extremes(case))
+    assert {kept.status for kept in found} == {"ok"}
+
+
 @pytest.mark.long
 @pytest.mark.parametrize(("scene", "words", "case"), EXTREMES)
 def test_what_any_method_loses_is_explained_by_its_condition(scene, words, case) -> None:
