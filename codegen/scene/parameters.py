@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from .data import STATE_UNITS, Memory, Parameter, SceneData, a, forcing, t
+from .data import STATE_UNITS, Memory, Parameter, SceneData, forcing, v, x
 from .error import SceneError, named
 from .linear import state_row
 from .names import TAKEN, check_meaning, check_name
@@ -106,7 +106,8 @@ def _unit_of(
     memory: Memory, scene: SceneData, units: Mapping[sp.Symbol, Dimension]
 ) -> Dimension:
     value = sp.sympify(memory.value)
-    if value.has(t, a):
+    known = {x, v, forcing, *(q.symbol for q in scene.parameters)}
+    if value.free_symbols & ({*units} - known):
         raise SceneError(f"got {value}, expected x, v, forcing and parameters")
     if value.has(forcing) and scene.frequency is None:
         raise SceneError("it has forcing, but the scene has no frequency")

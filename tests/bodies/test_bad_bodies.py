@@ -8,6 +8,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.codegen.scene import Body, Event, Parameter, Phase, Scene, SceneError
+from nonsmooth.codegen.scenes import jenkins_absorber
 from nonsmooth.solver.scenes.parameter_error import ParameterError
 
 g, k, Omega = sp.symbols("g k Omega", positive=True)
@@ -74,6 +75,15 @@ def test_a_law_says_what_the_force_is() -> None:
     law = good.body.at["tip"].x - g
     with pytest.raises(SceneError, match="it says nothing of the force at tip"):
         replace(good, phases=(Phase("p", law, Event(law)), good.phases[1]))
+
+
+def test_a_memory_knows_no_force() -> None:
+    """It may jump where the memory is set."""
+    good = jenkins_absorber.SCENE
+    pair, (slider,) = good.body.at["joint"], good.memory
+    words = "memory w: value: got force \\+ x, expected x, v, forcing and parameters"
+    with pytest.raises(SceneError, match=words):
+        replace(good, memory=(replace(slider, value=pair.x + pair.force),))
 
 
 def test_modes_are_checked_with_the_parameters() -> None:
