@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .branch.branch import Both, Bounds, go, index_of, orbits_at, start_of
+from .branch.branch import Both, Bounds, course_of, go, index_of, orbits_at, start_of
 from .branch.change import doubled
 from .branch.follow import RANGE
 from .branch.piece import Piece, Place
@@ -251,13 +251,19 @@ def _orbits(case: Case) -> list[ExactOrbit]:
 
 
 def _are_one(one: ExactOrbit, other: ExactOrbit) -> bool:
-    """Whether two orbits are the same, to what Newton's method leaves."""
-    if one.case.scene.motion != other.case.scene.motion:
-        return False
+    """Whether two orbits are the same, to what Newton's method leaves, wherever they begin."""
     times, others = np.array(one.durations), np.array(other.durations)
-    turned = (one.angle - other.angle) / (2 * np.pi)
-    same = np.abs(times - others).max() <= SAME * times.sum()
-    return bool(same and abs(turned - round(turned)) <= SAME)
+    names = {course_of(each.case).called for each in (one, other)}
+    if len(names) > 1 or len(times) != len(others):
+        return False
+    turns = other.case.cycles * np.cumsum(others) / others.sum()  # of the forcing
+    begun = [0.0, *turns[:-1]] if other.case.cell.forced else [0.0] * len(others)
+    for r, turn in enumerate(begun):
+        turned = (one.angle - other.angle) / (2 * np.pi) - turn
+        apart = np.abs(times - np.roll(others, -r)).max()
+        if apart <= SAME * times.sum() and abs(turned - round(turned)) <= SAME:
+            return True
+    return False
 
 
 def _bounds(case: Case, parameter: str, first: float, last: float) -> Bounds:

@@ -14,11 +14,16 @@ from ..scenes.parameter_error import ParameterError
 from .bodies.course import BodyCourse
 from .change import beyond
 from .course import Course
-from .follow import CLOSED, PART, Found, Segment, follow, in_units
+from .events import Found
+from .follow import CLOSED, PART, Segment, follow, in_units
 from .piece import Piece, Place
 
 #: Most orders of phases of a branch, each way.
 MOST_SEGMENTS = 60
+
+#: Orbits on the way back to an event, about as many as are looked for; what its parameter may
+#: be apart, found so, as a part of the range.
+FEW, SAME = 16, 1e-9
 
 Bounds = tuple[float, float]
 
@@ -114,8 +119,9 @@ def go(
     back = piece.place(place.y, -place.direction)
     for way, first in ((found.back, back), (found.forth, place)):
         there: tuple[Piece, Place] | None = (piece, first)
+        segment = Segment(piece.course)
         while there is not None and len(way.segments) < MOST_SEGMENTS:
-            segment = Segment(there[0].course, [there])
+            segment = begun(segment.end, there, part)
             way.segments.append(segment)
             follow(segment, (piece, first), part, seen)
             cut_where_violated(segment)
@@ -127,6 +133,26 @@ def go(
         if way.why == CLOSED:
             found.forth.why = way.why
             return
+
+
+def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segment:
+    """Return a segment that begins with an orbit, and all that is between an event and it.
+
+    Near the end of another order multipliers change without bounds: what happens there is found
+    on the way back to the event.
+    """
+    piece, place = there
+    segment = Segment(piece.course, [there])
+    if since is None:
+        return segment
+    first = piece, piece.place(place.y, -place.direction)
+    back = Segment(piece.course, [first])
+    follow(back, first, part, most=FEW)
+    near = SAME * (piece.bounds[1] - piece.bounds[0])
+    if back.end is not None and abs(back.end.value - since.value) <= near:
+        segment.points = [*reversed(back.points[1:-1]), there]
+        segment.events = [*reversed(back.events[:-1])]
+    return segment
 
 
 def cut_where_violated(segment: Segment) -> None:

@@ -37,9 +37,11 @@ NEUTRAL = 1e-9
 FULL, EVENT, STUCK, GROWN = 0, 1, 2, 3
 
 #: What is watched of an orbit itself, behind its forms and durations: the tangent's part along
-#: the parameter, and what vanishes where a multiplier of the cell is -1, where the product of
-#: two is 1, and where branches meet.
-OWN = 4
+#: the parameter, and what vanishes where a multiplier of the cell is -1, and where branches
+#: meet; how many multipliers are outside the unit circle; and what vanishes where the product
+#: of two multipliers is 1.
+OWN = 5
+FOLD, FLIP, MEETS, OUTSIDE, PAIRS = range(OWN)
 
 
 def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bool, float, Any]:
@@ -49,19 +51,26 @@ def stepped(along: Any, y: Vector, direction: Vector, length: float) -> tuple[bo
     return converged, fall, found
 
 
-def of_multipliers(own: Matrix) -> tuple[float, float]:
+def of_multipliers(own: Matrix) -> tuple[float, float, float]:
     """Return the product over the multipliers of what they are more than -1.
 
-    Behind it the product over pairs of multipliers of what they are together beyond 1.
+    Behind it how many of them are outside the unit circle, and the product over pairs of what
+    these are together beyond 1.
     """
     minus = float(np.linalg.det(own + np.eye(len(own))))
-    if len(own) == 2:
-        return minus, float(own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0] - 1)
     values, found = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
+    if len(own) == 2:
+        found += own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0] - 2
+        return minus, outside(values), found.real
     for i in range(len(values)):
         for j in range(i):
             found *= values[i] * values[j] - 1
-    return minus, found.real
+    return minus, outside(values), found.real
+
+
+def outside(values: Any) -> float:
+    """Return how many multipliers are outside the unit circle, by more than rounding."""
+    return float(np.sum(np.abs(values) > 1 + NEUTRAL))
 
 
 def look(
@@ -85,18 +94,24 @@ def look(
     gauges = np.empty(values.size + count + OWN)
     gauges[: values.size] = values.ravel()
     gauges[values.size : values.size + count] = y[along[5] :][:count]
-    gauges[-4], gauges[-3], gauges[-2], gauges[-1] = direction[n], np.nan, np.nan, determinant
+    orbit = gauges[values.size + count :]
+    orbit[:] = np.nan
+    orbit[FOLD], orbit[MEETS] = direction[n], determinant
     if np.isfinite(through).all():  # where an event is touched, perturbations are not mapped
-        own = along[6] * through
-        gauges[-3], gauges[-2] = of_multipliers(own)
+        orbit[FLIP], orbit[OUTSIDE], orbit[PAIRS] = of_multipliers(along[6] * through)
     return direction, gauges
 
 
-def happens(before: float, after: float, falls: bool) -> bool:
-    """Whether something that is watched vanishes in a step; of some, only by falling."""
-    if falls:
+def happens(before: float, after: float, i: int) -> bool:
+    """Whether something happens in a step to gauge `i`, counted from the first of `OWN`.
+
+    Of forms and durations: whether it falls below zero.
+    """
+    if i < 0:
         return after < 0 and not before < 0
-    return before * after < 0 and min(abs(before), abs(after)) > NEUTRAL
+    if i == OUTSIDE:
+        return abs(after - before) > 0
+    return i != PAIRS and before * after < 0 and min(abs(before), abs(after)) > NEUTRAL
 
 
 def walk(
@@ -147,7 +162,7 @@ def walk(
         Y[last], D[last], V[last], S[last] = y, direction, gauges, length
         some = abs(y[n]) > 1
         for i in range(len(gauges)):
-            some = some or happens(V[last - 1, i], V[last, i], i < len(gauges) - OWN)
+            some = some or happens(V[last - 1, i], V[last, i], i - (len(gauges) - OWN))
         if some:
             return last, EVENT, length
         length *= GROWTH

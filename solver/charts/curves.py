@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Vector
 from ..branch.follow import CLOSED, RANGE
-from ..branch.walk import OWN
+from ..branch.walk import FLIP, MEETS, OWN, PAIRS
 from .block import account, functions
 from .lines import Happening
 from .plane import Plane
@@ -32,7 +32,12 @@ ON = 1e-8
 LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible"
 
 #: Which gauge, from the last, vanishes at events of the orbit itself.
-OF_THE_ORBIT = {"fold": -1, "branch-point": -1, "torus": -2, "flip": -3}
+OF_THE_ORBIT = {
+    kind: which - OWN
+    for kind, which in (
+        ("fold", MEETS), ("branch-point", MEETS), ("torus", PAIRS), ("flip", FLIP),
+    )
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,5 +1,6 @@
 """Branches of bodies: what happens on them, against closed forms by matrix exponentials."""
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, partial
@@ -22,6 +23,7 @@ from nonsmooth.solver.branch.bodies.arrays import case_of
 from nonsmooth.solver.branch.bodies.course import BodyCourse
 from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
 from nonsmooth.solver.branch.change import doubled
+from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.branches import branch_case
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
@@ -133,6 +135,45 @@ def test_where_multipliers_leave_the_unit_circle(name: str, kind: str) -> None:
     stable = [row.stable for row in rows if abs(row.value - event.parameter) > 1e-9]
     assert True in stable
     assert False in stable
+
+
+#: Branches of chains, and how often something happens to their orbits.
+UNSTABLE = {
+    # close to each grazing, where a multiplier comes from infinity; and passes another
+    "strong damping": ({"damping": 5.0}, "gap", (0.15, 0.3), {"flip": 3}),
+    # of two multipliers, both real, the product is 1: nothing bifurcates there
+    "real pairs": ({"damping": 1.0}, "stiffness", (1.3, 5.0), {"flip": 2, "fold": 1}),
+    # the complex pair that crosses the circle becomes real within a step
+    "a pair that becomes real": (
+        {"mass": 0.893, "damping": 0.1383, "stiffness": 1.3825}, "frequency", (0.5, 0.52),
+        {"torus": 1, "fold": 1},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", UNSTABLE)
+def test_what_is_unstable_changes_only_where_something_happens(name: str) -> None:
+    values, vary, ends, expected = UNSTABLE[name]
+    start = exact_orbit(ns.scene("chain-impact")(**values).with_value(vary, ends[0]))
+    found = Both(index_of(start.case, vary))
+    go(found, start_of(start, found.index, ends), PART)
+    events = {id(event.place): event for event in found.events()}
+    kinds = Counter(event.kind for event in events.values() if not event.changes)
+    assert kinds == expected
+    before, crossed = None, 0
+    for piece, place in found.points():
+        event = events.get(id(place))
+        if event is None:
+            multipliers = row_of(piece, place).multipliers
+            assert multipliers is not None
+            outside = int((np.abs(multipliers) > 1).sum())
+            if before is not None:
+                assert abs(outside - before) in range(crossed, -1, -2), piece.value(place.y)
+            before, crossed = outside, 0
+        elif event.changes:
+            before = None
+        else:
+            crossed += 2 if event.kind == "torus" else 1
 
 
 def test_a_fold_of_impacts_is_where_the_closed_form_just_reaches_the_stop() -> None:

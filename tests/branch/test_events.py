@@ -13,8 +13,9 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
-from nonsmooth.solver.branch.follow import _in_turn
+from nonsmooth.solver.branch.events import in_turn
 from nonsmooth.solver.branch.piece import NoStepError
+from nonsmooth.solver.branches import _are_one
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import known_orbits
 from nonsmooth.solver.in_order import motion_of
@@ -243,7 +244,8 @@ def test_an_orbit_of_two_impacts_ends_where_the_one_with_a_single_impact_flips()
     single = ns.branch(stop.with_value("frequency", 2.6), "frequency", 2.6, 2.72)
     (doubles,) = single.events
     assert doubles.kind == "flip"
-    assert abs(meeting.parameter - doubles.parameter) <= meeting.estimate < 1e-5
+    assert abs(meeting.parameter - doubles.parameter) <= 1e-13
+    assert meeting.estimate <= 1e-13
     assert [row.stable for row in single][:: len(single) - 1] == [True, False]
 
 
@@ -262,7 +264,8 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cy
     assert len(met) == len(flips)
     assert double.case.cycles == cycles
     for event, value in zip(met, sorted(flips), strict=True):
-        assert abs(event.parameter - value) <= event.estimate < 1e-5
+        assert abs(event.parameter - value) <= 1e-13
+        assert event.estimate <= 1e-13
     rows = [row for row in double if row.stable is not None]
     assert {row.stable for row in rows} == {True, False}
     inner = rows[5:-5]  # where branches meet the equations are singular
@@ -270,6 +273,20 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cy
         exact = exactly(double, row)  # no repetition of a shorter one, or it raises
         assert exact.stable == row.stable
         assert exact.durations == pytest.approx(row.durations, rel=1e-8)
+
+
+def test_orbits_are_one_wherever_they_begin() -> None:
+    """Of two flights that differ, either first."""
+    stop = ns.scene("impact")(damping=0.02, restitution=0.8, gap=0.0, frequency=2.7)
+    one = exact_orbit(with_order(stop, "flight,flight", 2))
+    first, second = one.durations
+    assert abs(first - second) > 0.1
+    turned = one.forcing_phase + 2.7 * first
+    other = exact_orbit(one.case, (second, first), turned)
+    assert other.durations == pytest.approx((second, first), rel=1e-12)
+    assert _are_one(one, other)
+    assert not _are_one(one, exact_orbit(one.case.with_value("frequency", 2.71)))
+    assert not _are_one(one, exact_orbit(stop))
 
 
 def test_impacts_that_follow_ever_faster_are_put_in() -> None:
@@ -307,8 +324,8 @@ def test_what_is_not_seen_behind_a_change_of_the_order_does_not_count() -> None:
     fold = SimpleNamespace(changes=False, column=None, value=1.0)
     ends = SimpleNamespace(changes=True, column=None, value=2.0)
     found = [(0.3, None), (0.2, ends), (0.1, fold)]
-    assert _in_turn(found) == [fold, ends]
+    assert in_turn(found) == [fold, ends]
     with pytest.raises(NoStepError):
-        _in_turn([(0.15, None), *found])
+        in_turn([(0.15, None), *found])
     with pytest.raises(NoStepError):
-        _in_turn([(0.3, None), (0.1, fold)])
+        in_turn([(0.3, None), (0.1, fold)])

@@ -21,6 +21,7 @@ import numpy as np
 from ...arrays import Complex, Matrix, Vector
 from ...stability.cell_map import lasting
 from ..extended import A_MOMENT, AN_INSTANT, DIFFERENCE, series_at
+from ..walk import outside
 from .exponential import gained, less_two, norm
 
 
@@ -185,17 +186,18 @@ def cell_map(
     return found, size, crossed
 
 
-def of_multipliers(own: Matrix) -> tuple[float, float]:
+def of_multipliers(own: Matrix) -> tuple[float, float, float]:
     """Return what has the sign of the product of all multipliers plus 1, the least of these.
 
-    Behind it the same of what the multipliers are in pairs, together, less than 1.
+    Behind it how many of them are outside the unit circle, and the same of what they are in
+    pairs, together, less than 1.
     """
     lasts = lasting(own)
     own = own[lasts][:, lasts]
     values = np.linalg.eigvals(own.astype(np.complex128)).astype(np.complex128)
     beneath = np.tril(np.ones(own.shape), -1).ravel() > 0
     pairs = np.outer(values, values).ravel()[beneath]
-    return least_factor(values + 1), least_factor(1 - pairs)
+    return least_factor(values + 1), outside(values), least_factor(1 - pairs)
 
 
 def least_factor(factors: Complex) -> float:

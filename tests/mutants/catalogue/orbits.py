@@ -261,10 +261,10 @@ MUTANTS = (
         (f"{BRANCHES}::test_contact_ends_in_the_linear_response_and_begins_there",),
     ),
     Mutant(
-        "pairs of multipliers of a body do not count",
+        "multipliers of a body outside the unit circle are not counted",
         "solver/branch/bodies/equations.py",
-        "return least_factor(values + 1), least_factor(1 - pairs)",
-        "return least_factor(values + 1), 1.0",
+        "least_factor(values + 1), outside(values)",
+        "least_factor(values + 1), 0.0",
         (f"{BRANCHES}::test_where_multipliers_leave_the_unit_circle",),
     ),
     Mutant(

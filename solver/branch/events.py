@@ -1,0 +1,255 @@
+"""What happens in a step of a branch: what, where in the step, and how well that is known."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .along import returns
+from .piece import NoStepError, Piece, Place
+from .walk import FLIP, FOLD, MEETS, OUTSIDE, OWN, happens
+from .watch import END
+
+#: How far back what happens in a step is looked for again, in steps.
+BACK = 1.25
+
+#: Beyond it a value where an event was located is a pole, not a zero, as a part of its change.
+ZERO = 1e-6
+
+#: What is watched, without units, may be below zero by this: it is rounding.
+ROUNDING = 4 * float(np.finfo(float).eps)
+
+#: What may be apart of events that are one, as a part of where they are.
+SAME = 1e-9
+
+#: Part of a step to a change of the order up to which the orbit itself is looked at: behind it
+#: multipliers may come back from infinity.
+BEFORE = 1 - 1e-6
+
+#: Part of a step within which it is no torus that two more multipliers are outside the circle;
+#: least imaginary part of a complex one, as a part of it.
+SHORT, TURNED = 1e-6, 1e-7
+
+#: The words for what happens to an orbit itself, by gauges behind its forms and durations.
+OF_THE_ORBIT = {FOLD: "fold", FLIP: "flip", MEETS: "branch-point", OUTSIDE: "torus"}
+
+#: Where the parameter leaves its interval: no event.
+EDGE = "edge"
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """Something that happens on a branch.
+
+    Parameters
+    ----------
+    kind : str
+        The word for it.
+    phase : int or None
+        The phase that it happens in; None where it is of the whole orbit.
+    column : int
+        Of `watch`: where in the phase; its duration, without one.
+    piece : Piece
+    place : Place
+    gauge : int
+        Which of `Place.gauges` vanishes.
+    estimate : float
+        Of the error of the parameter: what finding it from the other side gives otherwise.
+    """
+
+    kind: str
+    phase: int | None
+    column: int | None
+    piece: Piece
+    place: Place
+    gauge: int = -1
+    estimate: float = 0.0
+
+    @property
+    def row(self) -> int:
+        """Of the form that vanishes among those that are watched, if it is one."""
+        return self.gauge // 3
+
+    @property
+    def changes(self) -> bool:
+        """Whether the order of the phases is another one beyond."""
+        return self.phase is not None
+
+    @property
+    def value(self) -> float:
+        """The parameter, in SI units."""
+        return self.piece.value(self.place.y)
+
+
+def in_turn(found: Iterable[tuple[float, Found | None]]) -> list[Found]:
+    """Return what happens in a step in turn, each once, up to where the order changes.
+
+    Where several things are watched that vanish at one place, one of them stands for all: a
+    change of the order before others, of those the end of a phase.
+    """
+    every = sorted(found, key=lambda each: each[0])
+    events = [(at, event) for at, event in every if event is not None]
+    first = next((at for at, event in events if event.changes), None)
+    if any(event is None and (first is None or at <= first) for at, event in every):
+        raise NoStepError
+    if first is None:
+        return [event for _, event in events]
+    here = [event for at, event in events if event.changes and at - first <= SAME * first]
+    change = min(here, key=lambda each: -1 if each.column is None else (END - each.column) % 3)
+    near = SAME * abs(change.value)
+    before = (event for at, event in events if at < first and not event.changes)
+    return [*(q for q in before if abs(q.value - change.value) > near), change]
+
+
+def events_in(
+    piece: Piece, before: Place, after: Place, length: float
+) -> list[tuple[float, Found | None]]:
+    """Return what happens in a step, with where in it; None of what is not seen where it is.
+
+    Parameters
+    ----------
+    piece : Piece
+    before, after : Place
+        The orbits at its ends.
+    length : float
+        Its length.
+
+    Raises
+    ------
+    NoStepError
+        If something is not located.
+    """
+    start, end = before.gauges, after.gauges
+    watched = len(start) - OWN
+    found: list[tuple[float, Found | None]] = [*_edges(piece, before, after, length)]
+    for i in range(watched):
+        if happens(start[i], end[i], i - watched):
+            found += _located(piece, before, length, i, float(end[i]))
+    changes = [at for at, event in found if event is not None and event.changes]
+    if changes:
+        length = BEFORE * min(changes)
+        after = piece.stepped(before, length)
+        end = after.gauges
+    for i in range(watched, len(start)):
+        if happens(start[i], end[i], i - watched):
+            if i - watched == OUTSIDE:
+                found += _turning(piece, before, after, length)
+            else:
+                found += _located(piece, before, length, i, float(end[i]))
+    return found
+
+
+def _edges(
+    piece: Piece, before: Place, after: Place, length: float
+) -> Iterator[tuple[float, Found]]:
+    """Yield where the parameter leaves its interval in a step, if it does."""
+    edge = float(after.y[-1])
+    if abs(edge) > 1:
+        side = float(np.copysign(1.0, edge))
+        at = (side - float(before.y[-1])) / (edge - float(before.y[-1]))
+        y = before.y + at * (after.y - before.y)
+        y[-1] = side
+        there = piece.led(y, np.append(np.zeros(len(y) - 1), 1.0))
+        yield at * length, Found(EDGE, None, None, piece, piece.place(there, before.direction))
+
+
+def root(piece: Piece, before: Place, ends: tuple[float, float], i: int) -> tuple[float, Place]:
+    """Return where in a part of a step a gauge vanishes, and the orbit there.
+
+    Raises
+    ------
+    NoStepError
+        If it is not found.
+    """
+    from scipy.optimize import brentq  # noqa: PLC0415  (300 ms)
+
+    def value(at: float) -> float:
+        place = piece.stepped(before, at) if at else before
+        turns = i - (len(place.gauges) - OWN) == OUTSIDE
+        found = beyond_circle(piece, place) if turns else float(place.gauges[i])
+        return 1.0 if np.isnan(found) else found
+
+    try:
+        at = float(brentq(value, *ends, xtol=1e-300, rtol=1e-14, maxiter=200))
+    except (ValueError, RuntimeError):  # no change of the sign, or too many trials
+        raise NoStepError from None
+    return at, piece.stepped(before, at)
+
+
+def estimated(event: Found, after: Place, length: float) -> Found:
+    """Return something that happens in a step, with what finding it from behind changes."""
+    piece, value = event.piece, event.value
+    least = float(np.spacing(abs(value)))
+    try:
+        _, place = root(piece, after, (0.0, -BACK * length), event.gauge)
+    except NoStepError:  # behind a phase that has no duration nothing is smooth
+        return replace(event, estimate=least)
+    return replace(event, estimate=max(least, abs(piece.value(place.y) - value)))
+
+
+def _located(
+    piece: Piece, before: Place, length: float, i: int, end: float
+) -> Iterator[tuple[float, Found | None]]:
+    """Yield where something that is watched vanishes in a step, if it does."""
+    forms, phases = 3 * len(piece.table), len(piece.along.kinds)
+    at, place = root(piece, before, (0.0, length), i)
+    if not abs(float(place.gauges[i])) <= ZERO * abs(end):
+        if i < forms + phases and abs(end) > ROUNDING:  # there is no orbit beyond
+            yield at, None
+        return
+    if i < forms:
+        row, column = piece.rows[i // 3], i % 3
+        yield at, Found(piece.course.word(row, column), row.phase, column, piece, place, i)
+    elif i < forms + phases:
+        p = i - forms
+        yield at, Found(_word_of_duration(piece, p), p, None, piece, place, i)
+    else:
+        kind = OF_THE_ORBIT[i - forms - phases]
+        if kind == "flip" and piece.cell.sign < 0:  # of half a period: the symmetry is lost
+            kind = "branch-point"
+        yield at, Found(kind, None, None, piece, place, i)
+
+
+def _turning(
+    piece: Piece, before: Place, after: Place, length: float
+) -> Iterator[tuple[float, Found]]:
+    """Yield where a pair of complex multipliers crosses the unit circle in a step.
+
+    One alone is real, and does so at a fold or a flip.
+    """
+    which = len(before.gauges) - OWN + OUTSIDE
+    parts = [(0.0, before, length, after)]
+    while parts:
+        low, one, high, other = parts.pop()
+        count = abs(float(other.gauges[which] - one.gauges[which]))
+        if not count > 1:
+            continue
+        ends = beyond_circle(piece, one), beyond_circle(piece, other)
+        if count == 2 and ends[0] * ends[1] < 0:
+            at, place = root(piece, before, (low, high), which)
+            if abs(beyond_circle(piece, place)) <= ZERO * max(map(abs, ends)):
+                yield at, Found("torus", None, None, piece, place, which)
+                continue
+        if abs(high - low) > SHORT * abs(length):
+            at = (low + high) / 2
+            middle = piece.stepped(before, at)
+            parts += [(low, one, at, middle), (at, middle, high, other)]
+
+
+def beyond_circle(piece: Piece, place: Place) -> float:
+    """Return how far outside the unit circle that complex multiplier is which is nearest to it.
+
+    Not a number where none is complex.
+    """
+    values = np.linalg.eigvals(piece.maps(place)[0])
+    values = values[np.abs(values.imag) > TURNED * np.abs(values)]
+    beyond = np.abs(values) - 1
+    return float(beyond[np.argmin(np.abs(beyond))]) if len(values) else np.nan
+
+
+def _word_of_duration(piece: Piece, p: int) -> str:
+    """Return what it is called where a phase of a cell gets no duration."""
+    still = piece.along.divided[p] > 1  # it begins without speed: a rest could
+    if piece.cell.phases[p].held or (still and piece.course.can_rest):
+        return "sticking"
+    return "grazing" if returns(piece.cell, p) else "vanishing"
