@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Vector
+from ..branch.events import TURNED
 from ..branch.follow import CLOSED, RANGE
 from ..branch.walk import FLIP, MEETS, OWN, PAIRS
+from ..stability.stability import stability
 from .block import account, functions
 from .lines import Happening
 from .plane import Plane
@@ -30,6 +32,7 @@ ON = 1e-8
 
 #: Why a curve ends, beside what ends a branch.
 LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible"
+REAL = "beyond, the multipliers whose product is 1 are real"
 
 #: Which gauge, from the last, vanishes at events of the orbit itself.
 OF_THE_ORBIT = {
@@ -111,6 +114,8 @@ def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[V
                 return ([*points, end], RANGE) if end is not None else (points, LOST)
             if (_gauges(plane, there)[watched] < -ROUNDING).any():
                 accepted, growth, why = False, 1.0, VIOLATED
+            elif gauge == OF_THE_ORBIT["torus"] and not _turns(plane, there):
+                accepted, growth, why = False, 1.0, REAL
         if there is None or not accepted:
             length /= 2
             if length < LEAST:
@@ -123,6 +128,17 @@ def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[V
         points.append(there)
         y, direction, length = there, tangent, length * growth
     return points, f"{MOST_POINTS} points are the most that a curve has each way"
+
+
+def _turns(plane: Plane, y: Vector) -> bool:
+    """Whether of two multipliers whose product is 1 each is the conjugate of the other."""
+    orbit = plane.orbit(y)
+    if orbit is None:
+        return False
+    values = np.array(stability(orbit).multipliers)
+    one, other = np.tril_indices(len(values), -1)
+    nearest = int(np.argmin(np.abs(values[one] * values[other] - 1)))
+    return bool(abs(values[one[nearest]].imag) > TURNED)
 
 
 def _edge(plane: Plane, gauge: int, y: Vector, there: Vector) -> Vector | None:
