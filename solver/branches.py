@@ -288,7 +288,8 @@ def _start(case: Case, parameter: str, bounds: Bounds) -> ExactOrbit:
         try:
             return exact_orbit(case.with_value(parameter, value))
         except NoOrbit as finding:
-            tried += [f"at {parameter} = {value:g}: {why}" for why in finding.reasons]
+            every = (finding.reason,) if finding.proven else finding.reasons
+            tried += [f"at {parameter} = {value:g}: {why}" for why in every]
         except ParameterError as error:
             errors.append(error)
             tried.append(f"at {parameter} = {value:g}: {error}")

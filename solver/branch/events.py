@@ -130,13 +130,14 @@ def events_in(
         length = BEFORE * min(changes)
         after = piece.stepped(before, length)
         end = after.gauges
-    for i in range(watched, len(start)):
-        if happens(start[i], end[i], i - watched):
-            if i - watched == OUTSIDE:
-                found += _turning(piece, before, after, length)
-            else:
-                found += _located(piece, before, length, i, float(end[i]))
-    return found
+    own = [i for i in range(watched, len(start)) if happens(start[i], end[i], i - watched)]
+    real: list[tuple[float, Found | None]] = []
+    for i in own:
+        if i - watched != OUTSIDE:
+            real += _located(piece, before, length, i, float(end[i]))
+    if own:
+        found += _turning(piece, before, after, length, [at for at, _ in real])
+    return found + real
 
 
 def _edges(
@@ -211,23 +212,27 @@ def _located(
 
 
 def _turning(
-    piece: Piece, before: Place, after: Place, length: float
+    piece: Piece, before: Place, after: Place, length: float, real: Iterable[float]
 ) -> Iterator[tuple[float, Found]]:
     """Yield where a pair of complex multipliers crosses the unit circle in a step.
 
-    One alone is real, and does so at a fold or a flip.
+    That two more are outside is seen beside the places where one alone, which is `real`, comes
+    or goes: at folds and flips.
     """
     which = len(before.gauges) - OWN + OUTSIDE
-    parts = [(0.0, before, length, after)]
+    ends, beside = [(0.0, before)], SHORT * length
+    for at in sorted(real, key=lambda at: at / length):
+        ends += [(q, piece.stepped(before, q)) for q in (at - beside, at + beside)]
+    ends.append((length, after))
+    parts = [(*ends[i], *ends[i + 1]) for i in range(0, len(ends), 2)]
     while parts:
         low, one, high, other = parts.pop()
-        count = abs(float(other.gauges[which] - one.gauges[which]))
-        if not count > 1:
+        if not abs(other.gauges[which] - one.gauges[which]) > 1:
             continue
-        ends = beyond_circle(piece, one), beyond_circle(piece, other)
-        if count == 2 and ends[0] * ends[1] < 0:
+        sides = beyond_circle(piece, one), beyond_circle(piece, other)
+        if sides[0] * sides[1] < 0:
             at, place = root(piece, before, (low, high), which)
-            if abs(beyond_circle(piece, place)) <= ZERO * max(map(abs, ends)):
+            if abs(beyond_circle(piece, place)) <= ZERO * max(map(abs, sides)):
                 yield at, Found("torus", None, None, piece, place, which)
                 continue
         if abs(high - low) > SHORT * abs(length):

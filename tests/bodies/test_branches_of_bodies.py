@@ -25,6 +25,8 @@ from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
 from nonsmooth.solver.branch.change import doubled
 from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.branches import branch_case
+from nonsmooth.solver.charts.curves import OF_THE_ORBIT, REAL, _followed
+from nonsmooth.solver.charts.plane import Plane
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
 from nonsmooth.solver.results.branch import BranchEvent
@@ -174,6 +176,31 @@ def test_what_is_unstable_changes_only_where_something_happens(name: str) -> Non
             before = None
         else:
             crossed += 2 if event.kind == "torus" else 1
+
+
+def test_a_torus_begins_where_its_multipliers_are_one() -> None:
+    """Next to a fold, and in the same step: two multipliers come out and one goes back."""
+    own = case("impact-2-neimark-sacker").with_value("restitution", 0.65)
+    start = exact_orbit(own.with_value("frequency", 0.9))
+    found = Both(index_of(own, "frequency"))
+    go(found, start_of(start, found.index, (0.87, 0.9)))
+    (fold,) = [event for event in found.events() if event.kind == "fold"]
+    (torus,) = [event for event in found.events() if event.kind == "torus"]
+    assert 0 < fold.value - torus.value < 2e-6
+    piece, z = torus.piece, torus.place.y[:-1] * torus.piece.sizes[:-1]
+    indices, ends = (found.index, index_of(own, "restitution")), ((0.88, 0.8825), (0.64, 0.69))
+    plane = Plane.over(piece.course, piece.course.case(piece.case), indices, ends, z)
+    first = plane.inside(np.array([[*z, torus.value, 0.65]]))[0]
+    (curve,) = _followed("torus", plane, OF_THE_ORBIT["torus"], first, 1)
+    assert curve.why == ("the end of the range", REAL)
+    pairs = []
+    for y in curve.points[:-6:6]:  # the last are nearly defective
+        multipliers = stability(plane.orbit(y)).multipliers
+        pairs.append(max(multipliers, key=lambda value: (abs(value), value.imag)))
+    assert np.abs(pairs) == pytest.approx(np.ones(len(pairs)), abs=1e-9)
+    assert np.min(np.imag(pairs)) > 0
+    last = stability(plane.orbit(curve.points[-1])).multipliers
+    assert np.min(np.abs(np.array(last) - 1)) < 1e-3
 
 
 def test_a_fold_of_impacts_is_where_the_closed_form_just_reaches_the_stop() -> None:
