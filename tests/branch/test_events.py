@@ -275,6 +275,21 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cy
         assert exact.durations == pytest.approx(row.durations, rel=1e-8)
 
 
+def test_close_to_each_grazing_of_a_damped_mass_there_is_a_flip() -> None:
+    """A multiplier comes from minus infinity as an impact begins, and soon passes -1."""
+    stop = ns.scene("impact")(damping=1.5, restitution=0.5)
+    found = ns.branch(stop, "frequency", 1.01, 1.3)
+    assert [event.kind for event in found.events] == ["flip", "grazing"] * 2
+    for flip, grazing in zip(found.events[::2], found.events[1::2], strict=True):
+        assert 0 < grazing.parameter - flip.parameter < 3e-3
+    flip, grazing, *_ = found.events
+    count = flip.motion.count("flight")
+    ordered = with_order(stop.with_value("frequency", flip.parameter), flip.motion, 1)
+    exact = exact_orbit(ordered)
+    assert len(exact.durations) == count
+    assert np.min(np.abs(np.array(exact.multipliers) + 1)) < 1e-6
+
+
 def test_orbits_are_one_wherever_they_begin() -> None:
     """Of two flights that differ, either first."""
     stop = ns.scene("impact")(damping=0.02, restitution=0.8, gap=0.0, frequency=2.7)
