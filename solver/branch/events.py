@@ -1,6 +1,7 @@
 """What happens in a step of a branch: what, where in the step, and how well that is known."""
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,9 +23,12 @@ ROUNDING = 4 * float(np.finfo(float).eps)
 #: What may be apart of events that are one, as a part of where they are.
 SAME = 1e-9
 
-#: Part of a step to a change of the order up to which the orbit itself is looked at: behind it
-#: multipliers may come back from infinity.
-BEFORE = 1 - 1e-6
+#: Length of a step whose ends give what is between them to rounding, by a cubic.
+CLOSE = 1e-4
+
+#: Parts of a step to a change of the order up to which the orbit itself is looked at, in turn:
+#: behind it multipliers may come back from infinity, and at it the equations may be singular.
+BEFORE = 1 - 1e-6, 1 - 1e-3, 0.5
 
 #: Part of a step within which it is no torus that two more multipliers are outside the circle;
 #: least imaginary part of a complex one, as a part of it.
@@ -122,22 +126,56 @@ def events_in(
     start, end = before.gauges, after.gauges
     watched = len(start) - OWN
     found: list[tuple[float, Found | None]] = [*_edges(piece, before, after, length)]
-    for i in range(watched):
-        if happens(start[i], end[i], i - watched):
-            found += _located(piece, before, length, i, float(end[i]))
+    found += _watched(piece, before, after, length)
     changes = [at for at, event in found if event is not None and event.changes]
     if changes:
-        length = BEFORE * min(changes)
-        after = piece.stepped(before, length)
+        length, after = _before(piece, before, min(changes, key=abs))
         end = after.gauges
     own = [i for i in range(watched, len(start)) if happens(start[i], end[i], i - watched)]
     real: list[tuple[float, Found | None]] = []
     for i in own:
         if i - watched != OUTSIDE:
-            real += _located(piece, before, length, i, float(end[i]))
+            real += _located(piece, before, after, length, i)
     if own:
         found += _turning(piece, before, after, length, [at for at, _ in real])
     return found + real
+
+
+def _watched(
+    piece: Piece, before: Place, after: Place, length: float
+) -> Iterator[tuple[float, Found | None]]:
+    """Yield where durations vanish in a step, and then forms.
+
+    Where two phases vanish together no orbit is isolated, and the equations are singular: there
+    nothing is located, and what demands these phases meet no more is the same event.
+    """
+    forms, together = 3 * len(piece.table), False
+    watched = len(before.gauges) - OWN
+    for i in (*range(forms, watched), *range(forms)):
+        if not happens(before.gauges[i], after.gauges[i], i - watched):
+            continue
+        try:
+            yield from _located(piece, before, after, length, i)
+        except NoStepError:
+            if abs(length) > CLOSE or (i < forms and not together):
+                raise
+            if i >= forms:
+                together = True
+                yield _through(piece, before, after, length, i - forms)
+
+
+def _before(piece: Piece, before: Place, at: float) -> tuple[float, Place]:
+    """Return how far in a step an orbit can be looked at before a change, and that orbit.
+
+    Raises
+    ------
+    NoStepError
+        If none can.
+    """
+    for part in BEFORE:
+        with suppress(NoStepError):
+            return part * at, piece.stepped(before, part * at)
+    raise NoStepError
 
 
 def _edges(
@@ -189,9 +227,10 @@ def estimated(event: Found, after: Place, length: float) -> Found:
 
 
 def _located(
-    piece: Piece, before: Place, length: float, i: int, end: float
+    piece: Piece, before: Place, after: Place, length: float, i: int
 ) -> Iterator[tuple[float, Found | None]]:
     """Yield where something that is watched vanishes in a step, if it does."""
+    end = float(after.gauges[i])
     forms, phases = 3 * len(piece.table), len(piece.along.kinds)
     at, place = root(piece, before, (0.0, length), i)
     if not abs(float(place.gauges[i])) <= ZERO * abs(end):
@@ -209,6 +248,25 @@ def _located(
         if kind == "flip" and piece.cell.sign < 0:  # of half a period: the symmetry is lost
             kind = "branch-point"
         yield at, Found(kind, None, None, piece, place, i)
+
+
+def _through(
+    piece: Piece, before: Place, after: Place, length: float, p: int
+) -> tuple[float, Found]:
+    """Return where the duration of a phase vanishes in a step, by the cubic between its ends.
+
+    An orbit is a smooth function of a duration, through zero as well.
+    """
+    j, i = piece.along.before + p, 3 * len(piece.table) + p
+    first, last = float(before.y[j]), float(after.y[j])
+    span, part = last - first, first / (first - last)
+    slopes = [q.direction / piece.along.weights for q in (before, after)]
+    one, other = (span * slope / slope[j] for slope in slopes)
+    chord = after.y - before.y
+    y = before.y + part * chord
+    y += part * (1 - part) * ((1 - part) * (one - chord) - part * (other - chord))
+    place = replace(before, y=y)
+    return part * length, Found(_word_of_duration(piece, p), p, None, piece, place, i)
 
 
 def _turning(

@@ -6,10 +6,13 @@ stick-slip orbit: an ODE solver with events; of inelastic impacts: where the fli
 a rest hits the stop as it begins to press, or a period later, in 40 digits.
 """
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
+from shown import ROOT
 
 import nonsmooth as ns
 from nonsmooth.solver.branch.course import Course
@@ -273,6 +276,26 @@ def test_at_a_flip_there_is_an_orbit_of_twice_the_period(scene, values, ends, cy
         exact = exactly(double, row)  # no repetition of a shorter one, or it raises
         assert exact.stable == row.stable
         assert exact.durations == pytest.approx(row.durations, rel=1e-8)
+
+
+@pytest.mark.parametrize("load", [0.0, 0.3])
+def test_flow_vanishes_where_elastic_motion_just_reaches_the_yield_force(
+    load: float, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Under a load both flows vanish together, and no orbit is isolated there."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    own = {"load": load} if load else {}
+    file = str(ROOT / "examples/scenes/loaded_plasticity.py")
+    scene = ns.scene(file if load else "elastic-plastic")
+    found = ns.branch(scene(**own, frequency=1.3), "frequency", 1.2, 2.2)
+    (event,) = found.events
+    assert (event.kind, found.why_it_ended[1]) == ("vanishing", "vanishing")
+
+    def beyond(omega: float) -> float:
+        """By amplitude 1 of the force, m = k = 1, c = 0.1, h = 0.2, F_y = 0.5."""
+        return 1 / abs(1.2 - omega**2 + 0.1j * omega) - 0.5
+
+    assert event.parameter == pytest.approx(brentq(beyond, 1.2, 2.2, xtol=1e-15), rel=1e-14)
 
 
 def test_close_to_each_grazing_of_a_damped_mass_there_is_a_flip() -> None:
