@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..arrays import Vector
 from .along import returns
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, FOLD, MEETS, OUTSIDE, OWN, happens
@@ -24,7 +25,7 @@ ROUNDING = 4 * float(np.finfo(float).eps)
 SAME = 1e-9
 
 #: Length of a step whose ends give what is between them to rounding, by a cubic.
-CLOSE = 1e-4
+CLOSE = 1e-3
 
 #: Parts of a step to a change of the order up to which the orbit itself is looked at, in turn:
 #: behind it multipliers may come back from infinity, and at it the equations may be singular.
@@ -222,7 +223,7 @@ def estimated(event: Found, after: Place, length: float) -> Found:
     try:
         _, place = root(piece, after, (0.0, -BACK * length), event.gauge)
     except NoStepError:  # behind a phase that has no duration nothing is smooth
-        return replace(event, estimate=least)
+        return replace(event, estimate=max(least, event.estimate))
     return replace(event, estimate=max(least, abs(piece.value(place.y) - value)))
 
 
@@ -255,18 +256,26 @@ def _through(
 ) -> tuple[float, Found]:
     """Return where the duration of a phase vanishes in a step, by the cubic between its ends.
 
-    An orbit is a smooth function of a duration, through zero as well.
+    An orbit is a smooth function of a duration, through zero as well.  The cubic to a place
+    twice as far says how well that is known.
     """
-    j, i = piece.along.before + p, 3 * len(piece.table) + p
+    part, y = _cubic(piece, before, after, p)
+    place, i = replace(before, y=y), 3 * len(piece.table) + p
+    found = Found(_word_of_duration(piece, p), p, None, piece, place, i)
+    _, other = _cubic(piece, before, piece.stepped(before, 2 * length), p)
+    return part * length, replace(found, estimate=abs(piece.value(other) - found.value))
+
+
+def _cubic(piece: Piece, before: Place, after: Place, p: int) -> tuple[float, Vector]:
+    """Return at which part of a step a duration vanishes, and the unknowns by a cubic in it."""
+    j = piece.along.before + p
     first, last = float(before.y[j]), float(after.y[j])
     span, part = last - first, first / (first - last)
     slopes = [q.direction / piece.along.weights for q in (before, after)]
     one, other = (span * slope / slope[j] for slope in slopes)
     chord = after.y - before.y
-    y = before.y + part * chord
-    y += part * (1 - part) * ((1 - part) * (one - chord) - part * (other - chord))
-    place = replace(before, y=y)
-    return part * length, Found(_word_of_duration(piece, p), p, None, piece, place, i)
+    bent = (1 - part) * (one - chord) - part * (other - chord)
+    return part, before.y + part * (chord + (1 - part) * bent)
 
 
 def _turning(
