@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..arrays import Vector
+from ..scenes.parameter_error import ParameterError
 from .course import Course
 from .events import EDGE, Found, estimated, events_in, in_turn
 from .meeting import meeting, met, shorter
@@ -21,6 +22,9 @@ PART, MOST_POINTS = 1 / 80, 20_000
 
 #: How far a point may be from the first, in steps, for the branch to be closed.
 NEAR = 1.0
+
+#: How far ahead, as a part of the range, it is asked whether there is such an oscillator.
+AHEAD = 1e-6
 
 #: Why a branch ends.
 CLOSED, RANGE = "the branch is closed", "the end of the range"
@@ -82,21 +86,35 @@ def follow(
         place = found.points[-1][1]
         seen(piece.value(place.y))
         if why == STUCK:
-            found.why = "the step cannot get smaller"
+            found.why = _why_stuck(piece, place)
         elif why == EVENT:
             try:
                 piece, place = _pass(found, piece, place, places[-1], float(lengths[-1]))
             except ArithmeticError:
                 length = float(lengths[-1]) / 2
-                found.why = "" if length > LEAST_STEP else "the step cannot get smaller"
+                found.why = "" if length > LEAST_STEP else _why_stuck(piece, place)
         elif why == GROWN:
             try:
                 piece, place = piece.moved(place)
             except ArithmeticError:
-                found.why = "the step cannot get smaller"
+                found.why = _why_stuck(piece, place)
             if np.abs(place.y).max() > MOST:
                 found.why = "the orbit grows beyond all bounds"
     found.why = found.why or f"{most} orbits are the most that a branch has"
+
+
+def _why_stuck(piece: Piece, place: Place) -> str:
+    """Return why no step leads on: that there is no such oscillator just ahead, if so."""
+    unit, given = unit_of(piece.case, piece.index), piece.case.numbers
+    way = AHEAD * float(np.copysign(piece.bounds[1] - piece.bounds[0], place.direction[-1]))
+    ahead = piece.value(place.y) + way
+    if piece.bounds[0] <= ahead <= piece.bounds[1]:
+        numbers = (*given[: piece.index], ahead / unit, *given[piece.index + 1 :])
+        try:
+            piece.course.cell(numbers)
+        except ParameterError as error:
+            return f"beyond, {error}"
+    return "the step cannot get smaller"
 
 
 def _meets(

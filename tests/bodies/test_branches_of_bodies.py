@@ -332,6 +332,15 @@ def test_a_branch_begins_where_there_is_a_body() -> None:
         ns.branch(few, "frequency", 1800.0, 2500.0)
 
 
+def test_a_branch_ends_where_the_forcing_is_as_fast_as_all_modes() -> None:
+    one = ns.scene("beam-clearance")(modes=1, frequency=92.0)
+    found = ns.branch(one, "frequency", 91.0, 96.0)
+    words = "the forcing is faster than all modes that are kept: keep more of them"
+    assert found.why_it_ended == ("the end of the range", f"beyond, body: {words}")
+    (square,) = one.cell.body.squares
+    assert found.rows[-1].value == pytest.approx(np.sqrt(square) / one.units.time, rel=1e-9)
+
+
 def answer(case: Case, omega: float, joint: float) -> np.ndarray:
     """Return the amplitudes of both masses with a spring of this stiffness between them."""
     v = case.values
