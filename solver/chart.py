@@ -85,8 +85,8 @@ def chart(
     TypeError
         If `case` is none.
     ParameterError
-        A `ValueError`: if the scene has no such parameter, or a corner of the map makes no
-        oscillator.
+        A `ValueError`: if the scene has no such parameter, a corner of the map makes no
+        oscillator, or the equations change too much over it.
     ValueError
         If there are not two axes, or one is not two different numbers and a count.
     ChartInterrupted

@@ -19,8 +19,9 @@ from ..stability.stability import ROUNDING, of_monodromy
 from . import filling, following
 from .plane import Plane
 
-#: Room at first, in orbits; orbits of an order of phases that are asked of the solver.
-ROOM, ASKED = 64, 4
+#: Room at first, in orbits; how many of them, linked by ways, are asked of the solver, and up
+#: to which number all are where it refuses one.
+ROOM, ASKED, MANY = 64, 4, 64
 
 #: Whether an orbit is stable, as maps keep it: the best first.
 STABLE, NEITHER, UNSTABLE = 0, 1, 2
@@ -87,8 +88,8 @@ def orbits_of(
 ) -> tuple[Integers, Integers]:
     """Return the points of all orbits of an order of phases, and whether they are stable.
 
-    A few are asked of the solver, which demands more than is watched: where it refuses one,
-    none of the order counts on these rows.
+    A few are asked of the solver, which demands more than is watched.  Where it refuses one,
+    all are asked to which a way leads from it; of many none counts.
     """
     n, size = seeds.shape[1] - 2, plane.perturbed
     near = seeds[(seeds[:, -1] > B[0] - wide) & (seeds[:, -1] < B[-1] + wide)]
@@ -102,12 +103,30 @@ def orbits_of(
             orbits = _larger(orbits, len(A) * len(B), n, size)
         with account(plane).spending(), np.errstate(all="ignore"):
             begin, count = functions(plane)["fill"](*given, begin, count, orbits)
-    Z, at, _, _, _, _, maps = (part[:count] for part in orbits)
-    for k in np.linspace(0, count - 1, min(count, ASKED)).astype(int):
+    Z, at, _, links, _, _, maps = (part[:count] for part in orbits)
+
+    def is_one(k: int) -> bool:
         orbit = plane.orbit(np.append(Z[k], [A[at[k] % len(A)], B[at[k] // len(A)]]))
-        if orbit is not None and not (orbit.outcome.converged and orbit.admissible):
-            return at[:0], at[:0]
-    return at, stability_of(plane, maps)
+        return orbit is None or (orbit.outcome.converged and orbit.admissible)
+
+    stable, counts = stability_of(plane, maps), np.ones(count, dtype=bool)
+    for own in _linked(links):
+        some = own[np.linspace(0, len(own) - 1, min(len(own), ASKED)).astype(int)]
+        if not all(map(is_one, some)):
+            counts[own] = [*map(is_one, own)] if len(own) <= MANY else False
+    return at[counts], stable[counts]
+
+
+def _linked(links: Integers) -> list[Integers]:
+    """Return the orbits that are linked with each other, each set once."""
+    from scipy.sparse import coo_array  # noqa: PLC0415  (100 ms)
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415  (see above)
+
+    here, side = np.nonzero(links >= 0)
+    pairs = here, links[here, side]
+    ways = coo_array((np.ones(len(here)), pairs), shape=(len(links), len(links)))
+    count, labels = connected_components(ways, directed=False)
+    return [np.flatnonzero(labels == label) for label in range(count)]
 
 
 def _room(count: int, points: int, n: int, size: int) -> tuple[Any, ...]:

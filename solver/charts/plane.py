@@ -13,9 +13,10 @@ from ..branch.course import Course, Row
 from ..branch.piece import unit_of
 from ..orbit.exact_orbit import ExactOrbit
 from ..scenes.case import Case
+from ..scenes.parameter_error import ParameterError
 
 #: Terms of the series by each parameter, in turn, until they are resolved.
-TERMS = 4, 8, 16, 32
+TERMS = 4, 8, 16, 32, 64
 
 Bounds = tuple[tuple[float, float], tuple[float, float]]
 
@@ -61,8 +62,8 @@ class Plane:
 
         Raises
         ------
-        ArithmeticError
-            If the equations are not smooth over the rectangle.
+        ParameterError
+            If the equations change too much over the rectangle for their series.
         """
         cell = course.cell(case.numbers)
         own = z / course.sizes(cell, case)
@@ -139,4 +140,7 @@ def _series(
             used = [np.flatnonzero(found.any(axis=i))[-1] + 1 for i in ((0, 2), (0, 1))]
             first, second = (max(2, int(count)) for count in used)
             return np.ascontiguousarray(found[:, :first, :second])
-    raise ArithmeticError("the equations are not smooth over the parameters")
+    names = [case.scene.parameters[i].name for i in indices]
+    over = [f"from {low:g} to {high:g}" for low, high in bounds]
+    words = f"{names[0]}: got values {over[0]}, and of {names[1]} {over[1]}, over which the"
+    raise ParameterError([f"{words} equations change too much: expected smaller ranges"])

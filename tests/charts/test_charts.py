@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from one_mass import NAMES
+from shown import ROOT
 
 import nonsmooth as ns
 from nonsmooth.plots.charts import chart_figure
@@ -247,6 +248,21 @@ def test_axes_that_cannot_be(axes, words: str) -> None:
         ns.chart(STOP, axes)
     with pytest.raises(TypeError):
         ns.chart("impact", AXES)
+
+
+def test_ranges_over_which_series_do_not_converge_are_refused(
+    run, tmp_path, monkeypatch
+) -> None:
+    """A kick changes the velocity by I/m: over a decade that is a series of many terms."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    clock = str(ROOT / "examples/scenes/escapement.py")
+    wide = ("--vary", "mass=0.01:5:2", "--vary", "kick=0.1:0.2:2")
+    status, out, err = run("map", clock, *wide)
+    assert (status, out) == (2, "")
+    words = "--mass: got values from 0.01 to 5, and of kick from 0.1 to 0.2, over which"
+    assert words in err
+    decade = ns.chart(ns.scene(clock)(), {"mass": (0.5, 5.0, 2), "kick": (0.1, 0.2, 2)})
+    assert decade.motion == [["swing", "swing"]] * 2
 
 
 def test_ctrl_c_keeps_the_rows_that_are_done(found: ns.Chart, monkeypatch) -> None:
