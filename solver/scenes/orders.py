@@ -199,6 +199,7 @@ def in_order(base: LoadedScene, order: Order) -> OrderedScene:
 def in_cell(cell: Cell, order: Order) -> Cell:
     """Return a cell with its phases in another order; its classes are not known."""
     sign = -1 if order.half_period else 1
+    own = order.steps == tuple(Step(p) for p in range(len(cell.phases))) and sign == cell.sign
     steps = [(cell.carrying(p), mirrored) for p, mirrored in order.steps]
     phases = [mirror(phase) if mirrored else phase for phase, mirrored in steps]
     at = [each.phase for each in cell.memory]
@@ -209,7 +210,7 @@ def in_cell(cell: Cell, order: Order) -> Cell:
         cell,
         phases=tuple(map(_with_columns, phases, columns, [len(memory)] * len(phases))),
         sign=sign,
-        guess=(),
+        guess=cell.guess if own else (),
         cycles=1,
         memory=tuple(replace(q, name=name) for q, name in zip(memory, named, strict=True)),
         classes=(),

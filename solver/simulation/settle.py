@@ -54,6 +54,9 @@ ROUGH = 0.03
 #: What is rounding of a duration, in units of time: of two events that meet, its square root.
 NO_TIME = 1e-7
 
+#: What is said of a motion that nothing changes any more.
+WITHOUT_SWITCHES = "a simulation comes to a motion without switches"
+
 
 @dataclass(frozen=True)
 class Settled:
@@ -102,7 +105,10 @@ def rough_times_by_simulation(case: Case, phases: int = PHASES) -> Iterator[Sett
 def _in_that(case: Case, settled: Settled) -> Settled:
     """Return what a simulation came to, as it is seen from an order that is not declared."""
     assert isinstance(case.scene, OrderedScene)
-    other = settled.other
+    other, base = settled.other, case.scene.base
+    declared = Order(tuple(Step(p) for p in range(len(base.phases))), base.half_period)
+    if case.scene.order == declared:
+        return replace(settled, other=None)
     same = other is not None and (other.order, other.cycles) == (case.scene.order, case.cycles)
     return replace(settled, times=other.times if other and same else None, other=None)
 
@@ -178,8 +184,7 @@ def _unsettled(cell: Cell, motion: Simulation) -> Settled:
     repeated = None if motion.ended else _repeated(cell, motion.segments, ROUGH)
     if repeated is None:
         return Settled(None, words, conclusive=False)
-    found = _declared(cell, repeated) or _other(cell, repeated)
-    return replace(found, words=words, conclusive=False)
+    return replace(_settled_on(cell, repeated), words=words, conclusive=False)
 
 
 def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
@@ -188,11 +193,45 @@ def _came_to(cell: Cell, motion: Simulation) -> Settled | None:
         return Settled(None, f"a simulation ends: {motion.ended}", conclusive=False)
     last = motion.segments[-1]
     if last.lasts(cell.omega):
-        return Settled(None, "a simulation comes to a motion without switches")
+        return Settled(None, WITHOUT_SWITCHES)
     repeated = _repeated(cell, motion.segments)
-    if repeated is None:
-        return None
-    return _declared(cell, repeated) or _other(cell, repeated)
+    return None if repeated is None else _settled_on(cell, repeated)
+
+
+def _settled_on(cell: Cell, repeated: tuple[Segment, ...]) -> Settled:
+    """Return on what a motion settles that repeats some phases."""
+    whole = _whole(machine_of(cell), repeated)
+    if not whole:
+        return Settled(None, WITHOUT_SWITCHES)
+    return _declared(cell, whole) or _other(cell, whole)
+
+
+def _whole(machine: AnyMachine, repeated: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """Return the phases that a motion repeats, each that goes on behind its event as one.
+
+    None where nothing ever changes.
+    """
+    pairs = zip((repeated[-1], *repeated[:-1]), repeated, strict=True)
+    begins = [i for i, (one, two) in enumerate(pairs) if not _goes_on(machine, one, two)]
+    if not begins:
+        return ()
+    found: list[Segment] = []
+    for i in range(begins[0], begins[0] + len(repeated)):
+        own = repeated[i % len(repeated)]
+        if i % len(repeated) in begins:
+            found.append(own)
+        else:
+            found[-1] = replace(found[-1], s=found[-1].s + own.s, step=own.step)
+    return tuple(found)
+
+
+def _goes_on(machine: AnyMachine, one: Segment, two: Segment) -> bool:
+    """Whether nothing changes where one phase ends and the next begins."""
+    if one.step is None or any(each.phase == two.index for each in machine.cell.memory):
+        return False
+    node = machine.node(one.step)
+    same = node.equation == machine.node(Step(two.index, two.mirrored)).equation
+    return same and not node.changes_velocity
 
 
 def _repeated(
