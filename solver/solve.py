@@ -69,7 +69,7 @@ def solve_case(
 
     def settled() -> Orbit | None:
         exact = settled_orbit(case)
-        if exact is None:
+        if exact is None or order < registry.kernel(exact.case.scene, method, functions).lowest:
             return None
         other = search(exact.case)
         return other.from_exact(exact) or other.run()

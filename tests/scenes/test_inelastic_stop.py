@@ -228,3 +228,12 @@ def test_the_place_where_a_mass_is_held_is_that_of_its_landing() -> None:
     assert cell.place(0) is None
     friction = registry.load("dry-friction")(frequency=0.4).of_motion("two-stops").cell
     assert [friction.place(p) for p in (0, 1)] == [None, None]  # it stops anywhere
+
+
+def test_orders_below_the_lowest_of_the_order_that_settles_have_no_orbit() -> None:
+    """One flight and no rest, of whose expansion the lowest order is higher."""
+    short = SCENE(mass=0.53, force=0.35, frequency=2.25)
+    orbit = ns.solve(short, tol=1e-4)
+    assert [phase.name for phase in orbit.phases] == ["flight"]
+    with pytest.raises(NoOrbit):
+        ns.solve(short, order=1)
