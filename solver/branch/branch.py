@@ -14,8 +14,8 @@ from ..scenes.parameter_error import ParameterError
 from .bodies.course import BodyCourse
 from .change import beyond
 from .course import Course
-from .events import Found
 from .follow import CLOSED, PART, Segment, follow, in_units
+from .locate import Found
 from .piece import Piece, Place
 
 #: Most orders of phases of a branch, each way.

@@ -15,7 +15,7 @@ from ..scenes.orders import Order, Step, image
 from ..scenes.parameter_error import ParameterError
 from ..simulation.followers import may_follow
 from .course import ROUNDING, Course, Row
-from .events import Found
+from .locate import Found
 from .meeting import halves_apart
 from .piece import NoStepError, Piece, Place
 from .watch import END, LEAST, START, WITHIN

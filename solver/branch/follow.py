@@ -9,7 +9,8 @@ import numpy as np
 from ..arrays import Vector
 from ..scenes.parameter_error import ParameterError
 from .course import Course
-from .events import EDGE, Found, estimated, events_in, in_turn
+from .events import EDGE, events_in, in_turn
+from .locate import Found, estimated
 from .meeting import meeting, met, shorter
 from .piece import NoStepError, Piece, Place, unit_of
 from .walk import EVENT, GROWN, LEAST_STEP, STUCK

@@ -15,7 +15,7 @@ import numpy as np
 from ..arrays import Vector
 from ..scenes.orders import Order, image
 from .course import Course
-from .events import Found, estimated, root
+from .locate import Found, estimated, root
 from .piece import NoStepError, Piece, Place
 from .walk import FLIP, LEAST_STEP, MOST_STEP, OWN
 

@@ -8,7 +8,7 @@ from ..results.branch import BranchEvent
 from ..results.family import FamilyRow
 from ..stability.monodromy import Monodromy, forgotten
 from ..stability.stability import of_monodromy
-from .events import Found
+from .locate import Found
 from .piece import Piece, Place
 
 

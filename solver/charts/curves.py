@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Vector
-from ..branch.events import TURNED
 from ..branch.follow import CLOSED, RANGE
+from ..branch.locate import TURNED
 from ..branch.walk import FLIP, MEETS, OWN, PAIRS
 from ..stability.stability import stability
 from .block import account, functions

@@ -8,7 +8,7 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from ..branch.branch import Both
 from ..branch.course import Course
-from ..branch.events import OF_THE_ORBIT, Found
+from ..branch.locate import OF_THE_ORBIT, Found
 from ..branch.piece import Piece, Place
 from ..branches import every_way
 from ..scenes.case import Case
