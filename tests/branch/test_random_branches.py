@@ -82,6 +82,10 @@ def assert_orbits_are_found_again(random, names, most: int) -> None:
         rows = [q for q in rows if q.motion not in phases]
         for i in random.permutation(len(rows))[:ORBITS]:
             exact = found_again(case, branch, rows[i])
-            assert exact.stable == rows[i].stable
+            if exact.stable is None:  # what rounding may change is judged by other states
+                largest = np.abs(rows[i].multipliers).max()
+                assert np.abs(exact.multipliers).max() == pytest.approx(largest, rel=1e-8)
+            else:
+                assert exact.stable == rows[i].stable
             total = sum(rows[i].durations)
             assert exact.durations == pytest.approx(rows[i].durations, abs=1e-8 * total)
