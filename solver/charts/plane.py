@@ -1,7 +1,7 @@
 """The equations of an order of phases over two parameters, in one set of units."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -65,6 +65,7 @@ class Plane:
         ParameterError
             If the equations change too much over the rectangle for their series.
         """
+        course = replace(course, units=case.units)
         cell = course.cell(case.numbers)
         own = z / course.sizes(cell, case)
         rows = tuple(course.rows(case.numbers, own))

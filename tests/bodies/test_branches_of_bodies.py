@@ -481,3 +481,15 @@ def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
     freely = exact_orbit(latch(gap=event.parameter, least=1e-3))
     _, speed, *_ = signals(freely.case.cell, 0, freely.times, 0, np.ones(1))[:, 0]
     assert speed * freely.case.units.of_motion(1) == pytest.approx(1.4, rel=1e-13)
+
+
+def test_a_map_over_the_frequency_has_the_orbits_of_the_solver() -> None:
+    """Units change with the frequency, and matrices of numbers with the units."""
+    beam = ns.scene("beam-clearance")(modes=2)
+    found = ns.chart(beam, {"frequency": (85.0, 100.0, 2), "contact_stiffness": (1e3, 2e3, 2)})
+    for i, j in np.ndindex(2, 2):
+        values = (found.values[0][j], found.values[1][i])
+        here = dict(zip(found.parameters, map(float, values), strict=True))
+        orbit = exact_orbit(ns.scene("beam-clearance")(modes=2, **here))
+        assert found.motion[i][j] == ",".join(orbit.case.scene.phases)
+        assert bool(found.stable[i, j]) == orbit.stable
