@@ -16,10 +16,14 @@ from .change import beyond
 from .course import Course
 from .follow import CLOSED, PART, Segment, follow, in_units
 from .locate import Found
-from .piece import Piece, Place
+from .piece import NoStepError, Piece, Place
+from .walk import FLIP, FOLD, MEETS, NEUTRAL, OWN
 
 #: Most orders of phases of a branch, each way.
 MOST_SEGMENTS = 60
+
+#: Step to an orbit beside one to which something happens.
+ASIDE = 1e-4
 
 #: Orbits on the way back to an event, about as many as are looked for; what its parameter may
 #: be apart, found so, as a part of the range.
@@ -115,7 +119,7 @@ def go(
     seen: Callable[[float], None] = lambda value: None,
 ) -> None:  # fmt: skip
     """Follow a branch from an orbit, backward and then forward, and add to what is found."""
-    piece, place = start
+    piece, place = aside(*start)
     back = piece.place(place.y, -place.direction)
     for way, first in ((found.back, back), (found.forth, place)):
         there: tuple[Piece, Place] | None = (piece, first)
@@ -133,6 +137,20 @@ def go(
         if way.why == CLOSED:
             found.forth.why = way.why
             return
+
+
+def aside(piece: Piece, place: Place) -> tuple[Piece, Place]:
+    """Return an orbit to begin with: another one beside it, where something happens to it.
+
+    What vanishes where a branch begins changes its sign on neither side.
+    """
+    orbit = place.gauges[len(place.gauges) - OWN :]
+    if not (np.abs(orbit[[FOLD, FLIP, MEETS]]) <= NEUTRAL).any():
+        return piece, place
+    try:
+        return piece, piece.stepped(place, ASIDE)
+    except NoStepError:
+        return piece, place
 
 
 def begun(since: Found | None, there: tuple[Piece, Place], part: float) -> Segment:

@@ -313,6 +313,14 @@ def test_close_to_each_grazing_of_a_damped_mass_there_is_a_flip() -> None:
     assert np.min(np.abs(np.array(exact.multipliers) + 1)) < 1e-6
 
 
+def test_a_branch_that_begins_where_something_happens_has_it() -> None:
+    flip = 1.01445763678408881
+    found = ns.branch(ns.scene("impact")(**STOP, frequency=flip), "frequency", 1.0, 1.05)
+    (event,) = found.events
+    assert event.kind == "flip"
+    assert event.parameter == pytest.approx(flip, rel=1e-13)
+
+
 def test_orbits_are_one_wherever_they_begin() -> None:
     """Of two flights that differ, either first."""
     stop = ns.scene("impact")(damping=0.02, restitution=0.8, gap=0.0, frequency=2.7)
