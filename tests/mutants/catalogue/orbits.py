@@ -268,6 +268,30 @@ MUTANTS = (
         (f"{BRANCHES}::test_where_multipliers_leave_the_unit_circle",),
     ),
     Mutant(
+        "what happens next to a change of the order is left out",
+        "solver/branch/branch.py",
+        "[*reversed(back.events[:-1])]",
+        "[]",
+        (
+            "tests/branch/test_events.py::"
+            "test_close_to_each_grazing_of_a_damped_mass_there_is_a_flip",
+        ),
+    ),
+    Mutant(
+        "an orbit that begins with another of its phases is another one",
+        "solver/branches.py",
+        "np.roll(others, -r)",
+        "others",
+        ("tests/branch/test_events.py::test_orbits_are_one_wherever_they_begin",),
+    ),
+    Mutant(
+        "a map has the units of whichever orbit was found first",
+        "solver/charts/plane.py",
+        "course = replace(course, units=case.units)",
+        "course = replace(course)",
+        (f"{BRANCHES}::test_a_map_over_the_frequency_has_the_orbits_of_the_solver",),
+    ),
+    Mutant(
         "a slip of a body that vanishes has its event divided never",
         "solver/branch/bodies/course.py",
         "                divided[p] = 2\n",
