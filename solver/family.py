@@ -134,7 +134,7 @@ class _Rows:
             orbit = solve_case(case, self.method, self.order, self.functions)
         except NoOrbit as finding:
             nothing = (None, None, None, None, None)
-            how = finding.iterations, False, str(finding)
+            how = finding.iterations, False, finding.in_full
             return FamilyRow(value, finding.status, *nothing, *how)
         if orbit.exact is not None:
             self._follow(orbit.exact)

@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING, TypeVar
 if TYPE_CHECKING:
     from .scenes.case import Case
 
+#: Starts of which a message says how they ended: the first and the last.
+MOST_TOLD = 6
+
 # What is found for the case of one motion.
 Found = TypeVar("Found")
 
@@ -36,6 +39,15 @@ class NoOrbit(Exception):  # noqa: N818  (a finding about the oscillator, not a 
         self.iterations = 0
 
     def __str__(self) -> str:
+        shown, left_out = self.tried, len(self.tried) - MOST_TOLD
+        if left_out > 1:  # a line that says so would be as long
+            more = f"... and {left_out} more starts, in `tried` ..."
+            shown = (*shown[: MOST_TOLD // 2], more, *shown[-MOST_TOLD // 2 :])
+        return "; ".join((self.reason, *shown))
+
+    @property
+    def in_full(self) -> str:
+        """The reason, and all that was tried."""
         return "; ".join((self.reason, *self.tried))
 
     @property

@@ -73,7 +73,7 @@ def sweep_case(
 def _empty(method: str, order: int, finding: NoOrbit, seconds: float = 0.0) -> SweepRow:
     """Return the row of an orbit that was not found."""
     nothing = (None, None, None, finding.iterations, None, None)
-    return SweepRow(method, order, finding.status, *nothing, seconds, str(finding))
+    return SweepRow(method, order, finding.status, *nothing, seconds, finding.in_full)
 
 
 def _row(case: Case, method: str, order: int, functions: int | None) -> SweepRow:

@@ -74,7 +74,7 @@ def document_without_orbit(
         "extremes": dict(ends),
         "coefficients": None,
         "admissible": False,
-        "violations": [str(finding)],
+        "violations": [finding.in_full],
         "exact": _of_exact(exact),
         "errors": without_errors(),
         "estimate": without_errors(),

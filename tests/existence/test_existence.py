@@ -161,3 +161,14 @@ def test_a_motion_without_switches_is_named_where_it_is_why():
     assert words.startswith(
         "resonance: frequency = 1 rad/s is the natural frequency of engaged"
     )
+
+
+def test_a_message_has_the_first_starts_and_the_last_and_says_how_many_more() -> None:
+    tried = tuple(f"start {i}" for i in range(100))
+    finding = NoOrbit("none was found", False, tried)
+    words = (
+        "none was found; start 0; start 1; start 2; ... and 94 more starts, in `tried` ...; "
+    )
+    assert str(finding) == words + "start 97; start 98; start 99"
+    assert finding.in_full == "; ".join(("none was found", *tried))
+    assert str(NoOrbit("none", False, tried[:7])) == "; ".join(("none", *tried[:7]))
