@@ -136,6 +136,11 @@ def through(
 
     An orbit is a smooth function of a duration, through zero as well.  The cubic to a place
     twice as far says how well that is known.
+
+    Raises
+    ------
+    NoStepError
+        If there is no orbit twice as far.
     """
     part, y = _cubic(piece, before, after, p)
     place, i = replace(before, y=y), 3 * len(piece.table) + p

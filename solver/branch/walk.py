@@ -60,8 +60,8 @@ def of_multipliers(own: Matrix) -> tuple[float, float, float]:
     minus = float(np.linalg.det(own + np.eye(len(own))))
     values, found = np.linalg.eigvals(own.astype(np.complex128)), complex(1.0, 0.0)
     if len(own) == 2:
-        found += own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0] - 2
-        return minus, outside(values), found.real
+        area = own[0, 0] * own[1, 1] - own[0, 1] * own[1, 0]
+        return minus, outside(values), float(area - 1)
     for i in range(len(values)):
         for j in range(i):
             found *= values[i] * values[j] - 1

@@ -35,7 +35,7 @@ LOST, VIOLATED = "it cannot be followed", "beyond, its orbits are not admissible
 REAL = "beyond, the multipliers whose product is 1 are real"
 
 #: Which gauge, from the last, vanishes at events of the orbit itself.
-OF_THE_ORBIT = {
+GAUGES = {
     kind: which - OWN
     for kind, which in (
         ("fold", MEETS), ("branch-point", MEETS), ("torus", PAIRS), ("flip", FLIP),
@@ -75,7 +75,7 @@ def _gauge(plane: Plane, event: Happening) -> int | None:
     """Return which gauge of a plane vanishes at an event; None if it watches no such thing."""
     what, which, *where = event.gauge
     if what == "orbit":
-        return OF_THE_ORBIT[str(which)]
+        return GAUGES[str(which)]
     if what == "duration":
         return 3 * len(plane.rows) + int(str(which))
     rows: list[Any] = [*plane.rows]
@@ -114,7 +114,7 @@ def _way(plane: Plane, gauge: int, y: Vector, direction: Vector) -> tuple[list[V
                 return ([*points, end], RANGE) if end is not None else (points, LOST)
             if (_gauges(plane, there)[watched] < -ROUNDING).any():
                 accepted, growth, why = False, 1.0, VIOLATED
-            elif gauge == OF_THE_ORBIT["torus"] and not _turns(plane, there):
+            elif gauge == GAUGES["torus"] and not _turns(plane, there):
                 accepted, growth, why = False, 1.0, REAL
         if there is None or not accepted:
             length /= 2

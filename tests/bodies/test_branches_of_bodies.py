@@ -25,7 +25,7 @@ from nonsmooth.solver.branch.branch import Both, go, index_of, start_of
 from nonsmooth.solver.branch.change import doubled
 from nonsmooth.solver.branch.rows import row_of
 from nonsmooth.solver.branches import branch_case
-from nonsmooth.solver.charts.curves import OF_THE_ORBIT, REAL, _followed
+from nonsmooth.solver.charts.curves import GAUGES, REAL, _followed
 from nonsmooth.solver.charts.plane import Plane
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import motion_of
@@ -191,7 +191,7 @@ def test_a_torus_begins_where_its_multipliers_are_one() -> None:
     indices, ends = (found.index, index_of(own, "restitution")), ((0.88, 0.8825), (0.64, 0.69))
     plane = Plane.over(piece.course, piece.course.case(piece.case), indices, ends, z)
     first = plane.inside(np.array([[*z, torus.value, 0.65]]))[0]
-    (curve,) = _followed("torus", plane, OF_THE_ORBIT["torus"], first, 1)
+    (curve,) = _followed("torus", plane, GAUGES["torus"], first, 1)
     assert curve.why == ("the end of the range", REAL)
     pairs = []
     for y in curve.points[:-6:6]:  # the last are nearly defective
