@@ -8,29 +8,29 @@ from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-from numpy import exp
 
 Complex: TypeAlias = npt.NDArray[np.complex128]
 
 
-def moment_0(kappa: Any) -> Complex:
-    """Return ``a_0``."""
-    return (exp(kappa) - 1)/kappa
+def moment_0(kappa: Any, grown: Any) -> Complex:
+    """Return ``a_0`` by ``e^kappa``."""
+    return (grown - 1)/kappa
 
 
-def moment_1(kappa: Any, here: Any) -> Complex:
+def moment_1(kappa: Any, grown: Any, here: Any) -> Complex:
     """Return ``a_1`` from ``a_0``."""
-    return (-2*here + exp(kappa) + 1)/kappa
+    return (grown - 2*here + 1)/kappa
 
 
-def next_moment(m: Any, kappa: Any, before: Any, here: Any) -> Complex:
-    """Return ``a_(m+1)`` from ``a_(m-1)`` and ``a_m``."""
-    return before - (2*here*(2*m + 1))/kappa
+def next_moment(m: Any, inverse: Any, before: Any, here: Any) -> Complex:
+    """Return ``a_(m+1)`` from ``a_(m-1)`` and ``a_m``, by 1/kappa."""
+    return before - 2*here*inverse*(2*m + 1)
 
 
 def moment_rate(m: Any, before: Any, here: Any, after: Any) -> Complex:
     """Return the derivative of ``a_m`` by kappa, from its neighbours."""
-    return here/2 + (after*(m + 1) + before*m)/(4*m + 2)
+    by_m = 1/(4*m + 2)
+    return by_m*(after*(m + 1) + before*m) + here/2
 
 
 def answer_0(kappa: Any) -> Complex:
@@ -43,9 +43,9 @@ def answer_1(kappa: Any, here: Any) -> Complex:
     return (2*here - 1)/kappa
 
 
-def next_answer(n: Any, kappa: Any, before: Any, here: Any) -> Complex:
-    """Return ``b_(n+1)`` from ``b_(n-1)`` and ``b_n``."""
-    return before + (here*(4*n + 2))/kappa
+def next_answer(n: Any, inverse: Any, before: Any, here: Any) -> Complex:
+    """Return ``b_(n+1)`` from ``b_(n-1)`` and ``b_n``, by 1/kappa."""
+    return before + here*inverse*(4*n + 2)
 
 
 def response_0(here: Any, after: Any) -> Complex:
@@ -55,17 +55,20 @@ def response_0(here: Any, after: Any) -> Complex:
 
 def same_response(n: Any, kappa: Any, before: Any, after: Any) -> Complex:
     """Return ``Z_nn`` from ``Z_n(n-1)`` and ``Z_(n+1)n``, n > 0."""
-    return -(kappa*(after + before))/(4*n + 2)
+    by_n = 1/(4*n + 2)
+    return -by_n*kappa*(after + before)
 
 
 def weight(m: Any, kappa: Any) -> Complex:
     """Return ``w_m`` over ``w_(m-1)``."""
-    return kappa/(4*m + 2)
+    by_m = 1/(4*m + 2)
+    return by_m*kappa
 
 
 def weighted_moment(m: Any, kappa: Any, here: Any, after: Any) -> Complex:
     """Return ``A_(m-1)`` from ``A_m`` and ``A_(m+1)``."""
-    return (after*(kappa*kappa))/(4*(2*m + 1)*(2*m + 3)) + here
+    by_m = 1/(4*(2*m + 1)*(2*m + 3))
+    return after*by_m*(kappa*kappa) + here
 
 
 def unity(kappa: Any, here: Any, after: Any) -> Complex:
@@ -80,7 +83,8 @@ def weighted_answer_1(kappa: Any) -> Complex:
 
 def weighted_answer(n: Any, kappa: Any, before: Any, here: Any) -> Complex:
     """Return ``B_(n+1)`` from ``B_(n-1)`` and ``B_n``."""
-    return (before*(kappa*kappa))/((4*n - 2)*(4*n + 2)) + here
+    by_n = 1/((4*n - 2)*(4*n + 2))
+    return before*by_n*(kappa*kappa) + here
 
 
 def weighted_response(n: Any) -> Complex:
@@ -90,4 +94,6 @@ def weighted_response(n: Any) -> Complex:
 
 def response_rate(m: Any, n: Any, left: Any, right: Any, before: Any, after: Any) -> Complex:
     """Return the derivative of ``Z_mn`` by kappa, from neighbours in m (left, right) and in n."""
-    return (-after*(n + 1) - before*n)/(4*n + 2) + (left*m + right*(m + 1))/(4*m + 2)
+    by_m = 1/(4*m + 2)
+    by_n = 1/(4*n + 2)
+    return by_m*(left*m + right*(m + 1)) + by_n*(-after*(n + 1) - before*n)

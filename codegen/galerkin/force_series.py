@@ -29,6 +29,9 @@ from typing import NamedTuple
 import sympy as sp
 
 kappa, before, here, after = sp.symbols("kappa before here after")
+
+#: e^kappa, and 1/kappa: what takes long is computed once.
+grown, inverse = sp.symbols("grown inverse")
 m, n = sp.symbols("m n", integer=True, nonnegative=True)
 
 
@@ -47,22 +50,22 @@ def formulas() -> Iterator[Formula]:
     Examples
     --------
     >>> next(formulas()).value
-    (exp(kappa) - 1)/kappa
+    (grown - 1)/kappa
     """
     u = sp.Symbol("u")
     zero = sp.integrate(sp.exp(kappa * u), (u, 0, 1), conds="none")
     zero = sp.piecewise_fold(zero).args[0][0] if zero.has(sp.Piecewise) else zero
-    yield Formula("moment_0", (kappa,), "``a_0``", sp.factor(zero))
+    zero = sp.factor(zero).subs(sp.exp(kappa), grown)
+    yield Formula("moment_0", (kappa, grown), "``a_0`` by ``e^kappa``", zero)
     # (2 u - 1) e^(kappa u) by parts: its ends less what differentiating leaves
-    first = (sp.exp(kappa) + 1 - 2 * here) / kappa
-    yield Formula("moment_1", (kappa, here), "``a_1`` from ``a_0``", first)
+    first = (grown + 1 - 2 * here) / kappa
+    yield Formula("moment_1", (kappa, grown, here), "``a_1`` from ``a_0``", first)
     unknown = sp.Symbol("unknown")
     by_parts = 2 * (2 * m + 1) * here + kappa * (unknown - before)
     (up,) = sp.solve(by_parts, unknown)
-    words = "``a_(m+1)`` from ``a_(m-1)`` and ``a_m``"
-    yield Formula(
-        "next_moment", (m, kappa, before, here), words, before + sp.factor(up - before)
-    )
+    words = "``a_(m+1)`` from ``a_(m-1)`` and ``a_m``, by 1/kappa"
+    more = before + sp.factor(up - before).subs(kappa, 1 / inverse)
+    yield Formula("next_moment", (m, inverse, before, here), words, more)
     rate = (here + _shifted(m, before, after)) / 2
     words = "the derivative of ``a_m`` by kappa, from its neighbours"
     yield Formula("moment_rate", (m, before, here, after), words, rate)
@@ -80,9 +83,9 @@ def _answers() -> Iterator[Formula]:
     yield Formula("answer_0", (kappa,), "``b_0``", 1 / kappa)
     words = "``b_1`` from ``b_0``"
     yield Formula("answer_1", (kappa, here), words, (2 * here - 1) / kappa)
-    words = "``b_(n+1)`` from ``b_(n-1)`` and ``b_n``"
-    up = before + 2 * (2 * n + 1) * here / kappa
-    yield Formula("next_answer", (n, kappa, before, here), words, up)
+    words = "``b_(n+1)`` from ``b_(n-1)`` and ``b_n``, by 1/kappa"
+    up = before + 2 * (2 * n + 1) * here * inverse
+    yield Formula("next_answer", (n, inverse, before, here), words, up)
     words = "``Z_00`` from ``a_0`` and ``a_1``"
     yield Formula("response_0", (here, after), words, (here - after) / 2)
     # 2 (2 n + 1) Z_nn = kappa (Z_n(n+1) - Z_n(n-1)) by parts, and Z_n(n+1) = - Z_(n+1)n

@@ -106,6 +106,15 @@ def scales(body: Modal, omega: float) -> Vector:
     return np.hypot(own, omega or SLOWEST * float(own.max()))
 
 
+def added(body: Modal) -> Matrix:
+    """Return what the contact forces add to what forms are of; shape (S, c)."""
+    contacts = body.at.shape[1]
+    x, _, f, a = places(contacts)
+    found = np.zeros((2 + 4 * contacts, contacts))
+    found[x], found[a], found[f] = body.residual, body.kept_mobility, np.eye(contacts)
+    return found
+
+
 @lru_cache(maxsize=64)
 def free(body: Modal, omega: float, memory: int) -> Free:
     """Return a body without its contact forces, with so many constants of memory."""
@@ -115,10 +124,9 @@ def free(body: Modal, omega: float, memory: int) -> Free:
     B = np.vstack([np.zeros((count, contacts)), body.at])
     inputs = np.zeros((2 * count, 3 + memory))
     inputs[count:, 0] = body.forcing
-    x, v, f, a = places(contacts)
+    x, v, _, a = places(contacts)
     size = 2 + 4 * contacts
     rows = np.zeros((size, 2 * count + 3 + memory))
-    by_force = np.zeros((size, contacts))
     turn = 2 * count
     rows[2, turn] = rows[3, turn + 2] = 1.0
     rows[x, :count], rows[v, count:turn] = (body.at / w[:, None]).T, body.at.T
@@ -127,8 +135,7 @@ def free(body: Modal, omega: float, memory: int) -> Free:
         h = body.beyond * (1j * omega) ** order
         rows[places_, turn] += h.real
         rows[places_, turn + 1] -= h.imag
-    by_force[x], by_force[a], by_force[f] = body.residual, body.kept_mobility, np.eye(contacts)
-    return Free(A, B, rows, by_force, inputs)
+    return Free(A, B, rows, added(body), inputs)
 
 
 def lawful(cell: "BodyCell", p: int) -> Lawful:

@@ -1,13 +1,13 @@
 """The equations of the force series for a cell: its phases, and where the unknowns are."""
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ..arrays import Complex, Indices, Integers, Matrix, Vector
-from .laws import free, law_matrix, lawful, places
+from .laws import added, law_matrix, lawful, places
 from .modal import BodyError
 from .part import shifts
 from .poles import Forms, Poles, poles_of
@@ -29,13 +29,15 @@ class Phase:
 
     Parameters
     ----------
-    law, force, event, seen : Forms
-        The laws; the force of the poles, the event at its end and what forms are of, all by
-        the law of the contact force.
+    poles : Poles
+    law, event : Forms
+        The laws; the event at its end, by the law of the contact force.
+    by_law : ndarray, shape (S + M, S + M)
+        What forms are of, by that law.
+    closure : ndarray, shape (c, S + M)
+        The contact forces are less this of the rest.
     direct : ndarray, shape (c, c)
         What the forces add to the laws.
-    velocity : Forms
-        Of each contact.
     hit : ndarray of int
         The contacts that an impulse meets at its end.
     impulse : ndarray, shape (c, c + 1)
@@ -47,17 +49,27 @@ class Phase:
     pieces : int
     """
 
+    poles: Poles
     law: Forms
-    force: Forms
     event: Forms
-    seen: Forms
+    by_law: Matrix
+    closure: Matrix
     direct: Matrix
-    velocity: Forms
     hit: Indices
     impulse: Matrix
     fixing: Vector
     degree: int
     pieces: int
+
+    @cached_property
+    def force(self) -> Forms:
+        """The contact forces of the poles, by the law."""
+        return self.poles.forms(-self.closure)
+
+    @cached_property
+    def seen(self) -> Forms:
+        """What forms are of, by the law of the contact force."""
+        return self.poles.forms(self.by_law[: len(self.poles.seen[0])])
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,8 +80,8 @@ class Layout:
     ----------
     phases : tuple of Phase
     poles : Poles
-    setting : Forms
-        What each memory is set to.
+    velocity, setting : Forms
+        Of each contact; what each memory is set to.
     elements : tuple of (int, int)
         Of each piece its phase, and where its coefficients begin.
     first_impulse, first_memory, size : int
@@ -78,6 +90,7 @@ class Layout:
 
     phases: tuple[Phase, ...]
     poles: Poles
+    velocity: Forms
     setting: Forms
     elements: tuple[tuple[int, int], ...]
     first_impulse: int
@@ -136,9 +149,8 @@ def layout(cell: "BodyCell", order: int) -> Layout:
     values = [each.value[:width] for each in cell.memory]
     rows = np.array(values).reshape(count, width)
     setting = poles.forms(np.hstack([rows, np.zeros((count, count))]))
-    return Layout(
-        phases, poles, setting, tuple(elements), at, memory, memory + len(cell.memory)
-    )
+    velocity = poles.forms(np.eye(width, width + count)[places(contacts)[1]])
+    return Layout(phases, poles, velocity, setting, tuple(elements), at, memory, memory + count)
 
 
 def _is_resonant(cell: "BodyCell", poles: Poles) -> bool:
@@ -174,6 +186,8 @@ class Setting(NamedTuple):
         How many unknowns there are, and the first that is a memory.
     numbers : ndarray, shape (3,)
         Omega, sign, and duration of the cell, 0 where nothing forces.
+    kept : ndarray, shape (1 + W, W)
+        Room for W times, and the derivatives there.
     """
 
     s: Complex
@@ -191,6 +205,7 @@ class Setting(NamedTuple):
     sets: Integers
     size: Integers
     numbers: Vector
+    kept: Matrix
 
 
 @lru_cache(maxsize=64)
@@ -200,11 +215,12 @@ def setting(cell: "BodyCell", order: int) -> Setting:
     rows = [
         *(phase.law for phase in own.phases),
         *(phase.event for phase in own.phases),
-        own.phases[0].velocity,
+        own.velocity,
         own.setting,
     ]
     rest = [np.column_stack([q.constant, q.memory]) for q in rows]
     hits = np.full((len(own.phases), own.poles.b.shape[1]), -1)
+    width = len(own.phases) + cell.forced
     for p, phase in enumerate(own.phases):
         hits[p, phase.hit] = range(own.size)[own.impulses(p)]
     return Setting(
@@ -223,28 +239,27 @@ def setting(cell: "BodyCell", order: int) -> Setting:
         np.array([own.first_of(each.phase) for each in cell.memory], dtype=int),
         np.array([own.size, own.first_memory]),
         np.array([cell.omega, cell.sign, cell.duration if cell.forced else 0.0]),
+        np.full((1 + width, width), np.nan),
     )
 
 
 def _phase(cell: "BodyCell", poles: Poles, p: int, order: int) -> Phase:
-    own, memory = free(cell.body, cell.omega, len(cell.memory)), len(cell.memory)
-    contacts, width = cell.body.at.shape[1], len(own.by_force)
+    own, memory = added(cell.body), len(cell.memory)
+    width, contacts = own.shape
     rows = law_matrix(cell, cell.phases[p])
-    by_force = np.vstack([own.by_force, np.zeros((memory, contacts))])
+    by_force = np.vstack([own, np.zeros((memory, contacts))])
     direct = rows @ by_force
-    # the forces are less this of the rest
     closure: Matrix = np.asarray(np.linalg.solve(direct, rows), dtype=float)
     law = poles.forms(rows)
     event = np.array([cell.phases[p].event])
-    seen = np.eye(width + memory) - by_force @ closure
+    by_law = np.eye(width + memory) - by_force @ closure
     by_velocity, constant = impulses(cell, p)
     hit = np.flatnonzero(np.abs(by_velocity).sum(axis=1) + np.abs(constant))
     given = not (law.poles.any() or law.turn.any())
     degree, pieces = (0, 1) if given else _pieces(order)
-    velocity = np.eye(width + memory)[places(contacts)[1]]
     return Phase(
-        law, poles.forms(-closure), poles.forms(event @ seen), poles.forms(seen[:width]),
-        direct, poles.forms(velocity), hit, np.column_stack([by_velocity, constant]),
+        poles, law, poles.forms(event @ by_law), by_law, closure, direct,
+        hit, np.column_stack([by_velocity, constant]),
         _fixing(cell, poles, p) * np.diag(direct), degree, pieces,
     )  # fmt: skip
 

@@ -8,6 +8,7 @@ that are kept, with its stiffness, mass and damping: R. H. MacNeal, Computers an
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -78,7 +79,7 @@ class Modal:
     residual: Matrix
     beyond: Complex
 
-    @property
+    @cached_property
     def is_proportional(self) -> bool:
         """Whether the damping does not couple the modes."""
         off = self.damping - np.diag(np.diag(self.damping))

@@ -146,19 +146,35 @@ def poles_of(body: Modal, omega: float, hold: bool = False) -> Poles:
     """
     hold = hold or bool((body.squares == 0).any())
     held = _held(body, omega) if hold else None
-    rows = np.diag(body.squares - omega**2) + 1j * omega * body.damping
-    if held is not None:
-        found = _of_states(body, omega, held)
-        rows += body.at * (held.springs + 1j * omega * held.dampers) @ body.at.T
-    else:
-        found = _of_modes(body) if body.is_proportional else _of_states(body, omega)
+    is_closed = held is None and body.is_proportional
+    found = _of_modes(body) if is_closed else _of_states(body, omega, held)
     try:
-        answer = np.linalg.solve(rows, body.forcing.astype(complex))
+        answer = _answer(body, omega, held)
     except np.linalg.LinAlgError:
         if not hold:
             return poles_of(body, omega, hold=True)
         raise BodyError("an undamped mode is in resonance with the forcing") from None
     return Poles(*found, body.at.T @ answer + body.beyond, omega, held)
+
+
+def _answer(body: Modal, omega: float, held: Held | None) -> Complex:
+    """Return the response of the modes to the forcing, held or not.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If one is in resonance, and is not damped.
+    """
+    turn, forcing = 1j * omega, body.forcing.astype(complex)
+    if held is None and body.is_proportional:
+        by_mode = body.squares - omega**2 + turn * np.diag(body.damping)
+        if (by_mode == 0).any():
+            raise np.linalg.LinAlgError
+        return np.asarray(forcing / by_mode)
+    rows = np.diag(body.squares - omega**2) + turn * body.damping
+    if held is not None:
+        rows += body.at * (held.springs + turn * held.dampers) @ body.at.T
+    return np.asarray(np.linalg.solve(rows, forcing))
 
 
 def _held(body: Modal, omega: float) -> Held:

@@ -14,7 +14,12 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Complex, Matrix, Vector
-from .integrals import answered, moment_rates, moments, responses
+from .integrals import answered, moment_rates, moments, respond
+
+
+def times_of(case: Any) -> tuple[int, int]:
+    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
+    return len(case.counts), 1 if case.numbers[2] > 0 else 0
 
 
 def begins_of(case: Any, times: Vector) -> Vector:
@@ -27,47 +32,50 @@ def begins_of(case: Any, times: Vector) -> Vector:
     return found
 
 
-def integrals(case: Any, times: Vector) -> tuple[Complex, Any, Complex]:
-    """Return ``a_n`` and ``Z_mn`` of the poles in each phase, and ``a_n`` of the forcing.
+def integrals(case: Any, times: Vector) -> tuple[Complex, Complex, Any, Complex]:
+    """Return ``e^kappa``, ``a_n`` and ``Z_mn`` of the poles, and ``a_n`` of the forcing.
 
-    Of as many degrees as its force has, and one more; ``Z_mn`` where the force is unknown.
+    Of each phase, of as many degrees as its force has, and one more; ``Z_mn`` where the force
+    is unknown.  Shapes (P, m), (P, degrees, m), (P, m, degrees, degrees) and (P, degrees).
     """
     count, size, room = len(case.degrees), len(case.s), case.degrees.max() + 2
     a = np.zeros((count, room, size), np.complex128)
-    Z = np.zeros((count, room, room, size), np.complex128)
-    turn = np.zeros((count, room), np.complex128)
+    Z = np.empty((count, size, room, room), np.complex128)
+    turn, grown = np.zeros((count, room), np.complex128), np.empty_like(a[:, 0])
     for p in range(count):
         s, own = times[p] / case.counts[p], case.degrees[p] + 2
+        grown[p] = np.exp(case.s * s)
         a[p, :own] = moments(case.s * s, own)
         turn[p, :own] = moments(np.full(1, 1j * case.numbers[0] * s), own)[:, 0]
         if case.degrees[p] > 0:
-            Z[p, :own, :own] = responses(case.s * s, own, own)
-    return a, Z, turn
+            respond(case.s * s, Z[p])
+    return grown, a, Z, turn
 
 
 def around(
-    case: Any, times: Vector, within: Complex, behind: Complex
+    case: Any, grown: Complex, within: Complex, behind: Complex
 ) -> tuple[Complex, Complex]:
     """Return what is carried by the poles where each piece begins and ends, periodic.
 
     Parameters
     ----------
+    grown : ndarray of complex, shape (P, m)
+        ``e^kappa`` of a piece of each phase.
     within, behind : ndarray of complex, shape (E, m, columns)
         What each piece adds to z, or to its derivatives, where it ends, and behind that.
     """
     starts, ends = np.empty_like(within), np.empty_like(within)
-    state, total, sign = np.zeros_like(within[0]), 0.0, case.numbers[1]
+    state, whole, sign = np.zeros_like(within[0]), np.ones_like(grown[0]), case.numbers[1]
     for turn in range(2):
         for e in range(len(within)):
             p = case.pieces[e, 0]
-            s = times[p] / case.counts[p]
             starts[e] = state
-            state = np.exp(case.s * s).reshape(-1, 1) * state + within[e]
+            state = grown[p].copy().reshape(-1, 1) * state + within[e]
             ends[e] = state
             state = state + behind[e]
-            total += s
+            whole *= grown[p]
         if turn == 0:
-            state = sign * state / (1 - sign * np.exp(case.s * total)).reshape(-1, 1)
+            state = (sign / (1 - sign * whole)).reshape(-1, 1) * state
     return starts, ends
 
 
@@ -78,7 +86,7 @@ def alternating(values: Complex) -> Complex:
     return found
 
 
-def states(case: Any, times: Vector, a: Complex) -> tuple[Complex, Complex]:
+def states(case: Any, times: Vector, grown: Complex, a: Complex) -> tuple[Complex, Complex]:
     """Return z where each piece begins and ends, by the unknowns: shape (E, m, U) each."""
     within = np.zeros((len(case.pieces), len(case.s), case.size[0]), np.complex128)
     behind, contacts = np.zeros_like(within), len(case.b)
@@ -91,7 +99,7 @@ def states(case: Any, times: Vector, a: Complex) -> tuple[Complex, Complex]:
         for k in range(contacts if last else 0):
             if case.hits[p, k] >= 0:
                 behind[e, :, case.hits[p, k]] = case.b[k]
-    return around(case, times, within, behind)
+    return around(case, grown, within, behind)
 
 
 def value(case: Any, row: int, states: Complex, angle: float) -> tuple[Vector, float]:
@@ -125,11 +133,11 @@ def tested(
         rows = ((a[p, :count] * law) @ states).real
         rows[0, case.size[1] :] += case.rest[row, 1:]
         for c in range(contacts):
-            weights = law * case.b[c]
+            if count > 1:
+                own = (law * case.b[c]) @ Z[p].reshape(len(law), -1)
+                own_rows = own.real.copy().reshape(Z.shape[2], -1)[:count, :count]
+                rows[:, at + c : at + count * contacts : contacts] += s * own_rows
             for n in range(count):
-                if count > 1:
-                    own = (Z[p, n, :count] @ weights).real
-                    rows[n, at + c : at + count * contacts : contacts] += s * own
                 rows[n, at + n * contacts + c] += case.direct[p, k, c] / (2 * n + 1)
         A[at + k : at + count * contacts : contacts] = rows
         right[at + k : at + count * contacts : contacts] = -(
@@ -146,8 +154,8 @@ def linear(case: Any, times: Vector) -> Any:
     The angles where pieces begin; the integrals; the system, and its solution; the events by
     the unknowns, factors and constants; z where pieces begin and end, by the unknowns.
     """
-    begins, (a, Z, turn) = begins_of(case, times), integrals(case, times)
-    starts, ends = states(case, times, a)
+    begins, (grown, a, Z, turn) = begins_of(case, times), integrals(case, times)
+    starts, ends = states(case, times, grown, a)
     count, contacts, (size, memory) = len(case.degrees), len(case.b), case.size
     A, right = np.zeros((size, size)), np.zeros(size)
     events, constants = np.zeros((count, size)), np.zeros(count)
@@ -180,16 +188,28 @@ def linear(case: Any, times: Vector) -> Any:
         A[q, q] += 1.0
         right[q] = constant
     unknowns = solved(A, right)
-    return begins, (a, Z, turn), (A, unknowns), (events, constants), (starts, ends)
+    return begins, (grown, a, Z, turn), (A, unknowns), (events, constants), (starts, ends)
 
 
 def residual(case: Any, times: Vector, R: Vector) -> None:
-    """Fill R with the events and the length of the cell, at times alone."""
-    _, _, (_, unknowns), (events, constants), _ = linear(case, times)
-    count = len(constants)
+    """Fill R with the events and the length of the cell, at times alone.
+
+    Derivatives take less than that: `jacobian` finds them where they are kept.
+    """
+    found, count = linear(case, times), len(case.degrees)
+    _, _, (_, unknowns), (events, constants), _ = found
     R[:count] = events @ unknowns + constants
     if case.numbers[2] > 0:
         R[count] = times[:count].sum() - case.numbers[2]
+    slopes(case, times, found, case.kept[1:])
+    case.kept[0] = times
+
+
+def jacobian(case: Any, times: Vector, J: Matrix) -> None:
+    """Fill J with the derivatives of the residual."""
+    if not (case.kept[0] == times).all():
+        residual(case, times, np.empty(len(times)))
+    J[:] = case.kept[1:]
 
 
 def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> Vector:
@@ -199,9 +219,9 @@ def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> 
     return found
 
 
-def jacobian(case: Any, times: Vector, J: Matrix) -> None:
-    """Fill J with the derivatives of the residual."""
-    begins, (a, Z, turn), (A, unknowns), (events, _), (starts, _) = linear(case, times)
+def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
+    """Fill J with the derivatives of the residual, by what `linear` found."""
+    begins, (grown, a, Z, turn), (A, unknowns), (events, _), (starts, _) = found
     count, contacts, width = len(case.degrees), len(case.b), len(times)
     omega, s, first = case.numbers[0], case.s, count * (contacts + 1)
     turns = np.zeros((len(begins), width))  # of the angles by the times
@@ -215,18 +235,16 @@ def jacobian(case: Any, times: Vector, J: Matrix) -> None:
         turns[e + 1] = turns[e]
         turns[e + 1, p] += omega * part
         begun[e] = starts[e] @ unknowns.astype(np.complex128)
-        forces = np.zeros((degrees, len(s)), np.complex128)
-        for n in range(degrees):
-            for k in range(contacts):
-                forces[n] += unknowns[at + n * contacts + k] * case.b[k]
+        l = unknowns[at : at + degrees * contacts].reshape(degrees, contacts) + 0j
         kappa, rates = s * (times[p] * part), moment_rates(a[p, : degrees + 1])
+        forces = l @ case.b
         gain = (alternating(a[p, :degrees] + kappa * rates) * forces).sum(axis=0)
-        within[e, :, p] = part * (s * np.exp(kappa) * begun[e] + gain)
+        within[e, :, p] = part * (s * grown[p] * begun[e] + gain)
         own[e, :degrees] = s * rates * begun[e]
         if degrees > 1:
-            known, known_rates = answered(Z[p, : degrees + 1, : degrees + 1], forces)
-            own[e, :degrees] += known + kappa * known_rates
-    starts_by, ends_by = around(case, times, within, np.zeros_like(within))
+            known, known_rates = answered(Z[p], l, case.b)
+            own[e, :degrees] += known.T + kappa * known_rates.T
+    starts_by, ends_by = around(case, grown, within, np.zeros_like(within))
     by, shifted = np.zeros((len(A), width)), np.zeros((count, width))
     for e in range(len(starts)):
         p = case.pieces[e, 0]

@@ -8,14 +8,14 @@ import numpy as np
 
 from ...generated import force_series
 from ..arrays import Matrix, Vector
-from ..bodies import exact, integrals, series
+from ..bodies import exact, integrals, one_by_one, series
 from ..bodies import motion as motions
 from ..bodies.harmonics import system as harmonics
 from ..bodies.layout import setting
 from ..bodies.part import parts_of
 from ..scenes.methods import about
 from . import linking
-from .compiling import Account
+from .compiling import Account, rebuilt
 from .family import Family
 from .kernel import Kernel
 
@@ -45,12 +45,22 @@ class Given(NamedTuple):
 
 
 def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
-    """Return the functions of the force series."""
-    return linking.made((force_series, integrals, equations), {}, make)
+    """Return the functions of the force series, and Newton's method on its times.
 
+    Compiled, integrals are of one pole after the other.
+    """
+    by_pole = () if make is rebuilt else (one_by_one,)
+    found = linking.made((force_series, integrals, *by_pole, equations), {}, make)
+    own = found["residual"], found["jacobian"], found["times_of"]
+    newton = linking.newton_with(*own, make, FAST=0.0)  # derivatives cost next to nothing
+    return found | {"iterate": newton["iterate_scene"]}
+
+
+#: What solves for the times.
+SOLVING = "residual", "jacobian", "iterate"
 
 #: The force series: one kernel of all bodies.
-FAMILY = Family(linked, (force_series, integrals), series.residual, seconds=20.0)
+FAMILY = Family(linked, (force_series, integrals, one_by_one), series.residual, seconds=20.0)
 
 
 def kernel(
@@ -71,7 +81,7 @@ def kernel(
     """
     count, memory = len(scene.kinds), scene.memory
     forced, beside = scene.frequency is not None, None
-    left_sides, account = (residual, jacobian), None
+    solving, account = _of_evaluations(count, forced), None
     if about(method).is_series:
         beside = functions or 0
     else:
@@ -79,8 +89,8 @@ def kernel(
         compile_it = compiles(spent)
         account = None if compile_it else spent
         found = (FAMILY.compiled if compile_it else FAMILY.plain)(series.__name__)
-        left_sides = _of_arrays(found["residual"]), _of_arrays(found["jacobian"])
-    own = _made(method, count, len(memory), forced, 0, left_sides)
+        solving = [_of_arrays(found[name]) for name in SOLVING]
+    own = _made(method, count, len(memory), forced, 0, solving)
 
     def coefficients(z: Vector) -> dict[str, tuple[Any, int]]:
         return {name: (z[i], power) for i, (name, _, power, _) in enumerate(memory)}
@@ -94,19 +104,24 @@ def kernel(
 def exact_kernel(cell: "BodyCell") -> Kernel:
     """Return the exact equations of a cell of a body."""
     count, memory = len(cell.phases), len(cell.memory)
-    own = _made("exact", count, memory, cell.forced, 2 * count, (residual, jacobian))
+    solving = _of_evaluations(count, cell.forced)
+    own = _made("exact", count, memory, cell.forced, 2 * count, solving)
     return replace(own, given=lambda case, order: Given(cell, 0))
 
 
+def _of_evaluations(count: int, forced: bool) -> list[Any]:
+    """Return `SOLVING` for the exact equations and harmonics."""
+    return [residual, jacobian, linking.linked(residual, jacobian, count, forced)]
+
+
 def _made(
-    method: str, count: int, memory: int, forced: bool, states: int,
-    left_sides: tuple[Any, Any],
-) -> Kernel:  # fmt: skip
+    method: str, count: int, memory: int, forced: bool, states: int, solving: list[Any]
+) -> Kernel:
     """Return a kernel whose unknowns are states, if any, the memory, and the times.
 
-    Its residual and Jacobian are of the times alone.
+    What solves it, by `SOLVING`, is of the times alone.
     """
-    newton, width = linking.linked(*left_sides, count, forced), count + forced
+    (left_sides, slopes, newton), width = solving, count + forced
 
     def iterate(case: Any, z: Vector, limit: int) -> tuple[int, int, float, float]:
         case = _given(case)
@@ -134,8 +149,8 @@ def _made(
         forced=forced,
         lowest=LOWEST,
         size=lambda order: states + memory + width,
-        residual=left_sides[0],
-        jacobian=left_sides[1],
+        residual=left_sides,
+        jacobian=slopes,
         motion=motion,
         coefficients=lambda z: {},
         iterate=iterate,

@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from nonsmooth.codegen.galerkin import force_series
+from nonsmooth.generated import force_series as emitted
+from nonsmooth.solver.bodies import integrals, one_by_one
 from nonsmooth.solver.bodies.integrals import (
     answered,
     answers,
@@ -14,6 +16,8 @@ from nonsmooth.solver.bodies.integrals import (
     moments,
     responses,
 )
+from nonsmooth.solver.kernels import linking
+from nonsmooth.solver.kernels.compiling import rebuilt
 
 #: Decaying, oscillating, neither, on both sides of the limits of the recurrences.
 KAPPAS = [
@@ -56,7 +60,7 @@ def gauss() -> tuple[list[mp.mpf], list[mp.mpf]]:
 @pytest.mark.parametrize("kappa", [q for q in KAPPAS if abs(q) < 80], ids=str)
 def test_responses(kappa: complex) -> None:
     """By the lag ``w = u - y``: the inner integral is of a polynomial, exact by Gauss."""
-    found, k = responses(np.array([kappa], dtype=complex), 10, 10)[..., 0], mp.mpc(kappa)
+    found, k = responses(np.array([kappa], dtype=complex), 10, 10)[0], mp.mpc(kappa)
     with mp.workdps(25):
         nodes, weights = gauss()
         for m, n in ((0, 0), (3, 4), (2, 9)):
@@ -75,9 +79,20 @@ def test_responses(kappa: complex) -> None:
 
 def test_responses_of_many_poles_are_those_of_each() -> None:
     kappas = np.array(KAPPAS, dtype=complex)
-    each = [responses(kappas[i : i + 1], 10, 10)[..., 0] for i in range(len(kappas))]
-    assert responses(kappas, 10, 10) == pytest.approx(np.stack(each, axis=-1), abs=TOLERANCE)
-    assert responses(kappas, 10, 4) == pytest.approx(np.stack(each, -1)[:, :4], abs=TOLERANCE)
+    each = np.concatenate([responses(kappas[i : i + 1], 10, 10) for i in range(len(kappas))])
+    assert responses(kappas, 10, 10) == pytest.approx(each, abs=TOLERANCE)
+    assert responses(kappas, 10, 4) == pytest.approx(each[:, :, :4], abs=TOLERANCE)
+
+
+def test_poles_are_computed_one_after_the_other_or_together() -> None:
+    """Compiled they are, by other functions; here these are plain Python."""
+    own = linking.made((emitted, integrals, one_by_one), {}, rebuilt)
+    kappas = np.array(KAPPAS, dtype=complex)
+    near = {"abs": TOLERANCE, "rel": TOLERANCE}
+    assert own["moments"](kappas, 12) == pytest.approx(moments(kappas, 12), **near)
+    for columns in (1, 4, 10):
+        found = own["responses"](kappas, 10, columns)
+        assert found == pytest.approx(responses(kappas, 10, columns), **near)
 
 
 SERIES = np.array([0.5, -1.0, 0.3 + 1j, 2.0, 0.0, 1.0, -0.7, 0.4j])[:, None]
@@ -88,10 +103,10 @@ def test_rates_against_differences(kappa: complex) -> None:
     h, k = 1e-5, np.array([kappa])
     ahead, behind = (moments(k + q, 8) for q in (h, -h))
     assert moment_rates(moments(k, 9)) == pytest.approx((ahead - behind) / (2 * h), abs=1e-10)
-    here, ahead, behind = (responses(k + q, 8, 8)[..., 0] @ SERIES for q in (0, h, -h))
-    found, rates = answered(responses(k, 9, 9), SERIES)
-    assert found == pytest.approx(here, abs=TOLERANCE)
-    assert rates == pytest.approx((ahead - behind) / (2 * h), abs=1e-9)
+    here, ahead, behind = (responses(k + q, 8, 8)[0] @ SERIES[:, 0] for q in (0, h, -h))
+    found, rates = answered(responses(k, 9, 9), SERIES, np.ones((1, 1), dtype=complex))
+    assert found[0] == pytest.approx(here, abs=TOLERANCE)
+    assert rates[0] == pytest.approx((ahead - behind) / (2 * h), abs=1e-9)
 
 
 @pytest.mark.parametrize("kappa", KAPPAS, ids=str)
@@ -110,7 +125,5 @@ def test_answers_obey_their_equation(kappa: complex) -> None:
 
 
 def test_every_recurrence_is_emitted() -> None:
-    from nonsmooth.generated import force_series as emitted
-
     names = {formula.name for formula in force_series.formulas()}
     assert names <= vars(emitted).keys()

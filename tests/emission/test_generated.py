@@ -21,7 +21,8 @@ if len(sys.argv) > 1:
     scenes.names = lambda: tuple(sys.argv[1:])
     generate.space.sources = dict
 for name, text in generate.sources().items():
-    if (generate.FOLDER / name).read_text("utf-8") != text:
+    content = text if isinstance(text, bytes) else text.encode()
+    if (generate.FOLDER / name).read_bytes() != content:
         print(name)
 """
 

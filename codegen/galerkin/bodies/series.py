@@ -195,9 +195,10 @@ def integrals() -> Iterator[Table]:
     found = {q.name: q.value for q in force_series.formulas()}
     before, here = force_series.before, force_series.here
     other = force_series.m, force_series.n
+    once = {force_series.grown: sp.exp(kappa), force_series.inverse: 1 / kappa}
 
     def put(name: str, values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
-        return found[name].subs(dict(zip(other, (m, n), strict=True)) | values)
+        return found[name].subs(dict(zip(other, (m, n), strict=True)) | once | values)
 
     def of(m: sp.Expr) -> sp.Expr:
         return a_at(m, kappa)

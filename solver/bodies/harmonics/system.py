@@ -112,7 +112,7 @@ def _statements(cell: "BodyCell", frame: Frame) -> Iterator[Statement]:
             before = own.poles.rate(before, frame.laws[left])
     for p, phase in enumerate(own.phases):
         weights, place = phase.impulse[phase.hit], slice(at, at + len(phase.hit))
-        yield Statement(place, weights[:, :-1], phase.velocity, p, 1, weights[:, -1])
+        yield Statement(place, weights[:, :-1], own.velocity, p, 1, weights[:, -1])
         at += len(phase.hit)
     for i, each in enumerate(cell.memory):
         row = np.eye(len(cell.memory))[i : i + 1]
