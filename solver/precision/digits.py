@@ -15,7 +15,6 @@ from ..kernels.kernel import Kernel
 from ..no_orbit import NoOrbit
 from ..orbit.attempt import attempt
 from ..scaling import equilibrated
-from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.methods import EXACT, in_order
@@ -151,12 +150,8 @@ def measure(
     Raises
     ------
     ParameterError
-        If parameters at an extreme are not those of an oscillator, or its body moves freely.
+        If parameters at an extreme are not those of an oscillator.
     """
-    cell = case.each_motion[0].cell
-    if isinstance(cell, BodyCell) and (cell.body.squares == 0).any():
-        words = "got a body that moves freely, expected one whose poles say where it is"
-        raise ParameterError([f"digits: {words}"])
     found = []
     for words, each in extremes(case):
         for kept in at(words, each, orders, methods):

@@ -13,6 +13,7 @@ from ..refine import PrecisionError
 
 if TYPE_CHECKING:
     from ...bodies.modal import Modal
+    from ...bodies.poles import Held
     from ...scenes.bodies.cell import BodyCell, BodyPhase
 
 #: An array of balls.
@@ -55,17 +56,14 @@ def balls(values: Any) -> Balls:
 def solved(A: Balls, right: Balls) -> Balls:
     """Return the solution of a linear system, real or complex.
 
-    Raises
-    ------
-    PrecisionError
-        If the matrix may be singular.
+    Not numbers if the matrix may be singular: in more digits it may not.
     """
     real = all(isinstance(q, arb) for q in (*A.flat, *right.flat))
     matrix: Any = arb_mat if real else acb_mat
     try:
         found = matrix(A.tolist()).solve(matrix(right.tolist()))
     except ZeroDivisionError:
-        raise PrecisionError("a linear system may be singular") from None
+        return np.full(right.shape, arb("nan"))
     return np.array(found.tolist(), dtype=object).reshape(right.shape)
 
 
@@ -78,23 +76,19 @@ class Body:
     modal : Modal
     omega : arb
         Angular frequency of the forcing.
+    held : Held, optional
+        Springs and dampers that hold it at its contacts: then its poles are of both, and a
+        contact force has what they take from it added.
     """
 
     modal: "Modal"
     omega: Any
+    held: "Held | None" = None
 
     @classmethod
-    def of(cls, cell: "BodyCell") -> "Body":
-        """Return the body of a cell.
-
-        Raises
-        ------
-        PrecisionError
-            If it moves freely: then its poles say nothing of where it is.
-        """
-        if (cell.body.squares == 0).any():
-            raise PrecisionError("a body that moves freely")
-        return cls(cell.body, arb(cell.omega))
+    def of(cls, cell: "BodyCell", held: "Held | None" = None) -> "Body":
+        """Return the body of a cell, as something may hold it."""
+        return cls(cell.body, arb(cell.omega), held)
 
     def duration(self, cell: "BodyCell") -> Any:
         """Return that of a cell by its forcing."""
@@ -106,7 +100,8 @@ class Body:
 
         ``z' = s z + b force``, and ``x = Re sum c z``.
         """
-        return self._of_modes() if self.modal.is_proportional else self._of_states()
+        proportional = self.modal.is_proportional and self.held is None
+        return self._of_modes() if proportional else self._of_states()
 
     def _of_modes(self) -> tuple[Balls, Balls, Balls]:
         rows: list[tuple[Any, Any, Any]] = []
@@ -129,6 +124,8 @@ class Body:
         A[:count, count:] = balls(np.eye(count))
         A[count:, :count] = balls(np.diag(-self.modal.squares))
         A[count:, count:] = balls(-self.modal.damping)
+        for part, held in zip((slice(count), slice(count, None)), self._holding, strict=True):
+            A[count:, part] = A[count:, part] - held
         try:
             s, basis = acb_mat(A.tolist()).eig(right=True)
         except ValueError:
@@ -138,6 +135,8 @@ class Body:
         b, c = solved(basis, forced), basis[:count].T @ at
         real = np.array([q.imag.contains(0) for q in s])
         kept = real | np.array([bool(q.imag > 0) for q in s])
+        for i, row in enumerate(c):  # a place that nothing holds or sees has a pole at 0
+            kept[i] &= not all(q.contains(0) for q in (s[i], *row))
         double = np.where(real, 1, 2)[kept, None]
         return np.array(s, dtype=object)[kept], b[kept], c[kept] * double
 
@@ -146,26 +145,44 @@ class Body:
         """The complex amplitudes of the contacts in the answer to the forcing."""
         body, turn = self.modal, acb(0, 1) * self.omega
         squares, damping = balls(np.diag(body.squares)), balls(body.damping)
-        A = squares + turn * damping + turn * turn * balls(np.eye(len(squares)))
+        springs, dampers = self._holding
+        A = squares + springs + turn * (damping + dampers)
+        A = A + turn * turn * balls(np.eye(len(squares)))
         found = solved(A, balls(body.forcing.astype(complex))[:, None])[:, 0]
         return balls(body.at).T @ found + balls(body.beyond)
 
+    @property
+    def _holding(self) -> tuple[Balls, Balls]:
+        """The stiffness and the damping that hold it, by its modes."""
+        at, zero = balls(self.modal.at), np.zeros(self.modal.at.shape[1])
+        held = (zero, zero) if self.held is None else (self.held.springs, self.held.dampers)
+        springs, dampers = (at * balls(q) @ at.T for q in held)
+        return springs, dampers
+
     def forms(self, rows: Balls) -> Forms:
         """Return linear forms of what is seen, given as a cell has them."""
-        (s, _, c), turn = self.poles, acb(0, 1) * self.omega
+        s, _, c = self.poles
         contacts = c.shape[1]
-        width = 2 + 4 * contacts
-        seen, turns = balls(np.zeros((width, len(s)))), balls(np.zeros(width))
+        width, rates = 2 + 4 * contacts, np.append(s, acb(0, 1) * self.omega)
+        place, residual = np.column_stack([c.T, self.response]), balls(self.modal.residual)
+        seen = balls(np.zeros((width, len(rates))))
         direct = balls(np.zeros((width, contacts)))
         x, v, force, a = places(contacts)
         for order, which in enumerate((x, v, a)):
-            seen[which] = (c * (s**order)[:, None]).T
-            turns[which] = self.response * turn**order
-        turns[2] = arb(1)
-        direct[x], direct[force] = balls(self.modal.residual), balls(np.eye(contacts))
+            seen[which] = place * rates**order
+        seen[2, -1] = arb(1)
+        direct[x], direct[force] = residual, balls(np.eye(contacts))
         direct[a] = balls(self.modal.at).T @ balls(self.modal.at)
+        if self.held is not None:  # of what is left out nothing is held
+            springs, dampers = (
+                balls(q)[:, None] for q in (self.held.springs, self.held.dampers)
+            )
+            place[:, -1] = place[:, -1] - balls(self.modal.beyond)
+            taken = place * (springs + dampers * rates)
+            seen[force], seen[x] = -taken, seen[x] - residual @ taken
         own, memory = rows[:, :width], rows[:, width:]
-        return Forms(own @ seen, own @ turns, rows[:, 3], memory, own @ direct)
+        found = own @ seen
+        return Forms(found[:, :-1], found[:, -1], rows[:, 3], memory, own @ direct)
 
 
 def laws(phase: "BodyPhase") -> Balls:

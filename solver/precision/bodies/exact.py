@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from flint import acb, arb, arb_mat
 
+from ...arrays import Matrix
 from ...bodies.laws import places
+from ...bodies.part import shifts
+from ...bodies.switch import UNSEEN
 from .body import Balls, Body, balls, impulses, laws, solved
 
 if TYPE_CHECKING:
@@ -25,13 +28,7 @@ class Free(NamedTuple):
 
 
 def residual(cell: "BodyCell", times: Any, R: Any) -> None:
-    """Fill R with the events and the length of the cell, as ``solver.bodies.exact`` has them.
-
-    Raises
-    ------
-    PrecisionError
-        If a linear system may be singular.
-    """
+    """Fill R with the events and the length of the cell; see ``solver.bodies.exact``."""
     count, body = len(cell.phases), Body.of(cell)
     free, clock = _free(cell, body), 2 * len(cell.body.squares)
     angle = times[count] if cell.forced else arb(0)
@@ -43,6 +40,7 @@ def residual(cell: "BodyCell", times: Any, R: Any) -> None:
         flows.append(np.array(arb_mat((A * times[p]).tolist()).exp().tolist(), dtype=object))
         events.append(balls(cell.carrying(p).event) @ seen)
         switches.append(_switch(cell, p, free, seen[places(cell.body.at.shape[1])[1]]))
+    _fix(switches, events, shifts(cell)[:clock])
     whole = balls(np.eye(len(flows[0])))
     for flow, switch in zip(flows, switches, strict=True):
         whole = switch @ (flow @ whole)
@@ -88,6 +86,28 @@ def _free(cell: "BodyCell", body: Body) -> Free:
     by_force[x], by_force[force] = balls(own.residual), balls(np.eye(contacts))
     by_force[a] = at.T @ at
     return Free(A, B, rows, by_force)
+
+
+def _fix(switches: list[Balls], events: list[Balls], ways: Matrix) -> None:
+    """Let each switch shift the state to where its event happens: on an orbit not at all.
+
+    No phase sees these ways to shift it, so that closing alone says nothing of them; those that
+    no event sees either it leaves out.
+    """
+    if not ways.size:
+        return
+    moved = balls(np.zeros((len(events[0]), ways.shape[1])))
+    moved[: len(ways)] = balls(ways)
+    by_event = np.array(events) @ moved
+    for p, own in enumerate(by_event):
+        if any(q != 0 for q in own):
+            shift = moved @ own / (own @ own)
+            switches[p] = switches[p] - shift[:, None] * events[p]
+    _, sizes, turns = np.linalg.svd(by_event.astype(float))
+    unseen = moved @ balls(turns[(sizes > UNSEEN * np.abs(ways).max()).sum() :].T)
+    if unseen.size:
+        along = solved(unseen.T @ unseen, unseen.T @ switches[-1])
+        switches[-1] = switches[-1] - unseen @ along
 
 
 def _switch(cell: "BodyCell", p: int, free: Free, velocities: Balls) -> Balls:

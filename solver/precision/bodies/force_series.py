@@ -18,10 +18,11 @@ def residual(given: Given, times: Any, R: Any) -> None:
     Raises
     ------
     PrecisionError
-        If poles are not told apart, or a linear system may be singular.
+        If poles are not told apart.
     """
     cell, own = given.cell, layout(given.cell, given.order)
-    count, contacts, body = len(cell.phases), cell.body.at.shape[1], Body.of(cell)
+    count, contacts = len(cell.phases), cell.body.at.shape[1]
+    body = Body.of(cell, own.poles.held)
     lengths = [times[p] / own.phases[p].pieces for p, _ in own.elements]
     forces, hits = [], []
     for e, (p, at) in enumerate(own.elements):
@@ -35,8 +36,9 @@ def residual(given: Given, times: Any, R: Any) -> None:
         angles.append(angles[-1] + body.omega * t)
     A, right = balls(np.zeros((own.size, own.size))), balls(np.zeros(own.size))
     events, at_events = balls(np.zeros((count, own.size))), balls(np.zeros(count))
+    forms = [body.forms(laws(phase)) for phase in cell.phases]
     for e, (p, at) in enumerate(own.elements):
-        law = body.forms(laws(cell.phases[p]))
+        law = forms[p]
         rows = slice(at, at + (own.phases[p].degree + 1) * contacts)
         drive = (acb(0, 1) * angles[e]).exp() * moments(
             acb(0, 1) * body.omega * lengths[e], own.phases[p].degree + 1
@@ -53,6 +55,11 @@ def residual(given: Given, times: Any, R: Any) -> None:
             ):
                 v, known = seen(velocity, places(contacts)[1][c], pieces[e].end, angles[e + 1])
                 A[q], right[q] = A[q] - factor * v, factor * known + constant
+    for p, at in own.elements:  # what is 0 on an orbit, and says where it is
+        fixing = balls(own.phases[p].fixing / np.diag(own.phases[p].direct))
+        for k, factor in enumerate(fixing * np.diag(forms[p].direct)):
+            A[at + k] = A[at + k] + factor * events[p]
+            right[at + k] = right[at + k] - factor * at_events[p]
     for i, each in enumerate(cell.memory):
         e, q = own.first_of(each.phase), own.first_memory + i
         form = balls([[*each.value[: 2 + 4 * contacts], *([0.0] * len(cell.memory))]])

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from flint import acb, arb, fmpq
 
+from ...bodies.layout import layout
 from ...kernels.bodies import Given
 from .body import Balls, Body, Forms, balls, closed, impulses, laws
 from .pieces import Piece, around, moments
@@ -75,7 +76,7 @@ class Frame:
     @cached_property
     def body(self) -> Body:
         """Its body."""
-        return Body.of(self.cell)
+        return Body.of(self.cell, layout(self.cell, 1).poles.held)
 
     @cached_property
     def count(self) -> int:

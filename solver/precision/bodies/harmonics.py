@@ -7,6 +7,7 @@ import numpy as np
 from flint import acb, arb
 
 from ...bodies.laws import places
+from ...bodies.layout import layout
 from ...kernels.bodies import Given
 from .body import Balls, Forms, balls, closed, impulses, laws, solved
 from .frame import Frame, of_real, real
@@ -18,7 +19,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
     Raises
     ------
     PrecisionError
-        If poles are not told apart, or a linear system may be singular.
+        If poles are not told apart.
     """
     frame, cell = Frame(given, np.array(times, dtype=object)), given.cell
     A = np.full((frame.size, frame.size), acb(0), dtype=object)
@@ -27,13 +28,27 @@ def residual(given: Given, times: Any, R: Any) -> None:
     for place, row, known in _statements(frame):
         A[place], right[place] = -row, known
         A[place, place] = A[place, place] + 1
-    unknowns = solved(A, right[:, None])[:, 0]
+    ends = []
     for p, phase in enumerate(cell.phases):
         event = closed(frame.body.forms(balls([phase.event])), frame.body.forms(laws(phase)))
-        rows, rest = frame.values(event, p, 1)
-        R[p] = acb(rows[0] @ unknowns).real + rest[0]
+        (row,), (known,) = frame.values(event, p, 1)
+        for place, factor in _fixing(frame, p):
+            A[place], right[place] = A[place] + factor * row, right[place] - factor * known
+        ends.append((row, known))
+    unknowns = solved(A, right[:, None])[:, 0]
+    for p, (row, known) in enumerate(ends):
+        R[p] = acb(row @ unknowns).real + known
     if cell.forced:
         R[frame.count] = sum(times[: frame.count], arb(0)) - frame.T
+
+
+def _fixing(frame: Frame, p: int) -> Iterator[tuple[int, Any]]:
+    """Yield the rows of the mean forces, and what an event adds to them: 0 on an orbit."""
+    own = layout(frame.cell, 1).phases[p]
+    factors = balls(own.fixing / np.diag(own.direct)) / frame.count
+    for h, turn in enumerate(frame.turns):
+        if turn.contains(0):
+            yield from enumerate(factors, h * len(factors))
 
 
 def _galerkin(frame: Frame) -> tuple[Balls, Balls]:

@@ -1,0 +1,136 @@
+"""Digits of bodies that nothing holds but their contacts, and of a mode in resonance.
+
+In balls: a particle against its closed form, half a period, whose closing is regular, against
+the whole, whose closing is not, and the force series against the exact equations.
+"""
+
+import numpy as np
+import pytest
+import sympy as sp
+from bodies.test_bodies_that_move_freely import ball_in_a_slot, scene
+from bodies.test_large_and_free_bodies import FIRST, TWO, case
+
+pytest.importorskip("flint")
+
+from flint import arb
+
+import nonsmooth as ns
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.bodies import exact_kernel
+from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.precision import bodies, digits
+from nonsmooth.solver.precision.balls import precision
+from nonsmooth.solver.precision.refine import refine
+
+#: Of each method its order and functions.
+METHODS = {"exact": (0, None), "ck-tau": (6, None), "hb": (5, None), "hb-ck": (9, 2)}
+
+
+@pytest.fixture(autouse=True)
+def _cache(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+
+
+def particle(half: bool = False):
+    """Return a driven mass between two walls."""
+    walls = scene("particle", sp.eye(1), [[0]], [1], "walls", forcing=(1,), half=half)
+    return walls(gap=0.2, force=0.1)
+
+
+def ball(half: bool = False):
+    """Return a ball in a slot of a driven mass."""
+    return ball_in_a_slot(half)()
+
+
+def gears():
+    """Return a pair that rattles; bearings couple what no contact sees with what one does."""
+    M, C = np.diag([2.0, 2.0]), np.array([[0.35, -0.05], [-0.05, 0.25]])
+    pair = scene("gears", M, np.zeros((2, 2)), [1, -1], "walls", half=False, C=C)
+    return pair(gap=0.05, force=0.4)
+
+
+def row():
+    """Return some modes of masses in a row, which only its end holds."""
+    n = 6
+    K = 4.0 * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
+    K[0, 0] = K[-1, -1] = 4.0
+    own = scene(
+        "row", np.eye(n) / n, K, np.eye(n)[-1].tolist(), "springs", forcing=[1, *[0] * (n - 1)],
+        C=0.02 * K + 0.05 * np.eye(n) / n, modes=3,
+    )  # fmt: skip
+    return own(force=0.4, gap=0.1, stiffness=2.0)
+
+
+CASES = {
+    "particle": particle,
+    "ball": ball,
+    "gears": gears,
+    "row": row,
+    "resonance": lambda: case(np.eye(2), TWO, FIRST),
+}
+
+
+def in_balls(given, method: str, order: int = 0, functions: int | None = None):
+    """Return the times of an orbit by the equations of a method in balls."""
+    exact = ns.exact(given)
+    kernel, own = exact_kernel(exact.case.cell), exact.case.cell
+    times = kernel.times(exact.outcome.unknowns)
+    if order:
+        kernel = registry.kernel(given.scene, method, functions)
+        own = kernel.given(exact.case, order)
+        times = kernel.times(attempt(kernel, exact.case, order, times, functions).unknowns)
+    left_sides = bodies.residual(method)
+    found = refine(
+        kernel, own, times, 22, lambda: lambda _, times, R: left_sides(own, times, R)
+    )
+    assert all(float(q.rad()) < 1e-21 for q in found)
+    assert [float(q) for q in found] == pytest.approx(list(times), rel=0, abs=1e-12)
+    return found
+
+
+@pytest.mark.parametrize("half", [True, False])
+def test_a_particle_between_walls_has_its_closed_form(half: bool) -> None:
+    """See `reach` of the scene; here of its exact binary numbers."""
+    given = particle(half)
+    *durations, angle = in_balls(given, "exact")
+    cell = given.cell
+    (rebound, _), event = cell.phases[0].jumps[0], cell.phases[0].event
+    with precision(50):
+        moved = arb(float(cell.body.at[0, 0])) * float(cell.body.forcing[0])
+        a = 2 * moved / arb(cell.omega) ** 2
+        b = arb.pi() / 2 * a * (1 - arb(rebound)) / (1 + arb(rebound))
+        gap, turn = -arb(event[3]) / event[0], arb.atan2(b, a)
+        impact = (2 * gap / (a * a + b * b).sqrt()).acos()
+        turns = [(angle + turn - impact * side) / (2 * arb.pi()) for side in (1, -1)]
+        assert min(float(abs(q - round(float(q)))) for q in turns) < 1e-21
+        apart = [float(abs(q - arb.pi() / cell.omega)) for q in durations]
+    assert len(apart) == (1 if half else 2)
+    assert max(apart) < 1e-21
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_half_a_period_says_where_a_ball_is_as_a_whole_one_does(method: str) -> None:
+    half, whole = (in_balls(ball(q), method, *METHODS[method]) for q in (True, False))
+    assert len(whole) == 3
+    with precision(50):
+        expected = [half[0], half[0], half[1]]
+        apart = [float(abs(a - b)) for a, b in zip(whole, expected, strict=True)]
+    assert max(apart) < 1e-20
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_force_series_of_a_held_body_converges_to_the_exact_equations(name: str) -> None:
+    """Far beyond the digits of float64, by poles with springs and by exponentials without."""
+    expected, found = in_balls(CASES[name](), "exact"), in_balls(CASES[name](), "ck-tau", 32)
+    with precision(50):
+        apart = [float(abs(a - b)) for a, b in zip(found, expected, strict=True)]
+    assert max(apart) < 1e-20
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_times_keep_their_digits(name: str) -> None:
+    found = list(digits.at("", CASES[name](), (10,), None))
+    assert [kept.method for kept in found] == ["exact", "hb", "hb-ck", "ck-tau"]
+    for kept in found:
+        assert kept.status == "ok", kept
+        assert kept.met, kept
