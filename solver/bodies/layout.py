@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 #: Most polynomials of a piece: a phase of more is cut into equal pieces.
 MOST = 32
 
-#: Change of a mode over a cell of a forcing that is too little for its digits to be kept.
-RESONANT = 1e-7
+#: Change of a mode over a cell of a forcing below which springs hold the body.  They add what
+#: polynomials have to follow in free phases, and nothing to harmonics, which lose digits more.
+RESONANT, OF_HARMONICS = 1e-7, 1e-2
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,8 +122,15 @@ class Layout:
 
 
 @lru_cache(maxsize=64)
-def layout(cell: "BodyCell", order: int) -> Layout:
+def layout(cell: "BodyCell", order: int, least: float = RESONANT) -> Layout:
     """Return the equations of a cell at an order N, N + 1 coefficients an unknown force.
+
+    Parameters
+    ----------
+    cell : BodyCell
+    order : int
+    least : float, optional
+        The least change of a mode over the cell for which the body is not held.
 
     Raises
     ------
@@ -131,9 +139,9 @@ def layout(cell: "BodyCell", order: int) -> Layout:
         unbounded.
     """
     poles = poles_of(cell.body, cell.omega)
-    if _is_resonant(cell, poles):
+    if _change(cell, poles) <= least:
         poles = poles_of(cell.body, cell.omega, hold=True)
-        if _is_resonant(cell, poles):
+        if _change(cell, poles) <= RESONANT:
             raise BodyError(
                 "frequency: an undamped mode of the body repeats itself with the forcing, and "
                 "no contact sees it: damp it a little, or leave it out"
@@ -153,12 +161,17 @@ def layout(cell: "BodyCell", order: int) -> Layout:
     return Layout(phases, poles, velocity, setting, tuple(elements), at, memory, memory + count)
 
 
-def _is_resonant(cell: "BodyCell", poles: Poles) -> bool:
-    """Whether a mode repeats itself with the forcing, as far as digits are concerned."""
+def for_harmonics(cell: "BodyCell") -> Layout:
+    """Return phases and poles of a cell for harmonics, whose unknowns are others."""
+    return layout(cell, 1, OF_HARMONICS)
+
+
+def _change(cell: "BodyCell", poles: Poles) -> float:
+    """Return the least change of a mode over a cell of a forcing, as a part of it."""
     if not cell.forced:
-        return False
+        return np.inf
     changes = np.abs(1 - cell.sign * np.exp(poles.s * cell.duration))
-    return bool(changes.min(initial=np.inf) <= RESONANT)
+    return float(changes.min(initial=np.inf))
 
 
 class Setting(NamedTuple):

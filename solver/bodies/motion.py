@@ -10,7 +10,7 @@ from . import exact, series
 from .harmonics import system as harmonics
 from .integrals import answers
 from .laws import places
-from .layout import layout, setting
+from .layout import Layout, for_harmonics, layout, setting
 from .part import angles_of, generator_of, parts_of
 from .poles import Forms
 
@@ -34,7 +34,7 @@ def signals(
         rows = parts_of(cell)[p].lawful.rows
         kept = len(rows) - len(cell.memory)
         return exact.seen(cell, times, p, u, rows[:kept])
-    forms = layout(cell, order).phases[p].seen
+    forms = _layout(cell, order, functions).phases[p].seen
     return _seen(cell, order, functions, times, p, u, forms)
 
 
@@ -51,7 +51,7 @@ def derivative(
         seen = signals(cell, order, times, p, u, functions)
         return np.asarray(seen[(0, 1, ACCELERATION)[number]])
     if order:
-        own = layout(cell, order)
+        own = _layout(cell, order, functions)
         forms = own.phases[p].seen.some([ACCELERATION])
         for _ in range(number - 2):
             forms = own.poles.rate(forms, own.law(p))
@@ -62,6 +62,10 @@ def derivative(
     for _ in range(number - 2):
         row = row @ generator
     return np.asarray(exact.seen(cell, times, p, u, row[None])[0])
+
+
+def _layout(cell: "BodyCell", order: int, functions: int | None) -> Layout:
+    return layout(cell, order) if functions is None else for_harmonics(cell)
 
 
 def _seen(

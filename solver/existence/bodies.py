@@ -4,9 +4,13 @@ At given durations every event is linear in the cosine and the sine of the forci
 one phase has a closed form: two solutions or none.  Two phases leave one function of one
 duration, whose sign changes are scanned.  The scan is made on the slow modes alone, where the
 others answer statically; Newton's method takes each root to the whole body.
+
+Of more phases the linear response of the slow modes leads to one solution, in a small part of
+the time of the starts all around.  These follow where it is no stable orbit.
 """
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -18,6 +22,8 @@ from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
 from ..kernels.start import RoughTimes, rough_times
 from ..orbit.exact_orbit import ExactOrbit, from_times
+from ..simulation import homotopy
+from ..stability.monodromy import NoMultipliersError
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -49,7 +55,10 @@ SAME = 1e-7
 
 
 def solutions(case: "Case") -> Iterator[ExactOrbit]:
-    """Yield solutions of the exact equations of a body, orbits or not, each once."""
+    """Yield solutions of the exact equations of a body, orbits or not, each once.
+
+    None follows a stable orbit to which the linear response leads.
+    """
     found: list[ExactOrbit] = []
     for start in _starts(case.cell):  # type: ignore[arg-type]
         solution = from_times(case, start)
@@ -57,6 +66,15 @@ def solutions(case: "Case") -> Iterator[ExactOrbit]:
             continue
         found.append(solution)
         yield solution
+        if start.words == homotopy.WORDS and _is_stable_orbit(solution):
+            return
+
+
+def _is_stable_orbit(solution: ExactOrbit) -> bool:
+    """Whether a solution is an orbit of which it can be told that it is stable."""
+    with suppress(NoMultipliersError):
+        return solution.admissible and solution.stable is True
+    return False
 
 
 def complete(cell: "BodyCell") -> bool:
@@ -94,6 +112,8 @@ def _starts(cell: "BodyCell") -> Iterator[RoughTimes]:
     if not cell.forced:
         yield from _everywhere(cell)
     elif len(cell.phases) > 2:
+        by_response = homotopy.from_linear_response(slow(cell))
+        yield from [by_response] if by_response else []
         yield from rough_times(cell)
     elif len(cell.phases) == 1:
         for angle in _angles(*events_by_wave(cell, np.array([cell.duration]))[0]):

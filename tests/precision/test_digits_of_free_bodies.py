@@ -134,3 +134,13 @@ def test_the_times_keep_their_digits(name: str) -> None:
     for kept in found:
         assert kept.status == "ok", kept
         assert kept.met, kept
+
+
+@pytest.mark.parametrize("off", [1e-5, 1e-3])
+def test_harmonics_keep_digits_beside_a_resonance(off: float) -> None:
+    given = case(np.eye(2), (1 + off) * TWO, FIRST)
+    found = list(digits.at("", given, (10,), ("hb", "hb-ck")))
+    assert [kept.method for kept in found] == ["exact", "hb", "hb-ck"]
+    for kept in found:
+        assert kept.status == "ok", kept
+        assert kept.met, kept

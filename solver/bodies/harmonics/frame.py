@@ -8,7 +8,7 @@ import numpy as np
 from ....generated import force_harmonics as formula
 from ...arrays import Complex, Vector
 from ..integrals import moments
-from ..layout import Layout, layout
+from ..layout import Layout, for_harmonics
 from ..poles import Forms
 from .breaks import Answer, Break, answers_to
 
@@ -92,7 +92,7 @@ def first_function(cell: "BodyCell", p: int) -> int:
 
 def frame_of(cell: "BodyCell", order: int, functions: int, times: Vector, T: float) -> Frame:
     """Return what is known of a cell of duration T at given times."""
-    own, count = layout(cell, 1), len(cell.phases)
+    own, count = for_harmonics(cell), len(cell.phases)
     poles, contacts = own.poles, range(own.poles.b.shape[1])
     ends = np.concatenate([[0.0], np.cumsum(times[: count - 1]) / T, [1.0]])
     angles = (float(times[-1]) if cell.forced else 0.0) + cell.omega * T * ends

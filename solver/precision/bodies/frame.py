@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from flint import acb, arb, fmpq
 
-from ...bodies.layout import layout
+from ...bodies.layout import for_harmonics
 from ...kernels.bodies import Given
 from .body import Balls, Body, Forms, balls, closed, impulses, laws
 from .pieces import Piece, around, moments
@@ -76,7 +76,7 @@ class Frame:
     @cached_property
     def body(self) -> Body:
         """Its body."""
-        return Body.of(self.cell, layout(self.cell, 1).poles.held)
+        return Body.of(self.cell, for_harmonics(self.cell).poles.held)
 
     @cached_property
     def count(self) -> int:

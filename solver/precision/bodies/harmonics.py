@@ -7,7 +7,7 @@ import numpy as np
 from flint import acb, arb
 
 from ...bodies.laws import places
-from ...bodies.layout import layout
+from ...bodies.layout import for_harmonics
 from ...kernels.bodies import Given
 from .body import Balls, Forms, balls, closed, impulses, laws, solved
 from .frame import Frame, of_real, real
@@ -44,7 +44,7 @@ def residual(given: Given, times: Any, R: Any) -> None:
 
 def _fixing(frame: Frame, p: int) -> Iterator[tuple[int, Any]]:
     """Yield the rows of the mean forces, and what an event adds to them: 0 on an orbit."""
-    own = layout(frame.cell, 1).phases[p]
+    own = for_harmonics(frame.cell).phases[p]
     factors = balls(own.fixing / np.diag(own.direct)) / frame.count
     for h, turn in enumerate(frame.turns):
         if turn.contains(0):

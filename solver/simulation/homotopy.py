@@ -1,0 +1,155 @@
+"""Times of a body with contacts from its linear response, by homotopy in the contact forces.
+
+Of the laws, ``F force + rest = 0``, the rest is multiplied by a part from 0 to 1.  At 0 the
+body moves in its linear response, which crosses the events of the phases in closed form.  From
+there the part goes up in steps: a secant, and Newton's method on the exact equations.
+
+There are no such times where something else than the forces is beside that response: impacts, a
+memory, a contact that is held.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+
+from ..arrays import Complex, Vector
+from ..bodies.laws import free, places
+from ..bodies.modal import BodyError
+from ..iteration.newton import newton
+from ..kernels.bodies import exact_kernel
+from ..kernels.start import RoughTimes
+from ..scenes.bodies.cell import BodyCell, BodyPhase
+from ..scenes.cell import Form
+
+#: What is said of such times.
+WORDS = "the linear response, by homotopy"
+
+#: The part is this power of what goes up in steps: little is much, where a contact is stiff.
+POWER = 3
+
+#: The first step, the least, and how many are tried.
+FIRST, LEAST, MOST = 1 / 8, 1 / 512, 60
+
+#: Iterations of a step, at most, and up to how many it is easy; and by what part of a cell
+#: durations may differ from those of the secant.
+ITERATIONS, EASY, ASIDE = 8, 4, 0.1
+
+#: What is rounding of an angle, and of a form as a part of its size.
+ROUNDING = 1e-9
+
+
+def from_linear_response(cell: BodyCell) -> RoughTimes | None:
+    """Return times of a cell to which its linear response leads; None if it leads to none."""
+    times = next(_crossings(cell), None) if _shrinks(cell) else None
+    if times is None:
+        return None
+    done, step, slope = 0.0, FIRST, np.zeros(len(times))
+    for _ in range(MOST):
+        to = min(1.0, done + step)
+        found, easy = _newton(under_part(cell, to**POWER), times + (to - done) * slope)
+        if found is None:
+            step /= 2
+            if step < LEAST:
+                return None
+            continue
+        if to == 1:
+            return RoughTimes(tuple(map(float, found[:-1])), float(found[-1]), WORDS)
+        slope, times = (found - times) / (to - done), found
+        done, step = to, step * (2 if easy else 1)
+    return None
+
+
+def under_part(cell: BodyCell, part: float) -> BodyCell:
+    """Return a cell of whose laws all but the forces is multiplied by a part."""
+    force = _force(cell)
+
+    def weaker(law: Form) -> Form:
+        return tuple(q if i in force else part * q for i, q in enumerate(law))
+
+    phases = (replace(q, laws=tuple(map(weaker, q.laws))) for q in cell.phases)
+    return replace(cell, phases=tuple(phases))
+
+
+def _force(cell: BodyCell) -> list[int]:
+    """Return where the contact forces are in a form."""
+    return places(cell.body.at.shape[1])[2]
+
+
+def _shrinks(cell: BodyCell) -> bool:
+    """Whether all that is beside the linear response vanishes with the part."""
+    force = _force(cell)
+    return (cell.forced and cell.cycles == 1 and not cell.memory) and all(
+        not phase.held
+        and set(phase.jumps) == {(1.0, 0.0)}
+        and np.linalg.matrix_rank(np.array(phase.laws)[:, force]) == len(force)
+        for phase in cell.phases
+    )
+
+
+def _newton(cell: BodyCell, guess: Vector) -> tuple[Vector | None, bool]:
+    """Return the times next to a guess, if there are some, and whether they are easy."""
+    if guess[:-1].min() <= 0:
+        return None, False
+    kernel = exact_kernel(cell)
+    start = np.append(np.zeros(kernel.size(0) - len(guess)), guess)
+    try:
+        outcome = newton(kernel.iterate, cell, start, ITERATIONS)
+    except BodyError:  # there is no eigenbasis
+        return None, False
+    times = kernel.times(outcome.unknowns)
+    near = np.abs(times - guess)[:-1].max() < ASIDE * cell.duration
+    found = outcome.converged and near and times[:-1].min() > 0
+    return times if found else None, outcome.iterations <= EASY
+
+
+def _crossings(cell: BodyCell) -> Iterator[Vector]:
+    """Yield times at which the linear response crosses the events, in their order.
+
+    In the middle of each phase it keeps what is demanded there.
+    """
+    own, total = free(cell.body, cell.omega, 0), cell.omega * cell.duration
+    along = 1j * cell.omega * np.eye(len(own.A)) - own.A
+    try:
+        y = np.linalg.solve(along, own.inputs[:, 0].astype(complex))
+    except np.linalg.LinAlgError:  # resonance
+        return
+    waves = own.rows @ np.array([*y, 1, -1j, 0])  # cos and sin as parts of e^(i theta)
+    seen = np.column_stack([waves, own.rows[:, -1]])
+    ends, force = [], _force(cell)
+    for phase in cell.phases:
+        wave, constant = _at_no_part(phase, phase.event, force) @ seen
+        if abs(wave) <= abs(constant):
+            return
+        half = math.acos(-constant.real / abs(wave))
+        ends.append((-half - np.angle(wave), half - np.angle(wave)))
+    for angles in product(*ends):
+        first = angles[-1] - total
+        lasting = np.mod(np.diff([first, *angles]), 2 * math.pi)
+        if lasting.min() <= ROUNDING or abs(lasting.sum() - total) > ROUNDING:
+            continue
+        middles = first + np.cumsum(lasting) - lasting / 2
+        if all(_keeps(q, seen, at, force) for q, at in zip(cell.phases, middles, strict=True)):
+            yield np.array([*(lasting / cell.omega), first % (2 * math.pi)])
+
+
+def _keeps(phase: BodyPhase, seen: Complex, angle: float, force: list[int]) -> bool:
+    """Whether the linear response keeps the demands of a phase, at an angle of the forcing."""
+    forms = [_at_no_part(phase, form, force) @ seen for _, form in phase.demands]
+    turn = np.exp(1j * angle)
+    return all(
+        (wave * turn + constant).real >= -ROUNDING * (abs(wave) + abs(constant))
+        for wave, constant in forms
+    )
+
+
+def _at_no_part(phase: BodyPhase, form: Form, force: list[int]) -> Vector:
+    """Return what is left of a form as the part goes to 0: of forces, what they are."""
+    laws, row = np.array(phase.laws), np.array(form)
+    rest, others = laws.copy(), row.copy()
+    rest[:, force] = others[force] = 0
+    if others.any():
+        return others
+    return np.asarray(-row[force] @ np.linalg.solve(laws[:, force], rest))
