@@ -8,8 +8,8 @@ from bodies.reference_bodies import case
 import nonsmooth as ns
 from nonsmooth.solver.bodies.flow import graded
 from nonsmooth.solver.bodies.part import parts_of
-from nonsmooth.solver.branch.bodies import exponential
-from nonsmooth.solver.branch.bodies.arrays import case_of, known_of
+from nonsmooth.solver.branch.bodies import exponential, ways
+from nonsmooth.solver.branch.bodies.arrays import UNKNOWN, case_of, known_of
 from nonsmooth.solver.branch.bodies.factors import factorise, solve_factorised
 from nonsmooth.solver.scenes.bodies.cell import BodyCell
 from nonsmooth.solver.stability.cell_map import lasting
@@ -34,10 +34,8 @@ def own_basis(generator: np.ndarray, n: int) -> tuple[np.ndarray, ...]:
     return poles[kept].astype(complex), basis, found
 
 
-@pytest.mark.parametrize("omega", [0.0, 1.3, 30.0])
-@pytest.mark.parametrize("damping", [0.0, 0.2, 100.0])
-def test_states_grow_as_exact_exponentials(omega: float, damping: float) -> None:
-    """Two modes, the second in resonance with 30 rad/s; a memory, and waves that drive both."""
+def two_modes(omega: float, damping: float) -> np.ndarray:
+    """Return rates of two modes, the second of 30 rad/s; a memory and waves drive both."""
     n, rng = 4, np.random.default_rng(7)
     generator = np.zeros((n + 4, n + 4))
     generator[:2, 2:4] = np.diag([1.5, 30.0])
@@ -45,12 +43,54 @@ def test_states_grow_as_exact_exponentials(omega: float, damping: float) -> None
     generator[2:4, 2:4] = -damping * np.diag([1.0, 0.1])
     generator[2:4, n:] = rng.normal(size=(2, 4))
     generator[n + 1, n + 2], generator[n + 2, n + 1] = -omega, omega
+    return generator
+
+
+OMEGAS = pytest.mark.parametrize("omega", [0.0, 1.3, 30.0])
+DAMPINGS = pytest.mark.parametrize("damping", [0.0, 0.2, 100.0])
+
+
+@OMEGAS
+@DAMPINGS
+def test_states_grow_as_exact_exponentials(omega: float, damping: float) -> None:
+    n, generator = 4, two_modes(omega, damping)
     for t in (1e-9, 1e-3, 0.1, 1.0, 7.0):
         wanted = exact(generator, t)
         size = np.abs(wanted).max()
         given = generator, *own_basis(generator, n), t, np.eye(n + 4)
         assert exponential.by_poles(*given) == pytest.approx(wanted, abs=3e-14 * size)
         assert exponential.less_one(generator, t) == pytest.approx(wanted, abs=3e-13 * size)
+
+
+@OMEGAS
+@DAMPINGS
+def test_coordinates_of_a_phase_are_its_states(omega: float, damping: float) -> None:
+    """By the eigenbasis and without; at equal times, by halves of a step, and their rates."""
+    n, generator, s = 4, two_modes(omega, damping), 7.0
+    known = tuple(q[None] for q in own_basis(generator, n))
+    begin = np.array([0.3, -1.0, 0.5, 2.0, 0.7, np.cos(0.4), np.sin(0.4), 1.0])
+    exponent = [begin + exact(generator, q * s / 8) @ begin for q in range(9)]
+    size, form = np.abs(exponent).max(), np.arange(1.0, 9.0)
+    rates = [form @ np.linalg.matrix_power(generator, j) @ begin for j in range(4)]
+    for basis in (known, UNKNOWN):
+        way = ways.way_of((None, generator[None], *[None] * 5, basis), 0)
+        forth, grid = way[4], ways.along(way, s, begin)
+        every = (grid.shape[1] - 1) / 8
+        if every.is_integer():
+            assert forth @ grid[:, :: int(every)] == pytest.approx(
+                np.transpose(exponent), abs=3e-12 * size
+            )
+        assert forth @ grid[:, -1] == pytest.approx(exponent[-1], abs=3e-12 * size)
+        finer, y = ways.halves(way, s), grid[:, 0]
+        for j in range(3):
+            found = forth @ ways.over(way, finer, j, s / 2 ** (j + 1), y)
+            assert found == pytest.approx(exponent[4 >> j], abs=3e-12 * size)
+        assert forth @ ways.ahead(way, s / 8, y) == pytest.approx(exponent[1], abs=3e-12 * size)
+        found = [
+            way_rate @ y * factor
+            for way_rate, factor in zip(ways.expanded(way, form), (1, 1, 2, 6), strict=False)
+        ]
+        assert found == pytest.approx(rates, rel=1e-11)
 
 
 def test_a_basis_stands_for_all_values_where_no_rate_depends_on_them() -> None:

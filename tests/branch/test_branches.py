@@ -15,7 +15,7 @@ from nonsmooth.plots.families import branch_figure
 from nonsmooth.solver import branches
 from nonsmooth.solver.branch import piece, walk, watch
 from nonsmooth.solver.branch.along import Interval
-from nonsmooth.solver.branch.bodies import watched
+from nonsmooth.solver.branch.bodies import watched, ways
 from nonsmooth.solver.branch.bodies.arrays import UNKNOWN
 from nonsmooth.solver.branch.branch import course_of, start_of
 from nonsmooth.solver.branch.extended import case_at, left_sides, rates
@@ -141,11 +141,12 @@ def test_a_form_of_a_body_that_falls_and_rises_again_has_its_least(t_1: float) -
     generator[2, 3] = -1.0
     begin = np.array([0.0, 3 * t_1**2, 0.0, -1.0, 1.0])  # x, v, cos, sin, 1
     case = (None, generator[None], *[None] * 5, UNKNOWN)
-    grid = watched.along_phase(case, 0, 1.0, begin)
-    assert 3 * t_1 < 1 / (len(grid) - 1)
-    finer = watched.halves(case, 0, 1 / (len(grid) - 1))
-    terms = watched.expanded(generator, np.eye(5)[0])
-    least, when = watched.least_inside(generator, grid, 1.0, finer, terms, 0)
+    way = ways.way_of(case, 0)
+    grid = ways.along(way, 1.0, begin)
+    step = 1 / (grid.shape[1] - 1)
+    assert 3 * t_1 < step
+    finer, terms = ways.halves(way, step), ways.expanded(way, np.eye(5)[0])
+    least, when = watched.least_inside(way, grid, 1.0, finer, terms, terms[1:3] @ grid, 0)
     assert when == pytest.approx(3 * t_1, rel=0.01)
     assert least == pytest.approx(0.0, abs=0.01 * t_1**3)
 

@@ -21,7 +21,7 @@ from .. import walk
 from ..along import SMALL, Along, divided_phases, returns
 from ..course import ROUNDING, Course, Row
 from ..watch import BEGINS, BEHIND, INTO, IS_END, WITHIN
-from . import equations, exponential, factors, watched
+from . import equations, exponential, factors, watched, ways
 from .arrays import arrays, begins_slowly, case_of, durations_of, in_order, known_of
 
 #: Derivatives of a form that are looked at where a phase begins.
@@ -29,7 +29,7 @@ HIGHEST = 3
 
 
 #: What stands for functions of the same names.
-OWN = exponential, factors, equations, watched
+OWN = exponential, factors, equations, ways, watched
 
 
 def linked(module: Any, make: linking.Make) -> dict[str, Any]:
@@ -207,7 +207,7 @@ class BodyCourse(Course):
         for i, row in enumerate(rows):
             found[i] = row.phase, row.kind, 0, 0, i
             if row.kind == WITHIN:
-                terms = watched.expanded(case[1][row.phase], case[6][i])[: HIGHEST + 1]
+                terms = ways.expanded(ways.way_of(case, row.phase), case[6][i])[: HIGHEST + 1]
                 sizes = np.abs(terms @ begin[row.phase])
                 rate = max(cell.omega, 1.0 / total)
                 sizes /= rate ** np.arange(len(sizes))

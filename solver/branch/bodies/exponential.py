@@ -54,29 +54,68 @@ def by_poles(
         The real parts of the forms that are the parts along them, and the imaginary ones.
     """
     width, n, m = len(Y), len(basis), len(poles)
-    omega, kept = generator[width - 2, width - 3], Y[n:].copy()
-    kept[len(kept) - 3 : len(kept) - 1] = 0.0
-    drives = inverse @ np.ascontiguousarray(generator[:n, n:])
-    scales = np.ones((n, 1))
+    omega, scales = generator[width - 2, width - 3], scales_of(generator, n)
+    y = np.empty((2 * m + width - n, Y.shape[1]))
+    y[: 2 * m], y[2 * m :] = inverse @ (Y[:n] / scales), Y[n:]
+    drives = drives_of(generator, inverse, n)
+    own = by_basis(poles, drives, omega, answers(poles, omega, t), t, y)
+    found = np.empty(Y.shape)
+    found[:n], found[n:] = scales * (basis @ own[: 2 * m].copy()), own[2 * m :]
+    return found
+
+
+def scales_of(generator: Matrix, n: int) -> Matrix:
+    """Return the scale of each place, and 1 of each velocity; shape (n, 1)."""
+    found = np.ones((n, 1))
     for i in range(n // 2):
-        scales[i] = generator[i, n // 2 + i]
-    own = inverse @ (Y[:n] / scales)
-    constant, wave = drives @ kept, drives[:, len(kept) - 3 :]
-    by_cos, by_sin = wave[:m, 0] + 1j * wave[m:, 0], wave[:m, 1] + 1j * wave[m:, 1]
-    cosine, sine = Y[width - 3], Y[width - 2]
-    up, down = answer(poles, 1j * omega, t), answer(poles, -1j * omega, t)
-    even, odd = (up + down) / 2, (up - down) * 0.5j
-    by_wave = np.outer(even * by_cos - odd * by_sin, cosine)
-    by_wave += np.outer(even * by_sin + odd * by_cos, sine)
-    still = answer(poles, 0j, t)
-    ahead = by_wave + (poles * still).reshape(m, 1) * (own[:m] + 1j * own[m:])
-    ahead += still.reshape(m, 1) * (constant[:m] + 1j * constant[m:])
-    for j in range(m):
-        own[j], own[m + j] = ahead[j].real, ahead[j].imag
-    found, half, whole = np.zeros(Y.shape), np.sin(omega * t / 2), np.sin(omega * t)
-    found[:n] = scales * (basis @ own)
-    found[width - 3] = -2 * half * half * cosine - whole * sine
-    found[width - 2] = whole * cosine - 2 * half * half * sine
+        found[i] = generator[i, n // 2 + i]
+    return found
+
+
+def drives_of(generator: Matrix, inverse: Matrix, n: int) -> Matrix:
+    """Return what drives each pole, by what stays as it is, the cosine, the sine and 1."""
+    return inverse @ np.ascontiguousarray(generator[:n, n:])
+
+
+def answers(poles: Complex, omega: float, t: float) -> Complex:
+    """Return what poles make in a time of ``e^(i omega t)``, its conjugate, and 1: (3, m)."""
+    found = np.empty((3, len(poles)), np.complex128)
+    found[0], found[1] = answer(poles, 1j * omega, t), answer(poles, -1j * omega, t)
+    found[2] = answer(poles, 0j, t)
+    return found
+
+
+def doubled(made: Complex, poles: Complex, omega: float, t: float) -> Complex:
+    """Return the `answers` in twice a time, by ``e^(2 a) - e^(2 b)`` in its factors."""
+    grown, found = np.exp(poles * t), np.empty_like(made)
+    found[0] = made[0] * (grown + np.exp(1j * omega * t))
+    found[1] = made[1] * (grown + np.exp(-1j * omega * t))
+    found[2] = made[2] * (grown + 1)
+    return found
+
+
+def by_basis(
+    poles: Complex, drives: Matrix, omega: float, made: Complex, t: float, y: Matrix
+) -> Matrix:
+    """Return what coordinates gain in a time, by what poles make of waves and 1; by column.
+
+    They are the real parts along the poles, the imaginary ones, and what drives them.
+    """
+    m, still = len(poles), made[2]
+    even, odd = (made[0] + made[1]) / 2, (made[0] - made[1]) * 0.5j
+    rest, r = np.ascontiguousarray(y[2 * m :]), len(y) - 2 * m
+    cosine, sine = rest[r - 3], rest[r - 2]
+    driven = drives[:m] + 1j * drives[m:]
+    by_rest = still.reshape(m, 1) * driven
+    by_rest[:, r - 3] = even * driven[:, r - 3] - odd * driven[:, r - 2]
+    by_rest[:, r - 2] = even * driven[:, r - 2] + odd * driven[:, r - 3]
+    factor, found = (poles * still).reshape(m, 1), np.zeros(y.shape)
+    found[:m], found[m : 2 * m] = by_rest.real.copy() @ rest, by_rest.imag.copy() @ rest
+    found[:m] += factor.real * y[:m] - factor.imag * y[m : 2 * m]
+    found[m : 2 * m] += factor.real * y[m : 2 * m] + factor.imag * y[:m]
+    half, whole = np.sin(omega * t / 2), np.sin(omega * t)
+    found[2 * m + r - 3] = -2 * half * half * cosine - whole * sine
+    found[2 * m + r - 2] = whole * cosine - 2 * half * half * sine
     return found
 
 

@@ -325,9 +325,25 @@ MUTANTS = (
     Mutant(
         "places of a body are in other scales than its eigenbasis",
         "solver/branch/bodies/exponential.py",
-        "scales[i] = generator[i, n // 2 + i]",
-        "scales[i] = 1.0",
+        "found[i] = generator[i, n // 2 + i]",
+        "found[i] = 1.0",
         (f"{EIGENBASES}::test_states_grow_as_exact_exponentials",),
+    ),
+    Mutant(
+        "a rate of a body that dips between two times is never looked at",
+        "solver/branch/bodies/watched.py",
+        "SHALLOW = 0.5",
+        "SHALLOW = -1e9",
+        (
+            "tests/branch/test_branches.py::test_a_form_of_a_body_that_falls_and_rises_again_has_its_least",
+        ),
+    ),
+    Mutant(
+        "what poles make of the forcing does not turn with it where a time is doubled",
+        "solver/branch/bodies/exponential.py",
+        "found[1] = made[1] * (grown + np.exp(-1j * omega * t))",
+        "found[1] = made[1] * (grown + np.exp(1j * omega * t))",
+        (f"{EIGENBASES}::test_coordinates_of_a_phase_are_its_states",),
     ),
     Mutant(
         "the force series answers an odd polynomial as it begins, not as it ends",

@@ -1,0 +1,133 @@
+"""A phase of a body in the coordinates of its eigenbasis, where that is known, over arrays.
+
+There each pole goes its own way, and a time costs what there are poles; the state costs the
+square of that.  Where no eigenbasis is known, the coordinates are the state Y itself.
+
+A way is the generator of Y, the poles, what drives each of them, the frequency of the forcing,
+and the matrix by which coordinates make Y, with its inverse.
+
+Plain Python, or compiled by numba.
+"""
+
+from math import ceil, log2
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Matrix, Vector
+from .exponential import answers, by_basis, doubled, drives_of, less_one, norm, scales_of
+
+#: Parts of a phase for 1 of the size of its generator, at least and at most.
+CLOSE, FEWEST, MOST = 2.0, 32, 1024
+
+#: Terms of a Taylor series within such a part.
+EXPANDED = 14
+
+
+def way_of(case: Any, p: int) -> Any:
+    """Return the way of a phase; see `equations.case_at`."""
+    generator, (poles, basis, inverse) = case[1][p], case[7]
+    width = len(generator)
+    omega = generator[width - 2, width - 3]
+    if len(poles) == 0 or not np.abs(poles[p]).max() < np.inf:
+        one = np.eye(width)
+        return generator, np.empty(0, np.complex128), np.empty((0, 0)), omega, one, one
+    n, m = len(basis[p]), 2 * len(poles[p])
+    scales = scales_of(generator, n)
+    forth, back = np.zeros((width, m + width - n)), np.zeros((m + width - n, width))
+    forth[:n, :m], back[:m, :n] = scales * basis[p], inverse[p] / scales.reshape(1, n)
+    for i in range(width - n):
+        forth[n + i, m + i] = back[m + i, n + i] = 1.0
+    drives = drives_of(generator, inverse[p], n)
+    return generator, poles[p].copy(), drives, omega, forth, back
+
+
+def ahead(way: Any, t: float, y: Vector) -> Vector:
+    """Return the coordinates after a time."""
+    generator, poles, drives, omega, _, _ = way
+    if len(poles) == 0:
+        found: Vector = y + less_one(generator, t) @ y
+        return found
+    made = answers(poles, omega, t)
+    return y + by_basis(poles, drives, omega, made, t, y.reshape(-1, 1))[:, 0]
+
+
+def along(way: Any, s: float, Y: Vector) -> Matrix:
+    """Return the coordinates at equal times of a phase, as close as its waves, by column."""
+    generator, poles, drives, omega, _, back = way
+    states, known = len(Y) - 3, len(poles) > 0
+    size = norm(generator[:states, :states]) * abs(s)
+    count = int(min(max(ceil(CLOSE * size), FEWEST), MOST))
+    found, done = np.empty((len(back), count + 1)), 1
+    found[:, 0] = back @ Y
+    step = np.empty((0, 0)) if known else less_one(generator, s / count)
+    made = answers(poles, omega, s / count)
+    while done <= count:
+        more, t = min(done, count + 1 - done), done * s / count
+        here = found[:, :more].copy()
+        if known:
+            here += by_basis(poles, drives, omega, made, t, here)
+            made = doubled(made, poles, omega, t)
+        else:
+            here += step @ here
+            step = 2 * step + step @ step
+        found[:, done : done + more] = here
+        done += more
+    return found
+
+
+def halves(way: Any, h: float) -> tuple[Any, Any]:
+    """Return what leads over a half, a quarter, ... of a step, to one that is short.
+
+    What the poles answer, or, where they are not known, ``exp(G t) - 1``.
+    """
+    generator, poles, _, omega, _, _ = way
+    width = len(generator)
+    size = norm(generator[: width - 3, : width - 3]) * abs(h) * CLOSE
+    count = ceil(log2(size)) if size > 1 else 0
+    if len(poles) > 0:
+        found = np.empty((count, 3, len(poles)), np.complex128)
+        if count > 0:
+            found[count - 1] = answers(poles, omega, h / 2.0**count)
+        for j in range(count - 2, -1, -1):
+            found[j] = doubled(found[j + 1], poles, omega, h / 2.0 ** (j + 2))
+        return np.empty((0, 0, 0)), found
+    own = np.empty((count, width, width))
+    if count > 0:
+        own[count - 1] = less_one(generator, h / 2.0**count)
+    for j in range(count - 2, -1, -1):
+        own[j] = own[j + 1] @ own[j + 1] + 2 * own[j + 1]
+    return own, np.empty((0, 3, 0), np.complex128)
+
+
+def over(way: Any, finer: tuple[Any, Any], j: int, t: float, y: Vector) -> Vector:
+    """Return the coordinates after one of the `halves`, which takes a time."""
+    _, poles, drives, omega, _, _ = way
+    if len(poles) == 0:
+        found: Vector = y + finer[0][j] @ y
+        return found
+    return y + by_basis(poles, drives, omega, finer[1][j], t, y.reshape(-1, 1))[:, 0]
+
+
+def expanded(way: Any, form: Vector) -> Matrix:
+    """Return the forms of coordinates that are the Taylor coefficients of a form of Y.
+
+    Shape (EXPANDED, len(coordinates)).
+    """
+    generator, poles, drives, omega, forth, _ = way
+    m, width = len(poles), forth.shape[1]
+    found = np.empty((EXPANDED, width))
+    found[0] = form @ forth
+    for j in range(1, EXPANDED):
+        before = found[j - 1]
+        if m == 0:
+            found[j] = before @ generator / j
+            continue
+        real, imaginary = before[:m], before[m : 2 * m]
+        found[j, :m] = poles.real * real + poles.imag * imaginary
+        found[j, m : 2 * m] = poles.real * imaginary - poles.imag * real
+        found[j, 2 * m :] = before[: 2 * m] @ drives
+        found[j, width - 3] += omega * before[width - 2]
+        found[j, width - 2] -= omega * before[width - 3]
+        found[j] /= j
+    return found
