@@ -10,20 +10,31 @@ from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.bodies import Given, exact_kernel
 
-from .problem import Row
+from .problem import OMEGA, Row
 
 
 def _units(row: Row) -> np.ndarray:
     return np.array([row.case.units.time] * 2 + [1.0])
 
 
-def by_newton(row: Row) -> Callable[[int], np.ndarray]:
+#: Frequency of the point before, by that of a point of a response.
+BEFORE = 0.99
+
+
+def in_response(row: Row) -> Callable[[int], np.ndarray]:
+    """Return Newton's method from the times at a frequency near by: a point of a response."""
+    orbit = ns.exact(row.case.scene(**{**row.case.values, "drive": BEFORE * OMEGA}))
+    times = [*(BEFORE * q.duration for q in orbit.phases), orbit.forcing_phase]
+    return by_newton(row, np.array(times))
+
+
+def by_newton(row: Row, start: np.ndarray | None = None) -> Callable[[int], np.ndarray]:
     """Return Newton's method on the times, by the series of an order; by the exact flow at 0.
 
     The series is compiled.  Poles and eigenbases are computed anew in every call, the modes of
     the body are not.
     """
-    cell, rough = row.case.cell, row.rough / _units(row)
+    cell, rough = row.case.cell, (row.rough if start is None else start) / _units(row)
     series = registry.kernel(row.case.scene.each_motion[0], "ck-tau", compile_it=True)
 
     def solve(order: int) -> np.ndarray:

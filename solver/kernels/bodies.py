@@ -52,9 +52,12 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     by_pole = () if make is rebuilt else (one_by_one,)
     found = linking.made((force_series, integrals, *by_pole, equations), {}, make)
     own = found["residual"], found["jacobian"], found["times_of"]
-    newton = linking.newton_with(*own, make, FAST=0.0)  # derivatives cost next to nothing
+    newton = linking.newton_with(*own, make, FAST=AT_ONCE)
     return found | {"iterate": newton["iterate_scene"]}
 
+
+#: No correction is taken with derivatives of before: they come with the residual.
+AT_ONCE = 0.0
 
 #: What solves for the times.
 SOLVING = "residual", "jacobian", "iterate"
@@ -111,7 +114,8 @@ def exact_kernel(cell: "BodyCell") -> Kernel:
 
 def _of_evaluations(count: int, forced: bool) -> list[Any]:
     """Return `SOLVING` for the exact equations and harmonics."""
-    return [residual, jacobian, linking.linked(residual, jacobian, count, forced)]
+    newton = linking.linked(residual, jacobian, count, forced, FAST=AT_ONCE)
+    return [residual, jacobian, newton]
 
 
 def _made(

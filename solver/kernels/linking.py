@@ -37,13 +37,19 @@ def linked(
     jacobian: Callable[[Any, Vector, Matrix], None],
     durations: int,
     forced: bool,
+    **constants: float,
 ) -> Iteration:
-    """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python."""
+    """Return `iteration.iterate_scene` for a residual and Jacobian, as plain Python.
+
+    With other constants, where some are given.
+    """
 
     def times_of(case: Any) -> tuple[int, int]:
         return durations, int(forced)
 
-    return newton_of(residual, jacobian, times_of, rebuilt)
+    found = newton_with(residual, jacobian, times_of, rebuilt, **constants)
+    iterate: Iteration = found["iterate_scene"]
+    return iterate
 
 
 def newton_of(residual: Any, jacobian: Any, times_of: Any, make: Make) -> Iteration:
