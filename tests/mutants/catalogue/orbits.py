@@ -16,6 +16,7 @@ BALLS = ("tests/precision/test_balls.py",)
 DIGITS = "tests/precision/test_digits_of_scenes.py"
 PAPER = ("tests/accuracy/test_kim_perkins.py",)
 BRANCHES = "tests/bodies/test_branches_of_bodies.py"
+ENDS = "tests/bodies/test_ends_of_branches.py"
 EIGENBASES = "tests/bodies/test_eigenbases.py"
 EVENTS = "tests/branch/test_events.py"
 LARGE = "tests/bodies/test_large_and_free_bodies.py"
@@ -296,14 +297,14 @@ MUTANTS = (
         "solver/branch/bodies/course.py",
         "                divided[p] = 2\n",
         "                divided[p] = 0\n",
-        (f"{BRANCHES}::test_a_slip_vanishes_where_friction_just_holds",),
+        (f"{ENDS}::test_a_slip_vanishes_where_friction_just_holds",),
     ),
     Mutant(
         "one of many motions with a memory that nothing sets is followed",
         "solver/branch/change.py",
         " and not held and not self.cell.memory",
         " and not held",
-        (f"{BRANCHES}::test_no_motion_is_followed_of_which_there_is_one_for_each_memory",),
+        (f"{ENDS}::test_no_motion_is_followed_of_which_there_is_one_for_each_memory",),
     ),
     Mutant(
         "slow poles of a body keep the rounding of the quickest",

@@ -1,0 +1,198 @@
+"""Where branches of bodies begin and end, and what they say of it."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.optimize import brentq
+
+import nonsmooth as ns
+from nonsmooth.codegen.scenes import chain_impact as impacts
+from nonsmooth.scene import Body, Event, Parameter, Phase, Scene
+from nonsmooth.solver import branches
+from nonsmooth.solver.bodies.motion import signals
+from nonsmooth.solver.branch.branch import go
+from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.results.branch import BranchEvent
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.parameter_error import ParameterError
+
+#: Most of the range of a parameter in a step.
+PART = 1 / 8
+
+
+@pytest.fixture(autouse=True)
+def few_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Follow branches by longer steps: events are located to rounding all the same."""
+    monkeypatch.setattr(branches, "go", partial(go, part=PART))
+
+
+def test_a_branch_ends_where_there_is_no_such_body() -> None:
+    """With critical damping the poles of each mode are one: what was found is kept."""
+    overdamped = ns.scene("beam-clearance")(modes=2, ratio=0.99, gap=1e-5)
+    found = ns.branch(overdamped, "ratio", 0.98, 1.0)
+    assert found.why_it_ended == ("the end of the range", "the step cannot get smaller")
+    assert 0.999 < max(row.value for row in found.rows) < 1.0
+
+
+def test_a_branch_begins_where_there_is_a_body() -> None:
+    """At the case's own frequency the forcing is faster than all modes that are kept."""
+    few = ns.scene("beam-clearance")(modes=3, frequency=2000.0)
+    orbit = branches._start(few, "frequency", (100.0, 2500.0))
+    assert orbit.case.values["frequency"] == 100.0
+    with pytest.raises(ParameterError, match="keep more of them"):
+        ns.branch(few, "frequency", 1800.0, 2500.0)
+
+
+def test_a_branch_ends_where_the_forcing_is_as_fast_as_all_modes() -> None:
+    one = ns.scene("beam-clearance")(modes=1, frequency=92.0)
+    found = ns.branch(one, "frequency", 91.0, 96.0)
+    words = "the forcing is faster than all modes that are kept: keep more of them"
+    assert found.why_it_ended == ("the end of the range", f"beyond, body: {words}")
+    (square,) = one.cell.body.squares
+    assert found.rows[-1].value == pytest.approx(np.sqrt(square) / one.units.time, rel=1e-9)
+
+
+def answer(case: Case, omega: float, joint: float) -> np.ndarray:
+    """Return the amplitudes of both masses with a spring of this stiffness between them."""
+    v = case.values
+    k, c = v["absorber_stiffness"] + joint, v["absorber_damping"]
+    K = np.array([[v["stiffness"] + k, -k], [-k, k]])
+    C = np.array([[v["damping"] + c, -c], [-c, c]])
+    M = np.diag([v["mass"], v["absorber_mass"]])
+    found = np.linalg.solve(K - omega**2 * M + 1j * omega * C, [v["force"], 0.0])
+    return np.asarray(found)
+
+
+def at_the_limit(case: Case, force: Callable[[float], float], near: float) -> float:
+    """Return where along the frequency a force is that of friction."""
+
+    def beyond(omega: float) -> float:
+        return force(omega) - case.values["friction"]
+
+    return float(brentq(beyond, 0.999 * near, 1.001 * near, xtol=1e-300, rtol=1e-15))
+
+
+def test_a_slip_vanishes_where_friction_just_holds() -> None:
+    """Both masses then move as one, which is no branch to follow: it ends.
+
+    At the case's own frequency, at the ends and in the middle they do, too.
+    """
+    case = ns.scene("absorber-friction")(force=0.1)
+
+    def force(omega: float) -> float:
+        v = case.values
+        mass, loss = v["mass"] + v["absorber_mass"], 1j * omega * v["damping"]
+        moved = v["force"] / (v["stiffness"] - mass * omega**2 + loss)
+        return float(v["absorber_mass"] * omega**2 * abs(moved))
+
+    branch = ns.branch(case, "frequency", 0.5, 2.1)
+    assert branch.why_it_ended == ("sticking", "sticking")
+    assert {event.kind for event in branch.events} == {"sticking"}
+    low, high = min(branch.events, key=_value), max(branch.events, key=_value)
+    for event in (low, high):
+        wanted = at_the_limit(case, force, event.parameter)
+        assert event.parameter == pytest.approx(wanted, rel=1e-14)
+
+
+def joined_row(damping: sp.Matrix) -> Scene:
+    """Return five masses in a row, the last on friction with the one before it."""
+    F, f, Omega = sp.symbols("F f Omega", positive=True)
+    links = 2 * np.eye(5) - np.eye(5, k=1) - np.eye(5, k=-1)
+    links[-1, -1] = 1.0
+    row = Body(
+        M=np.eye(5), K=1.085 * links, C=damping, modes=3, forcing=sp.Matrix([F, 0, 0, 0, 0]),
+        at={"joint": [0, 0, 0, -1, 1]},
+    )  # fmt: skip
+    joint = row.at["joint"]
+    slip = Phase("slip", joint.force + f, Event(joint.v), {"it slips": joint.v})
+    holds = {"it holds": f - sp.Abs(joint.force)}
+    stick = Phase("stick", joint.a, Event(joint.force - f), holds, held=0)
+    parameters = (
+        Parameter("force", F, "N", 0.345, "amplitude"),
+        Parameter("friction", f, "N", 0.1, "friction"),
+        Parameter("frequency", Omega, "rad/s", 0.74, "of the force"),
+    )
+    return Scene(
+        "joined-row", "a row", parameters, (slip, stick), frequency=Omega, half_period=True,
+        body=row,
+    )  # fmt: skip
+
+
+def test_a_slip_of_a_joint_vanishes_where_friction_just_holds(monkeypatch, tmp_path) -> None:
+    """What is below zero by rounding, as it vanishes, does not end the branch before."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    damping = sp.zeros(5, 5)
+    damping[0, 0], damping[1, 1], damping[2, 2], damping[4, 4] = 0.18, 0.18, 0.55, 0.037
+    damping[1, 2] = damping[2, 1] = -0.061
+    case = ns.scene(joined_row(damping))()
+    body, omega = case.cell.body, case.cell.omega
+    stiff = np.diag(body.squares - omega**2) + 1j * omega * body.damping
+    free, pushed = np.linalg.solve(stiff, np.column_stack([body.forcing, body.at])).T
+    force = abs((body.at[:, 0] @ free + body.beyond[0]) / (body.at[:, 0] @ pushed))
+    law = case.cell.phases[0].laws[0]
+    wanted = case.values["force"] * abs(law[3] / law[4]) / force
+    branch = ns.branch(case, "force", 0.5 * wanted, 1.5 * wanted)
+    assert "sticking" in branch.why_it_ended
+    (event,) = branch.events
+    assert event.parameter == pytest.approx(wanted, rel=1e-12)
+
+
+def test_a_slider_stops_where_its_spring_just_holds() -> None:
+    case = ns.scene("jenkins-absorber")()
+    k = case.values["tangential_stiffness"]
+
+    def force(omega: float) -> float:
+        first, second = answer(case, omega, k)
+        return float(k * abs(second - first))
+
+    branch = ns.branch(case, "frequency", 0.6, 1.8)
+    assert branch.why_it_ended == ("vanishing", "vanishing")
+    for event in branch.events:
+        wanted = at_the_limit(case, force, event.parameter)
+        assert event.parameter == pytest.approx(wanted, rel=1e-14)
+
+
+def test_no_motion_is_followed_of_which_there_is_one_for_each_memory() -> None:
+    """Where the slider has stopped for ever it may be at any of many places."""
+    case = ns.scene("jenkins-absorber")(
+        mass=0.88, absorber_mass=0.068, stiffness=1.0, absorber_stiffness=0.032,
+        tangential_stiffness=0.065, damping=0.036, absorber_damping=0.002, force=0.245,
+        frequency=0.845,
+    )  # fmt: skip
+    branch = ns.branch(case, "friction", 0.039, 0.061)
+    assert branch.why_it_ended == ("the end of the range", "vanishing")
+    assert {row.motion for row in branch.rows} == {None}
+
+
+def _value(event: BranchEvent) -> float:
+    return event.parameter
+
+
+def test_a_demand_at_a_switch_ends_a_branch_where_it_is_just_met() -> None:
+    """The chain must hit its stop with some speed: its branch ends at an impact of that."""
+    least, end = sp.Symbol("v_0", positive=True), impacts.END
+    hard = Event(
+        end.x - impacts.g,
+        jump={end.v: -impacts.r * end.v},
+        demands={"it hits hard enough": end.v - least},
+    )
+    scene = replace(
+        impacts.SCENE,
+        name="chain-latch",
+        phases=(replace(impacts.FLIGHT, ends=hard),),
+        parameters=(
+            *impacts.SCENE.parameters,
+            Parameter("least", least, "m/s", 1.4, "speed of an impact at least"),
+        ),
+    )
+    latch = ns.scene(scene)
+    found = ns.branch(latch(), "gap", 0.9, 1.2)
+    (event,) = found.events
+    assert found.why_it_ended == ("the end of the range", event.kind)
+    freely = exact_orbit(latch(gap=event.parameter, least=1e-3))
+    _, speed, *_ = signals(freely.case.cell, 0, freely.times, 0, np.ones(1))[:, 0]
+    assert speed * freely.case.units.of_motion(1) == pytest.approx(1.4, rel=1e-13)
