@@ -200,7 +200,7 @@ class Setting(NamedTuple):
     numbers : ndarray, shape (3,)
         Omega, sign, and duration of the cell, 0 where nothing forces.
     kept : ndarray, shape (1 + W, W)
-        Room for W times, and the derivatives there.
+        Room for W times, and the derivatives there; a copy for each use.
     """
 
     s: Complex

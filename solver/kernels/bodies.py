@@ -167,7 +167,8 @@ def _of_arrays(function: Any) -> Any:
     """Return a function of the force series that takes what a kernel is given."""
 
     def of_given(case: Given, *more: Any) -> Any:
-        return function(setting(case.cell, case.order), *more)
+        own = setting(case.cell, case.order)
+        return function(own._replace(kept=own.kept.copy()), *more)  # of this call alone
 
     return of_given
 
