@@ -16,6 +16,9 @@ import numpy as np
 from ..arrays import Complex, Matrix, Vector
 from .integrals import answered, moment_rates, moments, respond
 
+#: No correction is taken with the derivatives of the one before: they come with the residual.
+FAST = 0.0
+
 
 def times_of(case: Any) -> tuple[int, int]:
     """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""

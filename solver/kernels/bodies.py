@@ -52,18 +52,16 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     by_pole = () if make is rebuilt else (one_by_one,)
     found = linking.made((force_series, integrals, *by_pole, equations), {}, make)
     own = found["residual"], found["jacobian"], found["times_of"]
-    newton = linking.newton_with(*own, make, FAST=AT_ONCE)
+    newton = linking.newton_with(*own, make, FAST=series.FAST)
     return found | {"iterate": newton["iterate_scene"]}
 
-
-#: No correction is taken with derivatives of before: they come with the residual.
-AT_ONCE = 0.0
 
 #: What solves for the times.
 SOLVING = "residual", "jacobian", "iterate"
 
-#: The force series: one kernel of all bodies.
-FAMILY = Family(linked, (force_series, integrals, one_by_one), series.residual, seconds=20.0)
+#: The force series: one kernel of all bodies, and all that is compiled with it.
+MODULES = (force_series, integrals, one_by_one, *linking.SEVERAL)
+FAMILY = Family(linked, MODULES, series.residual, seconds=20.0)
 
 
 def kernel(
@@ -114,7 +112,7 @@ def exact_kernel(cell: "BodyCell") -> Kernel:
 
 def _of_evaluations(count: int, forced: bool) -> list[Any]:
     """Return `SOLVING` for the exact equations and harmonics."""
-    newton = linking.linked(residual, jacobian, count, forced, FAST=AT_ONCE)
+    newton = linking.linked(residual, jacobian, count, forced, FAST=series.FAST)
     return [residual, jacobian, newton]
 
 

@@ -1,6 +1,7 @@
 """Newton's method on coefficients and times, and the first iterates that it gets."""
 
 import math
+import types
 from dataclasses import replace
 from itertools import pairwise
 
@@ -8,9 +9,10 @@ import numpy as np
 import pytest
 from made_scenes import made
 
+from nonsmooth.solver.bodies import series as force_series
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
-from nonsmooth.solver.kernels import family, linking, polynomials, registry, series
+from nonsmooth.solver.kernels import bodies, family, linking, polynomials, registry, series
 from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import linked
 from nonsmooth.solver.kernels.start import rough_times, with_coefficients
@@ -221,6 +223,19 @@ def test_the_key_of_compiled_code_covers_all_of_it(monkeypatch) -> None:
     assert {module.__name__.rpartition(".")[2] for module in seen} >= {
         *("ck", "hb", "band", "linear", "together", "iteration", "single"),
     }
+
+
+def test_the_key_of_the_force_series_covers_what_solves_it_too(monkeypatch) -> None:
+    """What is called is in the namespace of what calls it."""
+    seen = []
+    monkeypatch.setattr(family, "text_of", lambda *modules: seen.extend(modules) or b"text")
+    bodies.FAMILY.fingerprint(force_series.__name__)
+    iterate = bodies.FAMILY.plain(force_series.__name__)["iterate"]
+    called = [q for q in iterate.__globals__.values() if isinstance(q, types.FunctionType)]
+    linked = [iterate, *called, *iterate.__globals__["residual"].__globals__.values()]
+    own = {q.__module__ for q in linked if isinstance(q, types.FunctionType)}
+    assert len(own) > 4
+    assert own <= {module.__name__ for module in seen}
 
 
 def test_coefficients_at_exact_times_solve_all_conditions() -> None:

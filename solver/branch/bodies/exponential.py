@@ -99,7 +99,15 @@ def by_basis(
 ) -> Matrix:
     """Return what coordinates gain in a time, by what poles make of waves and 1; by column.
 
-    They are the real parts along the poles, the imaginary ones, and what drives them.
+    Parameters
+    ----------
+    poles : ndarray of complex, shape (m,)
+    drives : ndarray, shape (2 m, r)
+        See `drives_of`.
+    made : ndarray of complex, shape (3, m)
+        The `answers` in the time t.
+    y : ndarray, shape (2 m + r, k)
+        The real parts along the poles, the imaginary ones, and what drives them.
     """
     m, still = len(poles), made[2]
     even, odd = (made[0] + made[1]) / 2, (made[0] - made[1]) * 0.5j
