@@ -4,6 +4,10 @@ The formulas are those of `generated.force_series`.  Where ``|kappa|`` is large,
 ``b_n`` come from their recurrences upwards.  Below, ``A_m`` is found downwards from far beyond
 the last that is wanted, up to a factor that the first two say, and B_n upwards.
 
+``Z_mn`` is a product, ``Z_mn = above_m below_n steps_(n+2) ... steps_m`` for m > n, and
+``Z_nm = (-1)^(m-n) Z_mn``: its factors are kept, and no table of a pole is made.  What a series
+is answered takes as many operations as it has degrees.
+
 Plain Python, or compiled by numba.
 """
 
@@ -29,10 +33,17 @@ from ...generated.force_series import (
     weighted_moment,
     weighted_response,
 )
-from ..arrays import Complex
+from ..arrays import Complex, Matrix, Vector
 
-#: Degrees beyond the last that is wanted from which recurrences go down.
-BEYOND = 24
+#: From how many degrees beyond the last that is wanted ``A_m`` are found downwards, and half of
+#: ``|kappa|``: what is wrong there is below 1e-18 of what is wanted.
+BEYOND = 10
+
+#: Degrees of what a series is answered beyond twice its own.
+TAIL = 26
+
+#: Where these are among the factors of ``Z_mn``.
+ABOVE, BELOW, STEPS, SAME = range(4)
 
 
 def moments(kappa: Complex, count: int) -> Complex:
@@ -40,21 +51,46 @@ def moments(kappa: Complex, count: int) -> Complex:
 
     Errors of ``a_m e^(-Re kappa)`` are some 1e-14, for ``Re kappa <= 0`` those of ``a_m``.
     """
-    found = np.empty((max(count, 2), len(kappa)), np.complex128)
+    found: Complex = whole(factors(kappa, count))[:count]
+    return found
+
+
+def whole(factors: Complex) -> Complex:
+    """Return ``a_m`` from the factors of ``Z_mn``."""
+    found: Complex = factors[ABOVE].copy()
+    power = np.ones_like(found[0])
+    for m in range(1, len(found)):
+        power *= factors[STEPS, m]
+        found[m] *= power
+    return found
+
+
+def factors(kappa: Complex, count: int) -> Complex:
+    """Return the factors of ``Z_mn`` for m, n below `count`, and its diagonal.
+
+    Shape ``(4, count + 1, len(kappa))``: `ABOVE`, `BELOW`, `STEPS`, `SAME` by degree, the last
+    entry of the second and the fourth unused.
+    """
+    found = np.zeros((4, count + 1, len(kappa)), np.complex128)
     for which in apart(kappa, limit(count)):
         k = kappa[which]
-        own = room(len(found), k)
+        own = room(found, which)
+        above, below, steps, same = own[0], own[1], own[2], own[3]
         if largest(k) <= limit(count):
-            weighted(k, own)
-            power = weight(1, k)
-            own[1] = own[1] * power
-            for m in range(2, len(own)):
-                power = power * weight(m, k)
-                own[m] = own[m] * power
+            weighted(k, above)
+            weighted_answers(k, below)
+            for m in range(count + 1):
+                steps[m] = weight(m, k)
         else:
-            upwards(k, own)
-        found[:, which] = own
-    return found[:count]
+            upwards(k, above)
+            answers_upwards(k, below)
+            steps[:] = 1.0
+        same[0] = response_0(above[0], steps[1] * above[1])
+        for n in range(1, count):
+            before, after = above[n] * below[n - 1], above[n + 1] * below[n]
+            same[n] = same_response(n, k, before, after)
+        found[:, :, which] = own
+    return found
 
 
 def limit(count: int) -> int:
@@ -76,9 +112,10 @@ def largest(k: Any) -> float:
     return float(np.abs(k).max())
 
 
-def room(count: int, k: Any) -> Complex:
-    """Return room for so many numbers of some kappa."""
-    return np.empty((count, len(k)), np.complex128)
+def room(factors: Complex, which: Any) -> Complex:
+    """Return room for the factors of some poles."""
+    found: Complex = np.zeros_like(factors[:, :, which])
+    return found
 
 
 def upwards(k: Any, found: Complex) -> None:
@@ -102,73 +139,83 @@ def weighted(k: Any, found: Complex) -> None:
         found[m] = found[m] * by_unity
 
 
-def responses(kappa: Complex, rows: int, columns: int) -> Any:
-    """Return ``Z_mn(kappa)`` for n below `columns`, m below as many `rows` or more.
-
-    Shape ``(len(kappa), rows, columns)``.
-    """
-    found = np.empty((len(kappa), rows, columns), np.complex128)
-    respond(kappa, found)
-    return found
+def answers_upwards(k: Any, found: Complex) -> None:
+    """Fill in ``b_n``, which ``Z_(n+1)n`` is ``a_(n+1)`` times; the last is unused."""
+    found[0] = answer_0(k)
+    found[1] = answer_1(k, found[0])
+    for n in range(1, len(found) - 2):
+        found[n + 1] = next_answer(n, found[0], found[n - 1], found[n])
 
 
-def respond(kappa: Complex, found: Any) -> None:
-    """Fill in the same."""
-    rows, columns = found.shape[1:]
-    for which in apart(kappa, limit(rows)):
-        k = kappa[which]
-        a, b, steps = room(rows + 1, k), room(columns, k), room(rows + 1, k)
-        if largest(k) <= limit(rows):
-            weighted(k, a)
-            for m in range(rows + 1):
-                steps[m] = weight(m, k)
-            b[0] = 1.0
-            if columns > 1:
-                b[1] = weighted_answer_1(k)
-            for n in range(1, columns - 1):
-                b[n + 1] = weighted_answer(n, k, b[n - 1], b[n])
-            for n in range(columns):
-                b[n] = b[n] * weighted_response(n)
-        else:
-            upwards(k, a)
-            steps[:] = 1.0
-            b[0] = answer_0(k)
-            if columns > 1:
-                b[1] = answer_1(k, b[0])
-            for n in range(1, columns - 1):
-                b[n + 1] = next_answer(n, b[0], b[n - 1], b[n])
-        found[which] = products(k, a, b, steps)
+def weighted_answers(k: Any, found: Complex) -> None:
+    """Fill in the same of ``A_(n+1)``."""
+    found[0], found[1] = 1.0, weighted_answer_1(k)
+    for n in range(1, len(found) - 2):
+        found[n + 1] = weighted_answer(n, k, found[n - 1], found[n])
+    for n in range(len(found)):
+        found[n] *= weighted_response(n)
 
 
-def products(k: Complex, a: Complex, b: Complex, steps: Complex) -> Any:
-    """Return ``Z_mn`` by diagonals; shape ``(len(k), rows, columns)``.
+def responses(factors: Complex, w: Complex) -> Any:
+    """Return ``Re sum w Z_mn`` over the poles, by diagonals; shape (Q, count, count).
 
     Parameters
     ----------
-    k : ndarray of complex, shape (K,)
-    a : ndarray of complex, shape (rows + 1, K)
-        ``a_m`` or ``A_m``.
-    b : ndarray of complex, shape (columns, K)
-        What makes these ``Z_(n+1)n``.
-    steps : ndarray of complex, shape (rows + 1, K)
-        ``Z_mn/Z_(m-1)n`` by the same of ``a_m``, for m > n + 1.
+    factors : ndarray of complex, shape (4, count + 1, K)
+    w : ndarray of complex, shape (K, Q)
     """
-    rows, columns = len(a) - 1, len(b)
-    found = np.empty((rows * columns, len(k)), np.complex128)
-    below = a[1 : columns + 1] * b
-    found[0] = response_0(a[0], steps[1] * a[1])
-    for n in range(1, columns):
-        found[n * (columns + 1)] = same_response(n, k, below[n - 1], below[n])
-    factors = b.copy()
-    for d in range(1, rows):
-        count, sign = min(columns, rows - d), -1.0 if d % 2 else 1.0
+    above, steps, count = factors[ABOVE], factors[STEPS], factors.shape[1] - 1
+    found = np.empty((w.shape[1], count, count))
+    flat, below, sign = found.reshape(w.shape[1], -1), factors[BELOW].copy(), -1.0
+    flat[:, :: count + 1] = (factors[SAME, :count] @ w).real.T
+    for d in range(1, count):
         if d > 1:
-            factors[:count] *= steps[d : d + count]
-        own = a[d : d + count] * factors[:count]
-        found[d * columns :: columns + 1][:count] = own
-        if d < columns:
-            found[d :: columns + 1][: columns - d] = sign * own[: columns - d]
-    return found.T.reshape(len(k), rows, columns)
+            below[: count - d] *= steps[d:count]
+        diagonal = ((above[d:count] * below[: count - d]) @ w).real.T
+        flat[:, d * count :: count + 1] = diagonal
+        flat[:, d : (count - d) * count : count + 1] = sign * diagonal
+        sign = -sign
+    return found
+
+
+def response_rates(Z: Matrix, series: Vector) -> Vector:
+    """Return ``sum_n l_n dZ_mn/dkappa`` from sums of ``Z_mn``, of the degrees of the series.
+
+    The derivative is by neighbours: Z has one degree more.
+    """
+    count = len(series)
+    found = np.zeros(count)
+    for m in range(count):
+        for n in range(count):
+            left, before = Z[m - 1, n] if m > 0 else 0.0, Z[m, n - 1] if n > 0 else 0.0
+            found[m] += response_rate(m, n, left, Z[m + 1, n], before, Z[m, n + 1]) * series[n]
+    return found
+
+
+def summed(factors: Complex, series: Complex) -> Complex:
+    """Return ``sum_n Z_mn l_n`` of each pole; shape (count, K).
+
+    Parameters
+    ----------
+    factors : ndarray of complex, shape (4, count + 1, K)
+    series : ndarray of complex, shape (r, K)
+        What each pole takes of the forces, of at most `count` degrees.
+    """
+    above, below, steps, same = factors[0], factors[1], factors[2], factors[3]
+    found: Complex = np.empty_like(above[1:])
+    sums = np.zeros_like(above[0])
+    for m in range(len(found)):  # n < m
+        found[m] = above[m] * sums
+        sums *= steps[m + 1]
+        if m < len(series):
+            found[m] += same[m] * series[m]
+            sums += below[m] * series[m]
+    sums[:] = 0.0
+    for m in range(len(series) - 2, -1, -1):  # n > m
+        sums *= -steps[m + 2]
+        sums -= above[m + 1] * series[m + 1]
+        found[m] += below[m] * sums
+    return found
 
 
 def moment_rates(a: Complex) -> Complex:
@@ -180,38 +227,15 @@ def moment_rates(a: Complex) -> Complex:
     return found
 
 
-def answered(Z: Any, series: Complex, b: Complex) -> tuple[Complex, Complex]:
-    """Return ``sum_n Z_mn l_n``, and the same of ``d Z_mn/d kappa``; shape (K, count) each.
-
-    Parameters
-    ----------
-    Z : ndarray of complex, shape (K, count + 1, count + 1)
-        One row and one column more than the results have.
-    series : ndarray of complex, shape (count, c)
-        The coefficients of each contact.
-    b : ndarray of complex, shape (c, K)
-        What each pole takes of them: ``l_n`` is the sum of the products.
-    """
-    count, room = len(series), len(series) + 1
-    found = np.zeros((len(Z), room), np.complex128)
-    rates = np.zeros((len(Z), room), np.complex128)
-    flat = np.ascontiguousarray(Z).reshape(len(Z) * room, room)
-    for k in range(len(b)):
-        own = np.zeros((room, 2), np.complex128)  # l_n, and what rates have from columns of Z
-        own[:count, 0] = series[:, k]
-        for n in range(count):
-            own[n + 1, 1] += response_rate(0, n, 0.0, 0.0, 0.0, 1.0) * series[n, k]
-            if n > 0:
-                own[n - 1, 1] += response_rate(0, n, 0.0, 0.0, 1.0, 0.0) * series[n, k]
-        answers = (flat @ own).reshape(len(Z), room, 2)
-        by = b[k].copy().reshape(-1, 1)
-        found += answers[:, :, 0] * by
-        rates += answers[:, :, 1] * by
-    left = np.zeros(len(Z), np.complex128)
-    for m in range(count):
-        rates[:, m] += response_rate(m, 0, left, found[:, m + 1], 0.0, 0.0)
-        left = found[:, m]
-    return found[:, :count], rates[:, :count]
+def rates_by_moments(series: Vector) -> Vector:
+    """Return what ``sum_n l_n d a_n/d kappa`` takes of each ``a_m``, one more than l_n."""
+    found = np.zeros(len(series) + 1)
+    for n in range(len(series)):
+        found[n] += moment_rate(n, 0.0, 1.0, 0.0) * series[n]
+        found[n + 1] += moment_rate(n, 0.0, 0.0, 1.0) * series[n]
+        if n > 0:
+            found[n - 1] += moment_rate(n, 1.0, 0.0, 0.0) * series[n]
+    return found
 
 
 def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
@@ -229,11 +253,11 @@ def answers(kappa: Complex, series: Complex) -> tuple[Complex, Complex]:
     B : ndarray of complex, shape (R, K)
     """
     count = len(series)
-    rows = 2 * count + BEYOND + 2
+    rows = 2 * count + TAIL
     E, B = np.zeros_like(kappa), np.zeros((rows, len(kappa)), np.complex128)
     near = np.abs(kappa) <= limit(count)
-    Z, by_degree = responses(kappa[near], rows, count), 2.0 * np.arange(rows) + 1
-    B[:, near] = by_degree[:, None] * (Z @ series[:, near].T[:, :, None])[:, :, 0].T
+    found = summed(factors(kappa[near], rows), series[:, near])
+    B[:, near] = (2.0 * np.arange(rows) + 1)[:, None] * found
     k = kappa[~near]
     # I_0 = (e^(kappa u) - 1)/kappa, I_1 = (2 I_0 - P_1* - e^(kappa u))/kappa, then by parts
     e, b = np.zeros((2, len(k)), dtype=complex), np.zeros((2, rows, len(k)), dtype=complex)

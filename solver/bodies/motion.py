@@ -144,7 +144,7 @@ def solved(cell: "BodyCell", order: int, times: Vector) -> tuple[Vector, Complex
 
 @lru_cache(maxsize=8)
 def _solved(cell: "BodyCell", order: int, times: bytes) -> tuple[Vector, Complex]:
-    _, _, (_, unknowns), _, (starts, _) = series.linear(
+    _, _, (_, unknowns), _, (_, starts) = series.linear(
         setting(cell, order), np.frombuffer(times)
     )
-    return unknowns, starts @ unknowns
+    return unknowns, unknowns @ starts

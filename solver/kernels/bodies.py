@@ -8,7 +8,7 @@ import numpy as np
 
 from ...generated import force_series
 from ..arrays import Matrix, Vector
-from ..bodies import exact, integrals, one_by_one, series
+from ..bodies import events, exact, integrals, one_by_one, series
 from ..bodies import motion as motions
 from ..bodies.harmonics import system as harmonics
 from ..bodies.layout import setting
@@ -50,9 +50,9 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     Compiled, integrals are of one pole after the other.
     """
     by_pole = () if make is rebuilt else (one_by_one,)
-    found = linking.made((force_series, integrals, *by_pole, equations), {}, make)
+    found = linking.made((force_series, integrals, *by_pole, series, equations), {}, make)
     own = found["residual"], found["jacobian"], found["times_of"]
-    newton = linking.newton_with(*own, make, FAST=series.FAST)
+    newton = linking.newton_with(*own, make, FAST=events.FAST)
     return found | {"iterate": newton["iterate_scene"]}
 
 
@@ -60,8 +60,8 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
 SOLVING = "residual", "jacobian", "iterate"
 
 #: The force series: one kernel of all bodies, and all that is compiled with it.
-MODULES = (force_series, integrals, one_by_one, *linking.SEVERAL)
-FAMILY = Family(linked, MODULES, series.residual, seconds=20.0)
+MODULES = (force_series, integrals, one_by_one, series, *linking.SEVERAL)
+FAMILY = Family(linked, MODULES, events.residual, seconds=20.0)
 
 
 def kernel(
@@ -86,10 +86,10 @@ def kernel(
     if about(method).is_series:
         beside = functions or 0
     else:
-        spent = FAMILY.account_of(series.__name__)
+        spent = FAMILY.account_of(events.__name__)
         compile_it = compiles(spent)
         account = None if compile_it else spent
-        found = (FAMILY.compiled if compile_it else FAMILY.plain)(series.__name__)
+        found = (FAMILY.compiled if compile_it else FAMILY.plain)(events.__name__)
         solving = [_of_arrays(found[name]) for name in SOLVING]
     own = _made(method, count, len(memory), forced, 0, solving)
 
@@ -112,7 +112,7 @@ def exact_kernel(cell: "BodyCell") -> Kernel:
 
 def _of_evaluations(count: int, forced: bool) -> list[Any]:
     """Return `SOLVING` for the exact equations and harmonics."""
-    newton = linking.linked(residual, jacobian, count, forced, FAST=series.FAST)
+    newton = linking.linked(residual, jacobian, count, forced, FAST=events.FAST)
     return [residual, jacobian, newton]
 
 

@@ -10,11 +10,14 @@ from nonsmooth.codegen.galerkin import force_series
 from nonsmooth.generated import force_series as emitted
 from nonsmooth.solver.bodies import integrals, one_by_one
 from nonsmooth.solver.bodies.integrals import (
-    answered,
     answers,
+    factors,
     moment_rates,
     moments,
+    rates_by_moments,
+    response_rates,
     responses,
+    summed,
 )
 from nonsmooth.solver.kernels import linking
 from nonsmooth.solver.kernels.compiling import rebuilt
@@ -57,10 +60,16 @@ def gauss() -> tuple[list[mp.mpf], list[mp.mpf]]:
     return [(x + 1) / 2 for x in roots], weights
 
 
+def of_pole(kappa: complex, count: int) -> np.ndarray:
+    """Return ``Z_mn`` of one pole."""
+    real, imaginary = responses(factors(np.array([kappa]) + 0j, count), np.array([[1, -1j]]))
+    return real + 1j * imaginary
+
+
 @pytest.mark.parametrize("kappa", [q for q in KAPPAS if abs(q) < 80], ids=str)
 def test_responses(kappa: complex) -> None:
     """By the lag ``w = u - y``: the inner integral is of a polynomial, exact by Gauss."""
-    found, k = responses(np.array([kappa], dtype=complex), 10, 10)[0], mp.mpc(kappa)
+    found, k = of_pole(kappa, 10), mp.mpc(kappa)
     with mp.workdps(25):
         nodes, weights = gauss()
         for m, n in ((0, 0), (3, 4), (2, 9)):
@@ -78,10 +87,10 @@ def test_responses(kappa: complex) -> None:
 
 
 def test_responses_of_many_poles_are_those_of_each() -> None:
-    kappas = np.array(KAPPAS, dtype=complex)
-    each = np.concatenate([responses(kappas[i : i + 1], 10, 10) for i in range(len(kappas))])
-    assert responses(kappas, 10, 10) == pytest.approx(each, abs=TOLERANCE)
-    assert responses(kappas, 10, 4) == pytest.approx(each[:, :, :4], abs=TOLERANCE)
+    kappas, w = np.array(KAPPAS, dtype=complex), np.exp(0.3j * np.arange(len(KAPPAS)))
+    each = sum((q * of_pole(kappa, 10)).real for q, kappa in zip(w, KAPPAS, strict=True))
+    found = responses(factors(kappas, 10), w[:, None])[0]
+    assert found == pytest.approx(each, abs=TOLERANCE, rel=TOLERANCE)
 
 
 def test_poles_are_computed_one_after_the_other_or_together() -> None:
@@ -90,9 +99,8 @@ def test_poles_are_computed_one_after_the_other_or_together() -> None:
     kappas = np.array(KAPPAS, dtype=complex)
     near = {"abs": TOLERANCE, "rel": TOLERANCE}
     assert own["moments"](kappas, 12) == pytest.approx(moments(kappas, 12), **near)
-    for columns in (1, 4, 10):
-        found = own["responses"](kappas, 10, columns)
-        assert found == pytest.approx(responses(kappas, 10, columns), **near)
+    for count in (1, 4, 10):
+        assert own["factors"](kappas, count) == pytest.approx(factors(kappas, count), **near)
 
 
 SERIES = np.array([0.5, -1.0, 0.3 + 1j, 2.0, 0.0, 1.0, -0.7, 0.4j])[:, None]
@@ -100,13 +108,22 @@ SERIES = np.array([0.5, -1.0, 0.3 + 1j, 2.0, 0.0, 1.0, -0.7, 0.4j])[:, None]
 
 @pytest.mark.parametrize("kappa", [-3 + 2j, -40 + 20j, 0.2j], ids=str)
 def test_rates_against_differences(kappa: complex) -> None:
-    h, k = 1e-5, np.array([kappa])
-    ahead, behind = (moments(k + q, 8) for q in (h, -h))
-    assert moment_rates(moments(k, 9)) == pytest.approx((ahead - behind) / (2 * h), abs=1e-10)
-    here, ahead, behind = (responses(k + q, 8, 8)[0] @ SERIES[:, 0] for q in (0, h, -h))
-    found, rates = answered(responses(k, 9, 9), SERIES, np.ones((1, 1), dtype=complex))
-    assert found[0] == pytest.approx(here, abs=TOLERANCE)
-    assert rates[0] == pytest.approx((ahead - behind) / (2 * h), abs=1e-9)
+    h, l = 1e-5, SERIES[:, 0].real
+    here, ahead, behind = (moments(np.array([kappa + q]), 9)[:, 0] for q in (0, h, -h))
+    slopes = (ahead - behind) / (2 * h)
+    assert moment_rates(here[:, None])[:, 0] == pytest.approx(slopes[:8], abs=1e-10)
+    assert rates_by_moments(l) @ here == pytest.approx(l @ slopes[:8], abs=1e-9)
+    here, ahead, behind = (of_pole(kappa + q, 9) for q in (0, h, -h))
+    slope = (ahead - behind)[:8, :8] @ l / (2 * h)
+    assert response_rates(here.real, l) == pytest.approx(slope.real, abs=1e-9)
+    assert response_rates(here.imag, l) == pytest.approx(slope.imag, abs=1e-9)
+
+
+@pytest.mark.parametrize("kappa", KAPPAS, ids=str)
+def test_sums_are_those_of_the_responses(kappa: complex) -> None:
+    sums = summed(factors(np.array([kappa]) + 0j, 12), SERIES)[:, 0]
+    expected = of_pole(kappa, 12)[:, :8] @ SERIES[:, 0]
+    assert sums == pytest.approx(expected, abs=TOLERANCE, rel=TOLERANCE)
 
 
 @pytest.mark.parametrize("kappa", KAPPAS, ids=str)

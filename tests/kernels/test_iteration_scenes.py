@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_scenes import made
 
-from nonsmooth.solver.bodies import series as force_series
+from nonsmooth.solver.bodies import events
 from nonsmooth.solver.iteration.iteration import ROUNDOFF
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import bodies, family, linking, polynomials, registry, series
@@ -229,8 +229,8 @@ def test_the_key_of_the_force_series_covers_what_solves_it_too(monkeypatch) -> N
     """What is called is in the namespace of what calls it."""
     seen = []
     monkeypatch.setattr(family, "text_of", lambda *modules: seen.extend(modules) or b"text")
-    bodies.FAMILY.fingerprint(force_series.__name__)
-    iterate = bodies.FAMILY.plain(force_series.__name__)["iterate"]
+    bodies.FAMILY.fingerprint(events.__name__)
+    iterate = bodies.FAMILY.plain(events.__name__)["iterate"]
     called = [q for q in iterate.__globals__.values() if isinstance(q, types.FunctionType)]
     linked = [iterate, *called, *iterate.__globals__["residual"].__globals__.values()]
     own = {q.__module__ for q in linked if isinstance(q, types.FunctionType)}

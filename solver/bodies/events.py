@@ -1,0 +1,126 @@
+"""The equations of the force series for its times: events, and the length of the cell.
+
+What `series` finds at given times is linear; Newton's method sees the durations and the phase
+of the forcing alone.  Plain Python, or compiled.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Complex, Matrix, Vector
+from .integrals import moment_rates, rates_by_moments, response_rates
+from .series import linear, signed, solved
+
+#: No correction is taken with the derivatives of the one before: they come with the residual.
+FAST = 0.0
+
+
+def times_of(case: Any) -> tuple[int, int]:
+    """Return how many durations are unknown, and 1 if the phase of the forcing is, else 0."""
+    return len(case.counts), 1 if case.numbers[2] > 0 else 0
+
+
+def residual(case: Any, times: Vector, R: Vector) -> None:
+    """Fill R with the events and the length of the cell, at times alone.
+
+    Derivatives take less than that: `jacobian` finds them where they are kept.
+    """
+    found, count = linear(case, times), len(case.degrees)
+    _, _, (_, unknowns), (events, constants), _ = found
+    R[:count] = events @ unknowns + constants
+    if case.numbers[2] > 0:
+        R[count] = times[:count].sum() - case.numbers[2]
+    slopes(case, times, found, case.kept[1:])
+    case.kept[0] = times
+
+
+def jacobian(case: Any, times: Vector, J: Matrix) -> None:
+    """Fill J with the derivatives of the residual."""
+    if not (case.kept[0] == times).all():
+        residual(case, times, np.empty(len(times)))
+    J[:] = case.kept[1:]
+
+
+def moved(case: Any, row: int, states: Complex, angle: float, turns: Vector) -> Vector:
+    """Return the derivatives of a form by the times, the unknowns held."""
+    wave = (1j * case.turns[row] * np.exp(1j * angle)).real
+    found: Vector = (states @ case.forms[row]).real + wave * turns
+    return found
+
+
+def slopes(case: Any, times: Vector, found: Any, J: Matrix) -> None:
+    """Fill J with the derivatives of the residual, by what `linear` found."""
+    begins, (grown, a, Z, turn), (A, unknowns), (events, _), (carry, starts) = found
+    count, contacts, width = len(case.degrees), len(case.b), len(times)
+    omega, s, first = case.numbers[0], case.s, count * (contacts + 1)
+    turns = np.zeros((len(begins), width))  # of the angles by the times
+    turns[:, count:] = 1.0
+    begun = np.empty((len(starts), len(s)), np.complex128)
+    starts_by = np.zeros((len(starts), width, len(s)), np.complex128)
+    ends_by = np.zeros_like(starts_by)
+    for f in range(len(starts)):
+        p = case.pieces[f, 0]
+        turns[f + 1] = turns[f]
+        turns[f + 1, p] += omega / case.counts[p]
+        begun[f] = unknowns.astype(np.complex128) @ starts[f]
+        ends_by[f, p] = ended(case, times, f, unknowns, a[p]) + s * grown[p] * begun[f]
+        ends_by[f, p] /= case.counts[p]
+        for e in range(len(starts)):
+            starts_by[e, p] += carry[e, f] * ends_by[f, p]
+    by, shifted = np.zeros((len(A), width)), np.zeros((count, width))
+    for e in range(len(starts)):
+        p = case.pieces[e, 0]
+        ends_by[e] += grown[p] * starts_by[e]
+        if case.pieces[e, 2]:
+            row = count * contacts + p
+            shifted[p] = moved(case, row, ends_by[e], begins[e + 1], turns[e + 1])
+    for e in range(len(starts)):
+        p, at, last = case.pieces[e]
+        part, degrees, wave = 1.0 / case.counts[p], case.degrees[p] + 1, np.exp(1j * begins[e])
+        turn_rates = moment_rates(turn[p, : degrees + 1].reshape(-1, 1))[:, 0]
+        for k in range(contacts):
+            row = p * contacts + k
+            law = case.forms[row]
+            rows = ((a[p, :degrees] * law) @ starts_by[e].T).real
+            waves = 1j * case.turns[row] * wave * turn[p, :degrees]
+            rows += waves.real.copy().reshape(-1, 1) * turns[e]
+            grows = a[p, : degrees + 1] @ (law * s * begun[e])
+            rows[:, p] += part * moment_rates(grows.reshape(-1, 1))[:, 0].real
+            rows[:, p] += part * (1j * omega * case.turns[row] * wave * turn_rates).real
+            for c in range(contacts if degrees > 1 else 0):
+                l = unknowns[at + c : at + degrees * contacts : contacts].copy()
+                rows[:, p] += part * (Z[p, 0, k, c, :degrees, :degrees].copy() @ l)
+                rows[:, p] += part * response_rates(Z[p, 1, k, c], l)
+            by[at + k : at + degrees * contacts : contacts] = rows
+            by[at + k] += case.fixing[p, k] * shifted[p]
+        for k in range(contacts if last else 0):
+            q = case.hits[p, k]
+            for c in range(contacts if q >= 0 else 0):
+                velocity = moved(case, first + c, ends_by[e], begins[e + 1], turns[e + 1])
+                by[q] -= case.impulse[p, k, c] * velocity
+    for i in range(len(case.sets)):
+        e = case.sets[i]
+        by[case.size[1] + i] = -moved(
+            case, first + contacts + i, starts_by[e], begins[e], turns[e]
+        )
+    J[:count] = shifted - events @ solved(A, by)
+    if case.numbers[2] > 0:
+        J[count] = 0.0
+        J[count, :count] = 1.0
+
+
+def ended(case: Any, times: Vector, e: int, unknowns: Vector, a: Complex) -> Complex:
+    """Return the derivative of what the forces of a piece add to z, by its duration.
+
+    ``d (s a_n(s_k s))/d s``, with the forces and b: ``a_n + kappa a_n'``.
+    """
+    p, at, contacts = case.pieces[e, 0], case.pieces[e, 1], len(case.b)
+    degrees = case.degrees[p] + 1
+    found: Complex = np.zeros_like(case.s)
+    kappa = case.s * (times[p] / case.counts[p])
+    for c in range(contacts):
+        l = signed(unknowns[at + c : at + degrees * contacts : contacts])
+        rates = rates_by_moments(l).astype(np.complex128) @ a[: degrees + 1]
+        found += case.b[c] * (l.astype(np.complex128) @ a[:degrees] + kappa * rates)
+    return found
