@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from refusals import refused
 
 from nonsmooth.cli.paper import FIGURES as NUMBERS
-from nonsmooth.report import build, pictures
+from nonsmooth.report import build
 from nonsmooth.report.captions import PLATES
 
 
@@ -74,7 +74,7 @@ def drawn(monkeypatch) -> list[Figure]:
         made.append(figure)
         target.write_bytes(b"")
 
-    monkeypatch.setattr(pictures, "save", keep)
+    monkeypatch.setattr("nonsmooth.plots.axes.save", keep)
     monkeypatch.setattr(build, "Case", case)
     return made
 

@@ -13,8 +13,7 @@ from paper import METHODS
 
 import nonsmooth as ns
 from nonsmooth.report.captions import PLATES
-from nonsmooth.report.figures import FIGURES
-from nonsmooth.style import STYLES
+from nonsmooth.report.figures import FIGURES, STYLES
 
 EXACT = Exact(ODD)
 NAMES = {"hb": "hb (3.1)", "hb-c1": "hb-c1 (3.2)", "c1": "c1 (3.3)"}

@@ -17,8 +17,8 @@ import nonsmooth as ns
 from nonsmooth.report import intervals, workers
 from nonsmooth.report.case import DEFAULT, Case, at_alpha
 from nonsmooth.report.checks import Finding
-from nonsmooth.report.claim_map import claim_map
 from nonsmooth.report.claims import CLAIMS, Claim, Part
+from nonsmooth.report.figures import claim_map
 
 
 def test_ends_of_intervals(monkeypatch) -> None:

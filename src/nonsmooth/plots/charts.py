@@ -1,5 +1,6 @@
 """A map of two parameters: regions of motions, what is not stable hatched, curves of events."""
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -7,8 +8,8 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from .axes import axes_or_new, described
-from .families import name_of_parameter
+from .axes import axes_or_new, described, panel, say_below
+from .families import name_of
 from .strobe import BASINS, NONE
 
 if TYPE_CHECKING:
@@ -59,8 +60,8 @@ def draw(result: "Chart", ax: Any = None) -> Any:
         line.set_label(kind)
         handles.append(line)
     axes.set(xlim=(a[0], a[-1]), ylim=(b[0], b[-1]))
-    axes.set_xlabel(name_of_parameter(result.case.scene, result.parameters[0]))
-    axes.set_ylabel(name_of_parameter(result.case.scene, result.parameters[1]))
+    along, up = (name_of(result.case.scene, name) for name in result.parameters)
+    axes.set(xlabel=along, ylabel=up)
     axes.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0,
         frameon=False, fontsize=8, handlelength=3,
@@ -104,7 +105,6 @@ def _number(axes: Any, result: "Chart", i: int) -> None:
 
 def chart_figure(result: "Chart") -> Figure:
     """Draw a map, and say below what it is of."""
-    figure = Figure(figsize=(7.5, 4.8), layout="constrained")
-    draw(result, figure.subplots())
-    figure.supxlabel(described(result.case, *result.parameters), fontsize=7, wrap=True)
+    figure = panel(partial(draw, result), (7.5, 4.8))
+    say_below(figure, described(result.case, *result.parameters))
     return figure

@@ -10,7 +10,15 @@ from matplotlib.figure import Figure
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.scenes.methods import about
 
-from .axes import axes_or_new, check_quantity, described, frame, typeset
+from .axes import (
+    axes_or_new,
+    check_quantity,
+    described,
+    frame,
+    mark_values,
+    say_below,
+    typeset,
+)
 
 if TYPE_CHECKING:
     from nonsmooth.solver.arrays import Vector
@@ -42,27 +50,10 @@ MARKS = {
 
 
 def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **style: Any) -> Any:
-    """Draw one quantity of orbits along a parameter and return the axes.
+    """Draw one quantity of a family or a branch and return the axes; see `Family.plot`.
 
     Stable orbits are drawn solid, unstable ones dashed, and what happens is marked.  Values at
     which no orbit was found are marked on the axis.
-
-    Parameters
-    ----------
-    result : Family or Branch
-        What is drawn.
-    ax : matplotlib Axes, optional
-        Where; new ones without it.
-    quantity : str
-        One of `QUANTITIES`: of displacement and velocity both ends; the durations of the
-        phases, or of a single one the phase of the forcing.
-    **style
-        Of the lines, as `matplotlib.axes.Axes.plot` takes it.
-
-    Raises
-    ------
-    ValueError
-        If `quantity` is none of these.
     """
     check_quantity(quantity, QUANTITIES)
     axes = axes_or_new(ax)
@@ -77,12 +68,8 @@ def draw(result: "Family", ax: Any = None, quantity: str = "displacement", **sty
             axes.set_yscale("log")
         axes.set_ylabel(QUANTITIES[quantity])
     missing = [row.value for row in result.rows if row.status != "ok"]
-    if missing:
-        axes.plot(
-            missing, np.zeros(len(missing)), "|", color="0.4", clip_on=False,
-            transform=axes.get_xaxis_transform(), label="no orbit",
-        )  # fmt: skip
-    axes.set_xlabel(name_of(result))
+    mark_values(axes, missing, "no orbit", "0.4")
+    axes.set_xlabel(name_of(result.case.scene, result.parameter))
     return axes
 
 
@@ -158,12 +145,7 @@ def _label(axes: Any, name: str) -> dict[str, str]:
     return {} if name in {line.get_label() for line in axes.lines} else {"label": name}
 
 
-def name_of(result: "Family | Diagram") -> str:
-    """Return what the axis of the parameter says."""
-    return name_of_parameter(result.case.scene, result.parameter)
-
-
-def name_of_parameter(scene: "LoadedScene", name: str) -> str:
+def name_of(scene: "LoadedScene", name: str) -> str:
     """Return what the axis of one of the parameters of a scene says."""
     parameter = next(q for q in scene.parameters if q.name == name)
     unit = f" [{parameter.unit}]" if parameter.unit else ""
@@ -199,8 +181,7 @@ def family_figure(result: "Family", log: bool = False) -> Figure:
     if log:
         panels[0].set_xscale("log")
     method = f"{shown(scene, result.method)}, N = {result.order}"
-    words = f"{described(result.case, result.parameter)}; {method}"
-    figure.supxlabel(words, fontsize=7, wrap=True)
+    say_below(figure, f"{described(result.case, result.parameter)}; {method}")
     return figure
 
 

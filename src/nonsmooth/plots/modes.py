@@ -8,8 +8,16 @@ from matplotlib.figure import Figure
 
 from nonsmooth.solver.scenes.methods import about
 
-from ..style import EXACT
-from .axes import LEAST, axes_or_new, check_quantity, frame, legend_above
+from .axes import (
+    EXACT,
+    LEAST,
+    axes_or_new,
+    check_quantity,
+    curve,
+    frame,
+    legend_above,
+    say_below,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -75,7 +83,7 @@ def _draw_mode(
 ) -> None:
     mode, x, attached = modes[number - 1], _places(modes.attached), modes.attached
     label = f"{modes.shown}, N = {modes.order}"
-    look = {"label": label} | _line(modes.method) | style
+    look = {"label": label} | curve(LOOKS[modes.method]) | style
     if quantity == "shape":
         axes.plot(x, mode.shape(x), **look)
         axes.set_ylabel(f"mode {number}")
@@ -177,11 +185,6 @@ def _is_same(line: Any, x: Any, values: Any) -> bool:
     )
 
 
-def _line(method: str) -> dict[str, Any]:
-    look = LOOKS[method]
-    return {"color": look["color"], "linestyle": look["linestyle"], "linewidth": 1.4}
-
-
 def draw_convergence(
     study: "Convergence", ax: Any = None, quantity: str = "eigenvalue_error", **style: Any
 ) -> Any:
@@ -247,5 +250,5 @@ def family_figure(
     expansion = found[0]
     words = f"{expansion.structure.name} by {expansion.shown}, N = {expansion.order}"
     said = expansion.attached.described(name.replace("-", "_"))
-    figure.supxlabel(f"{words}: {said}", fontsize=7, wrap=True)
+    say_below(figure, f"{words}: {said}")
     return figure

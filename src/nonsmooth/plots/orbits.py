@@ -8,8 +8,7 @@ from matplotlib.figure import Figure
 
 from nonsmooth.solver.arrays import Vector
 
-from ..style import EXACT
-from .axes import axes_or_new, check_quantity, described, frame
+from .axes import EXACT, axes_or_new, check_quantity, curve, described, frame
 
 if TYPE_CHECKING:
     from nonsmooth.solver.exact import ExactOrbit
@@ -32,55 +31,35 @@ FIRST: dict[str, Any] = {"color": "0.1", "linestyle": "-", "linewidth": 1.4}
 
 
 def draw(motion: Any, ax: Any = None, quantity: str = PLANE, **style: Any) -> Any:
-    """Draw a periodic motion and return the axes.
+    """Draw a periodic motion and return the axes; see `Orbit.plot`.
 
-    Both sides of each switch are drawn, the first and the last instant of each phase.  The
-    first motion on a pair of axes is a solid dark line, those behind it look as their method.
-
-    Parameters
-    ----------
-    motion : Motion or Motion
-        What is drawn.
-    ax : matplotlib Axes, optional
-        Where; new ones without it.
-    quantity : {"plane", "displacement", "velocity", "acceleration"}
-        The phase plane, or one of the three against time in periods, for a little more than
-        one.
-    **style
-        Of the line, as `matplotlib.axes.Axes.plot` takes it.
-
-    Raises
-    ------
-    ValueError
-        If `quantity` is none of these.
+    Both sides of each switch are drawn, the first and the last instant of each phase; against
+    time for a little more than one period.  The first motion on a pair of axes is a solid dark
+    line, those behind it look as their method.
     """
     check_quantity(quantity, (PLANE, *HISTORIES))
     axes, times = axes_or_new(ax), instants(motion)
-    look = {"label": motion.label} | (line(motion) if axes.lines else _first(motion)) | style
+    is_first = motion.look is not None and not axes.lines
+    look = {"label": motion.label} | (FIRST if is_first else line(motion)) | style
     if quantity == PLANE:
         x, v = motion.displacement(times), motion.velocity(times)
         axes.plot(np.append(x, x[0]), np.append(v, v[0]), **look)
         axes.set(xlabel=HISTORIES["displacement"], ylabel=HISTORIES["velocity"])
     else:
-        part, values = times / motion.period, getattr(motion, quantity)(times)
-        again = part < BEYOND - 1
-        part, values = np.append(part, 1 + part[again]), np.append(values, values[again])
-        axes.plot(part, values, **look)
+        axes.plot(*beyond(times / motion.period, getattr(motion, quantity)(times)), **look)
         axes.set(xlabel="$t/T$", ylabel=HISTORIES[quantity])
     return axes
 
 
 def line(motion: Any) -> dict[str, Any]:
     """Return how the curve of a motion looks: as its method's, or that of the exact orbit."""
-    look: dict[str, Any] | None = motion.look
-    if look is None:
-        return dict(EXACT)
-    return {"color": look["color"], "linestyle": look["linestyle"], "linewidth": 1.4}
+    return EXACT if motion.look is None else curve(motion.look)
 
 
-def _first(motion: Any) -> dict[str, Any]:
-    """Return how the curve of the first motion on a pair of axes looks."""
-    return line(motion) if motion.look is None else FIRST
+def beyond(part: Vector, values: Vector) -> tuple[Vector, Vector]:
+    """Return values over parts of a period, and those at its beginning again behind it."""
+    again = part < BEYOND - 1
+    return np.append(part, 1 + part[again]), np.append(values, values[again])
 
 
 def orbit_figure(orbits: "list[Orbit]", exact: "ExactOrbit | None") -> Figure:

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from nonsmooth.solver.scenes.methods import about
 
-from .axes import axes_or_new, check_quantity, described
+from .axes import axes_or_new, check_quantity, described, say_below
 from .orbits import HISTORIES, PLANE
 
 if TYPE_CHECKING:
@@ -28,30 +28,10 @@ def draw(
     since: float = 0.0,
     **style: Any,
 ) -> Any:
-    """Draw a simulated motion and return the axes.
-
-    Parameters
-    ----------
-    motion : Simulation
-        What is drawn.
-    ax : matplotlib Axes, optional
-        Where; new ones without it.
-    quantity : {"displacement", "velocity", "acceleration", "force", "plane"}
-        What is drawn against time, the force of a body alone; or the phase plane.
-    since : float
-        From which time on, in s.
-    **style
-        Of the line, as `matplotlib.axes.Axes.plot` takes it.
-
-    Raises
-    ------
-    ValueError
-        If `quantity` is none of these.
-    """
+    """Draw a simulated motion and return the axes; see `Simulation.plot`."""
     check_quantity(quantity, (*motion.quantities, PLANE))
     axes = axes_or_new(ax)
-    found = map(np.concatenate, zip(*motion.samples(), strict=True))
-    times, *values = found
+    times, *values = map(np.concatenate, zip(*motion.samples(), strict=True))
     late = times >= since
     columns = {name: each[late] for name, each in zip(motion.quantities, values, strict=True)}
     look = {"color": "0.25", "linewidth": 0.8} | style
@@ -80,5 +60,5 @@ def simulation_figure(motion: "Simulation") -> Figure:
     since = (1 - LATE) * motion.time
     draw(motion, plane, PLANE, since=since, color=colour, linewidth=1.4, label=words)
     plane.legend(loc="lower left", bbox_to_anchor=(0, 1.0), frameon=False, fontsize=8)
-    figure.supxlabel(described(motion.case), fontsize=7, wrap=True)
+    say_below(figure, described(motion.case))
     return figure

@@ -6,7 +6,15 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 
-from .axes import axes_or_new, check_quantity, described, frame, legend_above
+from .axes import (
+    axes_or_new,
+    check_quantity,
+    described,
+    frame,
+    legend_above,
+    mark_values,
+    say_below,
+)
 from .families import name_of
 
 if TYPE_CHECKING:
@@ -36,13 +44,8 @@ def draw_diagram(
     seen = np.concatenate([each[:, column] for each in result.states] or [np.empty(0)])
     axes.plot(along, seen, **{"color": "0.1", "marker": ".", "markersize": 1.5} | style, ls="")
     ended = [q for q, each in zip(result.values, result.states, strict=True) if not len(each)]
-    if ended:
-        axes.plot(
-            ended, np.zeros(len(ended)), "|", color="0.6", clip_on=False,
-            transform=axes.get_xaxis_transform(), label="the motion ends",
-        )  # fmt: skip
-    axes.set_xlabel(name_of(result))
-    axes.set_ylabel(QUANTITIES[quantity])
+    mark_values(axes, ended, "the motion ends", "0.6")
+    axes.set(xlabel=name_of(result.case.scene, result.parameter), ylabel=QUANTITIES[quantity])
     return axes
 
 
@@ -75,7 +78,7 @@ def diagram_figure(result: "Diagram") -> Figure:
     draw_diagram(result, lower, "velocity")
     upper.set_xlabel("")
     words = described(result.case, result.parameter)
-    figure.supxlabel(f"once a period of the forcing; {words}", fontsize=7, wrap=True)
+    say_below(figure, f"once a period of the forcing; {words}")
     return figure
 
 

@@ -19,31 +19,14 @@ QUANTITIES = ("times", "discontinuous", "period")
 
 
 def draw(result: "Sweep", ax: Any = None, quantity: str = "times", **style: Any) -> Any:
-    """Draw one error of a sweep against the order, a line a method, and return the axes.
-
-    Parameters
-    ----------
-    result : Sweep
-        What is drawn.
-    ax : matplotlib Axes, optional
-        Where; new ones, with a legend, without it.
-    quantity : {"times", "discontinuous", "period"}
-        The field of `Errors`.
-    **style
-        Of the lines, as `matplotlib.axes.Axes.plot` takes it.
-
-    Raises
-    ------
-    ValueError
-        If `quantity` is none of these.
-    """
+    """Draw one error of a sweep against the order and return the axes; see `Sweep.plot`."""
     check_quantity(quantity, QUANTITIES)
     axes, scene = axes_or_new(ax), result.case.scene
     for method in dict.fromkeys(row.method for row in result.rows):
-        found = [(row.order, row.errors) for row in result.of(method) if row.errors is not None]
-        orders, errors = [order for order, _ in found], [errors for _, errors in found]
+        rows = [row for row in result.of(method) if row.errors is not None]
+        errors = [getattr(row.errors, quantity) for row in rows]
         look = about(method).look | {"label": shown(scene, method)} | style
-        draw_errors(axes, orders, [getattr(each, quantity) for each in errors], **look)
+        draw_errors(axes, [row.order for row in rows], errors, **look)
     axes.set_ylabel(f"error of {name_of_error(scene, quantity)}")
     if ax is None:
         legend_above(axes.figure, axes)

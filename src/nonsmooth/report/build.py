@@ -8,15 +8,15 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 import nonsmooth as ns
+from nonsmooth.plots.axes import write
 
 from .captions import PLATES
 from .case import Case
-from .claim_map import claim_map
 from .claims import CLAIMS, PARTS
-from .figures import FIGURES
+from .figures import FIGURES, claim_map
 from .intervals import SCANNED, Intervals, scan
 from .page import page
-from .pictures import SIZE, figure, files, write, write_all
+from .pictures import LOOK, SIZE, figure, files, write_all
 from .workers import pool
 
 #: Names of the pictures, that of the claims last.
@@ -55,7 +55,7 @@ def plate(belt: ns.StickSlip, number: int) -> Figure:
 
 def write_plate(belt: ns.StickSlip, number: int, target: Path) -> None:
     """Write one figure of the paper as a picture, in the format that its ending names."""
-    write(partial(plate, belt, number), target)
+    write(partial(plate, belt, number), target, look=LOOK)
 
 
 def build(belt: ns.StickSlip, folder: Path, done: Callable[[str], None]) -> None:

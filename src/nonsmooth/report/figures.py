@@ -1,20 +1,26 @@
-"""The figures of the paper, recomputed for one oscillator.
+"""The figures of the paper, recomputed for one oscillator, and the map of the claims.
 
 Each is narrow enough for a telephone; what stands beside another in the paper is a figure
 of its own here.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
+from matplotlib.figure import Figure
+
+import nonsmooth as ns
 from nonsmooth.kim_perkins import METHODS
-from nonsmooth.plots.axes import draw_errors
+from nonsmooth.plots.axes import EXACT, curve, draw_errors
 from nonsmooth.plots.orbits import BEYOND
 from nonsmooth.plots.orbits import draw as draw_motion
-from nonsmooth.style import EXACT, STYLES, above_floor, draw_floor, line
+from nonsmooth.solver.scenes.methods import about
 
 from .case import MOST, Case
 from .checks import BAND, THREE
+from .claims import VERDICTS, Claim
+from .intervals import FIRST, LAST, Intervals, force, segments
 from .measures import peak
 from .pictures import legend
 from .scenes.sketches import sketch
@@ -23,11 +29,19 @@ from .words import percent
 #: Short names, for legends.
 NAMES = {name: f"{name} ({section})" for name, (section, _) in METHODS.items()}
 
+#: The look of each method, with the paper's marker: that of its like in any scene.
+STYLES = {"hb": about("hb").look, "hb-c1": about("hb-ck").look, "c1": about("ck").look}
+
+#: A jump misplaced by one rounding error of t/T contributes about its square root to (22).
+FLOOR = float(np.sqrt(np.finfo(float).eps))
+
 #: The last order in Fig. 4, where the curves can still be told apart.
 LAST_ORDER = 12
 
 #: What marks a level or points at a place.
 THIN: Any = {"color": "0.5", "linewidth": 0.8, "linestyle": "--"}
+LEVEL: Any = THIN | {"linestyle": (0, (5, 5))}
+BESIDE_LEVEL: Any = {"xycoords": ("axes fraction", "data"), "color": "0.4"}
 POINTING: Any = {
     "textcoords": "axes fraction",
     "fontsize": 9,
@@ -97,7 +111,7 @@ def accelerations(methods: tuple[str, ...], order: int) -> Callable[[Any, Case],
                 orbit = case.orbit(method, order)
                 draw_motion(orbit, axes, "acceleration", label=NAMES[method])
             else:
-                axes.plot([], [], label=f"{NAMES[method]}: no orbit", **line(method))
+                axes.plot([], [], label=f"{NAMES[method]}: no orbit", **curve(STYLES[method]))
         axes.set(xlim=(0, 1))
         legend(axes, 2)
 
@@ -150,29 +164,34 @@ def period(axes: Any, case: Case) -> None:
     legend(axes, 3)
 
 
-def _errors(axes: Any, case: Case, of: str) -> None:
+def _errors(axes: Any, case: Case, of: str, least: float = -np.inf) -> None:
+    """Draw the errors of each method against the order, those above a least one."""
     for method in METHODS:
         orders = case.orders(method)
-        errors = [case.measured(of, method, N) for N in orders]
-        shown = map(above_floor, errors) if of == "acceleration" else errors
-        draw_errors(axes, orders, shown, **_marked(method))
+        errors = np.array([case.measured(of, method, N) for N in orders])
+        draw_errors(axes, orders, np.where(errors > least, errors, np.nan), **_marked(method))
     legend(axes, 3)
 
 
 def period_error(axes: Any, case: Case) -> None:
     """Draw the errors of Fig. 4 on a log scale, where they do not end in one line."""
-    axes.axhline(BAND, **THIN | {"linestyle": (0, (5, 5))})
-    where: Any = {"xycoords": ("axes fraction", "data"), "ha": "right", "va": "top"}
-    _beside(axes, "0.1 %", (0.99, BAND), xytext=(0, -3), fontsize=8, color="0.4", **where)
+    axes.axhline(BAND, **LEVEL)
+    where = BESIDE_LEVEL | {"fontsize": 8, "ha": "right", "va": "top"}
+    _beside(axes, "0.1 %", (0.99, BAND), xytext=(0, -3), **where)
     _errors(axes, case, "period")
     axes.set(ylabel="|$T$ / $T$ exact − 1|")
 
 
 def acceleration_error(axes: Any, case: Case) -> None:
-    """Draw Fig. 6: the error (22) of the acceleration against the order."""
-    _errors(axes, case, "acceleration")
+    """Draw Fig. 6: the error (22) of the acceleration against the order.
+
+    Where rounding of a time alone holds it is marked; what is far below is so by luck.
+    """
+    _errors(axes, case, "acceleration", FLOOR / 10)
     axes.set(ylabel="error (22) of the acceleration")
-    draw_floor(axes)
+    axes.axhline(FLOOR, **LEVEL)
+    where = BESIDE_LEVEL | {"fontsize": 7}
+    _beside(axes, "floor in float64", (0.02, FLOOR), xytext=(0, 3), **where)
 
 
 #: What draws each figure, by the name of its file.
@@ -190,3 +209,28 @@ FIGURES: dict[str, Callable[[Any, Case], None]] = {
     "fig-5": accelerations(tuple(METHODS), THREE),
     "fig-6": acceleration_error,
 }
+
+
+#: Shades of the verdicts, from all parts to none; as readable in grey.
+SHADES = dict(zip(VERDICTS, ("#0072B2", "#A9CCE3", "none"), strict=True))
+
+#: Inches: of the map of the claims, and the height of a row.
+WIDTH, ROW = 4.8, 0.23
+
+
+def claim_map(belt: ns.StickSlip, claims: Sequence[Claim], intervals: Intervals) -> Figure:
+    """Return the map: a row a claim, the normal force from left to right."""
+    made = Figure(figsize=(WIDTH, ROW * len(claims) + 1), layout="constrained")
+    axes = made.subplots()
+    for row, claim in enumerate(claims):
+        for low, high, verdict in segments(claim, intervals):
+            left, right = force(belt, low), force(belt, high)
+            look: Any = {"height": 0.7, "color": SHADES[verdict], "linewidth": 0}
+            axes.barh(row, right - left, left=left, **look)
+    axes.axvline(belt.normal_force, color="black", linewidth=1.2, linestyle="--")
+    labels = [f"{claim.title}  {n}" for n, claim in enumerate(claims, 1)]
+    axes.set_yticks(range(len(claims)), labels, fontsize=8.5)
+    axes.set(xscale="log", xlabel="normal force $F_N$ [N]", ylim=(len(claims) - 0.4, -0.6))
+    axes.set_xlim(force(belt, FIRST), force(belt, LAST))
+    axes.grid(axis="y", visible=False)
+    return made

@@ -7,12 +7,12 @@ from nonsmooth.codegen.equations import sections
 from nonsmooth.codegen.printing.html import fragment_of
 from nonsmooth.kim_perkins import METHODS, SCENE
 from nonsmooth.solver.kernels import registry
-from nonsmooth.style import FLOOR
 
 from .captions import PLATES, flags, other_tests, reading
 from .case import DEFAULT, MOST, Case
 from .checks import Finding
 from .claims import CLAIMS, GROUPS, VERDICTS, Claim, Part
+from .figures import FLOOR
 from .html import filled, folded, inline
 from .intervals import FIRST, LAST, SCANNED, Intervals, force, in_words
 from .words import number, percent

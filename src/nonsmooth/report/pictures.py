@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from nonsmooth.style import SETTINGS, save
+from nonsmooth.plots.axes import SETTINGS, panel, write
 
 #: Inches, and the text in points: on a telephone both are shown at two thirds.
 SIZE = (4.8, 3.2)
@@ -28,9 +27,7 @@ Draw = Callable[[Any, Any], None]
 
 def figure(draw: Draw, shown: object) -> Figure:
     """Return a figure with one pair of axes, drawn."""
-    made = Figure(figsize=SIZE, layout="constrained")
-    draw(made.subplots(), shown)
-    return made
+    return panel(lambda axes: draw(axes, shown), SIZE)
 
 
 def legend(axes: Any, columns: int) -> None:
@@ -48,14 +45,6 @@ def write_all(
 ) -> dict[str, str]:
     """Write every picture into a folder, in each format; return the SVG by name."""
     for name, made in pictures.items():
-        write(made, *(folder / (name + suffix) for suffix in SUFFIXES))
+        write(made, *(folder / (name + suffix) for suffix in SUFFIXES), look=LOOK)
         done(name)
     return {name: (folder / f"{name}.svg").read_text("utf-8") for name in pictures}
-
-
-def write(made: Callable[[], Figure], *targets: Path) -> None:
-    """Write one picture, in the formats that the endings of the files name."""
-    with mpl.rc_context(LOOK):
-        drawn = made()
-        for target in targets:
-            save(drawn, target)

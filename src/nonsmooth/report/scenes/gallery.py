@@ -7,12 +7,12 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 
+from nonsmooth.plots.axes import SETTINGS
 from nonsmooth.scene import find
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import about
 from nonsmooth.solver.solve import solve_case
-from nonsmooth.style import SETTINGS
 
 from .collected import Collected, collect, overshoot, rate_of_times, ways
 from .scene_figures import FIGURES

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.plots.axes import LEAST
-from nonsmooth.plots.orbits import BEYOND, line
+from nonsmooth.plots.axes import EXACT, LEAST
+from nonsmooth.plots.orbits import beyond, line
 from nonsmooth.plots.orbits import draw as draw_motion
 from nonsmooth.plots.sweeps import derivative as label_of
 from nonsmooth.plots.sweeps import name_of_error
@@ -15,7 +15,6 @@ from nonsmooth.solver.arrays import Vector
 from nonsmooth.solver.orbit.errors import derivative
 from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.solver.scenes.methods import about
-from nonsmooth.style import EXACT
 
 from ..pictures import ABOVE, Draw, legend
 from .collected import Collected, Way, rate_of_jump, rate_of_times
@@ -66,9 +65,7 @@ def _over_time(motion: Motion, order: int) -> tuple[Vector, Vector]:
         sign = cell.sign if turned else 1
         times.append(np.append(low + (high - low) * u, np.nan))
         values.append(np.append(sign * scale * derivative(motion, p, u, order), np.nan))
-    part, found = np.concatenate(times), np.concatenate(values)
-    again = part < BEYOND - 1
-    return np.append(part, 1 + part[again]), np.append(found, found[again])
+    return beyond(np.concatenate(times), np.concatenate(values))
 
 
 def jumping(axes: Any, found: Collected) -> None:
