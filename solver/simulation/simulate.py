@@ -25,10 +25,11 @@ def simulate(
     time: float | None = None,
     forcing_phase: float = 0.0,
 ) -> Simulation:
-    """Return the motion of a case from a given state.
+    """Return the motion of an oscillator from a given state, from event to event.
 
-    Events are located so that none can be stepped over: see `locate`.  Which phase follows is
-    decided by the demands of the scene's phases.
+    Each phase is the exact flow of its equation.  Events are located so that none can be
+    stepped over: see `locate`.  Which phase follows is decided by the demands of the scene's
+    phases.
 
     Parameters
     ----------
@@ -56,19 +57,23 @@ def simulate(
     Raises
     ------
     TypeError
-        If `case` is not a `Case`.
+        If `case` is none.
     ValueError
         If a number is not one that can be simulated, or no phase takes the state at the start.
 
     Examples
     --------
-    >>> from nonsmooth.solver.kernels import registry
-    >>> motion = simulate(registry.load("impact")(), cycles=3)
-    >>> [f"{phase.start:.6f}" for phase in motion.phases]
-    ['0.000000', '0.468885', '4.237267', '7.641000']
+    >>> import nonsmooth as ns
+    >>> motion = ns.simulate(ns.scene("impact")(), cycles=3)
+    >>> motion
+    <impact simulated for 10.472 s: 4 phases>
+    >>> [round(phase.start, 6) for phase in motion.phases]
+    [0.0, 0.468885, 4.237267, 7.641]
+    >>> print(motion.displacement([0, 1, 2]).round(6))
+    [ 0.        0.023297 -0.395435]
     """
     if not isinstance(case, Case):
-        raise TypeError(f"case: got {case!r:.80}, expected a Case")
+        raise TypeError(f"case: got {case!r:.80}, expected a case of ns.scene(...)")
     case = case.of_fullest()
     turn = _number("forcing_phase", forcing_phase, "a finite number of rad")
     if turn and case.scene.frequency is None:

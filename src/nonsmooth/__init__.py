@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .files.api import load, save
     from .files.file_errors import FileError, FileWarning
     from .kim_perkins import StickSlip
-    from .oscillators import branch, branches, exact, family, simulate, solve, sweep
+    from .oscillators import branch, branches, exact, family, solve, sweep
     from .plots.plot import plot
     from .scene import find as scene
     from .scene_files.error import SceneFileError
@@ -43,12 +43,14 @@ if TYPE_CHECKING:
     from .solver.scenes.loaded import UnknownScene
     from .solver.scenes.parameter_error import ParameterError
     from .solver.simulation.record import Simulation
+    from .solver.simulation.simulate import simulate
     from .solver.space.mode import Mode
     from .solver.space.modes import Modes, modes
     from .solver.space.structure import UnknownStructure
     from .solver.space.structure import names as structures
     from .solver.space.tolerance import ToleranceNotMet
     from .solver.strobe import basins, diagram
+    from .solver.trade.choice import NotCertified, TooSlow
 
     __version__: str
 
@@ -92,57 +94,21 @@ _HOMES = {
     "plot": ("plots.plot", "plot"),
     "save": ("files.api", "save"),
     "scenes": ("scene_files.find", "names"),
-    "simulate": ("oscillators", "simulate"),
+    "simulate": ("solver.simulation.simulate", "simulate"),
     "solve": ("oscillators", "solve"),
     "structures": ("solver.space.structure", "names"),
     "sweep": ("oscillators", "sweep"),
 }
 
 __all__ = [
-    "Basins",
-    "Branch",
-    "Case",
-    "Chart",
-    "Diagram",
-    "ExactOrbit",
-    "Family",
-    "FileError",
-    "FileWarning",
-    "MissingExtra",
-    "Mode",
-    "Modes",
-    "NoOrbit",
-    "NotCertified",
-    "Orbit",
-    "ParameterError",
-    "SceneFileError",
-    "Simulation",
-    "StickSlip",
-    "Sweep",
-    "ToleranceNotMet",
-    "TooSlow",
-    "UnknownScene",
-    "UnknownStructure",
-    "__version__",
-    "basins",
-    "branch",
-    "branches",
-    "chart",
-    "diagram",
-    "equations",
-    "exact",
-    "family",
-    "load",
-    "modes",
-    "plot",
-    "save",
-    "scene",
-    "scenes",
-    "simulate",
-    "solve",
-    "structures",
+    "Basins", "Branch", "Case", "Chart", "Diagram", "ExactOrbit", "Family", "FileError",
+    "FileWarning", "MissingExtra", "Mode", "Modes", "NoOrbit", "NotCertified", "Orbit",
+    "ParameterError", "SceneFileError", "Simulation", "StickSlip", "Sweep",
+    "ToleranceNotMet", "TooSlow", "UnknownScene", "UnknownStructure", "__version__",
+    "basins", "branch", "branches", "chart", "diagram", "equations", "exact", "family",
+    "load", "modes", "plot", "save", "scene", "scenes", "simulate", "solve", "structures",
     "sweep",
-]
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

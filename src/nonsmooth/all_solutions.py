@@ -10,6 +10,7 @@ then a fact, not a failed iteration.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -127,21 +128,17 @@ def _rational_function(
     Polynomials in ``s**2``, interpolated from exact values at ``order + 2`` places.
     """
     places: list[Fraction] = []
-    below: list[Fraction] = []
-    above: list[Fraction] = []
-    travel: list[Fraction] = []
+    values: list[tuple[Fraction, Fraction, Fraction]] = []
     square = Fraction(0)
     while len(places) < order + 2:
         square += 1
         found = _eliminate(_system(order, square))
         if found is not None:
             determinant, solution = found
-            places.append(square)
-            below.append(determinant)
             t1 = square * solution[0] / 6 - 1  # (19): t1 + s = s**2 p_1/6
-            above.append(determinant * (t1 - solution[-1]))
-            travel.append(determinant * t1)
-    D, E, W = (_interpolate(places, values) for values in (below, above, travel))
+            places.append(square)
+            values.append((determinant, determinant * (t1 - solution[-1]), determinant * t1))
+    D, E, W = (_interpolate(places, column) for column in zip(*values, strict=True))
     return D, E, W
 
 
@@ -208,7 +205,7 @@ def _eliminate(rows: list[list[Fraction]]) -> tuple[Fraction, list[Fraction]] | 
     return determinant, solution
 
 
-def _interpolate(places: list[Fraction], values: list[Fraction]) -> list[Fraction]:
+def _interpolate(places: list[Fraction], values: Sequence[Fraction]) -> list[Fraction]:
     """Return the coefficients of the polynomial through the values (Newton's form)."""
     table = list(values)
     for level in range(1, len(places)):

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 LEFT, RIGHT = ("x''", "x'", "x"), ("", "cos(Omega t + phi)")
 
 
+#: What is said of a parameter.
+PARAMETER = ("name", "symbol", "unit", "default", "what", "expected", "bound", "most")
+
+
 def brief(scene: "LoadedScene") -> dict[str, Any]:
     """Return what a list of scenes says of one."""
     return {
@@ -52,11 +56,7 @@ def document(scene: "LoadedScene") -> dict[str, Any]:
         "frequency": scene.frequency,
         "half_period": scene.half_period,
         "parameters": [
-            {
-                "name": q.name, "symbol": q.symbol, "unit": q.unit, "default": q.default,
-                "what": q.what, "expected": q.expected, "bound": q.bound, "most": q.most,
-            }
-            for q in scene.parameters
+            {name: getattr(q, name) for name in PARAMETER} for q in scene.parameters
         ],
         "requires": list(module.REQUIRES),
         **({"body": _body(scene)} if scene.has_body else {}),
@@ -100,6 +100,12 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
     def named(text: str) -> str:
         return text.replace("cos(Omega", f"cos({frequency}")
 
+    def demanded(words: tuple[str, ...], forms: tuple[Any, ...]) -> list[dict[str, str]]:
+        return [
+            {"what": what, "expression": named(f"{linear(form, state)} >= 0")}
+            for what, form in zip(words, forms, strict=True)
+        ]
+
     name, held = scene.kinds[p]
     words = [word for word, *_ in scene.memory]
     own = state_of(module.CONTACTS) if scene.has_body else STATE
@@ -111,23 +117,17 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
         m, c, k, f, g, *memory = rows(module, "coefficients")[p]
         right = linear((f, g, *memory), (*RIGHT, *words))
         equation = f"{linear((m, c, k), LEFT)} = {right}"
-    at_switch = rows(module, "switch_demands")[p]
     k_of_switch, jumps = module.SWITCHES[p]
-    forms = rows(module, "demands")[p]
     return {
         "name": name,
         "equation": named(equation),
         "held": f"x' = {rows(module, 'held')[p][0]}" if held else None,
         "ends": named(f"{linear(rows(module, 'events')[p], state)} = 0"),
         "jump": _jumps(rows(module, "jumps")[p]),
-        "demands": [
-            {"what": words, "expression": named(f"{linear(form, state)} >= 0")}
-            for words, form in zip(module.DEMANDS[p], forms, strict=True)
-        ],
-        "switch_demands": [
-            {"what": words, "expression": named(f"{linear(form, state)} >= 0")}
-            for words, form in zip(module.SWITCH_DEMANDS[p], at_switch, strict=True)
-        ],
+        "demands": demanded(module.DEMANDS[p], rows(module, "demands")[p]),
+        "switch_demands": demanded(
+            module.SWITCH_DEMANDS[p], rows(module, "switch_demands")[p]
+        ),
         "sets": [
             {"memory": name, "what": what, "expression": named(linear(form, own))}
             for (name, phase, _, what), form in zip(

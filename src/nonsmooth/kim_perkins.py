@@ -9,8 +9,8 @@ W.-J. Kim and N. C. Perkins, J. Sound Vib. 261 (2003) 213-224.
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
-from functools import cached_property
-from typing import Any
+from functools import cached_property, partial
+from typing import Any, Self
 
 from .all_solutions import solutions
 from .solver.kernels.registry import load
@@ -118,7 +118,7 @@ class StickSlip(Case):
         return f"StickSlip({words})"
 
     def __reduce__(self) -> tuple[object, tuple[object, ...]]:
-        return _belt, (dict(self.values),)
+        return partial(StickSlip, **self.values), ()
 
     @property
     def alpha(self) -> float:
@@ -188,10 +188,6 @@ class StickSlip(Case):
         return NoOrbit(words, True, tuple(tried))
 
 
-def _belt(values: dict[str, float]) -> StickSlip:
-    return StickSlip(**values)
-
-
 def as_in_paper(case: Case) -> Case:
     """Return a case under the paper's names if it is of the paper's scene; else as it is."""
     if case.scene != load(SCENE):
@@ -226,6 +222,12 @@ class _Belt(Motion):
 
     case: StickSlip
 
+    @classmethod
+    def of(cls, motion: ExactOrbit | Solution) -> Self:
+        """Return an orbit as the paper has it."""
+        assert isinstance(motion.case, StickSlip)
+        return cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})
+
     @property
     def t1(self) -> float:
         """End of stick in s."""
@@ -239,21 +241,9 @@ class _Belt(Motion):
 class ExactStickSlipOrbit(_Belt, ExactOrbit):
     """The exact orbit of Section 2."""
 
-    @classmethod
-    def of(cls, motion: ExactOrbit) -> "ExactStickSlipOrbit":
-        """Return an exact orbit as Section 2 has it."""
-        assert isinstance(motion.case, StickSlip)
-        return cls(motion.case, motion.outcome)
-
 
 class StickSlipOrbit(_Belt, Orbit):
     """A converged, admissible periodic orbit of the belt."""
-
-    @classmethod
-    def of(cls, motion: Solution) -> "StickSlipOrbit":
-        """Return an orbit as the paper has it."""
-        assert isinstance(motion.case, StickSlip)
-        return cls(**{field.name: getattr(motion, field.name) for field in fields(motion)})
 
     @property
     def transition_mismatch(self) -> float:

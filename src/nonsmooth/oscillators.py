@@ -1,4 +1,4 @@
-"""`solve`, `sweep`, `branch`, `family`, `exact`, `simulate`: what users ask for."""
+"""`solve`, `sweep`, `branch`, `family`, `exact`: what users ask for."""
 
 from collections.abc import Callable, Iterable, Sequence
 from numbers import Integral
@@ -12,7 +12,6 @@ from .solver.family import family_case
 from .solver.scenes.case import Case
 from .solver.scenes.methods import FIRST
 from .solver.scenes.parameter_error import is_number
-from .solver.simulation.simulate import simulate as simulated
 from .solver.solve import solve_case, with_order
 from .solver.sweep import sweep_case
 from .solver.trade.budget import choose_within
@@ -25,7 +24,6 @@ if TYPE_CHECKING:
     from .solver.results.family import Family
     from .solver.results.orbit import Orbit
     from .solver.results.sweep import Sweep
-    from .solver.simulation.record import Simulation
 
 #: N where none is named, as on the command line.
 ORDER = 10
@@ -121,12 +119,10 @@ def solve(
     if budget is not None:
         if tol is not None:
             raise ValueError(f"budget: got {budget!r} beside a tolerance, expected one of them")
-
         return choose_within(case, budget, method, functions).orbit
     chosen = FIRST if method is None else method
     if tol is None:
         return solve_case(case, chosen, ORDER if order is None else order, functions, motion)
-
     return choose_order(case, tol, chosen, functions, motion).orbit
 
 
@@ -374,61 +370,6 @@ def exact(case: Case) -> "ExactOrbit":
     """
     _check(case)
     return exact_orbit(case)
-
-
-def simulate(
-    case: Case,
-    state: Sequence[float] | None = None,
-    cycles: float | None = None,
-    *,
-    time: float | None = None,
-    forcing_phase: float = 0.0,
-) -> "Simulation":
-    """Return the motion of an oscillator from a given state, from event to event.
-
-    Each phase is the exact flow of its equation, and no event can be stepped over.
-
-    Parameters
-    ----------
-    case : Case
-        The oscillator.
-    state : (float, float), optional
-        Displacement in m and velocity in m/s at the start; without it at rest at 0 or, if
-        the scene does not admit that, at or next to the nearest limit.  Of a body they are
-        those of its first contact, in the state nearest to rest.
-    cycles : float, optional
-        How many periods of the forcing or, where nothing forces, how many times 2 pi of the
-        scene's unit of time; 20 without it.
-    time : float, optional
-        How long in s, in place of `cycles`.
-    forcing_phase : float
-        Phase of the forcing at the start, in rad; 0 where nothing forces.
-
-    Returns
-    -------
-    Simulation
-        Its phases, the motion at any time, and why it ended where it did so early.
-
-    Raises
-    ------
-    TypeError
-        If `case` is none.
-    ValueError
-        If a number is not one that can be simulated, or no phase takes the state at the start.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> motion = ns.simulate(ns.scene("impact")(), cycles=3)
-    >>> motion
-    <impact simulated for 10.472 s: 4 phases>
-    >>> [round(phase.start, 6) for phase in motion.phases]
-    [0.0, 0.468885, 4.237267, 7.641]
-    >>> print(motion.displacement([0, 1, 2]).round(6))
-    [ 0.        0.023297 -0.395435]
-    """
-    _check(case)
-    return simulated(case, state, cycles, time=time, forcing_phase=forcing_phase)
 
 
 def _whole(number: Any) -> Any:

@@ -20,7 +20,7 @@ from nonsmooth.report.scenes.collected import (
     rate_of_jump,
     rate_of_times,
 )
-from nonsmooth.report.scenes.scene_page import GIBBS, _beside, multipliers, page
+from nonsmooth.report.scenes.scene_page import GIBBS, beside, multipliers, page
 from nonsmooth.solver.stability.monodromy import NoMultipliersError
 from nonsmooth.solver.stability.stability import Stability
 
@@ -157,7 +157,7 @@ def test_a_multiplier_is_judged_by_its_modulus(value: float, row: tuple[str, ...
 
 
 def test_rounding_beside_the_largest_is_printed_as_nothing() -> None:
-    assert [_beside(v, (-1.5, 0.2)) for v in (-1.25, 1e-13, -3e-16)] == ["-1.25", "1e-13", "0"]
+    assert [beside(v, (-1.5, 0.2)) for v in (-1.25, 1e-13, -3e-16)] == ["-1.25", "1e-13", "0"]
 
 
 def test_an_orbit_may_have_lost_multipliers_or_have_none(monkeypatch) -> None:

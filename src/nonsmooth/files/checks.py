@@ -19,16 +19,6 @@ def check(right: bool, problem: str) -> None:
         raise NotRightError(problem)
 
 
-def equal(name: str, value: Any, expected: Any) -> None:
-    """Check that a value is the one that is expected."""
-    check(value == expected, f"{name} is {value!r}, expected {expected!r}")
-
-
-def one_of(name: str, value: Any, choices: tuple[str, ...]) -> None:
-    """Check that a word is one of some."""
-    check(value in choices, f"{name} is {value!r}, expected one of {choices}")
-
-
 def positive(name: str, value: Any) -> None:
     """Check that a number is finite and above 0."""
     right = is_real(value) and math.isfinite(value) and value > 0

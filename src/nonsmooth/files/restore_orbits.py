@@ -101,9 +101,7 @@ def _orbit(path: Path, document: Mapping[str, Any], scene: object) -> Orbit:
     method = generic_method(case.scene, document["method"])
     functions, order = document.get("functions"), document["order"]
     every = [each["method"] for each in document.get("orbits", [document])]
-    if (
-        document["schema"] > 1
-    ):  # of the first each scene had kernels of its own: see the residual
+    if document["schema"] > 1:  # of the first the kernels are not there: see the residual
         _check_mathematics(path, document, "an orbit", case.scene, [method], every)
     if document.get("outcome") is None:
         raise FileError(path, "an orbit without its unknowns, from before these were written")
@@ -150,13 +148,11 @@ def _row(case: Case, row: Mapping[str, Any]) -> SweepRow:
 
 def _family(path: Path, document: Mapping[str, Any], case: Case) -> Family:
     _check_mathematics(path, document, "a family", case.scene, [document["method"]])
-    parameter, rows = document["vary"]["parameter"], []
-    checks.check(parameter in case.values, f"{parameter!r} varies, which is not a parameter")
+    parameter, rows = _parameter(case, document["vary"]["parameter"]), []
     for row in document["rows"]:
         case.with_value(parameter, row["value"])
         values = dict(row) | {"estimate": _errors(row, row["estimate"])} | _checked(row)
-        known = row["extremes"] if row["status"] == "ok" else None
-        values["extremes"] = known and {name: tuple(pair) for name, pair in known.items()}
+        values["extremes"] = _ends(row["extremes"]) if row["status"] == "ok" else None
         rows.append(FamilyRow(**values | _multipliers(row)))
     count = document["vary"]["count"]
     checks.check(len(rows) == count > 0, f"{len(rows)} rows of {count}")
@@ -167,16 +163,14 @@ def _family(path: Path, document: Mapping[str, Any], case: Case) -> Family:
 
 def _branch(document: Mapping[str, Any], case: Case) -> Branch:
     """Return a branch from its document."""
-    parameter, rows = document["vary"], []
-    checks.check(parameter in case.values, f"{parameter!r} varies, which is not a parameter")
+    parameter, rows = _parameter(case, document["vary"]), []
     for point in document["points"]:
         case.with_value(parameter, point["parameter"])
         for duration in point["durations"]:
             checks.not_negative("duration", duration)
-        ends = {name: tuple(pair) for name, pair in point["extremes"].items()}
-        times = point["period"], point["forcing_phase"], tuple(point["durations"])
         how = {"motion": point["motion"], "stable": point["stable"]} | _multipliers(point)
         how["beside"] = _beside(point.get("beside"))
+        times, ends = _times(point), _ends(point["extremes"])
         rows.append(FamilyRow(point["parameter"], "ok", *times, ends, None, 0, True, **how))
     events = tuple(BranchEvent(**event) for event in document["events"])
     why = document["why_it_ended"]
@@ -190,21 +184,18 @@ def _beside(given: Mapping[str, Any] | None) -> Beside | None:
     if given is None:
         return None
     checks.times(given, given["durations"])
-    errors = Errors(**given["errors"])
-    times = given["period"], given["forcing_phase"], tuple(given["durations"])
-    return Beside(*times, errors)
+    return Beside(*_times(given), Errors(**given["errors"]))
 
 
 def _map(document: Mapping[str, Any], case: Case) -> Chart:
     """Return a map from its document."""
-    first, second = document["vary"]
-    for name in (first, second):
-        checks.check(name in case.values, f"{name!r} varies, which is not a parameter")
+    first, second = (_parameter(case, name) for name in document["vary"])
     values = np.array(document["axes"][first]), np.array(document["axes"][second])
     shape = len(values[1]), len(values[0])
     motion, stable = np.array(document["motion"]), np.array(document["stable"])
     for name, found in (("motion", motion), ("stable", stable)):
-        checks.equal(f"the shape of {name}", found.shape, shape)
+        problem = f"the shape of {name} is {found.shape!r}, expected {shape!r}"
+        checks.check(found.shape == shape, problem)
     motions = document["motions"]
     checks.check({*motion.ravel()} - {None} == {*motions}, "motion and motions differ")
     index = np.array([[motions.index(q) if q else -1 for q in row] for row in motion])
@@ -217,6 +208,22 @@ def _map(document: Mapping[str, Any], case: Case) -> Chart:
     return Chart(case, (first, second), values, tuple(motions), index, known, tuple(curves))
 
 
+def _parameter(case: Case, name: Any) -> Any:
+    """Return the name of what varies, which has to be a parameter."""
+    checks.check(name in case.values, f"{name!r} varies, which is not a parameter")
+    return name
+
+
+def _times(row: Mapping[str, Any]) -> tuple[Any, Any, tuple[Any, ...]]:
+    """Return period, phase of the forcing and durations of a row."""
+    return row["period"], row["forcing_phase"], tuple(row["durations"])
+
+
+def _ends(extremes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the ends of displacement and velocity."""
+    return {name: tuple(pair) for name, pair in extremes.items()}
+
+
 def _multipliers(row: Mapping[str, Any]) -> dict[str, Any]:
     """Return multipliers and strobe of a row; files from before these have none."""
     found = row.get("multipliers")
@@ -227,7 +234,8 @@ def _multipliers(row: Mapping[str, Any]) -> dict[str, Any]:
 
 def _checked(row: Mapping[str, Any]) -> dict[str, Any]:
     """Return the durations of a row; what cannot be right is refused."""
-    checks.one_of("status", row["status"], STATUS)
+    problem = f"status is {row['status']!r}, expected one of {STATUS}"
+    checks.check(row["status"] in STATUS, problem)
     checks.not_negative("iterations", row["iterations"])
     if row["status"] != "ok":
         return {"durations": None, "period": None}

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -16,7 +15,7 @@ from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.scenes.methods import FIRST, about, in_order
+from nonsmooth.solver.scenes.methods import about, in_order
 from nonsmooth.solver.solve import solve_case
 
 #: Order of the orbits that are drawn beside the exact one; of the series that rings.
@@ -72,10 +71,10 @@ class Collected:
     ringing: dict[str, Orbit]
     curves: dict[Way, dict[int, Errors]]
 
-    @cached_property
-    def best(self) -> Orbit:
-        """The orbit of the most accurate method at the highest order of its curve."""
-        return solve_case(self.case, FIRST, FACTOR_ORDERS[-1])
+    @property
+    def beyond(self) -> dict[str, float]:
+        """By how many per cent of it each of `ringing` goes beyond the largest jump."""
+        return {name: 100 * overshoot(q, self.exact) for name, q in self.ringing.items()}
 
 
 def ways(case: Case) -> Iterator[Way]:

@@ -20,7 +20,7 @@ from nonsmooth.solver.stability.monodromy import NoMultipliersError
 from ..checks.fourier import GIBBS
 from ..html import filled, folded, inline
 from ..pictures import figure, files, write_all
-from .collected import Collected, collect, overshoot, steps
+from .collected import Collected, collect, steps
 from .scene_figures import FIGURES, figures_of, theory
 
 #: Part of the largest of its kind up to which a number is 0.
@@ -50,15 +50,17 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         is_body=scene.has_body,
         values=case.values,
         description=case.description,
-        exact=_times(found),
+        exact=found.exact,
+        beside=beside,
         multipliers=multipliers(found.exact),
         k=scene.k,
         smooth=" and ".join(filter(None, [", ".join(smooth[:-1]), smooth[-1]])),
         jumps=jumps,
-        ringing=_overshoots(found),
+        ringing=found.ringing,
+        beyond=found.beyond,
         gibbs=f"{100 * GIBBS:.2f}",
         rates=rates(found),
-        errors=_errors(found),
+        curves=found.curves,
         pictures={name: inline(svg, name, FIGURES[name][1]) for name, svg in pictures.items()},
         equations=equations,
         mathematics=mathematics(scene, methods(scene)),
@@ -76,27 +78,7 @@ def equations_of(source: str) -> str:
     return folded(fragment_of(derived.sections(source, (), None)))
 
 
-def _times(found: Collected) -> dict[str, Any]:
-    exact = found.exact
-    turn, extremes = exact.forcing_phase, exact.extremes
-    return {
-        "period": f"{exact.period:.12g}",
-        "forcing_phase": None if turn is None else f"{turn:.12g}",
-        "phases": [
-            {
-                "name": phase.name,
-                "duration": f"{phase.duration:.12g}",
-                **{name: _beside(vars(phase)[name], ends) for name, ends in extremes.items()},
-            }
-            for phase in exact.phases
-        ],
-        "extremes": {
-            name: tuple(f"{end:.8g}" for end in ends) for name, ends in extremes.items()
-        },
-    }
-
-
-def _beside(value: float, ends: tuple[float, float]) -> str:
+def beside(value: float, ends: tuple[float, float]) -> str:
     """Return a number as text, 0 where it is rounding beside the largest of its kind."""
     return f"{value if abs(value) > ROUNDING * max(map(abs, ends)) else 0.0:.8g}"
 
@@ -132,17 +114,6 @@ def _multiplier(value: complex, rounding: float) -> dict[str, str]:
     }  # fmt: skip
 
 
-def _overshoots(found: Collected) -> list[dict[str, str]]:
-    return [
-        {
-            "name": name,
-            "order": str(orbit.order),
-            "percent": f"{100 * max(0.0, overshoot(orbit, found.exact)):.2g}",
-        }
-        for name, orbit in found.ringing.items()
-    ]
-
-
 def rates(found: Collected) -> list[dict[str, str]]:
     """Return the measured rate of each error of each way, and what theory has for it."""
     rows = []
@@ -157,19 +128,6 @@ def rates(found: Collected) -> list[dict[str, str]]:
             row |= {name: measured.text(name), f"{name}_theory": expected}
         rows.append(row)
     return rows
-
-
-def _errors(found: Collected) -> list[dict[str, str]]:
-    """Return the error of the times of each way at its lowest and its highest order."""
-    return [
-        {
-            "name": way.name,
-            "low": f"{curve[min(curve)].times:.1e} at N = {min(curve)}",
-            "high": f"{curve[max(curve)].times:.1e} at N = {max(curve)}",
-        }
-        for way, curve in found.curves.items()
-        if curve
-    ]
 
 
 #: Every file that there may be in a report on a scene.

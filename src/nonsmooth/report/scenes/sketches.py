@@ -81,26 +81,10 @@ def mass(
     arrow(axes, (left, top + 0.3), (left + 1.0, top + 0.3), "$x$")
 
 
-def force(axes: Any, x: float, y: float = 1.3) -> None:
-    """Draw the force that drives the mass."""
-    arrow(axes, (x, y), (x + 1.2, y), DRIVEN)
-
-
-def pressed(axes: Any, x: float, top: float = 2.4) -> None:
-    """Draw the normal force on the mass."""
-    arrow(axes, (x, top + 1.8), (x, top), "")
-    words(axes, x + 0.15, top + 1.3, "$F_N$")
-
-
 def gap(axes: Any, start: float, end: float, y: float, name: str = "$g$") -> None:
     """Draw the distance between two places."""
     axes.annotate("", (end, y), xytext=(start, y), arrowprops=ARROW | {"arrowstyle": "<|-|>"})
     words(axes, (start + end) / 2, y - 0.1, name, "center", "top")
-
-
-def ground(axes: Any, start: float, end: float, y: float = 0.0) -> None:
-    """Draw the ground that a mass slides on."""
-    box(axes, start, y - 0.3, end - start, 0.3, HATCH)
 
 
 #: What draws a part of a sketch, and the arguments that it takes.
@@ -118,6 +102,9 @@ BEFORE_A_STOP: list[Part] = [
     *DRIVEN_FROM_ABOVE, (wall, 7.2, 0.0, 2.6, 1), (gap, 5.6, 7.2, 0.6)
 ]  # fmt: skip
 
+#: The normal force on a mass.
+PRESSED: list[Part] = [(arrow, (5.3, 4.2), (5.3, 2.4), ""), (words, 5.45, 3.7, "$F_N$")]
+
 #: A mass on a moving belt.
 BELT_WALL: Part = (wall, 0.4, 0.0, 2.8, -1)
 ON_A_BELT: list[Part] = [
@@ -125,7 +112,7 @@ ON_A_BELT: list[Part] = [
     *((wheel, x, -0.65, 0.75) for x in (3.2, 8.2)),
     *((line, [3.2, 8.2], [y, y], 2) for y in (0.1, -1.4)),
     (arrow, (4.7, -0.75), (6.5, -0.75), "$V$"),
-    (pressed, 5.3),
+    *PRESSED,
 ]
 
 #: By the name of the scene.
@@ -167,9 +154,9 @@ SKETCHES: dict[str, list[Part]] = {
     ],
     "dry-friction": [
         *HUNG,
-        (ground, 3.0, 9.0, 0.2),
-        (force, 5.6),
-        (pressed, 5.3),
+        (box, 3.0, -0.1, 6.0, 0.3, HATCH),  # the ground that it slides on
+        (arrow, (5.6, 1.3), (6.8, 1.3), DRIVEN),
+        *PRESSED,
         (words, 6.2, 0.35, r"$\mu_s, \mu_k$", "left", "bottom"),
     ],
     "elastic-plastic": [
@@ -183,7 +170,7 @@ SKETCHES: dict[str, list[Part]] = {
         (spring, 0.4, 4.6, 1.45, "$h$", 0.22),
         (damper, 0.4, 4.6, 0.3, "$c$"),
         (mass, 4.6, 6.6, -0.1, 3.0),
-        (force, 6.6),
+        (arrow, (6.6, 1.3), (7.8, 1.3), DRIVEN),
     ],
     "stick-slip": [BELT_WALL, (spring, 0.4, 3.6, 1.4, "$K$"), *ON_A_BELT],
     "stick-slip-damped": [
