@@ -106,7 +106,7 @@ def test_the_page_says_the_numbers(found: Collected) -> None:
     pictures = dict.fromkeys(figures.figures_of(found), '<svg viewBox="0 0 1 1"></svg>')
     assert set(pictures) == set(figures.FIGURES)
     assert set(figures.SKETCHES) >= set(NAMES)
-    text = page(found, pictures, "<h3>equations</h3>")
+    text = page(found, "<h3>equations</h3>", pictures)
     assert Elements(text).open == []
     assert not re.search(r'(?:src|href)="(?!#)', text)
     assert f"{found.exact.period:.12g}" in text

@@ -107,21 +107,18 @@ def modes_figure(found: "Sequence[Modes]") -> Figure:
     rows = math.ceil(count / pairs)
     figure = Figure(figsize=(8 * pairs, 1.2 + 1.9 * rows), layout="constrained")
     axes = figure.subplots(rows, 2 * pairs, squeeze=False, sharex=True)
-    for place in range(rows * pairs):
-        pair = axes[place % rows, 2 * (place // rows) :][:2]
-        if place < count:
-            _draw_pair(found, pair, place + 1)
-        else:
-            for panel in pair:
-                panel.remove()
-    for place in range(0, count, rows):
-        shape, jumping = axes[0, 2 * (place // rows) :][:2]
-        shape.set(title="shape")
-        jumping.set(title=f"{found[0][0].quantity}, the first that jumps")
-        last = min(place + rows, count) - 1
-        for panel in axes[last % rows, 2 * (place // rows) :][:2]:
-            panel.set(xlabel="$x$ [m]")
-            panel.tick_params(labelbottom=True)
+    panels = axes.reshape(rows, pairs, 2).swapaxes(0, 1).reshape(-1, 2)  # down each column
+    titles = ("shape", f"{found[0][0].quantity}, the first that jumps")
+    for number, pair in enumerate(panels[:count], 1):
+        _draw_pair(found, pair, number)
+        for panel, title in zip(pair, titles, strict=True):
+            if (number - 1) % rows == 0:
+                panel.set(title=title)
+            if number % rows == 0 or number == count:
+                panel.set(xlabel="$x$ [m]")
+                panel.tick_params(labelbottom=True)
+    for panel in panels[count:].flat:
+        panel.remove()
     figure.align_ylabels()
     words = f"{found[0].structure.name}: {found[0].attached.description}"
     frame(figure, axes[0, 0], words, 4)

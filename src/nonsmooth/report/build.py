@@ -14,9 +14,9 @@ from .captions import PLATES
 from .case import Case
 from .claims import CLAIMS, PARTS
 from .figures import FIGURES, claim_map
-from .intervals import SCANNED, Intervals, scan
+from .intervals import SCANNED, scan
 from .page import page
-from .pictures import LOOK, SIZE, figure, files, write_all
+from .pictures import LOOK, SIZE, figure, files, write_report
 from .workers import pool
 
 #: Names of the pictures, that of the claims last.
@@ -27,15 +27,6 @@ STEPS = SCANNED + len(PARTS) + len(PICTURES) + 1
 
 #: Every file of a report.
 FILES = files(PICTURES)
-
-
-def draw(
-    case: Case, intervals: Intervals, folder: Path, done: Callable[[str], None]
-) -> dict[str, str]:
-    """Write every picture into a folder, in each format; return the SVG by name."""
-    figures = {name: partial(figure, drawn, case) for name, drawn in FIGURES.items()}
-    claims = {"claims": partial(claim_map, case.belt, CLAIMS, intervals)}
-    return write_all(figures | claims, folder, done)
 
 
 def plate(belt: ns.StickSlip, number: int) -> Figure:
@@ -73,6 +64,6 @@ def build(belt: ns.StickSlip, folder: Path, done: Callable[[str], None]) -> None
     with pool() as processes:
         intervals = scan(belt, PARTS, done, processes.map)
     case = Case(belt)
-    pictures = draw(case, intervals, folder, done)
-    (folder / "index.html").write_text(page(case, intervals, pictures), "utf-8")
-    done("index.html")
+    pictures = {name: partial(figure, drawn, case) for name, drawn in FIGURES.items()}
+    pictures["claims"] = partial(claim_map, belt, CLAIMS, intervals)
+    write_report(folder, pictures, partial(page, case, intervals), done)

@@ -40,11 +40,16 @@ def files(names: Iterable[str]) -> set[str]:
     return {"index.html", *(name + suffix for name in names for suffix in SUFFIXES)}
 
 
-def write_all(
-    pictures: Mapping[str, Callable[[], Figure]], folder: Path, done: Callable[[str], None]
-) -> dict[str, str]:
-    """Write every picture into a folder, in each format; return the SVG by name."""
+def write_report(
+    folder: Path,
+    pictures: Mapping[str, Callable[[], Figure]],
+    page: Callable[[Mapping[str, str]], str],
+    done: Callable[[str], None],
+) -> None:
+    """Write every picture into a folder, in each format, and the page with the SVG of each."""
     for name, made in pictures.items():
         write(made, *(folder / (name + suffix) for suffix in SUFFIXES), look=LOOK)
         done(name)
-    return {name: (folder / f"{name}.svg").read_text("utf-8") for name in pictures}
+    drawn = {name: (folder / f"{name}.svg").read_text("utf-8") for name in pictures}
+    (folder / "index.html").write_text(page(drawn), "utf-8")
+    done("index.html")

@@ -106,10 +106,10 @@ def collect(case: Case, exact: ExactOrbit, done: Callable[[str], None]) -> Colle
     """
     found = list(ways(case))
     usual = list({way.method: way for way in found if way.functions in (None, 1, 2)}.values())
-    small = dict(_orbits(case, usual, SMALL))
+    small = {q.name: orbit for q in usual if (orbit := _orbit(case, q, SMALL))}
     done("orbits of low order")
-    ringing = dict(_orbits(case, [q for q in usual if about(q.method).power], RINGING))
-    ringing |= dict(_orbits(case, [q for q in usual if not about(q.method).power], SMALL))
+    orders = {q: RINGING if about(q.method).power else SMALL for q in usual}
+    ringing = {q.name: orbit for q in usual if (orbit := _orbit(case, q, orders[q]))}
     done("the derivative that jumps")
     curves = {}
     for way in found:
@@ -123,13 +123,6 @@ def _orbit(case: Case, way: Way, order: int) -> Orbit | None:
         return solve_case(case, way.method, order, way.functions)
     except (NoOrbit, ValueError):  # there is none, or the order is below the lowest
         return None
-
-
-def _orbits(case: Case, chosen: list[Way], order: int) -> Iterator[tuple[str, Orbit]]:
-    for way in chosen:
-        orbit = _orbit(case, way, order)
-        if orbit is not None:
-            yield way.name, orbit
 
 
 def _curve(case: Case, way: Way) -> dict[int, Errors]:

@@ -19,7 +19,8 @@ from nonsmooth.solver.stability.monodromy import NoMultipliersError
 
 from ..checks.fourier import GIBBS
 from ..html import filled, folded, inline
-from ..pictures import figure, files, write_all
+from ..pictures import figure, files, write_report
+from ..words import listed, signed
 from .collected import Collected, collect, steps
 from .scene_figures import FIGURES, figures_of, theory
 
@@ -30,17 +31,17 @@ ROUNDING = 1e-14
 ERRORS = ("times", "discontinuous")
 
 
-def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
+def page(found: Collected, equations: str, pictures: Mapping[str, str]) -> str:
     """Return the page as HTML that needs nothing from outside.
 
     Parameters
     ----------
     found : Collected
         What was computed.
-    pictures : dict of str to str
-        SVG by name.
     equations : str
         The derived equations, as a fragment.
+    pictures : dict of str to str
+        SVG by name.
     """
     case, scene = found.case, found.case.scene
     *smooth, jumps = ("x" + "\N{PRIME}" * order for order in range(scene.k + 2))
@@ -54,7 +55,7 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         beside=beside,
         multipliers=multipliers(found.exact),
         k=scene.k,
-        smooth=" and ".join(filter(None, [", ".join(smooth[:-1]), smooth[-1]])),
+        smooth=listed(smooth),
         jumps=jumps,
         ringing=found.ringing,
         beyond=found.beyond,
@@ -65,17 +66,6 @@ def page(found: Collected, pictures: Mapping[str, str], equations: str) -> str:
         equations=equations,
         mathematics=mathematics(scene, methods(scene)),
     )
-
-
-def equations_of(source: str) -> str:
-    """Return the equations of a scene in every expansion, as a fragment of a page.
-
-    Parameters
-    ----------
-    source : str
-        Name of the scene, or path of its file.
-    """
-    return folded(fragment_of(derived.sections(source, (), None)))
 
 
 def beside(value: float, ends: tuple[float, float]) -> str:
@@ -109,9 +99,7 @@ def _multiplier(value: complex, rounding: float) -> dict[str, str]:
     if abs(modulus - 1) <= rounding:
         stable = "neither, to rounding"
     argument = f"{cmath.phase(value):.5g}" if value else "none"
-    return {
-        "modulus": f"{modulus:.5g}", "argument": argument.replace("-", "−"), "stable": stable
-    }  # fmt: skip
+    return {"modulus": f"{modulus:.5g}", "argument": signed(argument), "stable": stable}
 
 
 def rates(found: Collected) -> list[dict[str, str]]:
@@ -158,9 +146,7 @@ def build(
         Called with what has just been done, in words.
     """
     found = collect(case, exact, done)
-    equations = equations_of(source)
+    equations = folded(fragment_of(derived.sections(source, (), None)))
     done("equations")
-    figures = {name: partial(figure, draw, found) for name, draw in figures_of(found).items()}
-    pictures = write_all(figures, folder, done)
-    (folder / "index.html").write_text(page(found, pictures, equations), "utf-8")
-    done("index.html")
+    pictures = {name: partial(figure, draw, found) for name, draw in figures_of(found).items()}
+    write_report(folder, pictures, partial(page, found, equations), done)
