@@ -144,16 +144,16 @@ def _phase(scene: "LoadedScene", p: int) -> dict[str, Any]:
 
 def _jumps(row: tuple[str, ...]) -> str | None:
     """Return what the switch at the end of a phase makes of each velocity, if it does."""
-    found = (_jump(*row[i : i + 2]) for i in range(0, len(row), 2))
-    return ", ".join(filter(None, found)) or None
+    found = (
+        f"x' -> {linear((rho, d), STATE[1::2])}"
+        for rho, d in zip(row[::2], row[1::2], strict=True)
+        if not (rho in ONE and d in ZERO)
+    )
+    return ", ".join(found) or None
 
 
-def _jump(rho: str, d: str) -> str | None:
-    """Return what the switch at the end of a phase makes of the velocity, if it does."""
-    if rho in {"1", "1.0"} and d in {"0", "0.0"}:
-        return None
-    return f"x' -> {linear((rho, d), STATE[1::2])}"
-
+#: Texts of coefficients that are 0, and 1.
+ZERO, ONE = ("0", "0.0"), ("1", "1.0")
 
 #: What a linear form is linear in.
 STATE = ("x", "x'", "cos(Omega t + phi)", "")
@@ -204,11 +204,12 @@ def linear(coefficients: tuple[str, ...], words: tuple[str, ...] = STATE) -> str
     """
     found = ""
     for coefficient, word in zip(coefficients, words, strict=True):
-        if _is_zero(coefficient):
+        if coefficient in ZERO:
             continue
-        minus, factor = _signed(coefficient)
-        term = _product(factor, word)
-        if not word:  # a constant is not put in parentheses
+        if word:
+            minus, factor = _signed(coefficient)
+            term = _product(factor, word)
+        else:  # a constant is not put in parentheses
             minus, term = coefficient.startswith("-"), coefficient.removeprefix("-")
         sign = "-" if minus else "+"
         found += f" {sign} {term}" if found else f"{'-' if minus else ''}{term}"
@@ -223,10 +224,6 @@ def _text(node: ast.expr) -> str:
     return text
 
 
-def _is_zero(text: str) -> bool:
-    return text in {"0", "0.0"}
-
-
 def _signed(text: str) -> tuple[bool, str]:
     """Return whether there is a minus before all of it, and the rest."""
     node = ast.parse(text, mode="eval").body
@@ -239,9 +236,7 @@ def _signed(text: str) -> tuple[bool, str]:
 
 
 def _product(factor: str, word: str) -> str:
-    if not word:
-        return factor
-    if factor in {"1", "1.0"}:
+    if factor in ONE:
         return word
     node = ast.parse(factor, mode="eval").body
     divided = isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub)

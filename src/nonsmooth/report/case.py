@@ -118,4 +118,4 @@ class Case:
 def at_alpha(belt: ns.StickSlip, alpha: float) -> Case:
     """Return the same oscillator under the normal force that gives this `alpha`."""
     force = belt.normal_force * (alpha / belt.alpha)
-    return Case(ns.StickSlip(**{**belt.values, "normal_force": force}))
+    return Case(belt.with_value("normal_force", force))

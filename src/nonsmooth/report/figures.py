@@ -29,7 +29,8 @@ from .words import percent
 #: Short names, for legends.
 NAMES = {name: f"{name} ({section})" for name, (section, _) in METHODS.items()}
 
-#: The look of each method, with the paper's marker: that of its like in any scene.
+#: The look of each method, with the paper's marker: that of its like in any scene.  The colours
+#: are told apart by colour-blind readers (Okabe & Ito), markers and lines in grey.
 STYLES = {"hb": about("hb").look, "hb-c1": about("hb-ck").look, "c1": about("ck").look}
 
 #: A jump misplaced by one rounding error of t/T contributes about its square root to (22).

@@ -29,8 +29,9 @@ def show(found: Collected, *names: str) -> None:
     """Draw figures of a page beside each other; names are those of `FIGURES`."""
     with mpl.rc_context(SETTINGS):
         size = (4.6 * len(names), 3.4)
-        axes = plt.subplots(1, len(names), figsize=size, layout="constrained")[1]
-        for place, name in zip([axes] if len(names) == 1 else axes, names, strict=True):
+        figure = plt.figure(figsize=size, layout="constrained")
+        axes = figure.subplots(1, len(names), squeeze=False)[0]
+        for place, name in zip(axes, names, strict=True):
             draw, _ = FIGURES[name]
             draw(place, found)
         plt.show()
