@@ -7,8 +7,6 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.solver.orbit.errors import Errors
-from nonsmooth.solver.results.family import Beside
 from nonsmooth.solver.scenes.method_names import shown
 
 if TYPE_CHECKING:
@@ -73,8 +71,8 @@ def of_family(result: "Family") -> list[dict[str, Any]]:
     constants: dict[str, Any] = {"scene": result.case.scene.name, "method": result.method}
     constants |= {"order": result.order, "functions": result.functions}
     constants |= {n: value for n, value in result.case.values.items() if n != result.parameter}
-    found, none = [], Beside(0.0, None, (), Errors(0.0, 0.0, 0.0, 0.0))
-    beside = none.numbers if any(row.beside for row in result.rows) else {}
+    beside = next((row.beside.numbers for row in result.rows if row.beside), {})
+    found = []
     for row in result.rows:
         values = row.as_dict()
         values[result.parameter] = values.pop("value")
