@@ -29,6 +29,10 @@ if TYPE_CHECKING:
 #: Part of the condition of an eigenbasis that its digits are lost by, at most.
 LOST = 1 / 32
 
+#: What a state may be, by what is added to it on the way round, at most: beyond, it is rounding
+#: over rounding, in a direction in which closing says nothing.
+LOOSE = 1e12
+
 
 @dataclass(frozen=True, eq=False)
 class Evaluation:
@@ -74,9 +78,11 @@ def _closed(closed: Matrix, offset: Matrix) -> Matrix:
     Not numbers where nothing holds the body.
     """
     try:
-        return np.asarray(np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset))
+        found = np.linalg.solve(np.eye(closed.shape[-1]) - closed, offset)
     except np.linalg.LinAlgError:
         return np.full(offset.shape, np.nan)
+    sizes, added = (np.abs(q).max(axis=(-2, -1), keepdims=True) for q in (found, offset))
+    return np.where(sizes > LOOSE * added, np.nan, found)
 
 
 def events_by_wave(cell: "BodyCell", durations: Vector) -> Matrix:

@@ -14,6 +14,9 @@ from .switch import Switch, fixed, switch
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
 
+#: Change of a mode over a cell below which closing the cell does not say where it is.
+RETURNING = 1e-7
+
 
 @dataclass(frozen=True, eq=False)
 class Part:
@@ -61,18 +64,36 @@ def shifts(cell: "BodyCell") -> Matrix:
     They are columns; `switch.fixed` says what for.
     """
     count = 2 * len(cell.body.squares)
+    returning = _returning(cell)
+    is_free = cell.sign > 0 and bool((cell.body.squares == 0).any())
     found = np.empty((count + len(cell.memory), 0))
-    if cell.sign < 0 or not (cell.body.squares == 0).any():
-        return found
-    for p in range(len(cell.phases)):
+    for p in range(len(cell.phases) if is_free or returning.size else 0):
         own = lawful(cell, p)
+        kept = np.hstack([own.still, returning]) if is_free else returning
         if p == 0:
-            found = np.vstack([own.still, np.zeros((len(cell.memory), own.still.shape[1]))])
-        beside = found[:count] - own.still @ np.linalg.pinv(own.still) @ found[:count]
+            found = np.vstack([kept, np.zeros((len(cell.memory), kept.shape[1]))])
+        beside = found[:count] - kept @ np.linalg.pinv(kept) @ found[:count]
         seen = np.vstack([beside, switch(cell, p, own.rows).state @ found - found])
         _, values, turns = np.linalg.svd(seen)
         found = found @ turns[(values > HELD * np.abs(found).max(initial=1.0)).sum() :].T
     return found
+
+
+def _returning(cell: "BodyCell") -> Matrix:
+    """Return the states of undamped modes that repeat themselves with the forcing, by column.
+
+    One phase brings them back where no law sees them; several turn them on in between, and
+    their switches see them.
+    """
+    count, found = len(cell.body.squares), np.zeros((2 * len(cell.body.squares), 0))
+    if len(cell.phases) > 1 or not cell.forced:
+        return found
+    w = np.sqrt(np.abs(cell.body.squares))
+    changes = np.abs(1 - cell.sign * np.exp(1j * w * cell.duration))
+    undamped = ~cell.body.damping.any(axis=0) & (w > 0)
+    unseen = ~lawful(cell, 0).force[:, : 2 * count].reshape(-1, 2, count).any(axis=(0, 1))
+    which = np.flatnonzero((changes <= RETURNING) & undamped & unseen)
+    return np.eye(2 * count)[:, np.concatenate([which, count + which])]
 
 
 def wave(angle: float) -> Vector:

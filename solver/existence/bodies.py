@@ -20,6 +20,7 @@ import numpy as np
 from ..arrays import Matrix, Vector
 from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
+from ..bodies.part import parts_of
 from ..kernels.start import RoughTimes, rough_times
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..simulation import homotopy
@@ -53,6 +54,9 @@ SPLIT = 17
 #: Differences of times, as parts of the cell, below which two solutions are one.
 SAME = 1e-7
 
+#: What an event without units sees, as a part of its factors, where it sees nothing.
+NOTHING = 1e-12
+
 
 def solutions(case: "Case") -> Iterator[ExactOrbit]:
     """Yield solutions of the exact equations of a body, orbits or not, each once.
@@ -78,13 +82,25 @@ def _is_stable_orbit(solution: ExactOrbit) -> bool:
 
 
 def complete(cell: "BodyCell") -> bool:
-    """Whether all solutions of a cell are listed: those of one phase under a forcing."""
-    return cell.forced and len(cell.phases) == 1
+    """Whether all solutions of a cell are listed: those of one phase under a forcing.
+
+    In a resonance its event may say nothing of the phase: then there are infinitely many.
+    """
+    if not cell.forced or len(cell.phases) > 1:
+        return False
+    event = np.abs(parts_of(cell)[0].closing.event).max()
+    return not np.abs(_of_one_phase(cell)).max() <= NOTHING * event
 
 
 def listed(cell: "BodyCell") -> bool:
     """Whether the solutions of a cell are listed as far as a scan goes."""
     return cell.forced and len(cell.phases) <= 2
+
+
+def _of_one_phase(cell: "BodyCell") -> Vector:
+    """Return the event of a cell of one phase by cos, sin, 1 of the phase of the forcing."""
+    found: Vector = events_by_wave(cell, np.array([cell.duration]))[0]
+    return found
 
 
 def slow(cell: "BodyCell") -> "BodyCell":
@@ -116,7 +132,7 @@ def _starts(cell: "BodyCell") -> Iterator[RoughTimes]:
         yield from [by_response] if by_response else []
         yield from rough_times(cell)
     elif len(cell.phases) == 1:
-        for angle in _angles(*events_by_wave(cell, np.array([cell.duration]))[0]):
+        for angle in _angles(*_of_one_phase(cell)):
             yield RoughTimes((cell.duration,), angle, "the closed form")
     else:
         yield from _scanned(cell)

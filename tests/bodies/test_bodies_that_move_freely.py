@@ -247,3 +247,35 @@ def test_few_modes_of_a_row_that_only_its_end_holds(method: str) -> None:
     case = row(force=0.4, gap=0.1, stiffness=2.0)
     order, error = (20, 1e-11) if method == "ck-tau" else (30, 1e-5)
     assert ns.solve(case, method, order).errors.times < error
+
+
+def mass_before_a_stop(**values):
+    """Return an undamped mass on a spring before a stop, as a body, and as one mass."""
+    body = Body(M=sp.eye(1), K=sp.eye(1), forcing=[1], at={"mass": [1]})
+    x, v, force = body.at["mass"].x, body.at["mass"].v, body.at["mass"].force
+    flight = Phase("flight", force, Event(x - g, jump={v: -r * v}), {"before": g - x})
+    numbers = (("gap", g, "m"), ("frequency", Omega, "rad/s"), ("restitution", r, ""))
+    parameters = tuple(Parameter(*q, values[q[0]], "") for q in numbers)
+    own = Scene("stop", "a mass", parameters, (flight,), frequency=Omega, body=body)
+    return ns.scene(own)(), ns.scene("impact")(damping=0, **values)
+
+
+@pytest.mark.parametrize("restitution", [0.5, 1.0])
+def test_a_mode_that_repeats_itself_with_the_forcing(restitution: float) -> None:
+    """Where it is, closing the cell does not say: the event does."""
+    body, mass = mass_before_a_stop(gap=0.3, frequency=1.0, restitution=restitution)
+    found, expected = ns.exact(body), ns.exact(mass)
+    assert np.sin(found.forcing_phase) == pytest.approx(0, abs=1e-14)
+    assert np.cos(found.forcing_phase) == pytest.approx(np.cos(expected.forcing_phase))
+    assert found.extremes["displacement"] == pytest.approx(expected.extremes["displacement"])
+    assert found.extremes["velocity"] == pytest.approx(expected.extremes["velocity"])
+
+
+@pytest.mark.parametrize(
+    ("frequency", "words"), [(2.0, "no real solution"), (0.5, "was found")]
+)
+def test_rounding_over_rounding_is_no_orbit(frequency: float, words: str) -> None:
+    """No velocity closes the cell, or any phase of the forcing solves it."""
+    for case in mass_before_a_stop(gap=0.3, frequency=frequency, restitution=1.0):
+        with pytest.raises(ns.NoOrbit, match=words):
+            ns.exact(case)
