@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from operator import mul
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 if TYPE_CHECKING:
     from .loaded import LoadedScene
@@ -53,7 +53,7 @@ class Phase:
     switch_demands: tuple[tuple[str, Form], ...] = ()
     memory: tuple[float, ...] = ()
 
-    def remembering(self, values: Sequence[float]) -> "Phase":
+    def remembering(self, values: Sequence[float]) -> Self:
         """Return the phase with numbers for the memory: its force, and forms without entries.
 
         Examples
@@ -64,10 +64,11 @@ class Phase:
         """
         if not self.memory:
             return self
+        width = self.width
 
         def put(form: Form) -> Form:
-            x, v, cos, constant, *factors = form
-            return x, v, cos, constant + sum(map(mul, factors, values))
+            more = sum(map(mul, form[width:], values))
+            return (*form[:3], form[3] + more, *form[4:width])
 
         force = self.f + sum(map(mul, self.memory, values))
         return replace(self.with_forms(put), f=force, memory=())
@@ -82,7 +83,7 @@ class Phase:
         """What its equation of motion is made of."""
         return self.m, self.c, self.k, self.f, self.g, self.held, self.memory
 
-    def cut(self) -> "Phase":
+    def cut(self) -> Self:
         """Return the phase as one that ends where the velocity is zero, and nothing changes."""
         event = tuple(float(j == 1) for j in range(len(self.event)))
         return replace(self, event=event, rho=1.0, d=0.0, switch_demands=())
@@ -102,7 +103,7 @@ class Phase:
             return 0.0 * v
         return (self.f + self.g * cosine - self.c * v - self.k * x) / self.m
 
-    def with_forms(self, put: Callable[[Form], Form]) -> "Phase":
+    def with_forms(self, put: Callable[[Form], Form]) -> Self:
         """Return the phase with another form in the place of each."""
         return replace(
             self,
@@ -179,10 +180,10 @@ class Cell:
         where cells are, which `phases` already says in its factors.
         """
         phase = self.phases[p]
-        signs = [self.sign if p < each.phase else 1 for each in self.memory]
+        width, signs = phase.width, [self.sign if p < each.phase else 1 for each in self.memory]
 
         def put(form: Form) -> Form:
-            return (*form[:4], *map(mul, form[4:], signs))
+            return (*form[:width], *map(mul, form[width:], signs))
 
         return replace(phase.with_forms(put), memory=tuple(map(mul, phase.memory, signs)))
 

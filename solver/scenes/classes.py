@@ -4,6 +4,9 @@ As in ``codegen/scene/smoothness.py``, with numbers put in: a derivative jumps a
 unless its jump is a combination of the forms known to vanish there.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ..arrays import Matrix, Vector
@@ -30,14 +33,8 @@ def _class(cell: Cell, p: int) -> int:
     if left.rho != 1 or left.d != 0:
         return 0
     before, after = generator(cell, left, sign), generator(cell, right, 1)
-    known = np.array(_known(cell, p, left, sign))
-    row_before, row_after = before[0], after[0]
-    for order in range(2, HIGHEST + 1):
-        row_before, row_after = row_before @ before, row_after @ after
-        size = np.abs(row_before).max() + np.abs(row_after).max()
-        if _left_over(row_after - row_before, known) > ROUNDING * max(size, 1e-300):
-            return order - 1
-    return HIGHEST
+    known = _known(cell, p, left, sign)
+    return _continuous(before[1:2], after[1:2], before, after, known)
 
 
 def _of_body(cell: BodyCell, p: int) -> int:
@@ -61,13 +58,7 @@ def _of_body(cell: BodyCell, p: int) -> int:
         if each.phase == p:
             known.append(np.array(each.value) @ rows_after[: len(each.value)])
             known[-1][states + 3 + i] -= 1.0
-    for order in range(HIGHEST - 1):
-        for row, row_after in zip(force, force_after, strict=True):
-            size = np.abs(row).max() + np.abs(row_after).max()
-            if _left_over(row_after - row, np.array(known)) > ROUNDING * max(size, 1e-300):
-                return order + 1
-        force, force_after = force @ A, force_after @ A_after
-    return HIGHEST
+    return _continuous(force, force_after, A, A_after, known)
 
 
 def _of_phase(cell: BodyCell, q: int, sign: int) -> tuple[Matrix, Matrix, Matrix]:
@@ -112,6 +103,23 @@ def _known(cell: Cell, p: int, left: Phase, sign: int) -> list[list[float]]:
             rows.append([x, v, constant, cos, 0.0, *nothing])
             rows[-1][5 + i] = -1.0
     return rows
+
+
+def _continuous(
+    rows: Matrix, rows_after: Matrix, A: Matrix, A_after: Matrix, known: Sequence[Any]
+) -> int:
+    """Return the order of the last derivative that does not jump at a switch.
+
+    Rows of what jumps with the second, over the states before and behind it, whose rates are
+    by ``A``; `known` are forms that vanish there.
+    """
+    for order in range(1, HIGHEST):
+        for row, row_after in zip(rows, rows_after, strict=True):
+            size = np.abs(row).max() + np.abs(row_after).max()
+            if _left_over(row_after - row, np.array(known)) > ROUNDING * max(size, 1e-300):
+                return order
+        rows, rows_after = rows @ A, rows_after @ A_after
+    return HIGHEST
 
 
 def _left_over(row: Vector, known: Matrix) -> float:

@@ -1,5 +1,7 @@
 """A generated scene as an object: what it is, and the parameters that make it a case."""
 
+import hashlib
+import sys
 import types
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 from ...nearest import one_of
 from . import sealed
-from .modules import module_of
 from .sealed import Kept
 
 if TYPE_CHECKING:
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 
 #: The module of a folder that holds a scene.
 SCENE = "scene"
+
+#: Generated modules that were loaded, by path and hash of the text.
+_LOADED: dict[tuple[Path, str], types.ModuleType] = {}
 
 
 class UnknownScene(ValueError):  # noqa: N818  (named like the other errors of the package)
@@ -274,4 +278,22 @@ def load_folder(folder: str | Path, kept: Kept | None = None) -> LoadedScene:
     found = sealed.read_any(path.parent) if kept is None else kept
     if not (path.is_file() if found is None else path.name in found):
         raise UnknownScene(f"scene: no {SCENE}.py in {str(folder)!r}")
-    return LoadedScene(module_of(path, found), path.parent, found)
+    return LoadedScene(_module_of(path, found), path.parent, found)
+
+
+def _module_of(path: Path, kept: Kept | None = None) -> types.ModuleType:
+    """Return the module of a file; a file that has changed is another module.
+
+    Of what was read of its folder before, `kept`, if that is given: then the files themselves
+    are not looked at.
+    """
+    text = path.read_bytes() if kept is None else kept[path.name]
+    key = path, hashlib.sha256(text).hexdigest()
+    if key not in _LOADED:
+        name = f"nonsmooth_generated_{path.stem}_{key[1][:16]}"
+        module = types.ModuleType(name)
+        module.__file__ = str(path)
+        sys.modules[name] = module  # where numba looks for it
+        exec(compile(text, str(path), "exec", dont_inherit=True), vars(module))
+        _LOADED[key] = module
+    return _LOADED[key]

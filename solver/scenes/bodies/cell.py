@@ -1,10 +1,11 @@
 """The cell of a body: the laws of its contacts, and the body in its modes, without units."""
 
+import io
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import numpy as np
 
@@ -14,10 +15,12 @@ from ...bodies.poles import poles_of
 from ..cell import Cell, Form, Phase, fields_of_cell, fields_of_phases, form_of
 from ..dimensionless import Units
 from ..parameter_error import ParameterError
-from .files import matrices_of
 
 if TYPE_CHECKING:
     from ..loaded import LoadedScene
+
+#: The file of a body's matrices, in the folder of its scene.
+MATRICES = "body.npz"
 
 #: Entries of a form for the first contact, the forcing and 1; and for each other contact.
 FIRST, OTHER = 6, 4
@@ -47,18 +50,6 @@ class BodyPhase(Phase):
     laws: tuple[Form, ...] = ()
     jumps: tuple[tuple[float, float], ...] = ()
 
-    def remembering(self, values: Sequence[float]) -> "BodyPhase":
-        """Return the phase with numbers for the memory: forms without its entries."""
-        if not self.memory:
-            return self
-        width = self.width
-
-        def put(form: Form) -> Form:
-            more = float(np.dot(form[width:], values))
-            return (*form[:3], form[3] + more, *form[4:width])
-
-        return replace(self.with_forms(put), memory=())
-
     @property
     def width(self) -> int:
         """Entries of a form, those of the memory left out."""
@@ -69,11 +60,9 @@ class BodyPhase(Phase):
         """What its laws are."""
         return tuple(map(_scaled, self.laws)), self.held, self.speed
 
-    def cut(self) -> "BodyPhase":
+    def cut(self) -> Self:
         """Return the phase as one that ends where the velocity is zero, and nothing changes."""
-        found = super().cut()
-        assert isinstance(found, BodyPhase)
-        return replace(found, jumps=((1.0, 0.0),) * len(self.laws))
+        return replace(super().cut(), jumps=((1.0, 0.0),) * len(self.laws))
 
     def leaps(self, form: Form) -> bool:
         """Whether a form may jump where the phase ends: forces and accelerations do."""
@@ -82,11 +71,9 @@ class BodyPhase(Phase):
         jumps = any(form[q] for jump, q in hit if jump != (1.0, 0.0))
         return jumps or any(form[q] for q in (*force, *a))
 
-    def with_forms(self, put: Callable[[Form], Form]) -> "BodyPhase":
+    def with_forms(self, put: Callable[[Form], Form]) -> Self:
         """Return the phase with another form in the place of each."""
-        found = super().with_forms(put)
-        assert isinstance(found, BodyPhase)
-        return replace(found, laws=tuple(map(put, self.laws)))
+        return replace(super().with_forms(put), laws=tuple(map(put, self.laws)))
 
 
 def _scaled(law: Form) -> Form:
@@ -104,12 +91,9 @@ class BodyCell(Cell):
 
     def carrying(self, p: int) -> BodyPhase:
         """Return a phase whose factors of the memory are for values as a motion has them."""
-        phase = self.phases[p]
-        if not self.memory:
-            return phase
-        signs = np.array([self.sign if p < each.phase else 1 for each in self.memory])
-        width = phase.width
-        return phase.with_forms(lambda form: (*form[:width], *(form[width:] * signs)))
+        found = super().carrying(p)
+        assert isinstance(found, BodyPhase)
+        return found
 
     def place(self, p: int) -> float | None:
         """Return None: a body is at no one place."""
@@ -219,6 +203,13 @@ def _modes(scene: "LoadedScene", entries: Entries, units: Units, modes: int | No
         raise BodyError(f"modes: got {modes:g}, more than the {size} degrees of freedom")
     jumps = scene.module.CLASS < CONTINUOUS  # whatever the order of the phases
     return modal(matrices, modes, 1.0, jumps or bool(scene.module.MEMORY))
+
+
+def matrices_of(scene: "LoadedScene") -> Mapping[str, Any]:
+    """Return the arrays of its file: of each matrix its shape and, if numeric, its entries."""
+    kept = None if scene.kept is None else scene.kept[MATRICES]
+    with np.load(scene.folder / MATRICES if kept is None else io.BytesIO(kept)) as file:
+        return dict(file)
 
 
 @lru_cache(maxsize=4)
