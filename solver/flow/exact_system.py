@@ -117,7 +117,7 @@ def linked(equations: Any, make: linking.Make) -> dict[str, Any]:
     """Return these functions and Newton's method for them, plain or compiled."""
     found = linking.made((ck, divided, responses, equations), {}, make)
     own = found["residual"], found["jacobian"], make(linking.times_of, found, False)
-    return found | {"iterate": linking.newton_of(*own, make)}
+    return found | {"iterate": linking.newton_with(*own, make)["iterate_scene"]}
 
 
 #: The functions, linked as plain Python or compiled; what compiled ones cost is kept.

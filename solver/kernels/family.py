@@ -5,12 +5,10 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from ...generated import ck
-from ..scenes.methods import about
+from ..scenes.methods import module_of
 from . import compiling
 from .compiling import COMPILE, Account, Entries, rebuilt
 from .kernel import Kernel, for_others
@@ -86,8 +84,3 @@ class Family:
         """Return them compiled by numba, for Python to call, cached where possible."""
         self.account_of(name).is_compiled = True
         return Entries(self.inner(name))
-
-
-def module_of(method: str) -> ModuleType:
-    """Return the generated module of a method."""
-    return import_module(f"{ck.__package__}.{about(method).kernel}")

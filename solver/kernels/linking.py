@@ -52,12 +52,6 @@ def linked(
     return iterate
 
 
-def newton_of(residual: Any, jacobian: Any, times_of: Any, make: Make) -> Iteration:
-    """Return `iteration.iterate_scene` for such functions, all it calls made by `make`."""
-    iterate: Iteration = newton_with(residual, jacobian, times_of, make)["iterate_scene"]
-    return iterate
-
-
 def newton_with(
     residual: Any, jacobian: Any, times_of: Any, make: Make, **constants: float
 ) -> dict[str, Any]:
@@ -75,7 +69,7 @@ def whole_period(equations: types.ModuleType, make: Make) -> dict[str, Any]:
     """Return the functions of a generated module, and Newton's method on all its unknowns."""
     found = made((equations,), {}, make)
     own = found["residual"], found["jacobian"], make(times_of, found, False)
-    return found | {"iterate": newton_of(*own, make)}
+    return found | {"iterate": newton_with(*own, make)["iterate_scene"]}
 
 
 def phase_maps(equations: types.ModuleType, make: Make) -> dict[str, Any]:

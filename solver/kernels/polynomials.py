@@ -16,10 +16,10 @@ from ..scenes.arrays import arrays_of
 from ..scenes.case import Case
 from ..scenes.loaded import LoadedScene
 from ..scenes.method_names import with_class_one
-from ..scenes.methods import about
+from ..scenes.methods import about, module_of
 from . import linking
 from .compiling import rebuilt
-from .family import Family, module_of
+from .family import Family
 
 FAMILY = Family(linking.phase_maps, linking.MAPS + linking.NEWTON, together.iterate_together)
 

@@ -2,7 +2,6 @@
 
 import hashlib
 import importlib
-import types
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,7 +10,7 @@ from ...nearest import one_of
 from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
 from ..scenes.method_names import generic, with_class_one, without_class
 from ..scenes.method_names import methods as methods  # noqa: PLC0414  (its own, too)
-from ..scenes.methods import about
+from ..scenes.methods import about, module_of
 
 if TYPE_CHECKING:
     from .compiling import Account
@@ -151,10 +150,5 @@ def mathematics(scene: LoadedScene, chosen: Iterable[str]) -> str:
     """
     wanted = {without_class(generic_method(scene, method)) for method in chosen}
     texts = [scene.module.MATHEMATICS, *(q.module.MATHEMATICS for q in scene.each_motion)]
-    texts += [f"{q} {_module(q).MATHEMATICS}" for q in sorted(wanted)]
+    texts += [f"{q} {module_of(q).MATHEMATICS}" for q in sorted(wanted)]
     return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
-
-
-def _module(method: str) -> types.ModuleType:
-    """Return the generated module of a method."""
-    return importlib.import_module(f"{_GENERATED}.{about(method).kernel}")

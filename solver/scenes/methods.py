@@ -2,12 +2,14 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from importlib import import_module
+from types import ModuleType
 from typing import Any
 
 from ...generated.methods import FIRST, METHODS
 from .method_names import without_class
 
-__all__ = ["EXACT", "FIRST", "METHODS", "About", "about", "in_order"]
+__all__ = ["EXACT", "FIRST", "METHODS", "About", "about", "in_order", "module_of"]
 
 #: What the way by the exact flow is called where methods are.
 EXACT = "exact"
@@ -59,6 +61,11 @@ def about(method: str) -> About:
     if not look.pop("filled", True):
         look["markerfacecolor"] = "white"
     return About(look=look, **own)
+
+
+def module_of(method: str) -> ModuleType:
+    """Return the generated module of a method with a kernel."""
+    return import_module(f"...generated.{about(method).kernel}", __package__)
 
 
 def in_order(methods: Iterable[str]) -> tuple[str, ...]:

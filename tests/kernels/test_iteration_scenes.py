@@ -17,6 +17,7 @@ from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import linked
 from nonsmooth.solver.kernels.start import rough_times, with_coefficients
 from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.scenes.methods import module_of
 
 IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")
@@ -182,7 +183,7 @@ def test_what_numba_does_not_count_hands_over_no_array(method, functions) -> Non
 
     kernel, case = registry.kernel(IMPACT, method, functions), IMPACT()
     of = polynomials.FAMILY if kernel.condensed else series.FAMILY
-    made = of.link(family.module_of(method), make)
+    made = of.link(module_of(method), make)
     solved = attempt(replace(kernel, iterate=made["iterate"]), case, 8, np.array([6.2, 1.0]))
     assert solved.outcome.converged
     assert len(uncounted) > 15
