@@ -11,12 +11,12 @@ equations: they cannot be taken for none.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 from numpy.polynomial import chebyshev
 
 from ..arrays import Indices, Matrix, Vector
+from ..orbit.chebyshev import interpolation
 
 #: ``function(s)`` returns D, P and Q, each of the shape of `s`; those of one row of `s` may be
 #: multiplied by a positive number of that row.
@@ -86,18 +86,9 @@ def roots(function: Function, edges: Vector) -> Roots:
     return Roots(places[order], signs[order], doubtful, parts.resolved)
 
 
-@cache
-def _nodes() -> tuple[Vector, Matrix]:
-    """Return the nodes on [-1, 1], and the matrix from values there to coefficients."""
-    nodes = chebyshev.chebpts1(DEGREE + 1)
-    matrix = chebyshev.chebvander(nodes, DEGREE) * (2 / (DEGREE + 1))
-    matrix[:, 0] /= 2
-    return np.asarray(nodes), np.asarray(matrix)
-
-
 def _pieces(function: Function, edges: Vector) -> Pieces:
     """Return interpolants on pieces between the edges, halved until they are resolved."""
-    nodes, matrix = _nodes()
+    nodes, matrix = interpolation(DEGREE)
     low, high = edges[:-1], edges[1:]
     before = np.full(len(low), np.inf)
     found: list[tuple[Vector, Vector, Matrix]] = []
@@ -174,11 +165,8 @@ def _derivative(C: Matrix, times: int) -> Matrix:
 
 def _difference(C: Matrix) -> Matrix:
     """Return the coefficients of ``D**2 - P**2 - Q**2``, of twice the degree."""
-    count = 2 * DEGREE + 1
-    nodes = chebyshev.chebpts1(count)
+    nodes, matrix = interpolation(2 * DEGREE)
     D, P, Q = C @ chebyshev.chebvander(nodes, DEGREE).T
-    matrix = chebyshev.chebvander(nodes, 2 * DEGREE) * (2 / count)
-    matrix[:, 0] /= 2
     return np.asarray(((D * D - P * P - Q * Q) @ matrix)[None])
 
 

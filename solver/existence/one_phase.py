@@ -7,13 +7,13 @@ where the rows depend on each other, none or infinitely many: no search is neede
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Matrix, Vector
-from ..flow import flow
+from ..arrays import Vector
 from ..scenes.cell import Cell
+from .two_phases import rows
 
 #: What is rounding of singular values, and of residuals, as a part of the largest.
 ROUNDING = 1e-11
@@ -45,7 +45,8 @@ def solutions(cell: Cell) -> Solutions:
     >>> [f"{phi % 6.283185307:.6f}" for *_, phi in all_of.found]
     ['0.929644', '3.734531']
     """
-    A, b = _rows(cell)
+    with np.errstate(all="ignore"):
+        A, b = (part[0] for part in rows(cell, np.array([[cell.duration]])))
     sizes = np.abs(A).max(axis=1) + np.abs(b)
     sizes[sizes == 0] = 1.0
     A, b = A / sizes[:, None], b / sizes
@@ -57,23 +58,6 @@ def solutions(cell: Cell) -> Solutions:
     if rank < len(b):
         return Solutions((), none=False)
     return _on_the_circle(particular, directions[-1])
-
-
-def _rows(cell: Cell) -> tuple[Matrix, Vector]:
-    """Return A and b of the conditions: two of continuity, and the event."""
-    (phase,), s, omega = cell.phases, cell.duration, cell.omega
-    driven = replace(phase, f=0.0)
-    by_cos, by_sin = (flow.state_at(driven, 0.0, 0.0, a, omega, s) for a in (0.0, math.pi / 2))
-    constant = np.array(flow.state_at(replace(phase, g=0.0), 0.0, 0.0, 0.0, omega, s))
-    ends = np.column_stack([flow.by_start(phase, s), by_cos, by_sin])
-    law = cell.sign * np.array([[1.0], [phase.rho]])
-    ex, ev, ec, e0 = phase.event
-    start = np.hstack([np.eye(2), np.zeros((2, 2))])
-    event = np.array([ex, ev]) @ ends
-    event[2:] += ec * np.array([math.cos(omega * s), -math.sin(omega * s)])
-    A = np.vstack([start - law * ends, event])
-    behind = law[:, 0] * constant + cell.sign * np.array([0.0, phase.d])
-    return A, np.append(behind, -(ex * constant[0] + ev * constant[1] + e0))
 
 
 def _on_the_circle(point: Vector, direction: Vector) -> Solutions:

@@ -138,7 +138,7 @@ def _determinants(cell: Cell, durations: Matrix) -> Matrix:
     """
     A, b = (
         part.reshape(*durations.shape, *part.shape[1:])
-        for part in _rows(cell, durations.ravel())
+        for part in rows(cell, _of_first(cell, durations.ravel()))
     )
     sizes = np.abs(A).max(axis=(1, 3), keepdims=True)
     sizes[~(sizes > 0)] = 1.0
@@ -150,6 +150,11 @@ def _determinants(cell: Cell, durations: Matrix) -> Matrix:
     return np.asarray(np.linalg.det(replaced))
 
 
+def _of_first(cell: Cell, first: Vector) -> Matrix:
+    """Return the durations of both phases by those of the first."""
+    return np.column_stack([first, cell.duration - first])
+
+
 def _starts(
     cell: Cell, places: Vector, signs: Vector
 ) -> tuple[tuple[tuple[float, float], float], ...]:
@@ -159,7 +164,7 @@ def _starts(
     _, P, Q = _determinants(cell, places[:, None])[:, :, 0]
     nothing = (P == 0) & (Q == 0)
     if nothing.any():
-        A, _ = _rows(cell, places[nothing])
+        A, _ = rows(cell, _of_first(cell, places[nothing]))
         free = np.linalg.svd(A / np.abs(A).max(axis=2, keepdims=True))[2][:, -1]
         P[nothing], Q[nothing] = free[:, -2], free[:, -1]
     rest = cell.duration - places
@@ -169,45 +174,45 @@ def _starts(
     )
 
 
-def _rows(cell: Cell, durations: Vector) -> tuple[Matrix, Matrix]:
-    """Return A and b of the conditions at each duration.
+def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
+    """Return A and b of the conditions of a cell at durations of its phases, shape (T, P).
 
-    Unknowns: two states, the memory, C and S.  Rows: two of continuity and the event of each
+    Unknowns: the states, the memory, C and S.  Rows: two of continuity and the event of each
     phase, and what the memory is set to.
     """
-    more = len(cell.memory)
-    count = 6 + more
-    A, b = np.zeros((len(durations), count, count)), np.zeros((len(durations), count))
-    lasts = (durations, cell.duration - durations)
-    starts = (np.zeros_like(durations), durations)
+    more, phases = len(cell.memory), len(cell.phases)
+    own, behind = slice(2 * phases, 2 * phases + more), 3 * phases
+    A = np.zeros((len(durations), behind + more, own.stop + 2))
+    b = np.zeros(A.shape[:2])
+    starts = np.cumsum(np.insert(durations, 0, 0.0, axis=1), axis=1)
     for p, phase in enumerate(cell.phases):
-        s, own, after = lasts[p], slice(2 * p, 2 * p + 2), 1 - p
-        moved, constant, unit, cosine, sine = _end(phase, cell.omega, starts[p], s)
-        ends = np.zeros((len(s), 2, count))  # the state at the end, by the unknowns
-        ends[:, :, own], ends[:, :, -2], ends[:, :, -1] = moved, cosine, sine
+        after, sign = (p + 1, 1) if p + 1 < phases else (0, cell.sign)
+        moved, constant, unit, cosine, sine = _end(
+            phase, cell.omega, starts[:, p], durations[:, p]
+        )
+        ends = np.zeros((len(A), 2, own.stop + 2))  # the state at the end, by the unknowns
+        ends[:, :, 2 * p : 2 * p + 2], ends[:, :, -2], ends[:, :, -1] = moved, cosine, sine
         for i, factor in enumerate(phase.memory):
-            ends[:, :, 4 + i] = factor * unit
-        law = (cell.sign if after == 0 else 1) * np.array([1.0, phase.rho])
-        rows = slice(3 * p, 3 * p + 2)
-        A[:, rows] = -law[:, None] * ends
-        A[:, rows, 2 * after : 2 * after + 2] += np.eye(2)
-        jump = (cell.sign if after == 0 else 1) * phase.d
-        b[:, rows] = law * constant + np.array([0.0, jump])
+            ends[:, :, own.start + i] = factor * unit
+        law = sign * np.array([1.0, phase.rho])
+        joint = slice(3 * p, 3 * p + 2)
+        A[:, joint] = -law[:, None] * ends
+        A[:, joint, 2 * after : 2 * after + 2] += np.eye(2)
+        b[:, joint] = law * constant + np.array([0.0, sign * phase.d])
         ex, ev, ec, e0, *factors = phase.event
-        angle = cell.omega * (starts[p] + s)
-        row = 3 * p + 2
+        angle, row = cell.omega * starts[:, p + 1], 3 * p + 2
         A[:, row] = ex * ends[:, 0] + ev * ends[:, 1]
         A[:, row, -2] += ec * np.cos(angle)
         A[:, row, -1] -= ec * np.sin(angle)
-        A[:, row, 4 : 4 + more] += np.array(factors)
+        A[:, row, own] += np.array(factors)
         b[:, row] = -(ex * constant[:, 0] + ev * constant[:, 1] + e0)
     for i, memory in enumerate(cell.memory):
         vx, vv, vc, v0 = memory.value
-        angle = cell.omega * starts[memory.phase]
-        A[:, 6 + i, 4 + i] = 1.0
-        A[:, 6 + i, 2 * memory.phase], A[:, 6 + i, 2 * memory.phase + 1] = -vx, -vv
-        A[:, 6 + i, -2], A[:, 6 + i, -1] = -vc * np.cos(angle), vc * np.sin(angle)
-        b[:, 6 + i] = v0
+        angle, row = cell.omega * starts[:, memory.phase], behind + i
+        A[:, row, own.start + i] = 1.0
+        A[:, row, 2 * memory.phase], A[:, row, 2 * memory.phase + 1] = -vx, -vv
+        A[:, row, -2], A[:, row, -1] = -vc * np.cos(angle), vc * np.sin(angle)
+        b[:, row] = v0
     return A, b
 
 

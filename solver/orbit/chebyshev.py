@@ -60,11 +60,11 @@ class Piece:
 
 
 @cache
-def _nodes() -> tuple[Vector, Matrix]:
-    """Return the nodes on [-1, 1], and the matrix from values there to coefficients."""
-    nodes = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
-    matrix = chebyshev.chebvander(nodes, DEGREE).T * (2 / (DEGREE + 1))
-    matrix[0] /= 2
+def interpolation(degree: int) -> tuple[Vector, Matrix]:
+    """Return the nodes of a degree on [-1, 1], and what takes values there to coefficients."""
+    nodes = np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
+    matrix = chebyshev.chebvander(nodes, degree) * (2 / (degree + 1))
+    matrix[:, 0] /= 2
     return np.asarray(nodes), np.asarray(matrix)
 
 
@@ -79,12 +79,12 @@ def pieces(function: Function, size: float = 0.0) -> list[Piece]:
         Of what it is the sum or difference of, where that is larger than its own values: it
         need not be resolved below the rounding errors of that.
     """
-    nodes, matrix = _nodes()
+    nodes, matrix = interpolation(DEGREE)
     found: list[Piece] = []
     starts, length, before = np.zeros(1), 1.0, np.full(1, np.inf)
     while len(starts):  # pieces of one length at a time
         values = function((starts[:, None] + length * (1 + nodes) / 2).ravel())
-        coefficients = values.reshape(len(starts), -1) @ matrix.T
+        coefficients = values.reshape(len(starts), -1) @ matrix
         size = max(size, float(np.abs(values).max()))
         last = np.abs(coefficients[:, -LAST:]).max(axis=1)
         only_noise = (last <= NOISE * size) & (last > before / 100)
