@@ -5,7 +5,7 @@ from itertools import islice
 
 import numpy as np
 
-from .existence.known import is_stable, known, known_orbits
+from .existence.known import known, known_orbits
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .in_order import settled_cases
 from .kernels.start import PATIENCE, RoughTimes, rough_times
@@ -14,6 +14,7 @@ from .orbit.exact_orbit import ExactOrbit, from_times
 from .scenes.case import Case
 from .scenes.orders import OrderedScene
 from .simulation.settle import FEW, PHASES, rough_times_by_simulation
+from .stability.stability import is_stable
 
 __all__ = ["ExactOrbit", "exact_orbit"]
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 
 from .exact import ExactOrbit, exact_orbit, settled_orbit
-from .existence.known import is_stable, known, known_orbits, stable_first
+from .existence.known import known, known_orbits, stable_first
 from .in_order import cases_in_order
 from .kernels import registry
 from .no_orbit import NoOrbit, of_any_motion
@@ -12,6 +12,7 @@ from .results.orbit import Orbit
 from .scenes.case import Case
 from .scenes.methods import FIRST
 from .search import COARSE, Search, search_of
+from .stability.stability import is_stable
 
 
 def solve_case(

@@ -10,7 +10,6 @@ the time of the starts all around.  These follow where it is no stable orbit.
 """
 
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -22,9 +21,10 @@ from ..bodies.exact import events_by_wave
 from ..bodies.modal import Modal
 from ..bodies.part import parts_of
 from ..kernels.start import RoughTimes, rough_times
+from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
 from ..simulation import homotopy
-from ..stability.monodromy import NoMultipliersError
+from ..stability.stability import is_stable
 
 if TYPE_CHECKING:
     from ..scenes.bodies.cell import BodyCell
@@ -70,15 +70,8 @@ def solutions(case: "Case") -> Iterator[ExactOrbit]:
             continue
         found.append(solution)
         yield solution
-        if start.words == homotopy.WORDS and _is_stable_orbit(solution):
+        if start.words == homotopy.WORDS and solution.admissible and is_stable(solution):
             return
-
-
-def _is_stable_orbit(solution: ExactOrbit) -> bool:
-    """Whether a solution is an orbit of which it can be told that it is stable."""
-    with suppress(NoMultipliersError):
-        return solution.admissible and solution.stable is True
-    return False
 
 
 def complete(cell: "BodyCell") -> bool:
@@ -212,7 +205,4 @@ def _both(cell: "BodyCell", parts: Vector) -> Matrix:
 
 def _same(one: ExactOrbit, other: ExactOrbit) -> bool:
     """Whether two solutions have the same times."""
-    turn = np.remainder(one.angle - other.angle + np.pi, 2 * np.pi) - np.pi
-    total = float(np.sum(one.cell_durations))
-    off = float(np.abs(one.cell_durations - other.cell_durations).max()) / total
-    return bool(max(off, abs(turn) / (2 * np.pi)) <= SAME)
+    return times_apart(one, other.cell_durations, other.angle) <= SAME

@@ -16,12 +16,12 @@ import numpy as np
 from ..flow.exact_system import exact_kernel
 from ..iteration.newton import Outcome
 from ..kernels.start import RoughTimes
+from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
-from ..orbit.motion import Motion
 from ..scenes.bodies.cell import BodyCell
 from ..scenes.case import Case
 from ..scenes.orders import OrderedScene
-from ..stability.monodromy import NoMultipliersError
+from ..stability.stability import is_stable
 from . import bodies, one_phase, two_phases
 
 #: Differences of times, as parts of a cell, below which two solutions are one.
@@ -122,14 +122,6 @@ def stable_first(orbits: Iterable[ExactOrbit]) -> list[ExactOrbit]:
     return orbits if len(orbits) < 2 else sorted(orbits, key=lambda q: is_stable(q) is not True)
 
 
-def is_stable(orbit: Motion) -> bool | None:
-    """Return whether an orbit is stable; None where that cannot be told."""
-    try:
-        return orbit.stable
-    except NoMultipliersError:
-        return None
-
-
 def _sorted(found: Iterable[ExactOrbit], complete: bool) -> Known:
     found = list(found)
     orbits = tuple(stable_first(q for q in found if q.admissible))
@@ -141,12 +133,7 @@ def _apart(orbit: ExactOrbit, durations: tuple[float, ...], angle: float) -> flo
     """Return how far the times of a solution are from others, as a part of the cell."""
     if not orbit.outcome.converged:
         return math.inf
-    cell = orbit.case.cell
-    off = float(np.abs(orbit.cell_durations - durations).max())
-    if not cell.forced:
-        return off / float(np.sum(durations))
-    turn = math.remainder(orbit.angle - angle, 2 * math.pi)
-    return max(abs(turn) / cell.omega, off) / cell.duration
+    return times_apart(orbit, durations, angle)
 
 
 def _same(one: ExactOrbit, other: ExactOrbit) -> bool:

@@ -7,17 +7,16 @@ must fall where the event that ends the phase is the end of the demand.
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
-from ..arrays import Vector
 from ..scenes.cell import Form
 from ..simulation.followers import not_followed
 from . import chebyshev
 from .crossings import met_before
-from .extremes import LOOK
-from .forms import scale_of, terms, vanishes_by_event
-from .motion import Motion, OrbitPhase
+from .forms import scale_of, value, value_at, vanishes_by_event
+from .motion import LOOK, Motion, OrbitPhase
 
 #: What a demand may be below 0, as a part of its scale, where rounding is all that is off.
 ROUNDING = 1e-9
@@ -89,8 +88,7 @@ def is_seen_violated(orbit: Motion) -> bool:
     if not (np.isfinite(durations).all() and (durations > 0).all()):
         return False
     return any(
-        float(terms(orbit, p, form, LOOK).sum(axis=0).min())
-        < -ROUNDING * scale_of(orbit, p, form)
+        float(value(orbit, p, form, LOOK).min()) < -ROUNDING * scale_of(orbit, p, form)
         for p, phase in enumerate(orbit.cell.phases)
         for _, form in phase.demands
     )
@@ -99,7 +97,7 @@ def is_seen_violated(orbit: Motion) -> bool:
 def _unmet(orbit: Motion, unmet: float) -> list[str]:
     """Return that the first phase ends before its event or beyond it, if it does."""
     phase = orbit.cell.phases[0]
-    begin, end = terms(orbit, 0, phase.event, np.array([0.0, 1.0])).sum(axis=0)
+    begin, end = value(orbit, 0, phase.event, np.array([0.0, 1.0]))
     off = float(end / begin) if begin else np.inf
     if abs(off) <= unmet:
         return []
@@ -115,7 +113,7 @@ def _with_unmet(orbit: Motion, allowed: Allowance, unmet: float) -> Allowance:
     def more(p: int, form: Form) -> float:
         if p or not vanishes_by_event(orbit, p, form):
             return allowed(p, form)
-        begin = float(terms(orbit, p, form, np.zeros(1)).sum())
+        begin = value_at(orbit, p, form, 0.0)
         return max(allowed(p, form), unmet * abs(begin) / scale_of(orbit, p, form))
 
     return more
@@ -133,13 +131,12 @@ def _too_late(orbit: Motion, p: int, allowed: Allowance) -> list[str]:
 
 def _at_switch(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
     """Return how a demand where a phase ends is violated, if it is."""
-    scale = scale_of(orbit, p, form)
-    value = float(terms(orbit, p, form, np.ones(1)).sum())
-    if value >= -ROUNDING * scale or value >= -allowed(p, form) * scale:
+    scale, below = scale_of(orbit, p, form), -value_at(orbit, p, form, 1.0)
+    if below <= ROUNDING * scale or below <= allowed(p, form) * scale:
         return []
     return [
         f"where {orbit.cell.phases[p].name} ends, not true that {words}: by "
-        f"{-value / scale:.3g} of its size {_state(orbit, p, 1.0)} "
+        f"{below / scale:.3g} of its size {_state(orbit, p, 1.0)} "
         f"(allowed: {allowed(p, form):.2g})"
     ]
 
@@ -192,20 +189,17 @@ def _held(orbit: Motion, p: int) -> list[str]:
 def _demand(orbit: Motion, p: int, words: str, form: Form, allowed: Allowance) -> list[str]:
     """Return how a demand on a phase is violated, if it is."""
     phase, scale = orbit.cell.phases[p], scale_of(orbit, p, form)
-
-    def value(u: Vector) -> Vector:
-        return np.asarray(terms(orbit, p, form, u).sum(axis=0))
-
+    along = partial(value, orbit, p, form)
     if not np.isfinite(scale):
         return [f"in {phase.name}, where {words}: the motion is not finite"]
-    parts = chebyshev.pieces(value, scale)
+    parts = chebyshev.pieces(along, scale)
     if not all(part.resolved for part in parts):
         return [
             f"in {phase.name}, where {words}: the motion has more waves than can be followed, "
             "or is smaller than rounding"
         ]
     points = chebyshev.candidates(parts)
-    values = value(points)
+    values = along(points)
     worst = int(np.argmin(values))
     below = -float(values[worst])
     if below > ROUNDING * scale and below > allowed(p, form) * scale:

@@ -10,6 +10,7 @@ before the one that jumps.  It excuses sizes only, never the direction in which 
 crossed nor a phase without duration, by which spurious roots are told.
 """
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -18,9 +19,8 @@ from ..arrays import Vector
 from ..scenes.cell import Form
 from . import chebyshev
 from .admissible import ROUNDING, Allowance, only_rounding
-from .extremes import LOOK
 from .forms import scale_of
-from .motion import Motion
+from .motion import LOOK, Motion
 
 #: Times the measured error, for the errors of the start of each phase and the growth since.
 FACTOR = 2.0
@@ -35,20 +35,18 @@ def defect(orbit: Motion, p: int) -> tuple[float, float]:
     Both without units; on a held phase the residual is the acceleration.  Where a phase is
     held at one place, the errors of both are what they differ from rest there.
     """
-    cell, durations = orbit.cell, orbit.cell_durations
-    phase, s = cell.phases[p], float(durations[p])
-    place = cell.place(p)
+    phase, s = orbit.cell.phases[p], float(orbit.cell_durations[p])
+    place = orbit.cell.place(p)
     if place is not None:
         x, v = (orbit.part(p, LOOK, j) for j in (0, 1))
         return float(np.abs(v).max()), float(np.abs(x - place).max())
-    angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
 
     def terms(u: Vector) -> Vector:
         if phase.held:
             return np.array([orbit.part(p, u, 2)])
-        x, v, a = (orbit.part(p, u, j) for j in (0, 1, 2))
-        parts = phase.accelerations(x, v, np.cos(angle + cell.omega * s * u))
-        return np.array([a, *(-part for part in parts)])
+        x, v, cosine, _ = orbit.signals(p, u)
+        parts = phase.accelerations(x, v, cosine)
+        return np.array([orbit.part(p, u, 2), *(-part for part in parts)])
 
     def residual(u: Vector) -> Vector:
         return np.asarray(terms(u).sum(axis=0))
@@ -70,13 +68,11 @@ def by_residual(orbit: Motion) -> Allowance:
         velocity, displacement = map(max, zip(*found, strict=True))
         return velocity, displacement
 
-    def allowed(p: int, form: Form) -> float:
-        scale = scale_of(orbit, p, form)
+    def error(p: int, form: Form) -> float:
         velocity, displacement = errors()
-        error = abs(form[0]) * displacement + abs(form[1]) * velocity
-        return min(MOST, max(ROUNDING, FACTOR * error / scale)) if scale else ROUNDING
+        return abs(form[0]) * displacement + abs(form[1]) * velocity
 
-    return allowed
+    return _by(orbit, error)
 
 
 def by_neighbour(orbit: Motion, near: Motion | None) -> Allowance:
@@ -92,9 +88,15 @@ def by_neighbour(orbit: Motion, near: Motion | None) -> Allowance:
         off: Vector = np.abs(orbit.signals(p, LOOK) - near.signals(p, LOOK)).max(axis=1)
         return off
 
+    return _by(orbit, lambda p, form: float(np.abs(form) @ apart(p)))
+
+
+def _by(orbit: Motion, error: Callable[[int, Form], float]) -> Allowance:
+    """Return what is allowed by the error of each form on each phase."""
+
     def allowed(p: int, form: Form) -> float:
         scale = scale_of(orbit, p, form)
-        off = float(np.abs(form) @ apart(p))
-        return min(MOST, max(ROUNDING, FACTOR * off / scale)) if scale else ROUNDING
+        excused = FACTOR * error(p, form) / scale if scale else 0.0
+        return min(MOST, max(ROUNDING, excused))
 
     return allowed

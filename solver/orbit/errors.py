@@ -10,8 +10,7 @@ import numpy as np
 
 from ..arrays import Vector
 from . import chebyshev
-from .extremes import LOOK
-from .motion import Motion
+from .motion import LOOK, Motion
 from .quadrature import panels
 
 
@@ -48,19 +47,23 @@ def difference(found: Motion, reference: Motion, waves: int) -> Errors:
     waves : int
         Most waves of either on a phase, for quadrature.
     """
-    cell = found.case.cell
     here, there = found.cell_durations, reference.cell_durations
-    total = float(np.sum(there))
-    times = float(np.abs(here - there).max())
-    if cell.forced:
-        turn = math.remainder(found.angle - reference.angle, 2 * math.pi)
-        times = max(times, abs(turn) / cell.omega)
     return Errors(
-        period=float(np.sum(here - there)) / total,
-        times=times / (total * cell.cells),
+        period=float(np.sum(here - there)) / float(np.sum(there)),
+        times=times_apart(found, there, reference.angle) / found.case.cell.cells,
         discontinuous=_of_derivative(found, reference, waves),
         switches=_of_switches(found, reference),
     )
+
+
+def times_apart(found: Motion, durations: Vector | tuple[float, ...], angle: float) -> float:
+    """Return how far the times of a motion are from others, as a part of a cell."""
+    cell = found.case.cell
+    off = float(np.abs(found.cell_durations - durations).max())
+    if cell.forced:
+        turn = math.remainder(found.angle - angle, 2 * math.pi)
+        off = max(off, abs(turn) / cell.omega)
+    return off / float(np.sum(durations))
 
 
 def _of_switches(found: Motion, reference: Motion) -> float:

@@ -7,23 +7,14 @@ from ..scenes.cell import Form
 from .motion import Motion
 
 
-def terms(orbit: Motion, p: int, form: Form, u: Vector) -> Vector:
-    """Return the terms of a linear form in the state, at local times of a phase."""
-    cell, durations = orbit.cell, orbit.cell_durations
-    if orbit.case.scene.has_body:
-        return np.asarray(np.array(form)[:, None] * orbit.signals(p, u))
-    angle = orbit.angle + cell.omega * float(np.sum(durations[:p]))
-    cosine = np.cos(angle + cell.omega * durations[p] * u)
-    x, v, cos, constant = form
-    zero = np.zeros(len(u))
-    return np.array(
-        [
-            x * orbit.part(p, u, 0) if x else zero,
-            v * orbit.part(p, u, 1) if v else zero,
-            cos * cosine,
-            np.full(len(u), constant),
-        ]
-    )
+def value(orbit: Motion, p: int, form: Form, u: Vector) -> Vector:
+    """Return a linear form in the state, at local times of a phase."""
+    return np.asarray(np.array(form) @ orbit.signals(p, u))
+
+
+def value_at(orbit: Motion, p: int, form: Form, u: float) -> float:
+    """Return a linear form in the state, at one local time of a phase."""
+    return float(value(orbit, p, form, np.array([u]))[0])
 
 
 def scale_of(orbit: Motion, p: int, form: Form) -> float:

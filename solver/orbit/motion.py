@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, fields
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -14,10 +14,11 @@ from ..kernels.kernel import Kernel
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..stability.stability import Stability, stability
-from .extremes import LOOK, extremes
+from . import chebyshev
 
-#: Points of a phase, at most, at which values are kept.
-FEW = len(LOOK)
+#: Points of a phase at which the size of a motion is looked at; at so many, at most, values
+#: are kept.
+LOOK = np.linspace(0.0, 1.0, 65)
 
 
 @dataclass(frozen=True)
@@ -106,7 +107,7 @@ class Motion:
 
         Checks look at the same few points of a phase many times: what was found is kept.
         """
-        if len(u) > FEW:
+        if len(u) > len(LOOK):
             return self._part(p, u, derivative)
         key = p, derivative, u.tobytes()
         if key not in self._parts:
@@ -118,10 +119,22 @@ class Motion:
         values = self._kernel.motion(self._given, self.outcome.unknowns, p, u, derivative)
         return np.broadcast_to(np.asarray(values, dtype=float), np.shape(u))
 
+    def angle_at(self, p: int, u: Vector) -> Vector:
+        """Return the phase of the forcing at local times of phase `p` of the cell."""
+        durations, omega = self.cell_durations, self.case.cell.omega
+        begin = self.angle + omega * float(np.sum(durations[:p]))
+        return np.asarray(begin + omega * durations[p] * u)
+
     def signals(self, p: int, u: Vector) -> Matrix:
-        """Return what linear forms are of on phase `p`, of a body; shape (S, len(u))."""
-        assert self._kernel.signals is not None
-        return self._kernel.signals(self._given, self.outcome.unknowns, p, u)
+        """Return what linear forms are of on phase `p`, without units; shape (S, len(u)).
+
+        Of one mass x, x', the cosine of the forcing and 1; of a body see `BodyPhase`.
+        """
+        if self.case.scene.has_body:
+            assert self._kernel.signals is not None
+            return self._kernel.signals(self._given, self.outcome.unknowns, p, u)
+        x, v = (self.part(p, u, j) for j in (0, 1))
+        return np.array([x, v, np.cos(self.angle_at(p, u)), np.ones(len(u))])
 
     @cached_property
     def _parts(self) -> dict[tuple[int, int, bytes], Vector]:
@@ -163,23 +176,12 @@ class Motion:
 
     @cached_property
     def sizes(self) -> Matrix:
-        """Sizes of x, x', the cosine of the forcing and 1 on each phase, without units.
+        """Sizes of all `signals` on each phase, as large as makes their rounding no violation.
 
-        Of a body those of all `signals`, and as large as makes their rounding no violation.
-
-        The largest of 65 values on each, enough for a scale.
+        The largest of 65 values on each, enough for a scale; shape (P, S).
         """
-        cell, durations = self.case.cell, self.cell_durations
-        if self.case.scene.has_body:
-            seen = ((p, np.abs(self.signals(p, LOOK)).max(axis=1)) for p in self._of_cell)
-            return np.array([np.maximum(each, self._least_sizes(p)) for p, each in seen])
-        found = np.ones((len(cell.phases), 4))
-        for p, s in enumerate(durations):
-            angle = self.angle + cell.omega * float(np.sum(durations[:p]))
-            cosine = np.cos(angle + cell.omega * s * LOOK)
-            rows = (self.part(p, LOOK, 0), self.part(p, LOOK, 1), cosine)
-            found[p, :3] = [np.abs(row).max() for row in rows]
-        return found
+        seen = ((p, np.abs(self.signals(p, LOOK)).max(axis=1)) for p in self._of_cell)
+        return np.array([np.maximum(each, self._least_sizes(p)) for p, each in seen])
 
     def _least_sizes(self, p: int) -> Vector | float:
         """Return what the sizes of `signals` on a phase are at least, by their rounding."""
@@ -240,10 +242,18 @@ class Motion:
     @cached_property
     def extremes(self) -> dict[str, tuple[float, float]]:
         """Least and largest displacement in m, and velocity in m/s, over a period."""
-        return {
-            name: extremes(self, derivative)
-            for derivative, name in enumerate(("displacement", "velocity"))
-        }
+        return {name: self._ends(j) for j, name in enumerate(("displacement", "velocity"))}
+
+    def _ends(self, derivative: int) -> tuple[float, float]:
+        """Return the least and the largest value of a derivative, between critical points."""
+        parts = [partial(self.part, p, derivative=derivative) for p in self._of_cell]
+        size = max(float(np.abs(part(LOOK)).max()) for part in parts)
+        low, high = np.transpose([chebyshev.extremes(part, size) for part in parts])
+        least, largest = float(low.min()), float(high.max())
+        if self.case.cell.sign < 0:
+            least, largest = min(least, -largest), max(largest, -least)
+        unit = self.case.units.of_motion(derivative)
+        return least * unit, largest * unit
 
     @cached_property
     def stability(self) -> Stability:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..presentation.notebook import facts, svg
 from ..presentation.table import COURSE, Table, Tabular
-from ..stability.monodromy import NoMultipliersError
+from ..stability.stability import is_stable
 from .motion import Motion
 
 #: Times over one period at which the course of a motion is given.
@@ -58,10 +58,7 @@ class Shown(Motion, Tabular):
     @property
     def _verdict(self) -> str:
         """Whether it is stable, in a word behind a comma; empty where that is not known."""
-        try:
-            stable = self.stable
-        except NoMultipliersError:
-            return ""
+        stable = is_stable(self)
         return "" if stable is None else ", stable" if stable else ", unstable"
 
     def plot(self, ax: Any = None, quantity: str = "plane", **style: Any) -> Any:

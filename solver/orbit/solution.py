@@ -15,7 +15,7 @@ from ..scaling import product_of_powers
 from ..scenes.case import Case
 from . import admissible
 from .allowance import by_neighbour, by_residual
-from .errors import Errors, difference
+from .errors import Errors, difference, times_apart
 from .exact_orbit import ExactOrbit, from_times
 from .shown import Shown
 
@@ -120,18 +120,15 @@ class Solution(Shown):
     @cached_property
     def _far(self) -> tuple[str, ...]:
         """What keeps a solution of a body from being judged: no exact one is next to it."""
-        near = self._exact_solution
-        if near is not None and difference(self, near, self.order).times <= FAR:
+        if self._neighbour is not None:
             return ()
         return ("no exact solution is next to it: the order does not resolve the contact",)
 
     @cached_property
     def _disproof(self) -> tuple[str, ...]:
         """What the exact solution next to this one violates."""
-        near = self._exact_solution
+        near = self._neighbour
         if near is None or near.admissible:
-            return ()
-        if difference(self, near, self.order).times > FAR:
             return ()
         words = f"the exact solution next to it is not an orbit: {'; '.join(near.violations)}"
         return (words,)
@@ -147,6 +144,15 @@ class Solution(Shown):
         own = RoughTimes(tuple(map(float, self.cell_durations)), self.angle, "its own times")
         found = from_times(self.case, own)
         return found if found.outcome.converged else None
+
+    @cached_property
+    def _neighbour(self) -> ExactOrbit | None:
+        """The same, if it is next to this one."""
+        near = self._exact_solution
+        if near is None:
+            return None
+        off = times_apart(self, near.cell_durations, near.angle) / self.case.cell.cells
+        return near if off <= FAR else None
 
     @property
     def exact(self) -> ExactOrbit | None:

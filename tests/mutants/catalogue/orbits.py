@@ -68,14 +68,14 @@ MUTANTS = (
     Mutant(
         "scan: half a period is not mirrored",
         "solver/existence/two_phases.py",
-        "law = (cell.sign if after == 0 else 1)",
-        "law = 1",
+        "law = sign * np.array",
+        "law = 1 * np.array",
         SCAN,
     ),
     Mutant(
         "scan: the memory does not move the events",
         "solver/existence/two_phases.py",
-        "A[:, row, 4 : 4 + more] += np.array(factors)",
+        "A[:, row, own] += np.array(factors)",
         "pass",
         SCAN,
     ),
@@ -152,8 +152,8 @@ MUTANTS = (
     Mutant(
         "the phase of the forcing goes the long way round",
         "solver/orbit/errors.py",
-        "turn = math.remainder(found.angle - reference.angle, 2 * math.pi)",
-        "turn = found.angle - reference.angle",
+        "turn = math.remainder(found.angle - angle, 2 * math.pi)",
+        "turn = found.angle - angle",
         (f"{ORBITS}::test_errors_of_the_forcing_phase_go_the_short_way_round",),
     ),
     Mutant(

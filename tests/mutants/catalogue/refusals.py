@@ -55,8 +55,8 @@ MUTANTS = (
     Mutant(
         "an expansion may violate its demands by any amount",
         "solver/orbit/allowance.py",
-        "return min(MOST, max(ROUNDING, FACTOR * error / scale))",
-        "return max(1e9, max(ROUNDING, FACTOR * error / scale))",
+        "return min(MOST, max(ROUNDING, excused))",
+        "return max(1e9, max(ROUNDING, excused))",
         ADMISSIBLE,
     ),
     Mutant(
@@ -69,7 +69,7 @@ MUTANTS = (
     Mutant(
         "what is demanded at a switch is not looked at",
         "solver/orbit/admissible.py",
-        "if value >= -ROUNDING * scale or value >= -allowed(p, form) * scale:",
+        "if below <= ROUNDING * scale or below <= allowed(p, form) * scale:",
         "if True:",
         WRONG,
     ),

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nonsmooth.solver.existence.known import is_stable, others
+from nonsmooth.solver.existence.known import others
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.method_names import shown
 from nonsmooth.solver.stability.in_words import VERDICTS, in_words
+from nonsmooth.solver.stability.stability import is_stable
 
 from ...columns import (
     MORE_DIGITS,
