@@ -15,8 +15,7 @@ from .kernels import registry
 from .kernels.kernel import Kernel
 from .kernels.start import PATIENCE, is_reversible, is_singular, rough_times
 from .no_orbit import NoOrbit
-from .orbit.attempt import attempt
-from .orbit.solution import Solution
+from .orbit.solution import Solution, attempt
 from .results.orbit import Orbit
 from .scenes.case import Case
 from .scenes.methods import FIRST, about

@@ -19,10 +19,9 @@ import numpy as np
 
 from ..flow.exact_system import exact_kernel, unknowns_of
 from ..kernels import registry
-from ..orbit.attempt import attempt
 from ..orbit.errors import Errors, difference
 from ..orbit.motion import Motion
-from ..orbit.solution import Solution
+from ..orbit.solution import Solution, attempt
 from ..scenes.methods import FIRST
 
 #: The order of the better orbit: so many more than the orbit's, and no less than that; nor more

@@ -15,8 +15,7 @@ from ..maps import together
 from ..scenes.arrays import arrays_of
 from ..scenes.case import Case
 from ..scenes.loaded import LoadedScene
-from ..scenes.method_names import with_class_one
-from ..scenes.methods import about, module_of
+from ..scenes.methods import about, module_of, with_class_one
 from . import linking
 from .compiling import rebuilt
 from .family import Family

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 
 from ...nearest import one_of
 from ..scenes.loaded import SCENE, LoadedScene, UnknownScene
-from ..scenes.method_names import generic, with_class_one, without_class
-from ..scenes.method_names import methods as methods  # noqa: PLC0414  (its own, too)
-from ..scenes.methods import about, module_of
+from ..scenes.methods import about, generic, module_of, with_class_one, without_class
+from ..scenes.methods import methods as methods  # noqa: PLC0414  (its own, too)
 
 if TYPE_CHECKING:
     from .compiling import Account

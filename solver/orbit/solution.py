@@ -10,7 +10,7 @@ from ..arrays import Vector
 from ..iteration.newton import Outcome
 from ..kernels import registry
 from ..kernels.kernel import Kernel
-from ..kernels.start import RoughTimes
+from ..kernels.start import RoughTimes, solved
 from ..scaling import product_of_powers
 from ..scenes.case import Case
 from . import admissible
@@ -164,3 +164,21 @@ class Solution(Shown):
     def errors(self) -> Errors | None:
         """Errors against the exact orbit; None if there is none to be found."""
         return None if self.exact is None else difference(self, self.exact, self.order)
+
+
+def attempt(
+    kernel: Kernel, case: Case, order: int, times: Vector, functions: int | None = None
+) -> Solution:
+    """Return where Newton's method leads from rough times: an orbit only if it says so.
+
+    Parameters
+    ----------
+    times : ndarray
+        Durations and, if the scene is forced, the phase of the forcing; without units.
+    functions : int, optional
+        See `Solution`.
+    """
+    with kernel.spending():
+        given = kernel.given(case, order)
+        outcome = solved(kernel, given, kernel.size(order), times)
+    return Solution(case, kernel.method, order, outcome, outcome.iterations, functions)

@@ -13,7 +13,7 @@ from ..flow.exact_system import exact_kernel
 from ..kernels import registry
 from ..kernels.kernel import Kernel
 from ..no_orbit import NoOrbit
-from ..orbit.attempt import attempt
+from ..orbit.solution import attempt
 from ..scaling import equilibrated
 from ..scenes.case import Case
 from ..scenes.cell import Cell

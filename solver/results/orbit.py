@@ -11,8 +11,7 @@ from ..existence.known import others
 from ..orbit.errors import Errors
 from ..orbit.exact_orbit import ExactOrbit
 from ..orbit.solution import Solution
-from ..scenes.method_names import shown
-from ..scenes.methods import about
+from ..scenes.methods import about, shown
 from ..stability.in_words import in_words
 from ..stability.stability import Stability
 from .document import document

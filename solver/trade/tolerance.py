@@ -11,12 +11,11 @@ from ..existence.known import known_orbits
 from ..kernels import registry
 from ..no_orbit import NoOrbit
 from ..orbit import solution
-from ..orbit.attempt import attempt
 from ..orbit.errors import Errors, difference
+from ..orbit.solution import attempt
 from ..results.orbit import Orbit
 from ..scenes.case import Case
-from ..scenes.method_names import shown
-from ..scenes.methods import FIRST, about
+from ..scenes.methods import FIRST, about, shown
 from ..scenes.parameter_error import is_number
 from ..search import COARSE, HIGHEST_ORDER
 from ..solve import number_of_functions, solve_case, with_motion

@@ -21,7 +21,7 @@ import numpy as np
 
 from .solver.existence.real_roots import Polynomial, isolate, refine
 from .solver.kernels.registry import kernel
-from .solver.orbit.attempt import attempt
+from .solver.orbit.solution import attempt
 
 if TYPE_CHECKING:
     from .kim_perkins import StickSlip

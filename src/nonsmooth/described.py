@@ -10,8 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.scenes.methods import in_order
+from nonsmooth.solver.scenes.methods import in_order, shown
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene

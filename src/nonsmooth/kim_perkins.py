@@ -22,7 +22,7 @@ from .solver.orbit.solution import Solution
 from .solver.results.orbit import Orbit
 from .solver.scaling import product_of_powers
 from .solver.scenes.case import Case
-from .solver.scenes.method_names import shown
+from .solver.scenes.methods import shown
 from .solver.scenes.parameter_error import ParameterError
 
 #: The scene, and its parameters in Section 4.  The paper does not give F_N; 400 N is assumed:

@@ -21,9 +21,9 @@ from nonsmooth.solver.existence import one_phase
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
-from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.orbit.errors import difference
 from nonsmooth.solver.orbit.exact_orbit import from_times
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.precision import exact_balls
 from nonsmooth.solver.precision.digits import condition
 from nonsmooth.solver.precision.refine import refine

@@ -15,7 +15,7 @@ from nonsmooth.solver.bodies.laws import places
 from nonsmooth.solver.bodies.layout import layout
 from nonsmooth.solver.bodies.poles import Poles
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 
 #: Errors of times at the orders of `ORDERS`, by method and K: those that were measured, with a
 #: margin of a half; the first of the harmonics alone fall as N^-3, beside functions faster.

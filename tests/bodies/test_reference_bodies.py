@@ -10,9 +10,8 @@ from nonsmooth.solver.bodies import layout, motion
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.bodies import exact_kernel
 from nonsmooth.solver.kernels.start import RoughTimes
-from nonsmooth.solver.orbit.attempt import attempt
 from nonsmooth.solver.orbit.exact_orbit import ExactOrbit, from_times
-from nonsmooth.solver.orbit.solution import Solution
+from nonsmooth.solver.orbit.solution import Solution, attempt
 
 #: Errors of exact times, as parts of the period: rounding of an eigenbasis, which grows with
 #: the ratio of the fastest mode to the slowest.

@@ -9,7 +9,7 @@ import nonsmooth as ns
 from nonsmooth.solver.accuracy.estimate import MORE, MOST, estimate
 from nonsmooth.solver.accuracy.rates import FLOORS, rate
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.sweep import sweep_case

@@ -13,7 +13,7 @@ from nonsmooth import all_solutions as isolated
 from nonsmooth.all_solutions import solutions
 from nonsmooth.solver.existence import real_roots
 from nonsmooth.solver.kernels import registry
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 
 
 def belt_of(alpha: float) -> ns.StickSlip:

@@ -16,7 +16,7 @@ from nonsmooth.solver.kernels import bodies, family, linking, polynomials, regis
 from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import linked
 from nonsmooth.solver.kernels.start import rough_times, with_coefficients
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.scenes.methods import module_of
 
 IMPACT = registry.load("impact")

@@ -7,7 +7,7 @@ import nonsmooth as ns
 from nonsmooth.solver import search
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import is_reversible, is_singular
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.trade import tolerance
 
 CLEARANCE, BACKLASH = registry.load("clearance"), registry.load("backlash")

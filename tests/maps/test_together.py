@@ -7,7 +7,7 @@ from nonsmooth.generated import ck
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.compiling import rebuilt
 from nonsmooth.solver.kernels.linking import phase_maps
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.solve import solve_case
 
 #: C1, not forced, with a held phase; C0; C2, two phases; C2 with memory, half a cell.

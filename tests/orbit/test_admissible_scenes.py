@@ -14,7 +14,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.orbit import admissible, chebyshev
 from nonsmooth.solver.orbit.admissible import is_seen_violated
 from nonsmooth.solver.orbit.allowance import MOST, by_residual, defect
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 
 IMPACT = registry.load("impact")
 DAMPED = registry.load("stick-slip-damped")

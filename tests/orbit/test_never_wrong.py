@@ -18,7 +18,7 @@ from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.admissible import violations
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.solve import orbits_of, solve_case, with_motion
 
 IMPACT, FRICTION = registry.load("impact"), registry.load("dry-friction")

@@ -17,7 +17,7 @@ from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.start import with_coefficients
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.precision import exact_balls
 from nonsmooth.solver.precision import refine as refining
 from nonsmooth.solver.precision.balls import (

@@ -17,7 +17,7 @@ from flint import arb
 import nonsmooth as ns
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.kernels.bodies import exact_kernel
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.precision import bodies, digits
 from nonsmooth.solver.precision.balls import precision
 from nonsmooth.solver.precision.refine import refine

@@ -15,7 +15,7 @@ from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.in_order import cases_in_order
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.no_orbit import NoOrbit
-from nonsmooth.solver.orbit.attempt import attempt
+from nonsmooth.solver.orbit.solution import attempt
 from nonsmooth.solver.solve import solve_case
 from nonsmooth.solver.stability.in_words import in_words
 

@@ -7,7 +7,7 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import shown
 
 if TYPE_CHECKING:
     from nonsmooth.solver.results.family import Family

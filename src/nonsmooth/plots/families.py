@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.scenes.methods import about
+from nonsmooth.solver.scenes.methods import about, shown
 
 from .axes import (
     axes_or_new,

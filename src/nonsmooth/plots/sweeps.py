@@ -4,8 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.scenes.methods import EXACT, about
+from nonsmooth.solver.scenes.methods import EXACT, about, shown
 
 from .axes import axes_or_new, check_quantity, described, draw_errors, frame, legend_above
 

@@ -61,7 +61,7 @@ def run(
         extremes,
         measure,
     )
-    from nonsmooth.solver.scenes.method_names import shown
+    from nonsmooth.solver.scenes.methods import shown
     from nonsmooth.solver.scenes.parameter_error import ParameterError
     from nonsmooth.solver.search import HIGHEST_ORDER
 

@@ -65,8 +65,7 @@ def motion_options(scene: "LoadedScene") -> list[click.Parameter]:
 def method_names(scene: "LoadedScene") -> list[str]:
     """Return the methods of a scene as they are shown, in their order."""
     from nonsmooth.solver.kernels.registry import methods
-    from nonsmooth.solver.scenes.method_names import shown
-    from nonsmooth.solver.scenes.methods import in_order
+    from nonsmooth.solver.scenes.methods import in_order, shown
 
     return [shown(scene, method) for method in in_order(methods(scene))]
 

@@ -80,7 +80,7 @@ def _over_orders(
 ) -> int:  # fmt: skip
     """Sweep over orders, show it, write it; the exit status."""
     from nonsmooth.files import documents
-    from nonsmooth.solver.scenes.method_names import shown
+    from nonsmooth.solver.scenes.methods import shown
     from nonsmooth.solver.sweep import sweep_case
 
     numbers = parse_orders(ORDERS if orders is None else orders)

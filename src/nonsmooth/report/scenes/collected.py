@@ -14,8 +14,7 @@ from nonsmooth.solver.orbit.errors import Errors, derivative
 from nonsmooth.solver.orbit.motion import Motion
 from nonsmooth.solver.results.orbit import Orbit
 from nonsmooth.solver.scenes.case import Case
-from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.scenes.methods import about, in_order
+from nonsmooth.solver.scenes.methods import about, in_order, shown
 from nonsmooth.solver.solve import solve_case
 
 #: Order of the orbits that are drawn beside the exact one; of the series that rings.

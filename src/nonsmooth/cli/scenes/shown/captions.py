@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from nonsmooth.kim_perkins import CHOICE, SECTION_4, StickSlip
-from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import shown
 
 from ...columns import filled, filled_parameters
 

@@ -7,8 +7,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.scenes.methods import EXACT
+from nonsmooth.solver.scenes.methods import EXACT, shown
 
 from .digits_table import ABSENT, words_of
 

@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nonsmooth.solver.precision.digits import TARGET
-from nonsmooth.solver.scenes.method_names import shown
-from nonsmooth.solver.scenes.methods import EXACT
+from nonsmooth.solver.scenes.methods import EXACT, shown
 
 from ...columns import filled, print_table, table_of
 

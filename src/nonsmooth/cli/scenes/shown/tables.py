@@ -8,7 +8,7 @@ import click
 
 from nonsmooth.solver.existence.known import others
 from nonsmooth.solver.results.orbit import Orbit
-from nonsmooth.solver.scenes.method_names import shown
+from nonsmooth.solver.scenes.methods import shown
 from nonsmooth.solver.stability.in_words import VERDICTS, in_words
 from nonsmooth.solver.stability.stability import is_stable
 
