@@ -6,14 +6,16 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
-from nonsmooth.solver.exact import exact_orbit
+from nonsmooth.solver.exact import ExactOrbit, exact_orbit
 from nonsmooth.solver.existence.known import known
 from nonsmooth.solver.flow.exact_system import exact_kernel
 from nonsmooth.solver.iteration.newton import newton
 from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.kernels.start import RoughTimes
 from nonsmooth.solver.orbit import admissible, chebyshev
 from nonsmooth.solver.orbit.admissible import is_seen_violated
 from nonsmooth.solver.orbit.allowance import MOST, by_residual, defect
+from nonsmooth.solver.orbit.exact_orbit import from_times
 from nonsmooth.solver.orbit.solution import attempt
 
 IMPACT = registry.load("impact")
@@ -30,9 +32,6 @@ def polynomial_with(roots):
 
 def exact_roots(case, starts):
     """Return what the exact equations have as roots, admissible or not."""
-    from nonsmooth.solver.kernels.start import RoughTimes
-    from nonsmooth.solver.orbit.exact_orbit import from_times
-
     found = (from_times(case, RoughTimes(durations, angle, "")) for durations, angle in starts)
     return [orbit for orbit in found if orbit.outcome.converged]
 
@@ -79,8 +78,6 @@ def test_a_phase_without_duration_solves_the_equations_and_is_refused() -> None:
     R = np.empty(6)
     kernel.residual(cell, z, R)
     assert np.abs(R).max() < 1e-12
-    from nonsmooth.solver.exact import ExactOrbit
-
     orbit = ExactOrbit(scene(), newton(kernel.iterate, cell, z))
     orbit.outcome.unknowns[:] = z
     assert any("has no duration" in line for line in orbit.violations)

@@ -32,21 +32,6 @@ def reason(case, durations, angle=0.0):
     return why
 
 
-def test_an_impact_from_beyond_the_stop():
-    """The other root of the equations, half a turn on: the mass hits the stop from behind."""
-    orbit = exact_orbit(IMPACT())
-    why = reason(IMPACT(), orbit.cell_durations, orbit.angle + math.pi)
-    assert "flight ends from beyond its limit" in why or "not true that the mass stays" in why
-
-
-def test_a_mass_that_touches_the_stop_again_within_the_period():
-    """Beyond grazing, of the motion between impacts: two cycles with too low a frequency."""
-    scene = registry.load("impact")
-    with pytest.raises(NoOrbit) as caught:
-        exact_orbit(scene(frequency=0.9, gap=0.0, restitution=0.9, cycles=2))
-    assert "not true that the mass stays before the stop" in " ".join(caught.value.tried)
-
-
 def test_sliding_where_the_mass_would_stop():
     case = FRICTION(frequency=0.4, mu_s=0.6, mu_k=0.5).of_motion("sliding")
     start = reason(case, [math.pi], 1.5)
@@ -69,14 +54,6 @@ def test_a_stop_whose_load_exceeds_the_limit():
     )
     (why,) = [each for each in violations(still) if "static limit" in each]
     assert why.startswith("in stop, not true that the load stays within the static limit")
-
-
-def test_a_slip_of_no_duration():
-    """Pure sticking: the stick ends at the limit, and the slip at once."""
-    case = registry.load("stick-slip")()
-    (why,) = violations(Given(case, (2.0, 1e-13), Polynomial([0.0, 1.0])))
-    assert why.startswith("slip lasts")
-    assert why.endswith("it has no duration")
 
 
 def test_several_cycles_are_not_one_of_them_repeated():
