@@ -1,6 +1,6 @@
 """The exact orbit of a scene of linear phases: the reference of every error."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 
 import numpy as np
@@ -73,7 +73,9 @@ def _of_motion(
     given = _given(case, durations, forcing_phase)
     tried: list[str] = []
     iterations = 0
-    for start in [given] if given else _starts(case, tried):
+    patience = PATIENCE if known(case).listed or case.scene.has_body else None
+    found = starts(case, islice(rough_times(case.cell), patience), tried)
+    for start in [given] if given else (times for _, times in found):
         orbit = from_times(case, start)
         iterations += orbit.outcome.iterations
         if not orbit.outcome.converged:
@@ -90,24 +92,26 @@ def _of_motion(
     raise error
 
 
-def _starts(case: Case, tried: list[str]) -> Iterator[RoughTimes]:
+def starts(
+    case: Case, rough: Iterable[RoughTimes], tried: list[str]
+) -> Iterator[tuple[str, RoughTimes]]:
     """Yield rough times, then those on which a simulation settles; why not goes to `tried`.
 
-    Of an order that is not declared, those of a simulation come first.  Where it is shown that
-    there is no orbit, a simulation says what there is instead.
+    With each, words for it.  Of an order that is not declared, those of a simulation come
+    first.  Where it is shown that there is no orbit, a simulation says what there is instead.
     """
     found, undeclared = known(case), isinstance(case.scene, OrderedScene)
     looked_at = case.scene.has_body  # where rough times lead is known of a body
-    rough = islice(rough_times(case.cell), PATIENCE if found.listed or looked_at else None)
+    at_hand = ((each.words, each) for each in rough)
     if not (undeclared or found.none or looked_at):
-        yield from rough
+        yield from at_hand
     for settled in rough_times_by_simulation(case, FEW if found.listed else PHASES):
         if settled.times is None:
             tried.append(settled.words)
         else:
-            yield settled.times
+            yield settled.words, settled.times
     if undeclared:
-        yield from rough
+        yield from at_hand
 
 
 def _given(case: Case, durations: Sequence[float], angle: float) -> RoughTimes | None:

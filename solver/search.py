@@ -8,20 +8,18 @@ from itertools import chain, islice, product
 import numpy as np
 
 from .arrays import Vector
-from .exact import ExactOrbit, exact_orbit
+from .exact import ExactOrbit, exact_orbit, starts
 from .existence.known import known
 from .existence.reasons import not_decided, shown_to_be_none, without_switches
 from .kernels import registry
 from .kernels.kernel import Kernel
-from .kernels.start import PATIENCE, is_reversible, is_singular, rough_times
+from .kernels.start import PATIENCE, RoughTimes, is_reversible, is_singular, rough_times
 from .no_orbit import NoOrbit
 from .orbit.solution import Solution, attempt
 from .results.orbit import Orbit
 from .scenes.case import Case
 from .scenes.methods import FIRST, about
-from .scenes.orders import OrderedScene
 from .scenes.parameter_error import whole
-from .simulation.settle import FEW, PHASES, rough_times_by_simulation
 
 #: Orders of the method from whose times every other starts: it converges from rough times at
 #: the first, and where a motion has too many waves for that, at the second.
@@ -151,21 +149,15 @@ class Search:
     def starts(self) -> Iterator[Vector]:
         """Yield times to start from: those of a coarse orbit, or rough ones if none can be.
 
-        Then those on which a simulation settles, or why there are none: first, if the order of
-        the phases is not declared.  At last those of the exact orbit, which may be found where
-        a coarse one is not.  Where it is shown that there is none, a simulation alone: it says
-        what there is instead.
+        Those on which a simulation settles come with them; see `exact.starts`.  At last those
+        of the exact orbit, which may be found where a coarse one is not.
         """
-        if self.case.scene.has_body:  # all else that is known was looked at
-            yield from self._settled(FEW if known(self.case).listed else PHASES)
-            return
-        listed, undeclared = known(self.case).listed, isinstance(self.case.scene, OrderedScene)
-        if not (undeclared or known(self.case).none):
-            yield from self._coarse()
-        yield from self._settled(FEW if listed else PHASES)
-        if undeclared:
-            yield from self._coarse()
-        if listed:
+        looked_at = self.case.scene.has_body  # all that is known of a body was looked at
+        rough = () if looked_at else self._coarse()
+        for words, times in starts(self.case, rough, self.tried):
+            self.words = words
+            yield self._vector(times)
+        if looked_at or known(self.case).listed:
             return
         try:
             exact = exact_orbit(self.case)
@@ -174,17 +166,7 @@ class Search:
         self.exact, self.words = True, "the times of the exact orbit"
         yield exact.times
 
-    def _settled(self, phases: int) -> Iterator[Vector]:
-        """Yield the times on which simulations settle, and note what others come to."""
-        for settled in rough_times_by_simulation(self.case, phases):
-            self.words = settled.words
-            if settled.times is None:
-                self.tried.append(settled.words)
-            else:
-                angle = (settled.times.angle,) if self.kernel.forced else ()
-                yield np.array([*settled.times.durations, *angle])
-
-    def _coarse(self) -> Iterator[Vector]:
+    def _coarse(self) -> Iterator[RoughTimes]:
         """Yield the times of orbits by a coarse method, from rough times."""
         scene = self.case.scene
         available = FIRST in registry.methods(scene)
@@ -194,16 +176,18 @@ class Search:
         orders = [q + waves for q in COARSE] if available else COARSE[:1]
         ways = product(orders, rough_times(self.case.cell))
         for order, rough in islice(ways, PATIENCE if known(self.case).listed else None):
-            self.words = rough.words
-            angle = (rough.angle,) if self.kernel.forced else ()
-            times = np.array([*rough.durations, *angle])
             if not available:
-                yield times
+                yield rough
                 continue
-            found = _coarse_orbit(self.case, method, order, tuple(times))
+            self.words = rough.words
+            found = _coarse_orbit(self.case, method, order, tuple(self._vector(rough)))
             self.count(found)
             if found.converged and not found.own_violations:
-                yield registry.kernel(scene, method).times(found.unknowns)
+                yield RoughTimes(tuple(found.cell_durations), found.angle, rough.words)
+
+    def _vector(self, times: RoughTimes) -> Vector:
+        """Return times as the unknowns of a kernel have them."""
+        return np.array([*times.durations, *([times.angle] if self.kernel.forced else [])])
 
 
 @lru_cache(maxsize=512)

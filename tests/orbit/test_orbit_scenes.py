@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from made_scenes import Given, made
 
-from nonsmooth.solver import search
+from nonsmooth.solver import exact, search
 from nonsmooth.solver.accuracy import estimate as estimates
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.existence.known import Known
@@ -165,7 +165,8 @@ def test_an_order_without_an_orbit_is_refused() -> None:
 
 
 def test_no_orbit_is_raised_with_every_start(monkeypatch) -> None:
-    monkeypatch.setattr(search, "known", lambda case: Known())  # it would be shown sooner
+    for module in (exact, search):  # it would be shown sooner
+        monkeypatch.setattr(module, "known", lambda case: Known())
     monkeypatch.setattr(search, "shown_to_be_none", lambda *found: None)
     with pytest.raises(NoOrbit) as caught:
         solve_case(BACKLASH(force=0.05), "hb", 7)
