@@ -34,8 +34,7 @@ def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
     instead = (*map(str, motions_without_switches(case)), *settled)
     no_orbit = f"{case.scene.label}: no such orbit exists"
     if not found.refused:
-        why = _resonance(case, case.cell.phases[0]) if len(case.cell.phases) == 1 else ""
-        return NoOrbit(f"{no_orbit}: {why or _no_solution(case)}", True, instead)
+        return NoOrbit(f"{no_orbit}: {_no_solution(case)}", True, instead)
     count = len(found.refused)
     which = "this one solution" if count == 1 else f"these {count} solutions"
     return NoOrbit(
@@ -44,11 +43,12 @@ def shown_to_be_none(case: Case, tried: Iterable[str] = ()) -> NoOrbit | None:
 
 
 def _no_solution(case: Case) -> str:
-    """Return in words that the equations of a case have no solution."""
+    """Return in words why, or that, the equations of a case have no solution."""
+    first, *others = case.cell.phases
     words = "its equations have no real solution"
-    if len(case.cell.phases) == 1:
-        return words
-    return f"{words} at any duration of {case.cell.phases[0].name}"
+    if others:
+        return f"{words} at any duration of {first.name}"
+    return _resonance(case, first) or words
 
 
 def _refusals(found: Known) -> tuple[str, ...]:

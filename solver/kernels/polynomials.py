@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
-from types import ModuleType
 from typing import Any, ClassVar
 
 import numpy as np
@@ -51,11 +50,6 @@ class Layout:
     def classes(self) -> tuple[int, ...]:
         """The class of the functions that begin each phase."""
         return tuple(min(k, 1) if self.class_one else k for k in self.scene.classes)
-
-    @property
-    def equations(self) -> ModuleType:
-        """The generated module."""
-        return module_of(self.method)
 
     @cached_property
     def phases(self) -> tuple[tuple[str, bool, int, int], ...]:
@@ -117,7 +111,7 @@ class Layout:
         tables = np.zeros((len(sides), max(tests) if any(sides) else 0, max(sides)))
         for p, (_, _, k, left) in enumerate(self.phases):
             if left:
-                found = combinations(self.equations.unseen, tests[p], k, left)
+                found = combinations(module_of(self.method).unseen, tests[p], k, left)
                 tables[p, : tests[p], :left] = found
         return (*arrays, tables)
 

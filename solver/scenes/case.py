@@ -1,7 +1,7 @@
 """A scene with numbers: checked parameters, units, and what is left without units."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
@@ -36,6 +36,13 @@ class Case:
     cycles : int
         How many periods of the forcing the period of the motion is.
 
+    Attributes
+    ----------
+    units : Units
+        Of mass, time and length, in which its numbers are of moderate size.
+    numbers : tuple of float
+        The parameters in these units, in order.
+
     Raises
     ------
     ParameterError
@@ -45,6 +52,8 @@ class Case:
     scene: "LoadedScene"
     values: Mapping[str, Any]
     cycles: int = 1
+    units: Units = field(init=False)
+    numbers: tuple[float, ...] = field(init=False)
 
     #: Names of times of its orbits, in s, and of errors of them, that those of others lack.
     own_numbers: ClassVar[tuple[str, ...]] = ()
@@ -62,8 +71,8 @@ class Case:
             units, numbers = units_of(self.scene, tuple(checked.values()))
         except UnitsError as error:
             raise ParameterError([f"parameters: {error}"]) from None
-        object.__setattr__(self, "_units", units)
-        object.__setattr__(self, "_numbers", numbers)
+        object.__setattr__(self, "units", units)
+        object.__setattr__(self, "numbers", numbers)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Case) and self._identity == other._identity
@@ -139,24 +148,6 @@ class Case:
     def none(self, method: str, order: int, tried: Sequence[str]) -> "NoOrbit | None":
         """Return that a method has no orbit at an order, where that can be shown: nowhere."""
         return None
-
-    @property
-    def units(self) -> Units:
-        """The units of mass, time and length in which its numbers are of moderate size."""
-        units: Units = self.__dict__["_units"]
-        return units
-
-    @property
-    def numbers(self) -> tuple[float, ...]:
-        """The parameters in these units, in order."""
-        numbers: tuple[float, ...] = self.__dict__["_numbers"]
-        return numbers
-
-    @property
-    def arguments(self) -> tuple[float, ...]:
-        """What kernels call a case: `numbers` and, if something forces, the cycles."""
-        forced = self.scene.frequency is not None
-        return (*self.numbers, self.cycles) if forced else self.numbers
 
     @cached_property
     def cell(self) -> Cell:
