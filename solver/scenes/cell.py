@@ -79,6 +79,11 @@ class Phase:
         return 4
 
     @property
+    def jumps(self) -> tuple[tuple[float, float], ...]:
+        """What is left of each velocity after the switch at its end, and what is added."""
+        return ((self.rho, self.d),)
+
+    @property
     def equation(self) -> tuple[object, ...]:
         """What its equation of motion is made of."""
         return self.m, self.c, self.k, self.f, self.g, self.held, self.memory

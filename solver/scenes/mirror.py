@@ -53,8 +53,7 @@ def is_image(one: Phase, other: Phase) -> bool:
     """Whether a phase without a memory is the mirror image of another."""
 
     def numbers(q: Phase) -> tuple[object, ...]:
-        own = q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.rho, q.d
-        return (own, q.jumps) if isinstance(q, BodyPhase) else own
+        return q.m, q.c, q.k, q.f, q.g, q.held, q.speed, q.jumps
 
     def laws(q: Phase) -> tuple[Form, ...]:
         return (q.event, *q.laws) if isinstance(q, BodyPhase) else (q.event,)
