@@ -8,8 +8,18 @@ from .motion import Motion
 
 
 def value(orbit: Motion, p: int, form: Form, u: Vector) -> Vector:
-    """Return a linear form in the state, at local times of a phase."""
-    return np.asarray(np.array(form) @ orbit.signals(p, u))
+    """Return a linear form in the state, at local times of a phase.
+
+    The motion of one mass is looked at no more often than it has factors.
+    """
+    if orbit.case.scene.has_body:
+        return np.asarray(np.array(form) @ orbit.signals(p, u))
+    *factors, cos, constant = form
+    found = constant + cos * np.cos(orbit.angle_at(p, u))
+    for derivative, factor in enumerate(factors):
+        if factor:
+            found += factor * orbit.part(p, u, derivative)
+    return np.asarray(found)
 
 
 def value_at(orbit: Motion, p: int, form: Form, u: float) -> float:

@@ -1,21 +1,14 @@
 """Gauss rules for functions that jump and oscillate."""
 
 import math
-from functools import cache
 from itertools import pairwise
 
 import numpy as np
 
 from ..arrays import Vector
 
-#: Nodes of the Gauss rule in each panel; a panel holds at most one wave.
-NODES = 20
-
-
-@cache
-def _rule() -> tuple[Vector, Vector]:
-    """Return nodes and weights of the Gauss rule on ``(-1, 1)``."""
-    return np.polynomial.legendre.leggauss(NODES)
+#: Nodes and weights on ``(-1, 1)`` of the rule in each panel, which holds at most one wave.
+RULE = np.polynomial.legendre.leggauss(20)
 
 
 def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
@@ -23,7 +16,7 @@ def panels(breaks: list[float], waves: int) -> tuple[Vector, Vector]:
 
     An integrand may jump at the breaks; each wave of the highest harmonic has a panel.
     """
-    x, w = _rule()
+    x, w = RULE
     edges = np.array(sorted({0.0, *breaks, 1.0}))
     points, weights = [], []
     for left, right in pairwise(edges):
