@@ -33,17 +33,14 @@ class Family:
         """Return what all kernels of the module of a method have cost in plain Python."""
         return self.account_of(module_of(method).__name__)
 
-    def functions(self, method: str, compile_it: bool) -> dict[str, Any]:
-        """Return the functions of the module of a method, linked once for all scenes."""
-        return (self.compiled if compile_it else self.plain)(module_of(method).__name__)
-
     @cache  # noqa: B019  (there are as many families as methods of linking)
     def kernel(self, layout: Any, compile_it: bool) -> Kernel:
         """Return the kernel of a method for a scene, by the layout of its unknowns.
 
-        Compiled it is once for all scenes.
+        Linked it is once for all scenes, as plain Python or compiled.
         """
-        found = self.functions(layout.method, compile_it)
+        module = module_of(layout.method).__name__
+        found = (self.compiled if compile_it else self.plain)(module)
         return Kernel(
             method=layout.name,
             durations=len(layout.classes),
@@ -53,7 +50,7 @@ class Family:
             coefficients=layout.coefficients,
             given=layout.given,
             condensed=layout.condensed,
-            account=None if compile_it else self.account(layout.method),
+            account=None if compile_it else self.account_of(module),
             starts=layout.starts,
             **{name: found[name] for name in ("residual", "jacobian", "motion", "iterate")},
         )
