@@ -20,39 +20,13 @@ from nonsmooth.solver.stability.in_words import in_words
 from nonsmooth.solver.stability.monodromy import NoMultipliersError, monodromy
 from nonsmooth.solver.stability.stability import stability
 
-IMPACT = registry.load("impact")
+IMPACT, CLEARANCE = registry.load("impact"), registry.load("clearance")
+BACKLASH, FRICTION = registry.load("backlash"), registry.load("dry-friction")
 UNIT = {"damping": 0, "gap": 0, "restitution": 0.8}
 
 
-def mirrored(x, v, cos, constant):
-    return (-x, -v, -cos, constant)
-
-
-def friction(omega, mu, damping=0.0):
-    """Return a mass that slides down for half a period against dry friction."""
-    equation, event = (1, damping, 1, mu, 1), mirrored(0, 1, 0, 0)
-    return made([equation], [event], omega=omega, half=True)
-
-
-def stopping(omega, mu):
-    return made(
-        [(1, 0, 1, mu, 1), (1, 0, 0, 0, 0)],
-        [(0, 1, 0, 0), mirrored(1, 0, -1, -mu)],
-        omega=omega,
-        half=True,
-        held=(None, 0.0),
-    )
-
-
-def bilinear(omega, stiffness, damping):
-    springs = [(1, damping, stiffness, 0, 1), (1, damping, 1, 0, 1)]
-    return made(springs, [(1, 0, 0, 0), (1, 0, 0, 0)], omega=omega)
-
-
-def backlash(omega, damping):
-    equations = [(1, damping, 1, 1, 1), (1, damping, 0, 0, 1)]
-    events = [(1, 0, 0, -1), mirrored(1, 0, 0, -1)]
-    return made(equations, events, omega=omega, half=True)
+def rubbing(mu, **values):
+    return FRICTION(mu_s=mu, mu_k=mu, damping=0, **values)
 
 
 def pair(real, imaginary):
@@ -71,19 +45,20 @@ PROVED = {
         pair(0.7602142860965303903929311, 0.2491470232909529271925145), True,
     ),
     "friction": (
-        friction(0.7, 0.2)(), (4.488,), 0.18,
+        rubbing(0.2, frequency=0.7).of_motion("sliding"), (4.488,), 0.18,
         pair(-0.5830889919300008381584406, 0.2884512249739852819891529), True,
     ),
     "friction with stops": (
-        stopping(0.4, 0.4)(), (5.3769, 2.47714), 0.78,
+        rubbing(0.4, frequency=0.4).of_motion("two-stops"), (5.3769, 2.47714), 0.78,
         [0.3802275662581503612051452, 0.0], True,
     ),
     "bilinear": (
-        bilinear(0.8, 4, 0.1)(), (1.97135, 5.88263), 5.53,
+        CLEARANCE(contact_stiffness=3, damping=0.1, gap=0, frequency=0.8),
+        (1.97135, 5.88263), 5.53,
         pair(-0.6721901320645979260514246, 0.06401995096042042332487247), True,
     ),
     "backlash": (
-        backlash(0.6, 0.1)(), (4.10754, 1.12845), 5.267,
+        BACKLASH(force=1, frequency=0.6), (4.10754, 1.12845), 5.267,
         pair(-0.5773129605589840809410903, 0.1327763260111977135562074), True,
     ),
 }  # fmt: skip
@@ -168,13 +143,11 @@ def test_the_paper_s_orbits_have_them_in_closed_form(force) -> None:
 
 
 def test_without_damping_a_clearance_is_on_the_unit_circle() -> None:
-    scene = made([(1, 0, 5, 2, 1), (1, 0, 1, 0, 1)], [(1, 0, 0, -0.5)] * 2, omega=1.3)
-    orbit = exact_orbit(scene(), (1.39, 3.45), 0.35)
+    orbit = exact_orbit(CLEARANCE(damping=0), (1.39, 3.45), 0.35)
     assert np.abs(orbit.multipliers) == pytest.approx(1, abs=1e-13)
     assert abs(orbit.multipliers[0].imag) > 0.1
     assert orbit.stable is None
-    damped = made([(1, 1e-6, 5, 2, 1), (1, 1e-6, 1, 0, 1)], [(1, 0, 0, -0.5)] * 2, omega=1.3)
-    assert exact_orbit(damped(), (1.39, 3.45), 0.35).stable is True
+    assert exact_orbit(CLEARANCE(damping=1e-6), (1.39, 3.45), 0.35).stable is True
 
 
 @pytest.mark.parametrize(("method", "order", "off"), [("ck-tau", 8, 1e-6), ("hb", 40, 5e-2)])
@@ -353,9 +326,7 @@ def test_words_name_each_pair_once_and_say_where_an_orbit_is_not_isolated() -> N
     """Without damping a sliding mass has a continuum of orbits at half its frequency."""
     plastic = in_words(ns.exact(ns.scene("elastic-plastic")()))
     assert plastic == "multipliers -0.26174 +- 0.11629i of modulus 0.28641, 0: stable"
-    friction = ns.scene("dry-friction")(damping=0, frequency=0.5, mu_k=0.1, mu_s=0.1)
-    orbit = ns.exact(friction.of_motion("sliding"))
+    orbit = ns.exact(rubbing(0.1, frequency=0.5).of_motion("sliding"))
     assert orbit.stable is None
     assert in_words(orbit).endswith("1: the orbit is not isolated to first order")
-    clearance = ns.scene("clearance")(damping=0)
-    assert "isolated" not in in_words(ns.exact(clearance))
+    assert "isolated" not in in_words(ns.exact(CLEARANCE(damping=0)))
