@@ -49,14 +49,14 @@ def monodromy(motion: "Motion") -> Monodromy:
         If an event is touched and not crossed.
     """
     cell = motion.case.cell
-    phases = range(len(cell.phases))
-    speed = max(float(np.abs(motion.part(p, LOOK, 1)).max()) for p in phases)
     with np.errstate(all="ignore"):  # an event that is touched is found below
         if isinstance(cell, BodyCell):
             angle = [motion.angle] if cell.forced else []
             times = np.array([*motion.cell_durations, *angle])
             matrix, size, crossed = perturbed.cell_map(cell, times)
         else:
+            phases = range(len(cell.phases))
+            speed = max(float(np.abs(motion.part(p, LOOK, 1)).max()) for p in phases)
             given = arrays(cell), unknowns_of(motion), _reached(motion), speed
             matrix, size, crossed = cell_map(*given)
     for phase, rate in zip(cell.phases, crossed, strict=True):
@@ -70,12 +70,12 @@ def monodromy(motion: "Motion") -> Monodromy:
 
 def _reached(motion: "Motion") -> Matrix:
     """Return velocity and acceleration where each phase ends, as the motion has them."""
-    cell, end, found = motion.cell, np.ones(1), np.zeros((len(motion.cell.phases), 2))
-    angles = motion.angle + cell.omega * np.cumsum(motion.cell_durations)
-    for p, (phase, angle) in enumerate(zip(cell.phases, angles, strict=True)):
-        x, v = (float(motion.part(p, end, j)[0]) for j in (0, 1))
+    phases = motion.cell.phases
+    found = np.zeros((len(phases), 2))
+    for p, phase in enumerate(phases):
+        x, v, cosine, _ = motion.signals(p, np.ones(1))[:, 0]
         v = phase.speed if phase.held else v
-        found[p] = v, phase.acceleration(x, v, np.cos(angle))
+        found[p] = v, phase.acceleration(x, v, cosine)
     return found
 
 
