@@ -12,7 +12,6 @@ the time of the starts all around.  These follow where it is no stable orbit.
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,12 +22,10 @@ from ..bodies.part import parts_of
 from ..kernels.start import RoughTimes, rough_times
 from ..orbit.errors import times_apart
 from ..orbit.exact_orbit import ExactOrbit, from_times
+from ..scenes.bodies.cell import BodyCell
+from ..scenes.case import Case
 from ..simulation import homotopy
 from ..stability.stability import is_stable
-
-if TYPE_CHECKING:
-    from ..scenes.bodies.cell import BodyCell
-    from ..scenes.case import Case
 
 #: Modes that are scanned with: so many, and all below so many times the forcing's frequency.
 SLOW, BELOW = 6, 6.0
@@ -58,7 +55,7 @@ SAME = 1e-7
 NOTHING = 1e-12
 
 
-def solutions(case: "Case") -> Iterator[ExactOrbit]:
+def solutions(case: Case) -> Iterator[ExactOrbit]:
     """Yield solutions of the exact equations of a body, orbits or not, each once.
 
     None follows a stable orbit to which the linear response leads.
@@ -74,7 +71,7 @@ def solutions(case: "Case") -> Iterator[ExactOrbit]:
             return
 
 
-def complete(cell: "BodyCell") -> bool:
+def complete(cell: BodyCell) -> bool:
     """Whether all solutions of a cell are listed: those of one phase under a forcing.
 
     In a resonance its event may say nothing of the phase: then there are infinitely many.
@@ -85,18 +82,18 @@ def complete(cell: "BodyCell") -> bool:
     return not np.abs(_of_one_phase(cell)).max() <= NOTHING * event
 
 
-def listed(cell: "BodyCell") -> bool:
+def listed(cell: BodyCell) -> bool:
     """Whether the solutions of a cell are listed as far as a scan goes."""
     return cell.forced and len(cell.phases) <= 2
 
 
-def _of_one_phase(cell: "BodyCell") -> Vector:
+def _of_one_phase(cell: BodyCell) -> Vector:
     """Return the event of a cell of one phase by cos, sin, 1 of the phase of the forcing."""
     found: Vector = events_by_wave(cell, np.array([cell.duration]))[0]
     return found
 
 
-def slow(cell: "BodyCell") -> "BodyCell":
+def slow(cell: BodyCell) -> BodyCell:
     """Return a cell with the slow modes of its body; the others answer statically."""
     body = cell.body
     speed = np.sqrt(np.abs(body.squares))
@@ -117,7 +114,7 @@ def slow(cell: "BodyCell") -> "BodyCell":
     return replace(cell, body=own)
 
 
-def _starts(cell: "BodyCell") -> Iterator[RoughTimes]:
+def _starts(cell: BodyCell) -> Iterator[RoughTimes]:
     if not cell.forced:
         yield from _everywhere(cell)
     elif len(cell.phases) > 2:
@@ -131,7 +128,7 @@ def _starts(cell: "BodyCell") -> Iterator[RoughTimes]:
         yield from _scanned(cell)
 
 
-def _everywhere(cell: "BodyCell") -> Iterator[RoughTimes]:
+def _everywhere(cell: BodyCell) -> Iterator[RoughTimes]:
     """Yield rough durations where nothing forces: long and short against the slowest mode."""
     slowest = 2 * np.pi / float(np.sqrt(np.abs(cell.body.squares).min() or 1.0))
     for durations in product(PARTS, repeat=min(len(cell.phases), 2)):
@@ -148,7 +145,7 @@ def _angles(a: float, b: float, c: float) -> list[float]:
     return [(middle - half) % (2 * np.pi), (middle + half) % (2 * np.pi)]
 
 
-def _scanned(cell: "BodyCell") -> Iterator[RoughTimes]:
+def _scanned(cell: BodyCell) -> Iterator[RoughTimes]:
     """Yield the times at which both events of two phases vanish, of the slow modes."""
     quick = slow(cell)
     even = np.linspace(0, 1, EVENLY + 2)[1:-1]
@@ -184,7 +181,7 @@ def _narrowed(function: Callable[[Vector], Vector], low: float, high: float) -> 
     return (low + high) / 2
 
 
-def _symmetric(cell: "BodyCell") -> Iterator[RoughTimes]:
+def _symmetric(cell: BodyCell) -> Iterator[RoughTimes]:
     """Yield the times of two equal phases whose events are the same condition."""
     first, second = _both(cell, np.array([0.5]))[0]
     apart = min(np.abs(first - second).max(), np.abs(first + second).max())
@@ -192,7 +189,7 @@ def _symmetric(cell: "BodyCell") -> Iterator[RoughTimes]:
         yield RoughTimes((cell.duration / 2,) * 2, angle, "two equal phases")
 
 
-def _both(cell: "BodyCell", parts: Vector) -> Matrix:
+def _both(cell: BodyCell, parts: Vector) -> Matrix:
     """Return both events at durations of the first phase, each divided by its size.
 
     Shape (T, 2, 3).

@@ -9,17 +9,15 @@ mirror image, half of one.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from ...nearest import numbered
 from .cell import Cell, Form, Memory, Phase
 from .classes import HIGHEST, classes
+from .dimensionless import Units
 from .loaded import LoadedScene, UnknownScene
 from .mirror import is_image, mirror
 from .parameter_error import ParameterError
-
-if TYPE_CHECKING:
-    from .dimensionless import Units
 
 #: Behind the phases of half a period, of which the other half is the mirror image.
 MIRRORED = "mirrored"
@@ -174,7 +172,7 @@ class OrderedScene(LoadedScene):
         return found
 
     def cell(
-        self, numbers: tuple[float, ...], cycles: int = 1, units: "Units | None" = None
+        self, numbers: tuple[float, ...], cycles: int = 1, units: Units | None = None
     ) -> Cell:
         """Return its cell for parameters in some units; see `LoadedScene.cell`.
 
