@@ -181,8 +181,9 @@ def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
     phase, and what the memory is set to.
     """
     more, phases = len(cell.memory), len(cell.phases)
-    own, behind = slice(2 * phases, 2 * phases + more), 3 * phases
-    A = np.zeros((len(durations), behind + more, own.stop + 2))
+    states, behind = 2 * phases, 3 * phases
+    count, own = states + more + 2, slice(states, states + more)
+    A = np.zeros((len(durations), behind + more, count))
     b = np.zeros(A.shape[:2])
     starts = np.cumsum(np.insert(durations, 0, 0.0, axis=1), axis=1)
     for p, phase in enumerate(cell.phases):
@@ -190,10 +191,10 @@ def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
         moved, constant, unit, cosine, sine = _end(
             phase, cell.omega, starts[:, p], durations[:, p]
         )
-        ends = np.zeros((len(A), 2, own.stop + 2))  # the state at the end, by the unknowns
+        ends = np.zeros((len(A), 2, count))  # the state at the end, by the unknowns
         ends[:, :, 2 * p : 2 * p + 2], ends[:, :, -2], ends[:, :, -1] = moved, cosine, sine
         for i, factor in enumerate(phase.memory):
-            ends[:, :, own.start + i] = factor * unit
+            ends[:, :, states + i] = factor * unit
         law = sign * np.array([1.0, phase.rho])
         joint = slice(3 * p, 3 * p + 2)
         A[:, joint] = -law[:, None] * ends
@@ -209,7 +210,7 @@ def rows(cell: Cell, durations: Matrix) -> tuple[Matrix, Matrix]:
     for i, memory in enumerate(cell.memory):
         vx, vv, vc, v0 = memory.value
         angle, row = cell.omega * starts[:, memory.phase], behind + i
-        A[:, row, own.start + i] = 1.0
+        A[:, row, states + i] = 1.0
         A[:, row, 2 * memory.phase], A[:, row, 2 * memory.phase + 1] = -vx, -vv
         A[:, row, -2], A[:, row, -1] = -vc * np.cos(angle), vc * np.sin(angle)
         b[:, row] = v0
