@@ -18,7 +18,8 @@ from .scenes.orders import (
     pairs,
 )
 from .simulation.followers import may_follow
-from .simulation.machines import AnyMachine, machine_of
+from .simulation.machine import Machine
+from .simulation.machines import machine_of
 from .simulation.settle import FEW, PHASES, from_several_states
 
 #: Most phases of an order, and most ways in which names may be meant.
@@ -148,7 +149,7 @@ def _ways(base: LoadedScene, names: list[str]) -> list[tuple[Step, ...]]:
     return [steps for steps in product(*found) if steps[0] == found[0][0]]
 
 
-def _orders(machine: AnyMachine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
+def _orders(machine: Machine, ways: list[tuple[Step, ...]], half: bool) -> Iterator[Order]:
     """Yield what phases may be an order of, half a period first; or that alone."""
 
     def possible(order: Order) -> bool:

@@ -11,9 +11,10 @@ from .results.strobe import Attractor, Basins, Diagram
 from .scenes.case import Case
 from .scenes.parameter_error import ParameterError, is_number, whole
 from .simulation.bodies import turns
+from .simulation.bodies.machine import BodyMachine
 from .simulation.machine import Machine
-from .simulation.machines import AnyMachine, AnyState, machine_of
-from .simulation.steps.state import State
+from .simulation.machines import machine_of
+from .simulation.steps.state import AnyState, State
 from .simulation.walk import strobed
 
 #: Periods that are left to a transient, and that are kept; of a basin, those in all.
@@ -196,7 +197,7 @@ def _period(tail: Matrix) -> int | None:
 
 
 def _followed(
-    case: Case, machine: AnyMachine, start: AnyState, cycles: int
+    case: Case, machine: Machine, start: AnyState, cycles: int
 ) -> tuple[Matrix, Vector | None]:
     """Return what is seen at each whole turn that is reached, and the last state, in SI units.
 
@@ -205,21 +206,21 @@ def _followed(
     units = _units(case)
     if start is None:
         return np.empty((0, len(units))), None
-    if isinstance(machine, Machine):
-        found = strobed(machine, start, cycles)[0] * units
-        return found, found[-1] if len(found) == cycles + 1 else None
-    states, last = turns.turns(case, machine, start, cycles)
-    return states * units, None if last is None else turns.in_si(case, machine, last)
+    if isinstance(machine, BodyMachine):
+        states, last = turns.turns(case, machine, start, cycles)
+        return states * units, None if last is None else turns.in_si(case, machine, last)
+    found = strobed(machine, start, cycles)[0] * units
+    return found, found[-1] if len(found) == cycles + 1 else None
 
 
-def _taken(case: Case, machine: AnyMachine, last: Vector | None) -> AnyState:
+def _taken(case: Case, machine: Machine, last: Vector | None) -> AnyState:
     """Return the last state of the motion before, if a phase takes it; else one at rest."""
     if last is not None:
-        if isinstance(machine, Machine):
-            x, v, *memory = (last / _units(case)).tolist()
-            start: AnyState = State(x, v, 0.0, memory=tuple(memory))
+        if isinstance(machine, BodyMachine):
+            start: AnyState = turns.from_si(case, machine, last)
         else:
-            start = turns.from_si(case, machine, last)
+            x, v, *memory = (last / _units(case)).tolist()
+            start = State(x, v, 0.0, memory=tuple(memory))
         if machine.first(start) is not None:
             return start
     return machine.at_rest(0.0)

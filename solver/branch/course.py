@@ -25,7 +25,8 @@ from ..scenes.loaded import LoadedScene
 from ..scenes.mirror import mirror, same
 from ..scenes.orders import Order, OrderedScene, Step, image, in_cell, in_order
 from ..scenes.parameter_error import ParameterError
-from ..simulation.machines import AnyMachine, machine_of
+from ..simulation.machine import Machine
+from ..simulation.machines import machine_of
 from ..simulation.nodes import Node, walls
 from ..simulation.steps.column import NONE
 from . import walk, watch
@@ -306,7 +307,7 @@ class Course:
         turn = [angle] if cell.forced else []
         return np.array([*chain.from_iterable(states), *memory, *durations, *turn])
 
-    def machine(self, numbers: tuple[float, ...]) -> AnyMachine:
+    def machine(self, numbers: tuple[float, ...]) -> Machine:
         """Return the phases that there are, and the rules by which they follow each other."""
         return machine_of(self.declares(numbers))
 

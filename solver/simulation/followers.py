@@ -12,9 +12,10 @@ from ..scenes.case import Case
 from ..scenes.cell import Form
 from ..scenes.orders import OrderedScene, Step, pairs
 from .bodies.rules import BodyState
-from .machines import AnyMachine, AnyState, machine_of
+from .machine import Machine
+from .machines import machine_of
 from .nodes import InState, Node
-from .steps.state import State
+from .steps.state import AnyState, State
 
 if TYPE_CHECKING:
     from ..orbit.motion import Motion
@@ -26,7 +27,7 @@ ROUNDING = 1e-10
 HIGHEST = 4
 
 
-def may_follow(machine: AnyMachine, one: Step, other: Step) -> bool:
+def may_follow(machine: Machine, one: Step, other: Step) -> bool:
     """Whether a phase of a machine may begin where another ends by its event.
 
     Something must change there: the equation or the velocity.  And just behind the event each

@@ -1,6 +1,7 @@
-"""The phases of a cell and the rules by which one follows another, for states one by one."""
+"""The phases of a cell of one mass: its rules as arrays, followed plain or compiled."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -9,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Vector
 from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
-from ..scenes.bodies.cell import BodyCell
 from ..scenes.cell import Cell
 from ..scenes.classes import generator
 from ..scenes.orders import Step
-from .nodes import InState, Node, Phases, nodes
+from .nodes import InState, Node, nodes
 from .record import Segment
 from .steps import (
     bounds,
@@ -33,11 +34,10 @@ from .steps import (
 )
 from .steps.bounds import window
 from .steps.clock import Clock
-from .steps.column import NONE, ROW
+from .steps.column import AT_SWITCH, NONE, ROW
 from .steps.rules import Rules, rules_of
-from .steps.state import State, begun, entered, local_of, sign_of
+from .steps.state import AnyState, State
 from .steps.step import Passed
-from .steps.switches import admits, crossed, first_phase, has_rest, next_phase
 
 #: How far from a limit a mass that is pressed against it is put, in units of length.
 ASIDE = 0.1
@@ -76,20 +76,15 @@ def follow_by(name: str, *arguments: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Machine(Phases):
+class Machine:
     """The phases of a cell of one mass, and the rules by which one follows another."""
+
+    cell: Cell
+    nodes: tuple[Node, ...]
 
     @classmethod
     def of(cls, cell: Cell) -> "Machine":
-        """Return the machine of a cell.
-
-        Raises
-        ------
-        ValueError
-            If it is that of a body.
-        """
-        if isinstance(cell, BodyCell):
-            raise ValueError("got a body of several degrees of freedom, expected one mass")
+        """Return the machine of a cell; see `machines.machine_of` for that of any."""
         return cls(cell, nodes(cell))
 
     @cached_property
@@ -97,30 +92,85 @@ class Machine(Phases):
         """The same as arrays."""
         return rules_of(self.cell, self.nodes)
 
-    def first(self, state: State) -> Node | None:
-        """Return the phase in which a motion from a state begins; None if it is in none."""
-        return self._node(first_phase(self.rules, state))
+    @property
+    def functions(self) -> dict[str, Any]:
+        """The functions over the rules, as plain Python."""
+        return FAMILY.plain(run.__name__)
 
-    def _node(self, p: int) -> Node | None:
-        return None if p == NONE else self.nodes[p]
+    def by(self, name: str, *arguments: Any) -> Any:
+        """Return what a function makes of the rules and of some arguments."""
+        return self.functions[name](self.rules, *arguments)
+
+    def number(self, one: Step) -> int:
+        """Return the number of a phase as an order calls it."""
+        return one.phase + len(self.cell.phases) * one.mirrored
+
+    def node(self, one: Step) -> Node:
+        """Return a phase as an order calls it."""
+        return self.nodes[self.number(one)]
 
     def window(self, p: int) -> float:
         """Return a time in which a motion in a phase does not turn often; may be infinite."""
         return window(self.nodes[p].phase, self.cell.omega)
 
-    def begin(self, state: State) -> tuple[int, State] | None:
-        """Return the phase in which a motion from a state begins, and the state in it."""
-        p = first_phase(self.rules, state)
-        if p == NONE:
-            return None
-        return p, with_array(begun(self.rules, p, state))
+    def ending(self, p: int, surface: int) -> Step | None:
+        """Return the phase whose event ends a phase on a surface; None without one."""
+        found = NONE if surface == NONE else self.rules.endings[p, surface]
+        return None if found == NONE else self.nodes[found].step
 
-    def released(self, x: float, v: float, angle: float) -> State:
+    def has_rest(self, surface: int) -> bool:
+        """Whether the scene has a rest at the place of a surface."""
+        return bool(self.by("has_rest", surface))
+
+    def begin(self, state: AnyState) -> tuple[int, AnyState] | None:
+        """Return the phase in which a motion from a state begins, and the state in it."""
+        p = self.by("first_phase", state)
+        return None if p == NONE else (p, self.by("begun", p, state))
+
+    def first(self, state: AnyState) -> Node | None:
+        """Return the phase in which a motion from a state begins; None if it is in none."""
+        found = self.begin(state)
+        return None if found is None else self.nodes[found[0]]
+
+    def step(self, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
+        """Follow a phase from where it begins, for a time at most, and across its switch."""
+        passed: Passed = follow_by("step", self.rules, p, with_array(state), clock, most)
+        return passed
+
+    def after(self, one: Step, end: AnyState) -> Node | None:
+        """Return the phase that follows where the event of one ends it in a state."""
+        p = self.number(one)
+        end = self.by("begun", p, end)
+        behind = self.by("crossed", p, int(self.rules.kinds[p, ROW]), end)
+        found = self.by("next_phase", p, self.nodes[p].event, end, behind)
+        return None if found == NONE else self.nodes[found]
+
+    def full(self, state: AnyState) -> Vector:
+        """Return what forms are of in a state: ``(x, x', cos, 1, memory)``."""
+        return np.array([state.x, state.v, math.cos(state.angle), 1.0, *state.memory])
+
+    def in_state(self, p: int) -> InState:
+        """Return what forms of a phase are in a state ``(x, x', 1, cos, sin, memory)``."""
+        more = len(self.cell.memory)
+        rows = np.eye(4 + more, 5 + more, 1)
+        rows[:3] = np.eye(5 + more)[[0, 1, 3]]
+        rows[3] = np.eye(5 + more)[2]
+        return InState(rows, generator(self.cell, self.nodes[p].phase, 1), 2)
+
+    def still(self, angle: float) -> AnyState:
+        """Return the state at rest where nothing is displaced."""
+        return State(0.0, 0.0, angle)
+
+    def released(self, x: float, v: float, angle: float) -> AnyState:
         """Return the state with a displacement and a velocity, and a memory that suits it."""
         return self.remembered(State(x, v, angle))
 
-    def at_rest(self, angle: float) -> State | None:
+    def at_rest(self, angle: float) -> AnyState | None:
         """Return the admissible state at rest that is nearest to 0."""
+        return next((state for state in self.resting(angle) if self.first(state)), None)
+
+    def resting(self, angle: float) -> Iterator[AnyState]:
+        """Yield states at rest, or moving as a phase is held: at 0, at limits, beside them."""
         cosine = math.cos(angle)
         places = [0.0]
         for node in self.nodes:
@@ -131,94 +181,62 @@ class Machine(Phases):
         speeds = [0.0, *(q.phase.speed for q in self.nodes if q.phase.held)]
         for speed in speeds:
             for place in sorted(places, key=abs):
-                state = self.remembered(State(place, speed, angle))
-                if self.first(state) is not None:
-                    return state
-        return None
+                yield self.released(place, speed, angle)
 
-    def starts(self, angle: float) -> list[State | None]:
+    def starts(self, angle: float) -> list[AnyState | None]:
         """Return states from which motions settle: at rest, and in each held phase."""
-        held = [State(0.0, q.phase.speed, angle) for q in self.nodes if q.phase.held]
-        return [self.at_rest(angle), *map(self.remembered, held)]
+        still, held = self.still(angle), (p for p, q in enumerate(self.nodes) if q.phase.held)
+        begun = (self.by("begun", p, still) for p in held)
+        return [self.at_rest(angle), *map(self.remembered, begun)]
 
-    def step(self, p: int, state: State, clock: Clock, most: float) -> Passed:
-        """Follow a phase from where it begins, for a time at most, and across its switch."""
-        passed: Passed = follow_by("step", self.rules, p, state, clock, most)
-        return passed
-
-    def in_state(self, p: int) -> InState:
-        """Return what forms of a phase are in a state ``(x, x', 1, cos, sin, memory)``."""
-        more = len(self.cell.memory)
-        rows = np.eye(4 + more, 5 + more, 1)
-        rows[:3] = np.eye(5 + more)[[0, 1, 3]]
-        rows[3] = np.eye(5 + more)[2]
-        return InState(rows, generator(self.cell, self.nodes[p].phase, 1), 2)
-
-    def has_rest(self, surface: int) -> bool:
-        """Whether the scene has a rest at the place of a surface."""
-        return has_rest(self.rules, surface)
-
-    def recorded(self, p: int, state: State, t: Fraction, s: float, surface: int) -> Segment:
-        """Return a phase that was followed as it is kept."""
-        node, memory = self.nodes[p], [float(value) for value in state.memory]
-        place = (node.index, node.mirrored, t, state.angle)
-        ended = self.ending(p, surface)
-        return Segment(node.phase.remembering(memory), *place, state.x, state.v, s, ended)
-
-    def after(self, one: Step, end: State) -> Node | None:
-        """Return the phase that follows where the event of one ends it in a state."""
-        p = self.number(one)
-        end = begun(self.rules, p, end)
-        behind = crossed(self.rules, p, int(self.rules.kinds[p, ROW]), end)
-        return self._node(next_phase(self.rules, p, self.nodes[p].event, end, behind))
-
-    def remembered(self, state: State) -> State:
+    def remembered(self, state: AnyState) -> AnyState:
         """Return a state of which nothing is remembered with what suits it best.
 
         The middle of what the demands of a phase leave to it; where they leave it free, what
         the beginning of the phase sets.
         """
-        if not self.cell.memory or len(state.memory):
+        more = len(self.cell.memory)
+        if not more:
             return state
-        nothing = state._replace(memory=(0.0,) * len(self.cell.memory))
-        for p, node in enumerate(self.nodes):
-            found = entered(self.rules, p, nothing)
-            found = found._replace(memory=tuple(map(float, found.memory)))
-            for i in range(len(self.cell.memory)):
-                found = _in_the_middle(node, found, i)
-            if admits(self.rules, p, found):
+        state = state._replace(memory=tuple(state.memory) or (0.0,) * more)
+        for p in range(len(self.nodes)):
+            found = self.by("entered", p, state)
+            for i in range(more):
+                found = self._in_the_middle(p, found, i)
+            if self.by("admits", p, found):
                 return found
-        return nothing
+        return state
 
-    def unmet(self, state: State) -> str:
+    def _in_the_middle(self, p: int, state: AnyState, i: int) -> AnyState:
+        """Return a state with one memory in the middle of what the demands of a phase leave."""
+        kinds, values = self.rules.kinds[p], list(map(float, state.memory))
+        rows = self.rules.forms[kinds[ROW] + 1 : kinds[AT_SWITCH]]
+        numbers, place = self.full(state), i - len(values)
+        numbers[place] = 0.0
+        factors, rest = rows[:, place], rows @ numbers
+        limits = -rest / np.where(factors == 0, 1.0, factors)
+        low = limits[factors > 0].max(initial=-np.inf)
+        high = limits[factors < 0].min(initial=np.inf)
+        if np.isfinite(low) and np.isfinite(high):
+            values[i] = float(low + high) / 2
+        return state._replace(memory=tuple(values))
+
+    def unmet(self, state: AnyState) -> str:
         """Return in words why no phase takes a state."""
         found = []
         for p, q in enumerate(self.nodes):
-            at, first = local_of(self.rules, p, state), int(self.rules.kinds[p, ROW]) + 1
+            at, first = self.by("local_of", p, state), int(self.rules.kinds[p, ROW]) + 1
             demands = enumerate((words for words, _ in q.phase.demands), first)
-            words = [w for row, w in demands if sign_of(self.rules, at, row, state) < 0]
+            words = [w for row, w in demands if self.by("sign_of", at, row, state) < 0]
             if words:
                 found.append(f"in {q.phase.name} not true that {words[0]}")
             elif q.phase.held:
                 found.append(f"the velocity or the place is not that of {q.phase.name}")
         return "; ".join(dict.fromkeys(found))
 
-
-def _in_the_middle(node: Node, state: State, i: int) -> State:
-    """Return a state with one memory in the middle of what the demands of a phase leave."""
-    low, high, cosine = -math.inf, math.inf, math.cos(state.angle)
-    others = list(state.memory)
-    others[i] = 0.0
-    for (_, raw), (_, form) in zip(
-        node.phase.demands, node.phase.remembering(others).demands, strict=True
-    ):
-        factor = raw[4 + i]
-        value = form[0] * state.x + form[1] * state.v + form[2] * cosine + form[3]
-        if factor > 0:
-            low = max(low, -value / factor)
-        elif factor < 0:
-            high = min(high, -value / factor)
-    if math.isfinite(low) and math.isfinite(high):
-        others[i] = (low + high) / 2
-        return state._replace(memory=tuple(others))
-    return state
+    def recorded(self, p: int, state: AnyState, t: Fraction, s: float, surface: int) -> Segment:
+        """Return a phase that was followed as it is kept."""
+        node, memory = self.nodes[p], [float(value) for value in state.memory]
+        place = (node.index, node.mirrored, t, state.angle)
+        ended = self.ending(p, surface)
+        return Segment(node.phase.remembering(memory), *place, state.x, state.v, s, ended)

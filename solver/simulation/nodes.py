@@ -88,27 +88,6 @@ class InState(NamedTuple):
     one: int
 
 
-@dataclass(frozen=True)
-class Phases:
-    """The phases of a cell that a motion can be in."""
-
-    cell: Cell
-    nodes: tuple[Node, ...]
-
-    def number(self, one: Step) -> int:
-        """Return the number of a phase as an order calls it."""
-        return one.phase + len(self.cell.phases) * one.mirrored
-
-    def node(self, one: Step) -> Node:
-        """Return a phase as an order calls it."""
-        return self.nodes[self.number(one)]
-
-    def ending(self, p: int, surface: int) -> Step | None:
-        """Return the phase whose event ends a phase on a surface; None without one."""
-        found = NONE if surface == NONE else ending(self.nodes, p, surface)
-        return None if found == NONE else self.nodes[found].step
-
-
 def ending(nodes: Sequence[Node], p: int, surface: int) -> int:
     """Return the phase of the same equation whose event is a surface; `NONE` without one."""
     turn = (q for q in (p, *range(len(nodes))) if nodes[q].event == surface)

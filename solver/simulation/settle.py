@@ -21,9 +21,11 @@ from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.orders import Order, OrderedScene, Step, half_if_mirrored
 from .bodies.regime import slowest_decay
-from .machines import AnyMachine, AnyState, machine_of
+from .machine import Machine
+from .machines import machine_of
 from .record import Segment, Simulation
 from .simulate import cycle
+from .steps.state import AnyState
 from .walk import Place, effort, walk
 
 #: Cycles that are simulated at first, and by which factor more each time that was too short;
@@ -130,7 +132,7 @@ def from_several_states(case: Case, phases: int = PHASES) -> Iterator[Settled]:
 
 
 def _followed_from(
-    case: Case, machine: AnyMachine, starts: Iterable[AnyState | None], phases: int
+    case: Case, machine: Machine, starts: Iterable[AnyState | None], phases: int
 ) -> Iterator[Settled]:
     """Yield what simulations come to from each of several states that a phase takes."""
     possible = [q for q in dict.fromkeys(starts) if q is not None and machine.first(q)]
@@ -206,7 +208,7 @@ def _settled_on(cell: Cell, repeated: tuple[Segment, ...]) -> Settled:
     return _declared(cell, whole) or _other(cell, whole)
 
 
-def _whole(machine: AnyMachine, repeated: tuple[Segment, ...]) -> tuple[Segment, ...]:
+def _whole(machine: Machine, repeated: tuple[Segment, ...]) -> tuple[Segment, ...]:
     """Return the phases that a motion repeats, each that goes on behind its event as one.
 
     None where nothing ever changes.
@@ -225,7 +227,7 @@ def _whole(machine: AnyMachine, repeated: tuple[Segment, ...]) -> tuple[Segment,
     return tuple(found)
 
 
-def _goes_on(machine: AnyMachine, one: Segment, two: Segment) -> bool:
+def _goes_on(machine: Machine, one: Segment, two: Segment) -> bool:
     """Whether nothing changes where one phase ends and the next begins."""
     if one.step is None or any(each.phase == two.index for each in machine.cell.memory):
         return False

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from ..scenes.case import Case
 from ..scenes.cell import Cell
 from ..scenes.parameter_error import is_number
-from .machines import AnyState, machine_of
+from .machines import machine_of
 from .record import Simulation
+from .steps.state import AnyState
 from .walk import follow
 
 #: Cycles that are simulated where neither cycles nor a time is given.

@@ -8,14 +8,13 @@ from typing import Any
 from ..arrays import Integers, Matrix
 from ..scenes.case import Case
 from .machine import Machine, follow_by, with_array
-from .machines import AnyMachine, AnyState
 from .record import Segment, Simulation
 from .steps.chatter import CHATTER, accumulates, end_of
 from .steps.clock import Clock, at_start
 from .steps.column import NONE
 from .steps.locate import BEYOND, EVENT, LOST, MOST_STEPS
 from .steps.run import MOST_PHASES
-from .steps.state import State
+from .steps.state import AnyState, State
 from .steps.step import REFUSED
 
 #: Windows of a search for events that take about as long as what else a phase takes.
@@ -35,7 +34,7 @@ class Place:
     t: Fraction = Fraction(0)
 
     @classmethod
-    def first(cls, machine: AnyMachine, state: AnyState) -> "Place":
+    def first(cls, machine: Machine, state: AnyState) -> "Place":
         """Return where the motion from a state begins that a phase takes."""
         found = machine.begin(state)
         assert found is not None
@@ -43,7 +42,7 @@ class Place:
         return cls(p, begun, at_start(state.angle, machine.cell.omega))
 
 
-def follow(case: Case, machine: AnyMachine, start: AnyState, duration: float) -> Simulation:
+def follow(case: Case, machine: Machine, start: AnyState, duration: float) -> Simulation:
     """Return the motion of a case from a state that a phase takes, all without units."""
     segments, _, ended = walk(case, machine, Place.first(machine, start), duration)
     return Simulation(case, tuple(segments), ended)
@@ -66,7 +65,7 @@ def _reach(window: float, most: float) -> float:
 
 
 def walk(
-    case: Case, machine: AnyMachine, place: Place, until: float, most: float = math.inf
+    case: Case, machine: Machine, place: Place, until: float, most: float = math.inf
 ) -> tuple[list[Segment], Place, str]:
     """Return the phases of a motion from the beginning of one on, the last one cut off.
 

@@ -49,7 +49,7 @@ def test_plain_and_compiled_motions_have_the_same_bits(name) -> None:
     forms = FAMILY.plain(run.__name__), FAMILY.compiled(run.__name__)
     for start in states:
         place = Place.first(machine, start)
-        p, state, clock = place.phase, place.state, place.clock
+        p, state, clock = place.phase, with_array(place.state), place.clock
         for _ in range(40):
             one, other = (of["step"](machine.rules, p, state, clock, 9.0) for of in forms)
             assert bits(one) == bits(other)

@@ -1,1 +1,1 @@
-"""Bodies from event to event: forms along a phase, their first zero, which phase follows."""
+"""Bodies from event to event: forms along a phase, their first zero, states and switches."""

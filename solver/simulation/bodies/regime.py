@@ -1,4 +1,4 @@
-"""A body in one phase: its flow, and forms as rows over ``Y = (y, cos, sin, 1, memory)``."""
+"""A body in one phase: its flow, and what it makes of ``Y = (y, cos, sin, 1, memory)``."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...arrays import Matrix, Vector
-from ...bodies.laws import places
+from ...bodies.laws import Free, free, places
+from ...bodies.modal import Modal
 from ...bodies.part import Part, parts_of
 from ...scenes.bodies.cell import BodyCell, BodyPhase
 from ..nodes import Node
@@ -26,23 +27,19 @@ class Regime:
 
     Parameters
     ----------
+    free : Free
+        The body without its contact forces.
     generator : ndarray, shape (W, W)
         Of ``Y' = generator Y``.
-    event : ndarray, shape (W,)
-        The form that ends the phase.
-    demands : ndarray, shape (D, W)
-        What must not be negative in it.
-    at_switch : ndarray, shape (E, W)
-        What must not be negative where its event ends it.
     contacts : ndarray, shape (3, c, W)
         Displacement, velocity and force of each contact.
     """
 
+    phase: BodyPhase
     part: Part
+    body: Modal
+    free: Free
     generator: Matrix
-    event: Vector
-    demands: Matrix
-    at_switch: Matrix
     contacts: Matrix
 
     @property
@@ -88,25 +85,18 @@ def regimes(cell: BodyCell, nodes: Sequence[Node]) -> tuple[Regime, ...]:
     """
     phases = tuple(q.phase for q in nodes if isinstance(q.phase, BodyPhase))
     whole = replace(cell, phases=phases, sign=1)
-    return tuple(map(_regime, parts_of(whole), phases, [cell.omega] * len(phases)))
+    return tuple(map(_regime, phases, parts_of(whole), [cell] * len(phases)))
 
 
-def _regime(part: Part, phase: BodyPhase, omega: float) -> Regime:
-    own = part.lawful
+def _regime(phase: BodyPhase, part: Part, cell: BodyCell) -> Regime:
+    own, apart = part.lawful, free(cell.body, cell.omega, len(cell.memory))
     states, width = len(own.A), own.rows.shape[1]
     generator = np.zeros((width, width))
     generator[:states] = np.hstack([own.A, own.inputs])
-    generator[states, states + 1], generator[states + 1, states] = -omega, omega
-
-    def rows(forms: Sequence[tuple[str, tuple[float, ...]]]) -> Matrix:
-        return np.array([form for _, form in forms]).reshape(-1, len(own.rows)) @ own.rows
-
+    generator[states, states + 1], generator[states + 1, states] = -cell.omega, cell.omega
     x, v, *_ = places(len(own.force))
     contacts = np.array([own.rows[x], own.rows[v], own.force])
-    event = np.array(phase.event) @ own.rows
-    return Regime(
-        part, generator, event, rows(phase.demands), rows(phase.switch_demands), contacts
-    )
+    return Regime(phase, part, cell.body, apart, generator, contacts)
 
 
 def slowest_decay(cell: BodyCell) -> float:

@@ -1,26 +1,31 @@
-"""The rules by which one phase of a body follows another; see `steps.switches`.
+"""What is of bodies in the rules by which one phase follows another.
 
-They are those of one mass: a phase ends where its event happens or one of its demands would be
-violated next, and one follows whose demands hold just behind that.
+The functions stand for those of the same names in `steps`, over the `Rules` and the states
+of bodies: plain Python.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from ...arrays import Matrix, Vector
-from ...bodies.laws import Free, free
 from ...bodies.switch import impulses_of
-from ...scenes.bodies.cell import BodyCell, BodyPhase
-from ..nodes import Phases, turns, walls
-from ..steps.chatter import LEFT
+from ...scenes.bodies.cell import BodyCell
+from ..nodes import Node
+from ..steps import chatter, column
+from ..steps.clock import Clock, angle_of, later
 from ..steps.column import NONE
-from ..steps.locate import NOISE
-from ..steps.switches import NEAR
+from ..steps.locate import EVENT, NOISE
+from ..steps.rules import Rules, rules_of
+from ..steps.state import sets
+from ..steps.switches import NEAR, next_phase, rest_behind
+from .along import Along, state_at
+from .locate import first_event
 from .regime import Regime, regimes
+
+#: Of each contact, ``rho`` and ``d`` of its velocity ``rho v + d`` behind a switch.
+Jumps: TypeAlias = Sequence[tuple[float, float]]
 
 #: Height of a jump that is located, in units of what is rounding of a displacement.
 RESOLVED = 4
@@ -37,188 +42,190 @@ class BodyState(NamedTuple):
     surface: int = NONE
     memory: tuple[float, ...] = ()
 
+    def at(self, y: Vector) -> "BodyState":
+        """Return the state with another y."""
+        return self._replace(y=tuple(map(float, y)))
 
-@dataclass(frozen=True)
-class BodyRules(Phases):
-    """The phases of a cell of a body, and the rules by which one follows another."""
 
-    cell: BodyCell
+def body_rules_of(cell: BodyCell, nodes: Sequence[Node]) -> Rules:
+    """Return the rules of a cell of a body, whose phases are nodes."""
+    own, found = rules_of(cell, nodes), regimes(cell, nodes)
+    ends = zip(found, own.kinds[:, column.ROW], own.kinds[:, column.END], strict=True)
+    forms = [own.forms[a:b] @ regime.part.lawful.rows for regime, a, b in ends]
+    return own._replace(numbers=found, forms=np.vstack(forms))
 
-    @cached_property
-    def regimes(self) -> tuple[Regime, ...]:
-        """Its phases in numbers."""
-        return regimes(self.cell, self.nodes)
 
-    @cached_property
-    def turns(self) -> list[list[int]]:
-        """In which turn phases are tried; see `nodes.turns`."""
-        return turns(self.nodes)
+def full(state: BodyState) -> Vector:
+    """Return ``Y = (y, cos, sin, 1, memory)``."""
+    waves = np.cos(state.angle), np.sin(state.angle), 1.0
+    return np.array([*state.y, *waves, *state.memory])
 
-    @cached_property
-    def walls(self) -> list[int]:
-        """Which phases are a rest at a place; see `nodes.walls`."""
-        return walls(self.nodes)
 
-    @cached_property
-    def free(self) -> Free:
-        """The body without its contact forces."""
-        return free(self.cell.body, self.cell.omega, len(self.cell.memory))
+def local_of(rules: Rules, p: int, state: BodyState) -> tuple[Regime, Vector]:
+    """Return a phase at a state in which it begins."""
+    return rules.numbers[p], full(begun(rules, p, state))
 
-    def full(self, state: BodyState) -> Vector:
-        """Return ``Y = (y, cos, sin, 1, memory)``."""
-        waves = np.cos(state.angle), np.sin(state.angle), 1.0
-        return np.array([*state.y, *waves, *state.memory])
 
-    def watched(self, p: int, state: BodyState) -> tuple[Vector, list[int]]:
-        """Return the forms that may end a phase, none negative there, and their surfaces."""
-        node, regime = self.nodes[p], self.regimes[p]
-        rows, surfaces = regime.demands, list(node.demands)
-        if node.event not in node.demands:
-            known = node.event == state.surface
-            sign = regime.sign_after(regime.event, self.full(state), known)
-            rows = np.vstack([rows, -regime.event if sign < 0 else regime.event])
-            surfaces.append(node.event)
-        return rows, surfaces
+def sign_of(rules: Rules, at: tuple[Regime, Vector], row: int, state: BodyState) -> int:
+    """Return the sign of a form just after a state."""
+    regime, Y = at
+    return regime.sign_after(rules.forms[row], Y, bool(rules.surfaces[row] == state.surface))
 
-    def signs(self, p: int, state: BodyState) -> Iterator[tuple[str, int]]:
-        """Yield the demands of a phase in words, and their signs just after a state."""
-        node, regime, Y = self.nodes[p], self.regimes[p], self.full(state)
-        words = (w for w, _ in node.phase.demands)
-        for w, row, surface in zip(words, regime.demands, node.demands, strict=True):
-            yield w, regime.sign_after(row, Y, surface == state.surface)
 
-    def admits(self, p: int, state: BodyState) -> bool:
-        """Whether the demands of a phase hold just after a state."""
-        if self.nodes[p].phase.held and not self._may_be_held(p, state):
-            return False
-        return all(sign >= 0 for _, sign in self.signs(p, self.begun(p, state)))
+def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
+    """Whether a held phase is held at a state: behind a jump, there alone.
 
-    def _may_be_held(self, p: int, state: BodyState) -> bool:
-        """Whether a held phase is held at a state: behind a jump, there alone.
+    A jump may give its velocity to the whole body, of which some modes are left out.
+    """
+    regime, wall, Y = rules.numbers[p], rules.kinds[p, column.WALL], full(state)
+    speed, row = regime.phase.speed, rules.kinds[wall, column.ROW]
+    on = wall != NONE and bool(rules.surfaces[row] == state.surface)
+    if on and rules.numbers[wall].phase.jumps[0] == (0.0, speed):
+        return True
+    v = float(regime.contacts[1, 0] @ Y)
+    if abs(v - speed) > NEAR * max(1.0, abs(speed)):
+        return False
+    event = rules.forms[row]
+    return bool(wall == NONE or on or abs(event @ Y) <= NOISE * (np.abs(event) @ np.abs(Y)))
 
-        A jump may give its velocity to the whole body, of which some modes are left out.
-        """
-        speed, wall, Y = self.nodes[p].phase.speed, self.walls[p], self.full(state)
-        phase = self.nodes[wall].phase
-        given = wall != NONE and isinstance(phase, BodyPhase) and phase.jumps[0] == (0.0, speed)
-        if given and self.nodes[wall].event == state.surface:
-            return True
-        v = float(self.regimes[p].contacts[1, 0] @ Y)
-        if abs(v - speed) > NEAR * max(1.0, abs(speed)):
-            return False
-        if wall == NONE or self.nodes[wall].event == state.surface:
-            return True
-        event = self.regimes[wall].event
-        return bool(abs(event @ Y) <= NOISE * (np.abs(event) @ np.abs(Y)))
 
-    def begun(self, p: int, state: BodyState) -> BodyState:
-        """Return a state with the velocity at which a phase is held, if it is."""
-        phase = self.nodes[p].phase
-        if not phase.held:
-            return state
-        jumps = [(0.0, phase.speed)] + [(1.0, 0.0)] * (len(self.regimes[p].contacts[1]) - 1)
-        return self._struck(state, self.cell.body.kept_mobility, jumps)
+def begun(rules: Rules, p: int, state: BodyState) -> BodyState:
+    """Return a state with the velocity at which a phase is held, if it is."""
+    regime: Regime = rules.numbers[p]
+    if not regime.phase.held:
+        return state
+    jumps = [(0.0, regime.phase.speed)] + [(1.0, 0.0)] * (len(regime.phase.laws) - 1)
+    return struck(regime, state, regime.body.kept_mobility, jumps)
 
-    def _struck(
-        self, state: BodyState, mobility: Vector, jumps: Sequence[tuple[float, float]]
-    ) -> BodyState:
-        """Return a state behind impulses."""
-        by_velocity, constant = impulses_of(mobility, jumps)
-        velocity = self.regimes[0].contacts[1] @ self.full(state)
-        moved = self.free.B @ (by_velocity @ velocity + constant)
-        return state._replace(y=tuple(map(float, np.array(state.y) + moved)))
 
-    def on(self, rows: Matrix, state: BodyState) -> BodyState:
-        """Return the state nearest to one at which some forms vanish."""
-        own = rows[:, : len(state.y)]
-        moved, *_ = np.linalg.lstsq(own, rows @ self.full(state))
-        return state._replace(y=tuple(map(float, np.array(state.y) - moved)))
+def struck(regime: Regime, state: BodyState, mobility: Vector, jumps: Jumps) -> BodyState:
+    """Return a state behind impulses."""
+    by_velocity, constant = impulses_of(mobility, jumps)
+    velocity = regime.contacts[1] @ full(state)
+    return state.at(np.array(state.y) + regime.free.B @ (by_velocity @ velocity + constant))
 
-    def entered(self, p: int, state: BodyState) -> BodyState:
-        """Return the state in which a phase begins: with what its beginning sets."""
-        if not self._sets(p):
-            return state
-        values, Y, node = list(state.memory), self.full(state), self.nodes[p]
-        for i, each in enumerate(self.cell.memory):
-            if each.phase == node.index:
-                form = np.array(each.value[: len(self.free.rows)])
-                form[3] *= -1 if node.mirrored else 1
-                values[i] = float(form @ (self.free.rows @ Y))
-        return state._replace(memory=tuple(values))
 
-    def _sets(self, p: int) -> bool:
-        """Whether the beginning of a phase sets what the motion remembers."""
-        return any(each.phase == self.nodes[p].index for each in self.cell.memory)
+def on(rows: Matrix, state: BodyState) -> BodyState:
+    """Return the state nearest to one at which some forms vanish."""
+    moved, *_ = np.linalg.lstsq(rows[:, : len(state.y)], rows @ full(state))
+    return state.at(np.array(state.y) - moved)
 
-    def in_the_middle(self, p: int, state: BodyState, i: int) -> BodyState:
-        """Return a state with one memory in the middle of what the demands of a phase leave."""
-        place = len(state.y) + 3 + i
-        Y = self.full(state)
-        Y[place] = 0.0
-        factors, rest = self.regimes[p].demands[:, place], self.regimes[p].demands @ Y
-        limits = -rest / np.where(factors == 0, 1.0, factors)
-        low = limits[factors > 0].max(initial=-np.inf)
-        high = limits[factors < 0].min(initial=np.inf)
-        if not (np.isfinite(low) and np.isfinite(high)):
-            return state
-        values = list(state.memory)
-        values[i] = float(low + high) / 2
-        return state._replace(memory=tuple(values))
 
-    def law(self, p: int, surface: int) -> Sequence[tuple[float, float]]:
-        """Return the jumps where a phase ends on a surface; none where they are 1 and 0."""
-        ending = self.ending(p, surface)
-        phase = None if ending is None else self.node(ending).phase
-        jumps = phase.jumps if isinstance(phase, BodyPhase) else ()
-        return jumps if any(jump != (1.0, 0.0) for jump in jumps) else ()
+def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
+    """Return the state in which a phase begins: with what its beginning sets."""
+    values = list(state.memory)
+    if sets(rules, p):
+        seen = rules.numbers[p].free.rows @ full(state)
+        for i in np.flatnonzero(rules.setting == rules.kinds[p, column.INDEX]):
+            form = rules.memory[i].copy()
+            form[3] *= rules.kinds[p, column.SIGN]
+            values[i] = float(form @ seen)
+    return state._replace(memory=tuple(values))
 
-    def crossed(self, p: int, surface: int, end: BodyState) -> BodyState:
-        """Return the state behind the switch from that in which a phase ends."""
-        jumps = self.law(p, surface)
-        if not jumps:
-            return end._replace(surface=surface)
-        found = self._struck(end, self.cell.body.mobility, jumps)
-        event = np.array(next(q for q in self.nodes if q.event == surface).phase.event)
-        return found._replace(surface=NONE if event[1] else surface)
 
-    def next_phase(self, p: int, surface: int, before: BodyState, state: BodyState) -> int:
-        """Return the phase that follows on a surface; see `steps.switches.next_phase`."""
-        declared = (p + 1) % len(self.nodes) if surface == self.nodes[p].event else NONE
-        refused = declared if declared != NONE and not self._switches(p, before) else NONE
-        for q in self.turns[declared]:
-            if q == refused or (q != declared and self._sets(q)):
-                continue
-            if self.admits(q, self.entered(q, state)):
-                return q
-        return NONE
+def jumps_of(rules: Rules, p: int, surface: int) -> Jumps:
+    """Return the jumps where a phase ends on a surface; none where they are 1 and 0."""
+    ending = rules.endings[p, surface]
+    jumps: Jumps = () if ending == NONE else rules.numbers[ending].phase.jumps
+    return jumps if any(jump != (1.0, 0.0) for jump in jumps) else ()
 
-    def _switches(self, p: int, before: BodyState) -> bool:
-        """Whether a state is one that the event of a phase demands, but for rounding."""
-        rows, Y = self.regimes[p].at_switch, self.full(before)
-        return bool((rows @ Y >= -NOISE * (np.abs(rows) @ np.abs(Y))).all())
 
-    def rest_behind(self, p: int, state: BodyState) -> int:
-        """Return the rest at a place that takes a state whose jumps have died away there."""
-        for q in self.turns[(p + 1) % len(self.nodes)]:
-            if self.walls[q] != NONE and self.admits(q, self.begun(q, state)):
-                return q
-        return NONE
+def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
+    """Return the state behind the switch from that in which a phase ends, where a form does."""
+    surface, regime = int(rules.surfaces[row]), rules.numbers[p]
+    jumps = jumps_of(rules, p, surface)
+    if not jumps:
+        return end._replace(surface=surface)
+    found = struck(regime, end, regime.body.mobility, jumps)
+    moving = rules.numbers[rules.endings[p, surface]].phase.event[1]
+    return found._replace(surface=NONE if moving else surface)
 
-    def time_left(self, p: int, surface: int, after: int, state: BodyState) -> float:
-        """Return how long jumps go on behind one, as `chatter.time_left`; 0 if not known."""
-        hit = [(i, *jump) for i, jump in enumerate(self.law(p, surface)) if jump != (1.0, 0.0)]
-        if len(hit) != 1 or self.nodes[after].phase.held:
-            return 0.0
-        (i, rho, d), regime, Y = hit[0], self.regimes[after], self.full(state)
-        row = regime.contacts[1, i]
-        v, a, jerk = (
-            row @ Y,
-            row @ regime.generator @ Y,
-            row @ regime.generator @ regime.generator @ Y,
-        )
-        if d != 0 or not (-1 < rho <= 0 and v * a < 0):
-            return 0.0
-        left = float(-2 * v / (a * (1 + rho)))
-        resolved = RESOLVED * NOISE * (np.abs(regime.contacts[0, i]) @ np.abs(Y))
-        short = left * left * max(1.0, abs(jerk / a)) <= LEFT
-        return left if short or v * v <= 2 * abs(a) * resolved else 0.0
+
+def may_switch(rules: Rules, p: int, before: BodyState) -> bool:
+    """Whether a state is one that the event of a phase demands, but for rounding."""
+    kinds, Y = rules.kinds[p], full(before)
+    rows = rules.forms[kinds[column.AT_SWITCH] : kinds[column.END]]
+    return bool((rows @ Y >= -NOISE * (np.abs(rows) @ np.abs(Y))).all())
+
+
+def watched(rules: Rules, p: int, state: BodyState) -> tuple[list[int], Matrix]:
+    """Return the rows of what may end a phase, and the forms, none negative there."""
+    own = rules.kinds[p]
+    event, behind = int(own[column.ROW]), int(own[column.AT_SWITCH])
+    rows = [*range(event + 1, behind), *[event] * int(own[column.WATCHED])]
+    forms, at = rules.forms[rows], (rules.numbers[p], full(state))
+    if own[column.WATCHED] and sign_of(rules, at, event, state) < 0:
+        forms[-1] *= -1
+    return rows, forms
+
+
+def end_of_phase(
+    rules: Rules, p: int, state: BodyState, clock: Clock, most: float
+) -> tuple[float, int, int, BodyState]:
+    """Return when a phase ends, how, the row of the form that ends it, and the state there.
+
+    An event behind which nothing changes is passed, as where a mass comes back through the
+    place at which it left a spring.
+    """
+    begins, start = state, 0.0
+    while True:
+        rows, forms = watched(rules, p, begins)
+        along = Along(rules.numbers[p], full(begins), forms)
+        s, how, form = first_event(along, rules.surfaces[rows] == begins.surface, most - start)
+        s, row = start + s, rows[form]
+        if how != EVENT:
+            return s, how, NONE, state
+        end = reached(rules.numbers[p], state, s, forms[form], angle_of(later(clock, s)))
+        behind = crossed(rules, p, row, end)
+        if s == start or changes(rules, p, row, end, behind):
+            return s, how, row, end
+        begins, start = begun(rules, p, behind), s
+
+
+def reached(regime: Regime, state: BodyState, s: float, row: Vector, angle: float) -> BodyState:
+    """Return the state in which a phase ends where a form vanishes, without rounding there.
+
+    A held contact has moved by its speed.
+    """
+    Y, rows, n, speed = full(state), [row], regime.states, regime.phase.speed
+    if regime.phase.held:
+        place, velocity = np.zeros(len(Y)), regime.contacts[1, 0].copy()
+        place[:n] = regime.free.rows[0, :n]
+        place[n + 2] = -(place @ Y + speed * s)
+        velocity[n + 2] -= speed
+        rows += [place, velocity]
+    end = BodyState((), angle, NONE, state.memory).at(state_at(regime, Y, s))
+    return on(np.array(rows), end)
+
+
+def changes(rules: Rules, p: int, row: int, end: BodyState, behind: BodyState) -> bool:
+    """Whether a switch changes anything: the phase, the memory, or a velocity."""
+    surface = int(rules.surfaces[row])
+    same = not jumps_of(rules, p, surface) and entered(rules, p, behind) == behind
+    return not same or next_phase(rules, p, surface, end, behind) != p
+
+
+def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) -> float:
+    """Return how long jumps go on behind that which ends a phase; 0 if not known."""
+    jumps, regime, Y = jumps_of(rules, p, surface), rules.numbers[after], full(state)
+    hit = [(i, *jump) for i, jump in enumerate(jumps) if jump != (1.0, 0.0)]
+    if len(hit) != 1 or regime.phase.held or hit[0][2] != 0:
+        return 0.0
+    i, rho, _ = hit[0]
+    row = regime.contacts[1, i]
+    v, a = row @ Y, row @ regime.generator @ Y
+    jerk = row @ regime.generator @ regime.generator @ Y
+    resolved = RESOLVED * NOISE * (np.abs(regime.contacts[0, i]) @ np.abs(Y))
+    return float(chatter.time_left(v, a, jerk, rho, resolved))
+
+
+def rest_of(
+    rules: Rules, p: int, behind: BodyState, left: float, angle: float
+) -> tuple[int, BodyState]:
+    """Return the rest behind jumps that go on for a time, and the state in which it begins."""
+    rest = rest_behind(rules, p, behind)
+    if rest == NONE:
+        return rest, behind
+    first = begun(rules, rest, entered(rules, rest, behind))
+    y = state_at(rules.numbers[rest], full(first), left)
+    return rest, begun(rules, rest, first.at(y)._replace(angle=angle))

@@ -8,8 +8,6 @@ the change of the force does not count.
 
 from collections.abc import Sequence
 
-from .bounds import Local
-
 #: Phases in a row, each shorter than this without units, that may be chatter.
 CHATTER, SHORT = 12, 1e-6
 
@@ -17,16 +15,23 @@ CHATTER, SHORT = 12, 1e-6
 LEFT = 1e-16
 
 
-def time_left(at: Local, rho: float) -> float:
+def time_left(v: float, a: float, jerk: float, rho: float, resolved: float) -> float:
     """Return how long the jumps at a wall still go on; 0 while that is not known.
 
-    `at` is the motion behind a jump, `rho` the velocity there over that before.
+    Parameters
+    ----------
+    v, a, jerk : float
+        The motion behind a jump: velocity, acceleration and its rate.
+    rho : float
+        The velocity there over that before.
+    resolved : float
+        Height of a jump that is seen: lower ones are rounding.
     """
-    v, a, jerk = at.derivatives[1], at.derivatives[2], at.derivatives[3]
     if not (-1 < rho <= 0 and v * a < 0):
         return 0.0
     left = -2 * v / (a * (1 + rho))
-    return left if left * left * max(1.0, abs(jerk / a)) <= LEFT else 0.0
+    short = left * left * max(1.0, abs(jerk / a)) <= LEFT
+    return left if short or v * v <= 2 * abs(a) * resolved else 0.0
 
 
 def put_last(last: list[float], s: float) -> None:

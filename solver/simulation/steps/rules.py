@@ -1,12 +1,11 @@
 """The phases that a motion can be in as arrays, and which may follow which: once for a cell."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...arrays import Integers, Matrix
-from ...scenes.arrays import arrays_of
 from ...scenes.cell import Cell, Form
 from ..nodes import Node, ending, turns, walls
 from .column import NONE
@@ -20,13 +19,15 @@ class Rules(NamedTuple):
     omega : float
         Of the forcing.
     numbers : ndarray, shape (P, 8 + M)
-        Of each phase: equation, speed, law, and factors of the memory in its force.
+        Of each phase: equation, speed, law, and factors of the memory in its force.  Of a body
+        in their place a tuple of `Regime`.
     kinds : ndarray of int, shape (P, 8)
         Of each phase: whether it is held; whether its event is none of its demands; behind the
         jump of which it is a rest at a place; its place in the cell; -1 if it is mirrored.
         Then in `forms` the row of its event, before its demands; the first row of what it
         demands at its switch; and the one behind them.
     forms : ndarray, shape (F, 4 + M)
+        By ``x, v, cos, 1, memory``.  Of a body by its ``Y``; see `Regime`.
     surfaces : ndarray of int, shape (F,)
         On which each vanishes.
     endings : ndarray of int, shape (P, S)
@@ -35,11 +36,11 @@ class Rules(NamedTuple):
         In which turn phases are tried where one is declared, or at last none: constraints hold
         while they can.
     setting, memory : ndarray, shape (M,), (M, 4)
-        As in `Arrays`.
+        As in `Arrays`.  Of a body the forms are longer.
     """
 
     omega: float
-    numbers: Matrix
+    numbers: Any
     kinds: Integers
     forms: Matrix
     surfaces: Integers
@@ -67,15 +68,15 @@ def rules_of(cell: Cell, nodes: Sequence[Node]) -> Rules:
         place = behind[p], node.index, -1 if node.mirrored else 1
         rows = row, at_switch, len(forms)
         kinds.append([phase.held, node.event not in node.demands, *place, *rows])
-    arrays = arrays_of(cell)
+    width = max(4, *(len(form) - more for form in forms))
     return Rules(
         cell.omega,
         np.array(numbers, dtype=float),
         np.array(kinds, dtype=np.int64),
-        np.array([[*form, *[0.0] * more][: 4 + more] for form in forms], dtype=float),
+        np.array([[*form, *[0.0] * more][: width + more] for form in forms], dtype=float),
         np.array(surfaces, dtype=np.int64),
         np.array([[ending(nodes, p, q) for q in range(max(surfaces) + 1)] for p in phases]),
         np.array(turns(nodes)),
-        arrays.setting,
-        arrays.memory,
+        np.array([each.phase for each in cell.memory], dtype=np.int64),
+        np.array([each.value[:width] for each in cell.memory], dtype=float).reshape(-1, width),
     )

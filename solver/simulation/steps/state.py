@@ -5,7 +5,7 @@ Functions over `Rules` and states: plain Python, or compiled by numba.
 
 from collections.abc import Sequence
 from math import cos
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -33,6 +33,10 @@ class State(NamedTuple):
     surface: int = NONE
     placed: bool = False
     memory: Values = ()
+
+
+#: A `State`, or that of a body.
+AnyState: TypeAlias = Any
 
 
 def equation_of(rules: Rules, p: int, memory: Values) -> Equation:

@@ -1,6 +1,7 @@
 """A motion from phase to phase: one step is a phase, and what is behind it.
 
-Functions over `Rules`, states and clocks: plain Python, or compiled by numba.
+Functions over `Rules`, states and clocks: plain Python, or compiled by numba.  `step` is that
+of bodies as well, over other functions of the same names as the rest.
 """
 
 from typing import NamedTuple
@@ -9,9 +10,9 @@ from . import column
 from .chatter import time_left
 from .clock import Clock, angle_of, later
 from .column import NONE
-from .locate import EVENT, Reached, first_event
+from .locate import EVENT, first_event
 from .rules import Rules
-from .state import State, begun, entered, form_of, local_of, sign_of
+from .state import AnyState, State, begun, entered, form_of, local_of, sign_of
 from .switches import crossed, law, next_phase, rest_behind
 
 #: How a motion ends beside the ways in which a phase does: no phase takes a state, its switches
@@ -34,9 +35,9 @@ class Passed(NamedTuple):
         How long the jumps at that surface still go on; 0 if that is not known.
     away : int
         The phase that stands for all that are left of them, for that time; `NONE` else.
-    behind : State
+    behind : State or BodyState
         Just behind the switch.
-    phase, state, clock : int, State, Clock
+    phase, state, clock : int, State or BodyState, Clock
         The phase that goes on, and where it begins; of one that is cut off, its own.
     """
 
@@ -45,39 +46,36 @@ class Passed(NamedTuple):
     surface: int
     left: float
     away: int
-    behind: State
+    behind: AnyState
     phase: int
-    state: State
+    state: AnyState
     clock: Clock
 
 
-def step(rules: Rules, p: int, state: State, clock: Clock, most: float) -> Passed:
+def step(rules: Rules, p: int, state: AnyState, clock: Clock, most: float) -> Passed:
     """Follow a phase from where it begins, for a time at most, and across its switch."""
-    end, row = end_of_phase(rules, p, state, most)
-    if end.how != EVENT:
-        return Passed(end.s, end.how, NONE, 0.0, NONE, state, p, state, clock)
-    clock, surface = later(clock, end.s), int(rules.surfaces[row])
-    before = State(end.x, end.v, angle_of(clock), NONE, False, state.memory)
+    s, how, row, before = end_of_phase(rules, p, state, clock, most)
+    if how != EVENT:
+        return Passed(s, how, NONE, 0.0, NONE, state, p, state, clock)
+    clock, surface = later(clock, s), int(rules.surfaces[row])
     behind = crossed(rules, p, row, before)
-    after = next_phase(rules, p, surface, before, behind)
+    after, away = next_phase(rules, p, surface, before, behind), NONE
     if after == NONE:
-        return Passed(end.s, REFUSED, surface, 0.0, NONE, behind, p, behind, clock)
-    left, away = _time_left(rules, p, surface, after, behind), NONE
-    state = entered(rules, after, behind)
+        return Passed(s, REFUSED, surface, 0.0, NONE, behind, p, behind, clock)
+    state = begun(rules, after, entered(rules, after, behind))
+    left = jumping(rules, p, surface, after, state)
     if left > 0:
-        rested = later(clock, left)
-        angle, memory = angle_of(rested), behind.memory
-        still = State(behind.x, 0.0, angle, behind.surface, behind.placed, memory)
-        rest = rest_behind(rules, p, still)
-        if rest != NONE:  # the last of them stands for all that are left
-            away, after, clock = after, rest, rested
-            state = entered(rules, rest, still)
-    state = begun(rules, after, state)
-    return Passed(end.s, EVENT, surface, left, away, behind, after, state, clock)
+        still = later(clock, left)
+        rest, rested = rest_of(rules, p, behind, left, angle_of(still))
+        if rest != NONE:  # the last of the jumps stands for all that are left
+            away, after, state, clock = after, rest, rested, still
+    return Passed(s, EVENT, surface, left, away, behind, after, state, clock)
 
 
-def end_of_phase(rules: Rules, p: int, state: State, most: float) -> tuple[Reached, int]:
-    """Return where a phase ends, and the row of the form that ends it.
+def end_of_phase(
+    rules: Rules, p: int, state: State, clock: Clock, most: float
+) -> tuple[float, int, int, State]:
+    """Return when a phase ends, how, the row of the form that ends it, and the state there.
 
     Each of the forms that are watched is not negative before it does.
     """
@@ -93,10 +91,25 @@ def end_of_phase(rules: Rules, p: int, state: State, most: float) -> tuple[Reach
         rows.append(int(row))
         zeros.append(bool(rules.surfaces[row] == state.surface))
     end = first_event(at.phase, state.x, state.v, state.angle, state.placed, forms, zeros, most)
-    return end, rows[end.form]
+    angle = angle_of(later(clock, end.s))
+    there = State(end.x, end.v, angle, NONE, False, state.memory)
+    return end.s, end.how, rows[end.form], there
 
 
-def _time_left(rules: Rules, p: int, surface: int, after: int, state: State) -> float:
+def jumping(rules: Rules, p: int, surface: int, after: int, state: State) -> float:
     """Return how long jumps go on behind that which ends a phase; 0 if not known."""
     at, (rho, d) = local_of(rules, after, state), law(rules, p, surface)
-    return 0.0 if at.phase.held or d != 0 else time_left(at, rho)
+    if at.phase.held or d != 0:
+        return 0.0
+    return time_left(at.derivatives[1], at.derivatives[2], at.derivatives[3], rho, 0.0)
+
+
+def rest_of(
+    rules: Rules, p: int, behind: State, left: float, angle: float
+) -> tuple[int, State]:
+    """Return the rest behind jumps that go on for a time, and the state in which it begins."""
+    still = State(behind.x, 0.0, angle, behind.surface, behind.placed, behind.memory)
+    rest = rest_behind(rules, p, still)
+    if rest == NONE:
+        return rest, still
+    return rest, begun(rules, rest, entered(rules, rest, still))

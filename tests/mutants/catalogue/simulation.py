@@ -148,7 +148,7 @@ MUTANTS = (
     Mutant(
         "a body is not struck where it hits",
         "solver/simulation/bodies/rules.py",
-        "found = self._struck(end, self.cell.body.mobility, jumps)",
+        "found = struck(regime, end, regime.body.mobility, jumps)",
         "found = end",
         ("tests/simulation/test_one_mass_as_body.py",),
     ),
