@@ -11,6 +11,7 @@ Those at one time are compiled by numba with the exact equations.
 
 import cmath
 import math
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -65,15 +66,20 @@ def of_three(a: complex, b: complex, c: complex, t: float) -> complex:
     if not abs(a - c) * t <= 1:
         return (of_two(a, b, t) - of_two(b, c, t)) / (a - c)
     mean = (a + b + c) / 3
-    a, b, c = a - mean, b - mean, c - mean
+    close: complex = of_close(a - mean, b - mean, c - mean, t)
+    return exp(mean * t) * close
+
+
+def of_close(a: complex, b: complex, c: complex, t: Any) -> Any:
+    """Return the second divided difference at close nodes of mean 0, for a time or many."""
     pairs, product = a * b + b * c + c * a, a * b * c
     before, last, now = 0j, 0j, 1 + 0j  # complete symmetric polynomials, degree j - 2 to j
     power, total = t * t / 2, 0j
     for j in range(TERMS):
-        total += now * power
+        total = total + now * power
         power = power * t / (j + 3)
         before, last, now = last, now, product * before - pairs * last
-    return exp(mean * t) * total
+    return total
 
 
 def farthest_first(a: complex, b: complex, c: complex) -> tuple[complex, complex, complex]:
@@ -104,20 +110,11 @@ def of_three_at(a: complex, b: complex, c: complex, t: Vector) -> Waves:
     a, b, c = farthest_first(a, b, c)
     near = abs(a - c) * t <= 1
     if near.all():
-        return _series(a, b, c, t)
+        return _near(a, b, c, t)
     far = (of_two_at(a, b, t) - of_two_at(b, c, t)) / (a - c)
-    return np.asarray(np.where(near, _series(a, b, c, t), far)) if near.any() else far
+    return np.asarray(np.where(near, _near(a, b, c, t), far)) if near.any() else far
 
 
-def _series(a: complex, b: complex, c: complex, t: Vector) -> Waves:
+def _near(a: complex, b: complex, c: complex, t: Vector) -> Waves:
     mean = (a + b + c) / 3
-    a, b, c = a - mean, b - mean, c - mean
-    pairs, product = a * b + b * c + c * a, a * b * c
-    before, last, now = 0j, 0j, 1 + 0j  # complete symmetric polynomials, degree j - 2 to j
-    power = t * t / 2
-    total = np.zeros(len(t), dtype=complex)
-    for j in range(TERMS):
-        total += now * power
-        power = power * t / (j + 3)
-        before, last, now = last, now, product * before - pairs * last
-    return np.asarray(np.exp(mean * t) * total)
+    return np.asarray(np.exp(mean * t) * of_close(a - mean, b - mean, c - mean, t))

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Vector
 from ..flow import divided, responses
 from ..kernels import linking
 from ..kernels.family import Family
@@ -145,10 +144,6 @@ class Machine:
         found = self.by("next_phase", p, self.nodes[p].event, end, behind)
         return None if found == NONE else self.nodes[found]
 
-    def full(self, state: AnyState) -> Vector:
-        """Return what forms are of in a state: ``(x, x', cos, 1, memory)``."""
-        return np.array([state.x, state.v, math.cos(state.angle), 1.0, *state.memory])
-
     def in_state(self, p: int) -> InState:
         """Return what forms of a phase are in a state ``(x, x', 1, cos, sin, memory)``."""
         more = len(self.cell.memory)
@@ -211,7 +206,7 @@ class Machine:
         """Return a state with one memory in the middle of what the demands of a phase leave."""
         kinds, values = self.rules.kinds[p], list(map(float, state.memory))
         rows = self.rules.forms[kinds[ROW] + 1 : kinds[AT_SWITCH]]
-        numbers, place = self.full(state), i - len(values)
+        numbers, place = state.full, i - len(values)
         numbers[place] = 0.0
         factors, rest = rows[:, place], rows @ numbers
         limits = -rest / np.where(factors == 0, 1.0, factors)

@@ -31,7 +31,7 @@ def test_it_goes_on_where_the_value_before_was_left(name: str) -> None:
     _, last = turns(own, one, one.at_rest(0.0), 7)
     again = from_si(other, two, in_si(own, one, last))
     before, after = (
-        [float(row @ m.full(q)) * c.units.of_motion(j)
+        [float(row @ q.full) * c.units.of_motion(j)
          for j, row in enumerate(m.regimes[0].contacts[:2, 0])]
         for c, m, q in ((own, one, last), (other, two, again))
     )  # fmt: skip
@@ -53,5 +53,5 @@ def test_basins_lead_to_the_stable_orbits() -> None:
 def test_a_body_is_released_from_where_it_is_said() -> None:
     machine = machine_of(ns.scene("chain-impact")().cell)
     begun = machine.released(-0.7, 0.4, 0.0)
-    x, v = (float(row @ machine.full(begun)) for row in machine.regimes[0].contacts[:2, 0])
+    x, v = (float(row @ begun.full) for row in machine.regimes[0].contacts[:2, 0])
     assert (x, v) == pytest.approx((-0.7, 0.4), rel=1e-14)

@@ -17,11 +17,12 @@ from ..nodes import InState
 from ..steps import step, switches
 from ..steps.clock import Clock
 from ..steps.rules import Rules
+from ..steps.state import AnyState
 from ..steps.step import Passed
 from . import rules
 from .record import BodySegment
 from .regime import Regime
-from .rules import BodyState, body_rules_of, full, on, watched
+from .rules import BodyState, body_rules_of, on, watched
 
 
 @cache
@@ -52,10 +53,6 @@ class BodyMachine(Machine):
         found: tuple[Regime, ...] = self.rules.numbers
         return found
 
-    def full(self, state: BodyState) -> Vector:
-        """Return ``Y = (y, cos, sin, 1, memory)``."""
-        return full(state)
-
     def window(self, p: int) -> float:
         """Return a time in which a motion in a phase does not turn often."""
         return self.regimes[p].window
@@ -65,37 +62,34 @@ class BodyMachine(Machine):
         passed: Passed = self.by("step", p, state, clock, most)
         return passed
 
-    def still(self, angle: float) -> BodyState:
+    def still(self, angle: float) -> AnyState:
         """Return the state at rest where nothing is displaced."""
         return self._at(np.zeros(len(self.regimes[0].free.A)), angle)
 
-    def released(self, x: float, v: float, angle: float) -> BodyState:
+    def released(self, x: float, v: float, angle: float) -> AnyState:
         """Return the state nearest to rest with a place and a velocity of the first contact."""
         rows = self.regimes[0].contacts[:2, 0].copy()
         rows[:, self.regimes[0].states + 2] -= x, v
-        found: BodyState = self.remembered(on(rows, self.still(angle)))
-        return found
+        return self.remembered(on(rows, self.still(angle)))
 
-    def resting(self, angle: float) -> Iterator[BodyState]:
+    def resting(self, angle: float) -> Iterator[AnyState]:
         """Yield states at rest: at 0, and where a phase leaves the body in balance."""
         return iter([self.still(angle), *self._balanced(angle)])
 
-    def starts(self, angle: float) -> list[BodyState | None]:
+    def starts(self, angle: float) -> list[AnyState | None]:
         """Return states from which motions settle: at rest, held, and in balance."""
         return [*super().starts(angle), *self._balanced(angle)]
 
-    def _balanced(self, angle: float) -> Iterator[BodyState]:
+    def _balanced(self, angle: float) -> Iterator[AnyState]:
         """Yield the states in which each phase would leave the body without a forcing."""
         for regime in self.regimes:
             own = regime.part.lawful
             still, *_ = np.linalg.lstsq(own.A, -own.inputs[:, 2])
             yield self._at(np.asarray(still, dtype=float), angle)
 
-    def _at(self, y: Vector, angle: float) -> BodyState:
+    def _at(self, y: Vector, angle: float) -> AnyState:
         """Return a state with the memory that suits it best; see `remembered`."""
-        nothing = (0.0,) * len(self.cell.memory)
-        found: BodyState = self.remembered(BodyState((), angle, memory=nothing).at(y))
-        return found
+        return self.remembered(BodyState((), angle).at(y))
 
     def in_state(self, p: int) -> InState:
         """Return what forms of a phase are in a state."""
@@ -106,7 +100,7 @@ class BodyMachine(Machine):
         self, p: int, state: BodyState, t: Fraction, s: float, surface: int
     ) -> BodySegment:
         """Return a phase that was followed as it is kept."""
-        node, regime, Y = self.nodes[p], self.regimes[p], full(state)
+        node, regime, Y = self.nodes[p], self.regimes[p], state.full
         x, v = (float(row @ Y) for row in regime.contacts[:2, 0])
         return BodySegment(
             node.phase, node.index, node.mirrored, t, state.angle, x, v, s,

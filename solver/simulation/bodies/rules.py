@@ -46,6 +46,12 @@ class BodyState(NamedTuple):
         """Return the state with another y."""
         return self._replace(y=tuple(map(float, y)))
 
+    @property
+    def full(self) -> Vector:
+        """What forms are of: ``Y = (y, cos, sin, 1, memory)``."""
+        waves = np.cos(self.angle), np.sin(self.angle), 1.0
+        return np.array([*self.y, *waves, *self.memory])
+
 
 def body_rules_of(cell: BodyCell, nodes: Sequence[Node]) -> Rules:
     """Return the rules of a cell of a body, whose phases are nodes."""
@@ -55,15 +61,9 @@ def body_rules_of(cell: BodyCell, nodes: Sequence[Node]) -> Rules:
     return own._replace(numbers=found, forms=np.vstack(forms))
 
 
-def full(state: BodyState) -> Vector:
-    """Return ``Y = (y, cos, sin, 1, memory)``."""
-    waves = np.cos(state.angle), np.sin(state.angle), 1.0
-    return np.array([*state.y, *waves, *state.memory])
-
-
 def local_of(rules: Rules, p: int, state: BodyState) -> tuple[Regime, Vector]:
     """Return a phase at a state in which it begins."""
-    return rules.numbers[p], full(begun(rules, p, state))
+    return rules.numbers[p], begun(rules, p, state).full
 
 
 def sign_of(rules: Rules, at: tuple[Regime, Vector], row: int, state: BodyState) -> int:
@@ -77,7 +77,7 @@ def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
 
     A jump may give its velocity to the whole body, of which some modes are left out.
     """
-    regime, wall, Y = rules.numbers[p], rules.kinds[p, column.WALL], full(state)
+    regime, wall, Y = rules.numbers[p], rules.kinds[p, column.WALL], state.full
     speed, row = regime.phase.speed, rules.kinds[wall, column.ROW]
     on = wall != NONE and bool(rules.surfaces[row] == state.surface)
     if on and rules.numbers[wall].phase.jumps[0] == (0.0, speed):
@@ -101,13 +101,13 @@ def begun(rules: Rules, p: int, state: BodyState) -> BodyState:
 def struck(regime: Regime, state: BodyState, mobility: Vector, jumps: Jumps) -> BodyState:
     """Return a state behind impulses."""
     by_velocity, constant = impulses_of(mobility, jumps)
-    velocity = regime.contacts[1] @ full(state)
+    velocity = regime.contacts[1] @ state.full
     return state.at(np.array(state.y) + regime.free.B @ (by_velocity @ velocity + constant))
 
 
 def on(rows: Matrix, state: BodyState) -> BodyState:
     """Return the state nearest to one at which some forms vanish."""
-    moved, *_ = np.linalg.lstsq(rows[:, : len(state.y)], rows @ full(state))
+    moved, *_ = np.linalg.lstsq(rows[:, : len(state.y)], rows @ state.full)
     return state.at(np.array(state.y) - moved)
 
 
@@ -115,7 +115,7 @@ def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
     """Return the state in which a phase begins: with what its beginning sets."""
     values = list(state.memory)
     if sets(rules, p):
-        seen = rules.numbers[p].free.rows @ full(state)
+        seen = rules.numbers[p].free.rows @ state.full
         for i in np.flatnonzero(rules.setting == rules.kinds[p, column.INDEX]):
             form = rules.memory[i].copy()
             form[3] *= rules.kinds[p, column.SIGN]
@@ -143,7 +143,7 @@ def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
 
 def may_switch(rules: Rules, p: int, before: BodyState) -> bool:
     """Whether a state is one that the event of a phase demands, but for rounding."""
-    kinds, Y = rules.kinds[p], full(before)
+    kinds, Y = rules.kinds[p], before.full
     rows = rules.forms[kinds[column.AT_SWITCH] : kinds[column.END]]
     return bool((rows @ Y >= -NOISE * (np.abs(rows) @ np.abs(Y))).all())
 
@@ -153,7 +153,7 @@ def watched(rules: Rules, p: int, state: BodyState) -> tuple[list[int], Matrix]:
     own = rules.kinds[p]
     event, behind = int(own[column.ROW]), int(own[column.AT_SWITCH])
     rows = [*range(event + 1, behind), *[event] * int(own[column.WATCHED])]
-    forms, at = rules.forms[rows], (rules.numbers[p], full(state))
+    forms, at = rules.forms[rows], (rules.numbers[p], state.full)
     if own[column.WATCHED] and sign_of(rules, at, event, state) < 0:
         forms[-1] *= -1
     return rows, forms
@@ -170,7 +170,7 @@ def end_of_phase(
     begins, start = state, 0.0
     while True:
         rows, forms = watched(rules, p, begins)
-        along = Along(rules.numbers[p], full(begins), forms)
+        along = Along(rules.numbers[p], begins.full, forms)
         s, how, form = first_event(along, rules.surfaces[rows] == begins.surface, most - start)
         s, row = start + s, rows[form]
         if how != EVENT:
@@ -187,7 +187,7 @@ def reached(regime: Regime, state: BodyState, s: float, row: Vector, angle: floa
 
     A held contact has moved by its speed.
     """
-    Y, rows, n, speed = full(state), [row], regime.states, regime.phase.speed
+    Y, rows, n, speed = state.full, [row], regime.states, regime.phase.speed
     if regime.phase.held:
         place, velocity = np.zeros(len(Y)), regime.contacts[1, 0].copy()
         place[:n] = regime.free.rows[0, :n]
@@ -207,7 +207,7 @@ def changes(rules: Rules, p: int, row: int, end: BodyState, behind: BodyState) -
 
 def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) -> float:
     """Return how long jumps go on behind that which ends a phase; 0 if not known."""
-    jumps, regime, Y = jumps_of(rules, p, surface), rules.numbers[after], full(state)
+    jumps, regime, Y = jumps_of(rules, p, surface), rules.numbers[after], state.full
     hit = [(i, *jump) for i, jump in enumerate(jumps) if jump != (1.0, 0.0)]
     if len(hit) != 1 or regime.phase.held or hit[0][2] != 0:
         return 0.0
@@ -227,5 +227,5 @@ def rest_of(
     if rest == NONE:
         return rest, behind
     first = begun(rules, rest, entered(rules, rest, behind))
-    y = state_at(rules.numbers[rest], full(first), left)
+    y = state_at(rules.numbers[rest], first.full, left)
     return rest, begun(rules, rest, first.at(y)._replace(angle=angle))

@@ -34,6 +34,11 @@ class State(NamedTuple):
     placed: bool = False
     memory: Values = ()
 
+    @property
+    def full(self) -> Vector:
+        """What forms are of: ``(x, x', cos, 1, memory)``."""
+        return np.array([self.x, self.v, cos(self.angle), 1.0, *self.memory])
+
 
 #: A `State`, or that of a body.
 AnyState: TypeAlias = Any

@@ -33,8 +33,8 @@ MUTANTS = (
     Mutant(
         "divided differences of near nodes without their odd terms",
         "solver/flow/divided.py",
-        "product * before - pairs * last\n    return exp(mean * t) * total",
-        "-pairs * last\n    return exp(mean * t) * total",
+        "last, now, product * before - pairs * last",
+        "last, now, -pairs * last",
         FLOW,
     ),
     Mutant(
