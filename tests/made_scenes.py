@@ -65,6 +65,56 @@ def made(
     return LoadedScene(module, folder)
 
 
+def mirrored(x, v, cos, constant):
+    """Return an event at a switch where the next cell is the mirror image."""
+    return (-x, -v, -cos, constant)
+
+
+#: A spring behind a gap.
+CLEARANCE = made(
+    [(1, 0.2, 5, 2, 1), (1, 0.2, 1, 0, 1)],
+    [(1, 0, 0, -0.5), (1, 0, 0, -0.5)],
+    omega=1.3,
+    demands=[{"in contact": (1, 0, 0, -0.5)}, {"free": (-1, 0, 0, 0.5)}],
+)
+
+#: A dead zone, whose other half is the mirror image.
+BACKLASH = made(
+    [(1, 0.1, 1, 1, 0.8), (1, 0.1, 0, 0, 0.8)],
+    [(1, 0, 0, -1), mirrored(1, 0, 0, -1)],
+    omega=0.7,
+    half=True,
+    demands=[{"engaged": (1, 0, 0, -1)}, {"loose": (-1, 0, 0, 1), "loose too": (1, 0, 0, 1)}],
+)
+
+
+def dry(omega, kinetic, static):
+    """Return dry friction with stops: slides down, then rests while the load allows."""
+    return made(
+        [(1, 0.1, 1, kinetic, 1), (1, 0, 0, 0, 0)],
+        [(0, 1, 0, 0), mirrored(1, 0, -1, -static)],
+        omega=omega,
+        half=True,
+        held=(None, 0.0),
+        demands=[
+            {"it slides down": (0, -1, 0, 0)},
+            {"the load is held": (-1, 0, 1, static), "both ways": (1, 0, -1, static)},
+        ],
+    )
+
+
+#: Impacts on both sides: the event of a phase is the stop that it flies to.
+TWO_SIDED = made(
+    [(1, 0.1, 1, 0, 1)],
+    [mirrored(1, 0, 0, -0.8)],
+    omega=1.2,
+    half=True,
+    jumps=((-0.6, 0),),
+    demands=[{"above": (1, 0, 0, 0.8), "below": (-1, 0, 0, 0.8)}],
+    k=0,
+)
+
+
 @dataclass(frozen=True, eq=False)
 class Given(Motion):
     """A motion that is given: coefficients of a polynomial in u, the same on each phase."""

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from made_scenes import made
+from made_scenes import BACKLASH, CLEARANCE, TWO_SIDED, dry, made, mirrored
 
 from nonsmooth.solver import exact
 from nonsmooth.solver.exact import exact_orbit
@@ -67,11 +67,6 @@ def test_shipped_scenes_from_nothing(name) -> None:
     assert orbit.outcome.residual_norm < 1e-14 * max(1, orbit.period)
 
 
-def both(x, v, cos, constant):
-    """Return an event at a switch where the next cell is the mirror image."""
-    return (-x, -v, -cos, constant)
-
-
 BELT = {"events": [(1, 0, 0, -1), (0, 1, 0, -1)], "held": (1.0, None)}
 
 #: Scene; durations; phase of the forcing; first state; largest displacement.
@@ -84,57 +79,35 @@ MADE = {
         math.sqrt(2),
     ),
     "S2a": (
-        made(
-            [(1, 0.1, 1, 1, 0.8), (1, 0.1, 0, 0, 0.8)],
-            [(1, 0, 0, -1), both(1, 0, 0, -1)],
-            omega=0.7,
-            half=True,
-        ),
+        BACKLASH,
         [3.6767483692903340681, 0.81124113583794198688],
         5.3516485882592236080,
         (1, 2.5051350800029609541),
         4.0309830686152585991,
     ),
     "S2b": (
-        made(
-            [(1, 0.2, 5, 2, 1), (1, 0.2, 1, 0, 1)],
-            [(1, 0, 0, -0.5), (1, 0, 0, -0.5)],
-            omega=1.3,
-        ),
+        CLEARANCE,
         [1.3872449769106929390, 3.4459744901505274278],
         0.34693868484241333551,
         (0.5, 4.6696726434671664585),
         2.4992007296566841168,
     ),
     "S3a": (
-        made([(1, 0.1, 1, 0.3, 1)], [both(0, 1, 0, 0)], omega=0.8, half=True),
+        made([(1, 0.1, 1, 0.3, 1)], [mirrored(0, 1, 0, 0)], omega=0.8, half=True),
         [3.9269908169872415481],
         0.53969465639565687485,
         (2.3468719674220127595, 0),
         2.3468719674220127595,
     ),
     "S3b": (
-        made(
-            [(1, 0.1, 1, 0.5, 1), (1, 0, 0, 0, 0)],
-            [(0, 1, 0, 0), both(1, 0, -1, -0.6)],
-            omega=0.4,
-            half=True,
-            held=(None, 0.0),
-        ),
+        dry(0.4, 0.5, 0.6),
         [4.8747317078705435282, 2.9792499261039395680],
         1.1438446782849272448,
         (1.0140980227497468323, 0),
         1.0140980227497468323,
     ),
     "S6": (
-        made(
-            [(1, 0.1, 1, 0, 1)],
-            [both(1, 0, 0, -0.8)],
-            omega=1.2,
-            half=True,
-            jumps=((-0.6, 0),),
-            k=0,
-        ),
+        TWO_SIDED,
         [2.6179938779914943654],
         0.15319035673477921454,
         (0.8, -0.60201193025252685784),

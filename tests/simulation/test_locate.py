@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-import nonsmooth as ns
 from nonsmooth.solver.flow import flow
 from nonsmooth.solver.simulation.steps.bounds import (
     TERMS,
@@ -174,15 +173,3 @@ def test_the_sign_just_after_a_state() -> None:
 def test_the_root_of_a_sum_of_squares(sides) -> None:
     assert length(*sides) == pytest.approx(math.hypot(*sides), rel=1e-15)
     assert length(math.inf, 1.0) == math.inf
-
-
-def test_every_impact_of_an_orbit_is_the_same_to_the_last_digits() -> None:
-    case = ns.scene("impact")()
-    motion = ns.simulate(case, cycles=60)
-    orbit = ns.exact(case)
-    late = motion.phases[-6:-1]
-    for one in late:
-        assert one.duration == pytest.approx(orbit.period, rel=1e-14)
-        assert one.velocity == pytest.approx(orbit.phases[0].velocity, rel=1e-13)
-    turn = math.fmod(1.8 * late[0].start, 2 * math.pi)
-    assert turn == pytest.approx(orbit.forcing_phase, abs=1e-12)  # of an angle of 360

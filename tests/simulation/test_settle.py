@@ -1,14 +1,15 @@
 """What simulations settle on: times for Newton, or words on another order of phases."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
 import one_mass
 import pytest
 from every_run import tried
-from made_scenes import made
-from reached import EVERY_RUN, IMPACT, REACHED, dry
+from made_scenes import dry, made
+from reached import EVERY_RUN, IMPACT, REACHED
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
@@ -23,6 +24,10 @@ from nonsmooth.solver.simulation.simulate import cycle
 from nonsmooth.solver.simulation.steps.state import State
 from nonsmooth.solver.simulation.walk import follow
 from nonsmooth.solver.solve import solve_case
+
+WITHOUT = "a simulation comes to a motion without switches"
+OTHER = "a simulation settles on another order of phases"
+IN_TWO = f"{OTHER}: flight, in every 2 periods of the forcing"
 
 
 @pytest.mark.parametrize("name", tried(REACHED, every_run=EVERY_RUN))
@@ -42,28 +47,30 @@ def test_four_stops_are_said_where_two_are_declared() -> None:
     (found,) = rough_times_by_simulation(dry(0.15, 0.2, 0.2)())
     assert found.times is None
     head, _, phases = found.words.partition(": ")
-    assert head == "a simulation settles on another order of phases"
+    assert head == OTHER
     names, _, every = phases.partition(", in ")
     assert names.count("phase 1") == 4
     assert every == "each period of the forcing"
 
 
-def test_what_does_not_move_on_is_said() -> None:
-    (found,) = rough_times_by_simulation(IMPACT(gap=5))  # farther than the free motion goes
-    assert (found.times, found.words) == (
-        None, "a simulation comes to a motion without switches",
-    )  # fmt: skip
-    (found,) = rough_times_by_simulation(IMPACT(restitution=0.3, frequency=0.3, damping=0.3))
-    assert found.words.startswith("a simulation ends: chatter: ")
+@pytest.mark.parametrize(
+    ("case", "words"),
+    [
+        (IMPACT(gap=5), WITHOUT),  # farther than the free motion goes
+        (IMPACT(gap=1e300), WITHOUT),  # its square is beyond float64
+        (IMPACT(restitution=0.3, frequency=0.3, damping=0.3), "a simulation ends: chatter: .*"),
+        (IMPACT(frequency=3.6, damping=0.05, gap=0), IN_TWO),
+    ],
+)
+def test_what_there_is_instead_is_said(case, words) -> None:
+    (found,) = rough_times_by_simulation(case)
+    assert found.times is None
+    assert re.fullmatch(words, found.words)
 
 
-@pytest.mark.filterwarnings("error")
 def test_a_stop_however_far_is_said_to_be_out_of_reach() -> None:
-    far = IMPACT(gap=1e300)  # its square is beyond float64
-    (found,) = rough_times_by_simulation(far)
-    assert found.words == "a simulation comes to a motion without switches"
     with pytest.raises(NoOrbit, match="no such orbit exists"):
-        solve_case(far)
+        solve_case(IMPACT(gap=1e300))
 
 
 def test_a_limit_that_is_only_touched_is_said() -> None:
@@ -72,7 +79,7 @@ def test_a_limit_that_is_only_touched_is_said() -> None:
         return [each.words for each in rough_times_by_simulation(case)]
 
     settles = "a simulation settles on slide, stop"
-    assert words(0.3) == ["a simulation comes to a motion without switches"]
+    assert words(0.3) == [WITHOUT]
     assert words(0.3 + 1e-9) == [settles]
 
 
@@ -95,7 +102,7 @@ def test_solve_falls_back_on_it() -> None:
     for search in (lambda case: solve_case(case, "ck-tau", 8), exact_orbit):
         with pytest.raises(NoOrbit) as caught:
             search(IMPACT(gap=5))
-        assert caught.value.tried[-1] == "a simulation comes to a motion without switches"
+        assert caught.value.tried[-1] == WITHOUT
 
 
 def test_exact_orbits_start_from_it_too() -> None:
@@ -111,29 +118,18 @@ def test_exact_orbits_start_from_it_too() -> None:
     assert orbit.durations[0] < 0.1 * orbit.period
 
 
-def test_one_impact_in_two_periods_is_not_one_a_period() -> None:
-    (found,) = rough_times_by_simulation(IMPACT(frequency=3.6, damping=0.05, gap=0))
-    assert found.times is None
-    words = "a simulation settles on another order of phases: flight, in every 2 periods"
-    assert found.words == f"{words} of the forcing"
-
-
 def test_what_still_decays_has_not_settled() -> None:
     # two springs and no forcing: the durations are those of an orbit, the speed is not
-    scene = made(
-        [(1, 0.02, 4, 0, 0), (1, 0.02, 1, 0, 0)],
-        [(1, 0, 0, 0), (1, 0, 0, 0)],
-        demands=[{"beyond 0": (1, 0, 0, 0)}, {"before 0": (-1, 0, 0, 0)}],
-    )
-    case = scene()
-    found = settled(case.cell, ns.simulate(case, (0, 1), cycles=60))
-    assert found.times is None
-    lossless = made(
-        [(1, 0, 4, 0, 0), (1, 0, 1, 0, 0)],
-        [(1, 0, 0, 0), (1, 0, 0, 0)],
-        demands=[{"beyond 0": (1, 0, 0, 0)}, {"before 0": (-1, 0, 0, 0)}],
-    )()
-    times = settled(lossless.cell, ns.simulate(lossless, (0, 1), cycles=60)).times
+    def settled_on(damping: float):
+        case = made(
+            [(1, damping, 4, 0, 0), (1, damping, 1, 0, 0)],
+            [(1, 0, 0, 0), (1, 0, 0, 0)],
+            demands=[{"beyond 0": (1, 0, 0, 0)}, {"before 0": (-1, 0, 0, 0)}],
+        )()
+        return settled(case.cell, ns.simulate(case, (0, 1), cycles=60)).times
+
+    assert settled_on(0.02) is None
+    times = settled_on(0.0)
     assert times is not None
     assert times.durations == pytest.approx((math.pi / 2, math.pi))
 

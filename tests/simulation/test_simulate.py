@@ -12,8 +12,8 @@ import pytest
 from every_run import tried
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from made_scenes import made
-from reached import BELT, DAMPED, EVERY_RUN, IMPACT, REACHED, dry
+from made_scenes import dry, made
+from reached import BELT, DAMPED, EVERY_RUN, IMPACT, REACHED
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
@@ -228,6 +228,8 @@ def test_times_and_angles_do_not_drift(cycles) -> None:
         expected = late[0].start + number * orbit.period
         assert abs(phase.start - expected) <= 4 * np.spacing(phase.start)
         assert phase.forcing_phase == pytest.approx(orbit.forcing_phase, rel=0, abs=1e-13)
+        assert phase.duration == pytest.approx(orbit.period, rel=1e-14)
+        assert phase.velocity == pytest.approx(orbit.phases[0].velocity, rel=1e-13)
 
 
 def mpf(number):
