@@ -18,8 +18,8 @@ from ..steps.clock import Clock, angle_of, later
 from ..steps.column import NONE
 from ..steps.locate import EVENT, NOISE
 from ..steps.rules import Rules, rules_of
-from ..steps.state import sets
-from ..steps.switches import NEAR, next_phase, rest_behind
+from ..steps.state import NEAR, sets
+from ..steps.switches import next_phase, rest_behind
 from .along import Along, state_at
 from .locate import first_event
 from .regime import Regime, regimes

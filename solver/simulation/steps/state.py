@@ -1,4 +1,4 @@
-"""States of a motion, and its phases at them.
+"""States of a motion of one mass, its phases at them, and what a switch makes of them.
 
 Functions over `Rules` and states: plain Python, or compiled by numba.
 """
@@ -13,8 +13,11 @@ from ...arrays import Vector
 from . import column
 from .bounds import Equation, Local, local
 from .column import NONE
-from .locate import sign_after
+from .locate import NOISE, sign_after
 from .rules import Rules
+
+#: How far from the velocity at which a phase is held a motion may enter it, without units.
+NEAR = 1e-9
 
 #: What a motion remembers; an array where functions are compiled.
 Values: TypeAlias = Sequence[float] | Vector
@@ -112,3 +115,56 @@ def begun(rules: Rules, p: int, state: State) -> State:
     """Return a state with the velocity at which a phase is held, if it is."""
     v = float(rules.numbers[p, column.SPEED]) if rules.kinds[p, column.HELD] != 0 else state.v
     return State(state.x, v, state.angle, state.surface, state.placed, state.memory)
+
+
+def may_be_held(rules: Rules, p: int, state: State) -> bool:
+    """Whether a held phase is held at a state: behind a jump, there alone."""
+    speed, wall = float(rules.numbers[p, column.SPEED]), rules.kinds[p, column.WALL]
+    if wall == NONE:
+        return abs(state.v - speed) <= NEAR * max(1.0, abs(speed))
+    row = rules.kinds[wall, column.ROW]
+    on = rules.surfaces[row] == state.surface or _is_on(rules, row, state)
+    return state.v == speed and on
+
+
+def _is_on(rules: Rules, row: int, state: State) -> bool:
+    """Whether a state is on the surface of an event, to rounding, whatever its velocity."""
+    ex, _, ec, constant = form_of(rules, row, state.memory)
+    of_x, of_cos = ex * state.x, ec * cos(state.angle)
+    return abs(of_x + of_cos + constant) <= NOISE * (abs(of_x) + abs(of_cos) + abs(constant))
+
+
+def may_switch(rules: Rules, p: int, before: State) -> bool:
+    """Whether a state is one that the event of a phase demands, but for rounding."""
+    cosine = cos(before.angle)
+    for row in range(rules.kinds[p, column.AT_SWITCH], rules.kinds[p, column.END]):
+        ex, ev, ec, constant = form_of(rules, row, before.memory)
+        of_x, of_v, of_cos = ex * before.x, ev * before.v, ec * cosine
+        size = abs(of_x) + abs(of_v) + abs(of_cos) + abs(constant)
+        if of_x + of_v + of_cos + constant < -NOISE * size:
+            return False
+    return True
+
+
+def law(rules: Rules, p: int, surface: int) -> tuple[float, float]:
+    """Return rho and d of the switch where a phase ends on a surface."""
+    ending = rules.endings[p, surface]
+    if ending == NONE:
+        return 1.0, 0.0
+    return float(rules.numbers[ending, column.RHO]), float(rules.numbers[ending, column.D])
+
+
+def crossed(rules: Rules, p: int, row: int, end: State) -> State:
+    """Return the state behind the switch from that in which a phase ends, where a form does.
+
+    A displacement or a velocity that the surface alone gives is that, without rounding.
+    """
+    surface = int(rules.surfaces[row])
+    rho, d = law(rules, p, surface)
+    ex, ev, ec, constant = form_of(rules, row, end.memory)
+    placed = ev == 0 and ec == 0 and ex != 0
+    paced = ex == 0 and ec == 0 and ev != 0
+    x = 0.0 - constant / ex if placed else end.x
+    v = 0.0 - constant / ev if paced else end.v
+    known = surface if ev == 0 or (rho == 1 and d == 0) else NONE
+    return State(x, rho * v + d, end.angle, known, placed, end.memory)

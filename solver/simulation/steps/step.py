@@ -12,8 +12,18 @@ from .clock import Clock, angle_of, later
 from .column import NONE
 from .locate import EVENT, first_event
 from .rules import Rules
-from .state import AnyState, State, begun, entered, form_of, local_of, sign_of
-from .switches import crossed, law, next_phase, rest_behind
+from .state import (
+    AnyState,
+    State,
+    begun,
+    crossed,
+    entered,
+    form_of,
+    law,
+    local_of,
+    sign_of,
+)
+from .switches import next_phase, rest_behind
 
 #: How a motion ends beside the ways in which a phase does: no phase takes a state, its switches
 #: accumulate, or it has too many phases.

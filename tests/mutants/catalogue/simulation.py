@@ -112,7 +112,7 @@ MUTANTS = (
     ),
     Mutant(
         "the velocity does not jump",
-        "solver/simulation/steps/switches.py",
+        "solver/simulation/steps/state.py",
         "State(x, rho * v + d, end.angle",
         "State(x, v + d, end.angle",
         MOTION,
