@@ -7,31 +7,26 @@ FLIGHT, REST = (1, DAMPING, 1, 0, 1), (1, 0, 0, 0, 0)
 PRESSES = (0, 0, 1, -GAP)  # the force, less that of the spring, on the stop
 
 
-def resting(restitution, presses=PRESSES):
-    """Return a mass that bounces off a stop, and rests on it while a force presses."""
+def resting(restitution, presses=PRESSES, two=False):
+    """Return a mass that bounces off a stop, and rests on it while a force presses.
+
+    Or between two stops: the other half is the mirror image.
+    """
+    before = {"before one": (-1, 0, 0, GAP)}
+    if two:
+        before["before the other"] = (1, 0, 0, GAP)
     return made(
         [FLIGHT, REST],
         [(1, 0, 0, -GAP), presses],
         omega=OMEGA,
+        half=two,
         jumps=((-restitution, 0), (1, 0)),
         held=(None, 0.0),
-        demands=[{"before the stop": (-1, 0, 0, GAP)}, {"the stop presses": presses}],
+        demands=[before, {"the stop presses": presses}],
         k=0,
     )()
 
 
 def between_two(restitution):
-    """Return the same between two stops, the other half the mirror image."""
-    return made(
-        [FLIGHT, REST],
-        [(1, 0, 0, -GAP), PRESSES],
-        omega=OMEGA,
-        half=True,
-        jumps=((-restitution, 0), (1, 0)),
-        held=(None, 0.0),
-        demands=[
-            {"before one": (-1, 0, 0, GAP), "before the other": (1, 0, 0, GAP)},
-            {"the stop presses": PRESSES},
-        ],
-        k=0,
-    )()
+    """Return the same between two stops."""
+    return resting(restitution, two=True)

@@ -31,6 +31,17 @@ def name_of(phase):
     return f"-{phase.name}" if phase.mirrored and phase.name not in alike else phase.name
 
 
+def check_begins(phase, t, x, v, units) -> None:
+    """Check when a phase begins, and its state there.
+
+    Of an integrator, whose relative tolerance is 1e-12, a few hundred steps on; and it is what
+    rounding of the angle of the forcing amounts to, a few events on.
+    """
+    assert phase.start == pytest.approx(t, rel=0, abs=1e-11 * units.time)
+    assert phase.displacement == pytest.approx(x, rel=0, abs=1e-11 * units.length)
+    assert phase.velocity == pytest.approx(v, rel=0, abs=1e-11 * units.of_motion(1))
+
+
 @pytest.mark.parametrize(
     ("scene", "seed"),
     tried(
@@ -53,10 +64,7 @@ def test_events_are_those_of_an_integrator(scene, seed) -> None:
         assert len(expected) == len(phases)
     assert [name_of(q) for q in phases] == [name for name, *_ in expected][: len(phases)]
     for found, (_, t, x, v) in zip(phases, expected, strict=False):
-        # of the integrator, whose relative tolerance is 1e-12, a few hundred steps on
-        assert found.start == pytest.approx(t, rel=0, abs=1e-11 * units.time)
-        assert found.displacement == pytest.approx(x, rel=0, abs=1e-11 * units.length)
-        assert found.velocity == pytest.approx(v, rel=0, abs=1e-11 * units.of_motion(1))
+        check_begins(found, t, x, v, units)
 
 
 @pytest.mark.parametrize(
@@ -76,12 +84,8 @@ def test_the_mirror_image_of_a_start_has_the_mirror_image_of_the_motion(scene, s
     other = ns.simulate(case, (-x, -v), 3, forcing_phase=angle + math.pi)
     assert one.ended == other.ended == ""
     assert [q.name for q in one.phases] == [q.name for q in other.phases]
-    units = case.units
     for a, b in zip(one.phases, other.phases, strict=True):
-        # what rounding of the angle amounts to, a few events on
-        assert a.start == pytest.approx(b.start, rel=0, abs=1e-11 * units.time)
-        assert a.displacement == pytest.approx(-b.displacement, rel=0, abs=1e-11 * units.length)
-        assert a.velocity == pytest.approx(-b.velocity, rel=0, abs=1e-11 * units.of_motion(1))
+        check_begins(a, b.start, -b.displacement, -b.velocity, case.units)
 
 
 @pytest.mark.parametrize("gap", [7e-7, 1e-9, 1e-12, 1e-16, 1e-100])

@@ -82,9 +82,6 @@ def test_the_motion_is_the_exact_one() -> None:
         assert found.shape == t.shape
         inside = np.abs(t % orbit.period - orbit.period / 2) < orbit.period / 2 - 1e-6
         np.testing.assert_allclose(found[inside], getattr(orbit, name)(t)[inside], atol=1e-11)
-    for t in (-1e-9, motion.time * (1 + 1e-12), math.nan, 1j):
-        with pytest.raises(ValueError, match="expected times from 0 to"):
-            motion.displacement(t)
 
 
 def test_from_rest_on_the_belt() -> None:
@@ -245,7 +242,7 @@ def test_times_that_are_rounded_at_an_end_are_of_the_motion() -> None:
     assert times[-1] > motion.time
     assert motion.displacement(times)[-1] == motion.displacement(motion.time)
     assert motion.velocity(-1e-15) == motion.velocity(0.0)
-    for t in (-1e-12, motion.time * (1 + 1e-13)):
+    for t in (-1e-12, motion.time * (1 + 1e-13), math.nan, 1j):
         with pytest.raises(ValueError, match="expected times from 0 to"):
             motion.displacement(t)
 
