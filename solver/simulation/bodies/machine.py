@@ -50,7 +50,7 @@ class BodyMachine(Machine):
     @property
     def regimes(self) -> tuple[Regime, ...]:
         """The phases in numbers."""
-        found: tuple[Regime, ...] = self.rules.numbers
+        found: tuple[Regime, ...] = self.rules.phases
         return found
 
     def window(self, p: int) -> float:

@@ -58,12 +58,12 @@ def body_rules_of(cell: BodyCell, nodes: Sequence[Node]) -> Rules:
     own, found = rules_of(cell, nodes), regimes(cell, nodes)
     ends = zip(found, own.kinds[:, column.ROW], own.kinds[:, column.END], strict=True)
     forms = [own.forms[a:b] @ regime.part.lawful.rows for regime, a, b in ends]
-    return own._replace(numbers=found, forms=np.vstack(forms))
+    return own._replace(phases=found, forms=np.vstack(forms))
 
 
 def local_of(rules: Rules, p: int, state: BodyState) -> tuple[Regime, Vector]:
     """Return a phase at a state in which it begins."""
-    return rules.numbers[p], begun(rules, p, state).full
+    return rules.phases[p], begun(rules, p, state).full
 
 
 def sign_of(rules: Rules, at: tuple[Regime, Vector], row: int, state: BodyState) -> int:
@@ -77,10 +77,10 @@ def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
 
     A jump may give its velocity to the whole body, of which some modes are left out.
     """
-    regime, wall, Y = rules.numbers[p], rules.kinds[p, column.WALL], state.full
+    regime, wall, Y = rules.phases[p], rules.kinds[p, column.WALL], state.full
     speed, row = regime.phase.speed, rules.kinds[wall, column.ROW]
     on = wall != NONE and bool(rules.surfaces[row] == state.surface)
-    if on and rules.numbers[wall].phase.jumps[0] == (0.0, speed):
+    if on and rules.phases[wall].phase.jumps[0] == (0.0, speed):
         return True
     v = float(regime.contacts[1, 0] @ Y)
     if abs(v - speed) > NEAR * max(1.0, abs(speed)):
@@ -91,7 +91,7 @@ def may_be_held(rules: Rules, p: int, state: BodyState) -> bool:
 
 def begun(rules: Rules, p: int, state: BodyState) -> BodyState:
     """Return a state with the velocity at which a phase is held, if it is."""
-    regime: Regime = rules.numbers[p]
+    regime: Regime = rules.phases[p]
     if not regime.phase.held:
         return state
     jumps = [(0.0, regime.phase.speed)] + [(1.0, 0.0)] * (len(regime.phase.laws) - 1)
@@ -115,7 +115,7 @@ def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
     """Return the state in which a phase begins: with what its beginning sets."""
     values = list(state.memory)
     if sets(rules, p):
-        seen = rules.numbers[p].free.rows @ state.full
+        seen = rules.phases[p].free.rows @ state.full
         for i in np.flatnonzero(rules.setting == rules.kinds[p, column.INDEX]):
             form = rules.memory[i].copy()
             form[3] *= rules.kinds[p, column.SIGN]
@@ -126,18 +126,18 @@ def entered(rules: Rules, p: int, state: BodyState) -> BodyState:
 def jumps_of(rules: Rules, p: int, surface: int) -> Jumps:
     """Return the jumps where a phase ends on a surface; none where they are 1 and 0."""
     ending = rules.endings[p, surface]
-    jumps: Jumps = () if ending == NONE else rules.numbers[ending].phase.jumps
+    jumps: Jumps = () if ending == NONE else rules.phases[ending].phase.jumps
     return jumps if any(jump != (1.0, 0.0) for jump in jumps) else ()
 
 
 def crossed(rules: Rules, p: int, row: int, end: BodyState) -> BodyState:
     """Return the state behind the switch from that in which a phase ends, where a form does."""
-    surface, regime = int(rules.surfaces[row]), rules.numbers[p]
+    surface, regime = int(rules.surfaces[row]), rules.phases[p]
     jumps = jumps_of(rules, p, surface)
     if not jumps:
         return end._replace(surface=surface)
     found = struck(regime, end, regime.body.mobility, jumps)
-    moving = rules.numbers[rules.endings[p, surface]].phase.event[1]
+    moving = rules.phases[rules.endings[p, surface]].phase.event[1]
     return found._replace(surface=NONE if moving else surface)
 
 
@@ -153,7 +153,7 @@ def watched(rules: Rules, p: int, state: BodyState) -> tuple[list[int], Matrix]:
     own = rules.kinds[p]
     event, behind = int(own[column.ROW]), int(own[column.AT_SWITCH])
     rows = [*range(event + 1, behind), *[event] * int(own[column.WATCHED])]
-    forms, at = rules.forms[rows], (rules.numbers[p], state.full)
+    forms, at = rules.forms[rows], (rules.phases[p], state.full)
     if own[column.WATCHED] and sign_of(rules, at, event, state) < 0:
         forms[-1] *= -1
     return rows, forms
@@ -170,12 +170,12 @@ def end_of_phase(
     begins, start = state, 0.0
     while True:
         rows, forms = watched(rules, p, begins)
-        along = Along(rules.numbers[p], begins.full, forms)
+        along = Along(rules.phases[p], begins.full, forms)
         s, how, form = first_event(along, rules.surfaces[rows] == begins.surface, most - start)
         s, row = start + s, rows[form]
         if how != EVENT:
             return s, how, NONE, state
-        end = reached(rules.numbers[p], state, s, forms[form], angle_of(later(clock, s)))
+        end = reached(rules.phases[p], state, s, forms[form], angle_of(later(clock, s)))
         behind = crossed(rules, p, row, end)
         if s == start or changes(rules, p, row, end, behind):
             return s, how, row, end
@@ -207,7 +207,7 @@ def changes(rules: Rules, p: int, row: int, end: BodyState, behind: BodyState) -
 
 def jumping(rules: Rules, p: int, surface: int, after: int, state: BodyState) -> float:
     """Return how long jumps go on behind that which ends a phase; 0 if not known."""
-    jumps, regime, Y = jumps_of(rules, p, surface), rules.numbers[after], state.full
+    jumps, regime, Y = jumps_of(rules, p, surface), rules.phases[after], state.full
     hit = [(i, *jump) for i, jump in enumerate(jumps) if jump != (1.0, 0.0)]
     if len(hit) != 1 or regime.phase.held or hit[0][2] != 0:
         return 0.0
@@ -227,5 +227,5 @@ def rest_of(
     if rest == NONE:
         return rest, behind
     first = begun(rules, rest, entered(rules, rest, behind))
-    y = state_at(rules.numbers[rest], first.full, left)
+    y = state_at(rules.phases[rest], first.full, left)
     return rest, begun(rules, rest, first.at(y)._replace(angle=angle))

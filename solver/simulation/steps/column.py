@@ -1,6 +1,6 @@
 """Columns of the arrays in `Rules`."""
 
-#: Of `numbers`; the factors of the memory are behind them.
+#: Of `phases`; the factors of the memory are behind them.
 M, C, K, F, G, SPEED, RHO, D, MEMORY = range(9)
 
 #: Of `kinds`.

@@ -18,7 +18,7 @@ class Rules(NamedTuple):
     ----------
     omega : float
         Of the forcing.
-    numbers : ndarray, shape (P, 8 + M)
+    phases : ndarray, shape (P, 8 + M)
         Of each phase: equation, speed, law, and factors of the memory in its force.  Of a body
         in their place a tuple of `Regime`.
     kinds : ndarray of int, shape (P, 8)
@@ -40,7 +40,7 @@ class Rules(NamedTuple):
     """
 
     omega: float
-    numbers: Any
+    phases: Any
     kinds: Integers
     forms: Matrix
     surfaces: Integers

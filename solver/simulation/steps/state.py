@@ -52,7 +52,7 @@ def equation_of(rules: Rules, p: int, memory: Values) -> Equation:
 
     As Python's floats: NumPy's are slow, and round complex quotients otherwise.
     """
-    row = rules.numbers[p]
+    row = rules.phases[p]
     m, c, k = float(row[column.M]), float(row[column.C]), float(row[column.K])
     f, g, speed = float(row[column.F]), float(row[column.G]), float(row[column.SPEED])
     force = f + _remembered(row[column.MEMORY :], memory)
@@ -113,13 +113,13 @@ def entered(rules: Rules, p: int, state: State) -> State:
 
 def begun(rules: Rules, p: int, state: State) -> State:
     """Return a state with the velocity at which a phase is held, if it is."""
-    v = float(rules.numbers[p, column.SPEED]) if rules.kinds[p, column.HELD] != 0 else state.v
+    v = float(rules.phases[p, column.SPEED]) if rules.kinds[p, column.HELD] != 0 else state.v
     return State(state.x, v, state.angle, state.surface, state.placed, state.memory)
 
 
 def may_be_held(rules: Rules, p: int, state: State) -> bool:
     """Whether a held phase is held at a state: behind a jump, there alone."""
-    speed, wall = float(rules.numbers[p, column.SPEED]), rules.kinds[p, column.WALL]
+    speed, wall = float(rules.phases[p, column.SPEED]), rules.kinds[p, column.WALL]
     if wall == NONE:
         return abs(state.v - speed) <= NEAR * max(1.0, abs(speed))
     row = rules.kinds[wall, column.ROW]
@@ -151,7 +151,7 @@ def law(rules: Rules, p: int, surface: int) -> tuple[float, float]:
     ending = rules.endings[p, surface]
     if ending == NONE:
         return 1.0, 0.0
-    return float(rules.numbers[ending, column.RHO]), float(rules.numbers[ending, column.D])
+    return float(rules.phases[ending, column.RHO]), float(rules.phases[ending, column.D])
 
 
 def crossed(rules: Rules, p: int, row: int, end: State) -> State:
