@@ -50,7 +50,7 @@ OWN = re.compile(
 
 #: Generic places whose text has such a name, and why.
 MAY_SAY = {
-    "src/nonsmooth/cli/scenes/named.py": {SCENE, "impact"},  # the default, and the example
+    "src/nonsmooth/cli/named.py": {SCENE},  # the default
     "codegen/__init__.py": {SCENE},  # the equations that are meant where no scene is named
 }
 

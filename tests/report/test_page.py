@@ -14,7 +14,7 @@ from computed import case as shared
 from written import Elements, value
 
 import nonsmooth as ns
-from nonsmooth.cli import folders
+from nonsmooth.cli import output
 from nonsmooth.report import build
 from nonsmooth.report.case import DEFAULT
 from nonsmooth.report.claims import CLAIMS, PARTS
@@ -34,7 +34,7 @@ def folder(tmp_path_factory, found: Intervals) -> Path:
     made = tmp_path_factory.mktemp("report") / "made"
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(build, "scan", lambda belt, parts, done, run: found)
-        folders.write_folder(made, lambda target: build.build(DEFAULT, target, print))
+        output.write_folder(made, lambda target: build.build(DEFAULT, target, print))
     return made
 
 
@@ -149,7 +149,7 @@ def test_the_page_says_whose_oscillator_and_what_is_ours(text: str) -> None:
 
 
 def test_an_earlier_report_is_replaced_whole_or_not_at_all(folder: Path, text: str) -> None:
-    folders.check_folder(folder, build.FILES)
+    output.check_folder(folder, build.FILES)
     kept = {path.name: path.read_bytes() for path in folder.iterdir()}
 
     def write(target: Path) -> None:
@@ -160,9 +160,9 @@ def test_an_earlier_report_is_replaced_whole_or_not_at_all(folder: Path, text: s
         (target / "index.html").write_text("half")
         raise RuntimeError
 
-    folders.write_folder(folder, write)
+    output.write_folder(folder, write)
     assert (folder / "index.html").read_text("utf-8") == text
     with pytest.raises(RuntimeError):
-        folders.write_folder(folder, fail)
+        output.write_folder(folder, fail)
     assert (folder / "index.html").read_text("utf-8") == text
     assert [path.name for path in folder.parent.iterdir()] == [folder.name]

@@ -11,20 +11,18 @@ import contextlib
 import io
 import os
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 
 import click
 
-from . import equations, paper
 from .about import no_such_option
+from .equations import equations
 from .generate import generate
+from .listing import modes, scenes
 from .named import SCENES, STRUCTURES, NamedCommand
+from .paper import report, roots
 from .problems import Problem, print_warnings, say
-from .scenes import simulate as simulation
-from .scenes.named import EXAMPLE
-from .scenes.shown import listing
-from .space import modes
 from .version import show_version
 
 EXAMPLES = """\b
@@ -96,40 +94,23 @@ def cli() -> None:
     """
 
 
-def _verbs() -> Iterable[click.Command]:
-    """Return the commands that take a scene, and without one are about the default scene."""
-    summaries = {
-        "solve": "Compute periodic orbits.",
-        "sweep": "Compute them for many orders, or along a parameter.",
-        "branch": "Follow an orbit along a parameter, through folds and flips.",
-        "map": "Map motions, stable or not, over two parameters.",
-        "digits": "Measure the digits of float64 at the extremes.",
-        "tradeoff": "Measure time against error.",
-    }
-    for name, summary in summaries.items():
-        kinds = (SCENES, STRUCTURES) if name == "sweep" else (SCENES,)
-        yield NamedCommand(name, kinds=kinds, help=summary)
-    yield NamedCommand("stability", hidden=True, help="The old name of `nonsmooth digits`.")
-
-
-#: Its command line is that of the scene, the default one too; this is what documentation shows.
-simulate = NamedCommand(
-    "simulate",
-    params=[*simulation.options(), *simulation.OUTPUT.options()],
-    help=simulation.HELP.format(name="a scene", title="Stick-slip without SCENE"),
-    epilog=(simulation.EPILOG + simulation.FORCED).format(**EXAMPLE),
-)  # fmt: skip
-
-for command in (
-    listing.scenes,
-    generate,
-    equations.equations,
-    *_verbs(),
-    simulate,
-    paper.roots,
-    paper.report,
-    modes.modes,
-):
+#: The commands that take a scene, and without one are about the default scene.
+VERBS = {
+    "solve": "Compute periodic orbits.",
+    "sweep": "Compute them for many orders, or along a parameter.",
+    "branch": "Follow an orbit along a parameter, through folds and flips.",
+    "map": "Map motions, stable or not, over two parameters.",
+    "simulate": "Simulate a scene from a given state, from event to event.",
+    "digits": "Measure the digits of float64 at the extremes.",
+    "tradeoff": "Measure time against error.",
+}
+for name, summary in VERBS.items():
+    kinds = (SCENES, STRUCTURES) if name == "sweep" else (SCENES,)
+    cli.add_command(NamedCommand(name, kinds=kinds, help=summary))
+cli.add_command(
+    NamedCommand("stability", hidden=True, help="The old name of `nonsmooth digits`.")
+)
+for command in (scenes, generate, equations, roots, report, modes):
     cli.add_command(command)
 
 

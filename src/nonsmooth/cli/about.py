@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -10,7 +11,7 @@ from click.shell_completion import CompletionItem
 
 from ..nearest import nearest
 from .case_files import read_case, tables_of
-from .output import check_target
+from .output import Destination, check_target, need
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -31,6 +32,8 @@ class Given(Generic[About]):
     ----------
     about : scene or structure
         Which it is.
+    said : str
+        What the user called it; empty where nothing is named.
     file : Path or None
         Its case file.
     flags : mapping
@@ -38,6 +41,7 @@ class Given(Generic[About]):
     """
 
     about: About
+    said: str
     file: Path | None
     flags: Mapping[str, Any]
 
@@ -54,14 +58,16 @@ class Given(Generic[About]):
         return "" if self.file is None else f"{self.file}: "
 
 
-def given(about: About, file: Path | None, arguments: Mapping[str, Any]) -> Given[About]:
+def given(
+    about: Any, file: Path | None, arguments: Mapping[str, Any], said: str = ""
+) -> Given[Any]:
     """Return what the arguments of a command give of a scene or a structure."""
     flags = {
         name.removeprefix(PREFIX): value
         for name, value in arguments.items()
         if name.startswith(PREFIX) and value is not None
     }
-    return Given(about, file, flags)
+    return Given(about, said, file, flags)
 
 
 @dataclass(frozen=True)
@@ -85,6 +91,33 @@ class Output:
         return [json, output] if file else [output]
 
 
+@dataclass(frozen=True)
+class Verb(Generic[About]):
+    """What a command does with the scene or structure that is named.
+
+    Parameters
+    ----------
+    module : str
+        Which has ``run(given, to, **options)``: it takes what is given of the scene or
+        structure and where the result goes, and returns the exit status.
+    options : callable
+        Returns the options of a scene or structure that stand before ``--case``.
+    output : Output
+        What is written.
+    help, epilog : str
+        As click has them, with places for words.
+    needs : tuple
+        Libraries of extras without which it does nothing; see `need`.
+    """
+
+    module: str
+    options: Callable[[About], list[click.Parameter]]
+    output: Output
+    help: str
+    epilog: str
+    needs: tuple[tuple[str, ...], ...] = ()
+
+
 class CommandAbout(click.Command):
     """A command about one scene or structure.
 
@@ -92,24 +125,19 @@ class CommandAbout(click.Command):
     ----------
     about : scene or structure
         What it is about.
-    run : callable
-        Takes what is given of it, then the other options by their names; the exit status.
-    options : list of click.Parameter
-        Those before ``--case``.
+    said : str
+        What the user called it.
+    verb : Verb
+        What is done with it; the module is imported when it runs.
     parameters : list of click.Parameter
         Those of the scene or structure, and what stands below them.
-    output : Output
-        What it writes.
-    help, epilog : str
-        As click has them, with places for `words`.
     words : mapping
-        What stands there, beside the name and the title.
+        What stands in help and epilog, beside the name, the title and what it was called.
     """
 
     def __init__(
-        self, about: "LoadedScene | Structure", run: Callable[..., int],
-        options: Iterable[click.Parameter], parameters: Iterable[click.Parameter],
-        output: Output, help: str, epilog: str, words: Mapping[str, object],
+        self, about: "LoadedScene | Structure", said: str, verb: Verb[Any],
+        parameters: Iterable[click.Parameter], words: Mapping[str, object],
     ) -> None:  # fmt: skip
         self.about, parameters = about, [*parameters]
         self.flags = [q.opts[0] for q in parameters if (q.name or "").startswith(PREFIX)]
@@ -118,22 +146,29 @@ class CommandAbout(click.Command):
             ["--case"], type=click.Path(path_type=Path),
             help=f"Case file with a table [{table}]; flags override it.",
         )  # fmt: skip
-        suffixes = output.suffixes
 
-        def callback(case: Path | None, output: Path | None, **arguments: Any) -> int:
-            if suffixes:
-                check_target(output, suffixes)
+        def callback(
+            case: Path | None, output: Path | None, json_: bool = False, **arguments: Any
+        ) -> int:
+            if verb.output.suffixes:
+                check_target(output, verb.output.suffixes)
+            for library in verb.needs:
+                need(*library)
             own = {q: arguments[q] for q in arguments if not q.startswith(PREFIX)}
-            return run(given(about, case, arguments), **own, output=output)
+            run = import_module(verb.module, __package__).run
+            status: int = run(
+                given(about, case, arguments, said), Destination(json_, output), **own
+            )
+            return status
 
         title = about.title[0].upper() + about.title[1:]
-        words = {"name": about.name, "title": title, **words}
+        words = {"name": about.name, "title": title, "said": said, **words}
         super().__init__(
             name=about.name,
             callback=callback,
-            params=[*options, file, *parameters, *output.options()],
-            help=help.format(**words),
-            epilog=epilog.format(**words).replace("  --", " --"),  # where nothing is named
+            params=[*verb.options(about), file, *parameters, *verb.output.options()],
+            help=verb.help.format(**words),
+            epilog=verb.epilog.format(**words).replace("  --", " --"),  # nothing is named
         )
 
 

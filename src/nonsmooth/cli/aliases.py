@@ -4,6 +4,7 @@
 Help and messages have the name that is documented.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -12,6 +13,8 @@ from .problems import Problem
 from .values import parse_orders
 
 if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.loaded import LoadedScene
+
     IntegerType = click.ParamType[int]
 else:  # not generic in click 8.2
     IntegerType = click.ParamType
@@ -79,7 +82,17 @@ def split_methods(text: str | None) -> list[str]:
     return [] if text is None else list(dict.fromkeys(q.strip() for q in text.split(",")))
 
 
-def check_one_method(names: list[str], beside: str) -> None:
+def generic_methods(scene: "LoadedScene", text: str) -> list[str]:
+    """Return the methods of a scene that a list names, by the names that all scenes share.
+
+    A `ValueError` names one that it does not have.
+    """
+    from nonsmooth.solver.kernels.registry import generic_method
+
+    return list(dict.fromkeys(generic_method(scene, name) for name in split_methods(text)))
+
+
+def check_one_method(names: Sequence[str], beside: str) -> None:
     """Check that there is at most one method where an option takes no more.
 
     A `Problem` names the methods and the option.

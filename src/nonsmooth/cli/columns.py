@@ -1,10 +1,12 @@
-"""What every table on stdout has in common: columns, width, digits."""
+"""What is written for a reader on stdout: texts and tables, their columns, width, digits."""
 
 import math
 import re
 import textwrap
 from collections.abc import Iterable
+from typing import TypeAlias
 
+import click
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
@@ -24,12 +26,24 @@ BEHIND = 4
 #: Part of the largest number of its kind up to which one is printed as 0.
 ROUNDING = 1e-14
 
+#: What is printed one below the other.
+Piece: TypeAlias = str | Table
+
 
 class _Console(Console):
     """A console that hands a broken pipe on, and does not exit with 1."""
 
     def on_broken_pipe(self) -> None:
         raise BrokenPipeError
+
+
+def print_pieces(pieces: Iterable[Piece]) -> None:
+    """Print texts and tables one below the other."""
+    for piece in pieces:
+        if isinstance(piece, Table):
+            print_table(piece)
+        else:
+            click.echo(piece)
 
 
 def print_table(table: Table) -> None:

@@ -10,11 +10,10 @@ import click
 from nonsmooth.scene_files.error import SceneFileError
 
 from . import tex
+from .named import DEFAULT, structure_names
 from .output import check_target, write_text, write_whole
 from .problems import Problem
 from .progress import busy
-from .scenes.named import DEFAULT
-from .space.named import is_structure
 
 if TYPE_CHECKING:
     from nonsmooth.codegen.system import Section
@@ -127,7 +126,8 @@ def _sections(
 ) -> "tuple[list[Section], str]":
     """Return the sections on a scene, or on a structure, and their title."""
     methods = [method] if method else []
-    if is_structure(scene):
+    name = scene.replace("_", "-")
+    if name in structure_names():
         from nonsmooth.codegen.space import structure_named
         from nonsmooth.codegen.space.equations import sections as of_structure
 
@@ -136,7 +136,6 @@ def _sections(
         for flag, given in (("motion", motion), ("phases", phases)):
             if given is not None:
                 raise ValueError(f"{flag}: got {given!r}, expected a SCENE that has several")
-        name = scene.replace("_", "-")
         return of_structure(name, methods), f"Modes of {structure_named(name).title}"
     from nonsmooth.codegen.equations import scene_named, sections
 

@@ -6,9 +6,9 @@ from click.shell_completion import CompletionItem
 from nonsmooth.scene_files.read import is_path
 
 from .about import completed
+from .named import scene_named, scene_names
 from .problems import Problem
 from .progress import busy
-from .scenes.named import known, scene_named
 
 EPILOG = """\b
 Examples:
@@ -19,7 +19,7 @@ Examples:
 
 
 def _names(_: click.Context, __: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    return completed(known(), incomplete)
+    return completed(scene_names(), incomplete)
 
 
 @click.command(epilog=EPILOG)

@@ -3,15 +3,73 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from click.shell_completion import CompletionItem
 
 from .about import completed
 from .case_files import said_first
-from .scenes import named as scenes
-from .space import named as structures
+from .problems import Problem
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.scenes.loaded import LoadedScene
+    from nonsmooth.solver.space.structure import Structure
+
+#: The scene of a command without one.
+DEFAULT = "stick-slip"
+
+
+def scene_names() -> tuple[str, ...]:
+    """Return the names of the shipped scenes."""
+    from nonsmooth.solver.kernels.registry import names
+
+    return names()
+
+
+def scene_named(text: str) -> "LoadedScene":
+    """Return a scene by its name or by the path of its file, derived first if it is new.
+
+    Raises
+    ------
+    UsageError
+        If there is none of this name.
+    Problem
+        If its file is not as it must be.
+    """
+    from nonsmooth.scene_files.error import SceneFileError
+    from nonsmooth.scene_files.find import find_scene
+    from nonsmooth.solver.scenes.loaded import UnknownScene
+
+    try:
+        return find_scene(text)
+    except UnknownScene as error:
+        hint = ", or the path of a scene file" if "did you mean" not in str(error) else ""
+        context = click.get_current_context(silent=True)
+        raise click.UsageError(f"{error}{hint}", context) from error
+    except SceneFileError as error:
+        raise Problem(str(error)) from error
+
+
+def structure_names() -> tuple[str, ...]:
+    """Return the names of the structures."""
+    from nonsmooth.solver.space.structure import names
+
+    return names()
+
+
+def structure_named(name: str) -> "Structure":
+    """Return a structure by its name.
+
+    A `UsageError` names the nearest structure that there is.
+    """
+    from nonsmooth.solver.space.structure import UnknownStructure, load
+
+    try:
+        return load(name)
+    except UnknownStructure as error:
+        context = click.get_current_context(silent=True)
+        raise click.UsageError(str(error), context) from error
 
 
 @dataclass(frozen=True)
@@ -21,10 +79,10 @@ class Kind:
     Parameters
     ----------
     package : str
-        Where the commands about one of them are.
+        Whose module ``commands`` has ``command(verb, about, said)``, which makes the command.
     word : str
         What stands for a name in the usage line.
-    known : callable
+    names : callable
         Returns the names that come with the program.
     named : callable
         Returns what a text names; a `UsageError` or `Problem` if there is no such thing.
@@ -32,12 +90,12 @@ class Kind:
 
     package: str
     word: str
-    known: Callable[[], tuple[str, ...]]
+    names: Callable[[], tuple[str, ...]]
     named: Callable[[str], Any]
 
 
-SCENES = Kind("scenes", "[SCENE]", scenes.known, scenes.scene_named)
-STRUCTURES = Kind("space", "[STRUCTURE]", structures.known, structures.structure_named)
+SCENES = Kind("scenes", "[SCENE]", scene_names, scene_named)
+STRUCTURES = Kind("space", "[STRUCTURE]", structure_names, structure_named)
 
 
 class NamedCommand(click.Command):
@@ -46,8 +104,7 @@ class NamedCommand(click.Command):
     Parameters
     ----------
     kinds : tuple of Kind
-        What its first argument may name. The module of its name in the package of a kind has
-        ``command(about, said)``, which makes the command.
+        What its first argument may name.
     default : str or None
         What is meant where nothing is named; without it, this command itself.
     own : bool
@@ -56,7 +113,7 @@ class NamedCommand(click.Command):
 
     def __init__(
         self, *arguments: Any, kinds: tuple[Kind, ...] = (SCENES,),
-        default: str | None = scenes.DEFAULT, own: bool = False, **options: Any,
+        default: str | None = DEFAULT, own: bool = False, **options: Any,
     ) -> None:  # fmt: skip
         super().__init__(*arguments, **options)
         self.kinds, self.default, self.own = kinds, default, own
@@ -78,14 +135,14 @@ class NamedCommand(click.Command):
         dashed = name.replace("_", "-")
         if self.own and dashed == self.default:
             return self, dashed, rest
-        kind = next((q for q in self.kinds if dashed in q.known()), self.kinds[0])
-        module = import_module(f".{kind.package}.{self.name}", __package__)
-        command: click.Command = module.command(kind.named(name), said or "")
+        kind = next((q for q in self.kinds if dashed in q.names()), self.kinds[0])
+        module = import_module(f".{kind.package}.commands", __package__)
+        command: click.Command = module.command(self.name, kind.named(name), said or "")
         return command, said or "", rest
 
     def names(self) -> tuple[str, ...]:
         """Return what may be named and comes with the program."""
-        return tuple(name for kind in self.kinds for name in kind.known())
+        return tuple(name for kind in self.kinds for name in kind.names())
 
     def collect_usage_pieces(self, ctx: click.Context) -> list[str]:
         """Return what the usage line has behind the name of the command."""

@@ -1,9 +1,15 @@
-"""Files are written whole or not at all; where they cannot be is said before the work."""
+"""Where results go: stdout, and files and folders that are written whole or not at all.
+
+Where a file or a folder cannot be is said before the work; nothing of the user's is replaced
+but files that are named, and folders that we made.
+"""
 
 import os
+import shutil
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager
+from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -15,15 +21,23 @@ from nonsmooth.whole import whole
 
 from .problems import Problem
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from nonsmooth.files.api import Savable
+
+    from .columns import Piece
+
 #: What data can be written as.
 DATA = (".json", ".csv", ".nc")
 
 PICTURES = (".png", ".svg", ".pdf")
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+#: The libraries of a report, as `need` takes them.
+FOR_REPORTS = (("matplotlib", "report", "report"), ("jinja2", "report", "report"))
 
-    from nonsmooth.files.api import Savable
+#: The page of a folder, and what a page that we made has in it.
+PAGE, MARK = "index.html", 'name="generator" content="nonsmooth '
 
 
 def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
@@ -110,41 +124,109 @@ def drawn_by(name: str, *arguments: object) -> "Callable[[], Figure]":
     return draw
 
 
-def write_result(
-    output: Path | None, text: str, figure: "Callable[[], Figure]", data: "Savable" = None,
-    rows: "Callable[[], Sequence[Mapping[str, Any]]] | None" = None,
-) -> None:  # fmt: skip
-    """Write a result, if a file is named: its document, its data, else a picture of it.
+@dataclass(frozen=True)
+class Destination:
+    """Where the result of a command goes.
 
     Parameters
     ----------
-    output : Path or None
-        Its suffix, one that `check_target` let pass, says what is written.
-    text : str
-        The document.
-    figure : callable
-        What draws it.
-    data : orbits, sweep, family or modes
-        What `nonsmooth.save` writes as .csv and .nc.
-    rows : callable, optional
-        What returns the rows of the .csv of a result that `nonsmooth.save` does not take.
+    json : bool
+        Whether stdout has its document, and not what is written for a reader.
+    file : Path or None
+        What is written as well; its suffix is one that `check_target` let pass.
     """
-    if output is None:
-        return
-    suffix = output.suffix.lower()
-    if suffix == ".json":
-        write_text(output, text)
-    elif suffix not in DATA:
-        from nonsmooth.plots.axes import write
 
-        write_whole(output, lambda target: write(figure, target))
-    elif rows is not None and suffix == ".csv":
-        from nonsmooth.files import csv_rows
+    json: bool
+    file: Path | None
 
-        made = rows()
-        write_whole(output, lambda target: csv_rows.write(target, made))
-    else:
-        from nonsmooth.files.api import save
+    def show(self, text: str, pieces: "Iterable[Piece]") -> None:
+        """Print the document of a result, or tables and texts, which else are not made."""
+        if self.json:
+            click.echo(text, nl=False)
+        else:
+            from .columns import print_pieces
 
-        with telling(output):
-            save(data, output)
+            print_pieces(pieces)
+
+    def write(
+        self, text: str, figure: "Callable[[], Figure]", data: "Savable" = None,
+        rows: "Callable[[], Sequence[Mapping[str, Any]]] | None" = None,
+    ) -> None:  # fmt: skip
+        """Write a result, if a file is named: its document, its data, else a picture of it.
+
+        Parameters
+        ----------
+        text : str
+            The document.
+        figure : callable
+            What draws it.
+        data : orbits, sweep, family or modes
+            What `nonsmooth.save` writes as .csv and .nc.
+        rows : callable, optional
+            What returns the rows of the .csv of a result that `nonsmooth.save` does not take.
+        """
+        if self.file is None:
+            return
+        suffix = self.file.suffix.lower()
+        if suffix == ".json":
+            write_text(self.file, text)
+        elif suffix not in DATA:
+            from nonsmooth.plots.axes import write
+
+            write_whole(self.file, lambda target: write(figure, target))
+        elif rows is not None and suffix == ".csv":
+            from nonsmooth.files import csv_rows
+
+            made = rows()
+            write_whole(self.file, lambda target: csv_rows.write(target, made))
+        else:
+            from nonsmooth.files.api import save
+
+            with telling(self.file):
+                save(data, self.file)
+
+
+def check_folder(path: Path, files: Set[str]) -> None:
+    """Check that a folder of these files can be put at `path`.
+
+    It may be new, empty, or an earlier result: a page that we made, and no other files.  A
+    `Problem` names the path and what was expected.
+    """
+    path = Path(os.path.abspath(path))
+    there = set()
+    if path.exists():
+        if not path.is_dir() or path.is_symlink():
+            raise Problem(f"-o: {path} is there, expected a folder or a new name")
+        there = {entry.name for entry in path.iterdir()}
+    check_folder_of(path)
+    other = sorted(there - files)
+    if other or (there and not _ours(path / PAGE)):
+        what = f"has {other[0]} in it" if other else "has a page that is not ours"
+        raise Problem(
+            f"-o: {path} {what}; expected a new or empty folder, or one that report made"
+        )
+
+
+def _ours(page: Path) -> bool:
+    return page.is_file() and MARK in page.read_text("utf-8", errors="replace")
+
+
+def write_folder(path: Path, write: Callable[[Path], None]) -> None:
+    """Let `write` fill a temporary folder beside `path`, then put it in its place.
+
+    A `Problem` is raised if it cannot be written; then what was there before is still there.
+    """
+    path = Path(os.path.abspath(path))
+    temporary = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}-"))
+    try:
+        with telling(path):
+            made = temporary / "made"
+            made.mkdir(mode=0o777)
+            write(made)
+            if path.exists():
+                os.replace(path, temporary / "before")
+            os.replace(made, path)
+    finally:
+        if (temporary / "before").exists() and not path.exists():
+            os.replace(temporary / "before", path)
+        shutil.rmtree(temporary, ignore_errors=True)

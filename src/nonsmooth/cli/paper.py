@@ -1,6 +1,6 @@
 """What only the paper's oscillator has: ``nonsmooth roots`` and the report on its figures."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,17 +10,24 @@ import click
 from nonsmooth.files.json_text import as_json
 
 from .about import PREFIX, flag, given
-from .folders import check_folder, write_folder
-from .named import NamedCommand
-from .output import PICTURES, check_target, need, write_whole
-from .problems import Problem
+from .named import DEFAULT, NamedCommand, scene_named
+from .output import (
+    FOR_REPORTS,
+    PICTURES,
+    Destination,
+    check_folder,
+    check_target,
+    need,
+    write_folder,
+    write_whole,
+)
 from .progress import busy, progress
-from .scenes.named import DEFAULT, scene_named
-from .scenes.options import case_from
 
 if TYPE_CHECKING:
     from nonsmooth.all_solutions import RealSolution
     from nonsmooth.kim_perkins import StickSlip
+
+    from .columns import Piece
 
 #: Flags, with what their help says.
 FLAGS = {
@@ -70,13 +77,12 @@ def belt_from(case: Path | None, flags: dict[str, Any]) -> "StickSlip":
     A `Problem` has all mistakes at once.
     """
     from nonsmooth.kim_perkins import StickSlip
-    from nonsmooth.solver.scenes.parameter_error import ParameterError
 
-    found = case_from(given(scene_named(DEFAULT), case, flags))
-    try:
-        return StickSlip(**found.values)
-    except ParameterError as error:
-        raise Problem(str(error)) from error
+    from .scenes.case import case_from
+
+    belt = case_from(given(scene_named(DEFAULT), case, flags))
+    assert isinstance(belt, StickSlip)
+    return belt
 
 
 @click.command(epilog=EPILOG_OF_ROOTS)
@@ -94,22 +100,18 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
     belt = belt_from(case, flags)
     with busy(f"all solutions of order {order}"):
         found = solutions(belt, order)
-    if json_:
-        rows = [asdict(each) | {"admissible": not each.violations} for each in found]
-        document = {"order": order, "parameters": dict(belt.values), "roots": rows}
-        click.echo(as_json(document))
-    else:
-        from .scenes.shown.captions import caption
-
-        click.echo(caption(belt))
-        _print(found)
+    rows = [asdict(each) | {"admissible": not each.violations} for each in found]
+    document = {"order": order, "parameters": dict(belt.values), "roots": rows}
+    Destination(json_, None).show(f"{as_json(document)}\n", _pieces(belt, found))
     return 0 if any(not each.violations for each in found) else 1
 
 
-def _print(found: "list[RealSolution]") -> None:
-    """Print one row a solution; a long verdict goes on in the next line."""
-    from .columns import print_table, table_of
+def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]":
+    """Show one row a solution; a long verdict goes on in the next line."""
+    from .columns import table_of
+    from .scenes.shown.captions import caption
 
+    yield caption(belt)
     table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch")
     table.add_column("verdict", overflow="fold", max_width=VERDICT)
     for each in found:
@@ -117,7 +119,7 @@ def _print(found: "list[RealSolution]") -> None:
         verdict = each.violations[0] if each.violations else "the orbit"
         off = each.transition_mismatch
         table.add_row(*numbers, "" if off is None else f"{off:.1e}", verdict)
-    print_table(table)
+    yield table
 
 
 @click.command(cls=NamedCommand, own=True, epilog=EPILOG_OF_REPORT)
@@ -138,8 +140,8 @@ def report(case: Path | None, figure: str | None, output: Path, **flags: float |
     one by one, each with the normal forces for which it holds.  The page needs nothing from
     outside.  Of another SCENE: how it moves, and how fast each expansion finds its orbit.
     """
-    for library in ("matplotlib", "jinja2"):
-        need(library, "report", "report")
+    for library in FOR_REPORTS:
+        need(*library)
     if figure is not None:
         check_target(output, PICTURES)
     belt = belt_from(case, flags)

@@ -97,6 +97,17 @@ def as_problems(names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Non
         raise Problem(f"--{names.get(name, name).replace('_', '-')}: {rest}") from error
 
 
+@contextmanager
+def wrong_values(of: str = "") -> Iterator[None]:
+    """Turn parameters that are not admitted into a problem, behind where they are from."""
+    from nonsmooth.solver.scenes.parameter_error import ParameterError
+
+    try:
+        yield
+    except ParameterError as error:
+        raise Problem(f"{of}{error}") from error
+
+
 def print_warnings() -> None:
     """Let warnings of this package be one line each on stderr, and others what they are."""
     others = warnings.showwarning

@@ -1,124 +1,83 @@
 """``nonsmooth digits SCENE``: digits that float64 keeps of orbits at a scene's extremes."""
 
 from dataclasses import asdict
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from ..about import Given, Output
-from ..output import PICTURES, need, write_result
-from ..problems import PLURAL, Problem, as_problems
+from nonsmooth.files import documents
+from nonsmooth.solver.kernels import registry
+from nonsmooth.solver.precision import digits
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.loaded import LoadedScene
+from nonsmooth.solver.scenes.methods import shown
+from nonsmooth.solver.search import HIGHEST_ORDER
+
+from ..about import Given
+from ..aliases import generic_methods
+from ..output import Destination
+from ..problems import PLURAL, Problem, as_problems, wrong_values
 from ..progress import progress
 from ..values import parse_orders
-from .options import case_from, command_of, method_names, motion_options
+from .case import case_from
+from .shown import digits_table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from nonsmooth.solver.precision.digits import Kept
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.loaded import LoadedScene
-
-OUTPUT = Output("Write the digits: .json, or a picture .png, .svg, .pdf.", (".json", *PICTURES))
-
-HELP = """Measure the digits that float64 keeps of the times of orbits of {name}.
-
-{title}. At the given parameters and at each extreme that the scene names, the exact equations
-and those of each method are solved in float64, and the same equations again in ball arithmetic.
-Needs python-flint."""
-
-EPILOG = """\b
-Examples:
-  nonsmooth digits {scene}
-  nonsmooth digits {scene} --methods {best} --orders 5,10,20 -o digits.png
-"""
-
-
-def command(scene: "LoadedScene", said: str) -> click.Command:
-    """Return ``nonsmooth digits`` of a scene, which the user called so."""
-    names = ",".join(method_names(scene))
-    options: list[click.Parameter] = [
-        click.Option(["--methods"], help=f"By commas.  [default: {names}]"),
-        click.Option(["--orders"], help="Numbers, ranges.  [default: 5,10,20,40]"),
-        click.Option(["--quick"], is_flag=True, help="One order, 10."),
-        *motion_options(scene),
-    ]
-    return command_of(scene, said, run, options, OUTPUT, HELP, EPILOG)
+#: The command as earlier versions called it, and what is said where it is called so.
+OLD_NAME = "stability"
+RENAMED = "it is now `nonsmooth digits`; whether an orbit is stable is said by `solve`"
 
 
 def run(
-    given: "Given[LoadedScene]", methods: str | None, orders: str | None, quick: bool,
-    json_: bool, output: Path | None,
+    given: Given[LoadedScene], to: Destination, methods: str | None, orders: str | None,
+    quick: bool,
 ) -> int:  # fmt: skip
     """Measure, show, write; the exit status."""
-    need("flint", "digits", "precise", "python-flint")
+    if (click.get_current_context().info_name or "").startswith(OLD_NAME):
+        click.echo(f"nonsmooth: {OLD_NAME}: {RENAMED}", err=True)
     case = case_from(given)
-    from nonsmooth.solver.kernels import registry
-    from nonsmooth.solver.precision.digits import (
-        ORDERS,
-        QUICK_ORDERS,
-        extremes,
-        measure,
-    )
-    from nonsmooth.solver.scenes.methods import shown
-    from nonsmooth.solver.scenes.parameter_error import ParameterError
-    from nonsmooth.solver.search import HIGHEST_ORDER
-
     if quick and orders is not None:
         raise Problem(f"--quick: got --orders {orders} beside it, expected one of them")
-    numbers = QUICK_ORDERS if quick else ORDERS
+    numbers = digits.QUICK_ORDERS if quick else digits.ORDERS
     if orders is not None:
         numbers = tuple(parse_orders(orders))
     if max(numbers) > HIGHEST_ORDER:
         raise Problem(f"--orders: got {max(numbers)}, expected at most {HIGHEST_ORDER}")
-    with as_problems(PLURAL):
-        names = list(registry.methods(case.scene))
-        if methods is not None:
-            parts = (part.strip() for part in methods.split(","))
-            names = list(dict.fromkeys(registry.generic_method(case.scene, q) for q in parts))
-    try:
-        cases = extremes(case)
-    except ParameterError as error:
-        raise Problem(f"an extreme of {case.scene.name}: {error}") from error
+    names = list(registry.methods(case.scene))
+    if methods is not None:
+        with as_problems(PLURAL):
+            names = generic_methods(case.scene, methods)
+    with wrong_values(f"an extreme of {case.scene.name}: "):
+        cases = digits.extremes(case)
     if len(cases) == 1:
         hint = "its field `extremes` names none, so that only these parameters are measured"
         click.echo(f"nonsmooth: {case.scene.name}: {hint}", err=True)
-    with progress(len(cases) * (1 + len(names) * len(numbers)), "digits") as advance:
+    total = len(cases) * (1 + len(names) * len(numbers))
+    with progress(total, "digits") as advance, wrong_values():
 
-        def done(kept: "Kept") -> None:
+        def done(kept: digits.Kept) -> None:
             order = "" if kept.order is None else f", N = {kept.order}"
             advance(f"{kept.extreme or 'given'}: {shown(case.scene, kept.method)}{order}")
 
-        try:
-            found = measure(case, numbers, names, done)
-        except ParameterError as error:
-            raise Problem(str(error)) from None
-    text = _text(case, found, names)
-    if json_:
-        click.echo(text, nl=False)
-    else:
-        from .shown import captions, digits_table
-
-        click.echo(captions.caption(case))
-        digits_table.print_digits(case, found)
-    write_result(output, text, lambda: _figure(case, found))
+        found = digits.measure(case, numbers, names, done)
+    text = documents.text(case, _document(case, found), names)
+    to.show(text, digits_table.pieces(case, found))
+    to.write(text, lambda: _figure(case, found))
     return 1 if any(kept.lost for kept in found) else 0
 
 
-def _figure(case: "Case", found: "list[Kept]") -> "Figure":
+def _figure(case: Case, found: list[digits.Kept]) -> "Figure":
     from .shown.digits_picture import digits_figure
 
     return digits_figure(case, found)
 
 
-def _text(case: "Case", found: "list[Kept]", names: list[str]) -> str:
-    from nonsmooth.files import documents
-
+def _document(case: Case, found: list[digits.Kept]) -> dict[str, object]:
     rows = [
         asdict(kept) | {"digits": kept.digits, "met": kept.met, "conditioned": kept.conditioned}
         for kept in found
     ]
     head = {"scene": case.scene.name, "parameters": dict(case.values)}
-    whole = head | {"lost": any(kept.lost for kept in found), "rows": rows}
-    return documents.text(case, whole, names)
+    return head | {"lost": any(kept.lost for kept in found), "rows": rows}

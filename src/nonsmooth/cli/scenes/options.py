@@ -1,52 +1,34 @@
-"""The flags of a scene, and the case that they and a case file describe."""
+"""The options of commands about a scene, beside its parameters."""
 
-from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from click.shell_completion import CompletionItem
 
-from ..about import PREFIX, CommandAbout, Given, Output, completed, flag
-from ..problems import Problem, Verbose, as_problems
-from ..values import Vary, parse_vary
-from .named import known
+from nonsmooth.solver.kernels.registry import methods
+from nonsmooth.solver.scenes.methods import in_order, shown
+
+from ..about import PREFIX
+from ..aliases import Aliased, OneOrder
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
+    from nonsmooth.solver.scenes.loaded import LoadedScene
+
+#: N of a command about one order, and the orders of a sweep, where none are named.
+ORDER, ORDERS = 10, "1-20"
+
+#: Periods that a diagram leaves out.
+TRANSIENT = 200
+
+FUNCTIONS = "Functions of hb-ck at each switch.  [default: 1; 2 where x' jumps]"
 
 
-class CommandOfScene(CommandAbout):
-    """A command built for a scene."""
-
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Complete options, and scenes where none is named."""
-        scenes = () if " " in (ctx.info_name or "") else known()
-        return [*completed(scenes, incomplete), *super().shell_complete(ctx, incomplete)]
+def method_names(scene: "LoadedScene") -> list[str]:
+    """Return the methods of a scene as they are shown, in their order."""
+    return [shown(scene, method) for method in in_order(methods(scene))]
 
 
-def command_of(
-    scene: "LoadedScene", said: str, run: Callable[..., int], options: list[click.Parameter],
-    output: Output, help_: str, epilog: str,
-) -> click.Command:  # fmt: skip
-    """Return a command of a scene, which the user called so; see `CommandAbout`."""
-    last = scene.parameters[-1]
-    words = {
-        "scene": said,
-        "best": method_names(scene)[-1],
-        "flag": flag(last.name),
-        "value": last.default,
-        "vary": f"{flag(last.name)[2:]}={last.default / 2:g}:{last.default:g}",
-    }
-    parameters = [
-        *(click.Option([flag(q.name), PREFIX + q.name], type=float, help=_help(q))
-          for q in scene.parameters),
-        Verbose(),
-    ]  # fmt: skip
-    return CommandOfScene(scene, run, options, parameters, output, help_, epilog, words)
-
-
-def motion_options(scene: "LoadedScene") -> list[click.Parameter]:
+def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
     """Return the options that say which motion of a scene is meant."""
     found: list[click.Parameter] = []
     if scene.motions:
@@ -56,81 +38,141 @@ def motion_options(scene: "LoadedScene") -> list[click.Parameter]:
     found.append(click.Option(["--phases", f"{PREFIX}phases"], metavar="NAMES", help=words))
     if scene.frequency is not None:
         odd = ", an odd number" if scene.half_period else ""
-        words = f"Periods of the forcing in one of the motion{odd}.  [default: 1]"
-        names = ["--cycles", f"{PREFIX}cycles"]
-        found.append(click.Option(names, type=int, metavar="n", help=words))
+        found.append(_cycles(f"{PREFIX}cycles", odd))
     return found
 
 
-def method_names(scene: "LoadedScene") -> list[str]:
-    """Return the methods of a scene as they are shown, in their order."""
-    from nonsmooth.solver.kernels.registry import methods
-    from nonsmooth.solver.scenes.methods import in_order, shown
-
-    return [shown(scene, method) for method in in_order(methods(scene))]
+def _cycles(name: str, more: str = "") -> click.Option:
+    words = f"Periods of the forcing in one of the motion{more}.  [default: 1]"
+    return click.Option(["--cycles", name], type=int, metavar="n", help=words)
 
 
-def vary_from(
-    given: "Given[LoadedScene]",
-    text: str,
-    most: int | None,
-    points: str = "",
-    log: bool = False,
-) -> Vary[float]:
-    """Return what ``--vary`` asks for, of a scene; see `parse_vary`."""
-    names, last = [q.name for q in given.about.parameters], given.about.parameters[-1]
-    example = f"{flag(last.name)[2:]}={last.default / 2:g}:{last.default or 1:g}{points}"
-    return parse_vary(text, log, names, most, example, float)
+def of_solve(scene: "LoadedScene") -> list[click.Parameter]:
+    """Return the options of ``nonsmooth solve``."""
+    names = ", ".join(method_names(scene))
+    return [
+        Aliased(["--method"], alias="--methods", help=f"{names}; without it, all."),
+        Aliased(
+            ["--order"], alias="--orders", type=OneOrder(),
+            help=f"N, the size.  [default: {ORDER}]",
+        ),
+        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        *of_motion(scene),
+        click.Option(["--tol"], type=float, help="Choose N: largest error of times, period."),
+        click.Option(["--budget"], help="Choose: the best in this time, like 200us, 1ms, 2s."),
+        click.Option(
+            ["--all", "every"], is_flag=True, help="List every orbit found, of every motion."
+        ),
+    ]  # fmt: skip
 
 
-def check_not_given(given: "Given[LoadedScene]", vary: Vary[float]) -> None:
-    """Check that no flag gives a parameter that varies; a `Problem` if one does."""
-    if vary.parameter in given.flags:
-        raise Problem(f"--{vary.flag}: given beside --vary {vary.flag}, which sets it")
+def of_sweep(scene: "LoadedScene") -> list[click.Parameter]:
+    """Return the options of ``nonsmooth sweep``."""
+    names = ",".join(method_names(scene))
+    return [
+        Aliased(["--methods"], alias="--method", help=f"By commas.  [default: {names}]"),
+        Aliased(
+            ["--orders"], alias="--order",
+            help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]",
+        ),
+        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+        *of_motion(scene),
+        click.Option(
+            ["--vary"], metavar="NAME=FROM:TO:POINTS",
+            help="Follow the orbit along a parameter instead, by one method at one order.",
+        ),
+        click.Option(["--log"], is_flag=True, help="Space the values by a constant factor."),
+    ]  # fmt: skip
 
 
-def _help(q: "Parameter") -> str:
-    unit = f" in {q.unit}" if q.unit else ""
-    return f"{q.symbol}{unit}: {q.what}; {q.expected}.  [default: {q.default:g}]"
+def of_branch(scene: "LoadedScene") -> list[click.Parameter]:
+    """Return the options of ``nonsmooth branch``."""
+    attractors = click.Option(
+        ["--attractors"], is_flag=True,
+        help="Draw over what simulations settle on, up and down, once a period of the forcing.",
+    )  # fmt: skip
+    names = ", ".join(method_names(scene))
+    return [
+        click.Option(
+            ["--vary"], metavar="NAME=FROM:TO", required=True,
+            help="The parameter, and its range.",
+        ),
+        *of_motion(scene),
+        click.Option(
+            ["--from-orbit"], type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+            help="Start from an orbit that solve has written as .json or .nc.",
+        ),
+        click.Option(
+            ["--all", "every"], is_flag=True,
+            help="Follow every orbit that is found at a few values, and those at their flips.",
+        ),
+        *([attractors] if scene.frequency else ()),
+        Aliased(["--method"], alias="--methods", help=f"Solve it beside each orbit: {names}."),
+        Aliased(
+            ["--order"], alias="--orders", type=int, help=f"Its order.  [default: {ORDER}]"
+        ),
+        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
+    ]  # fmt: skip
 
 
-def case_from(given: "Given[LoadedScene]", **others: float) -> "Case":
-    """Return the case that the command line describes, of the motion that it names if any.
+def of_map(scene: "LoadedScene") -> list[click.Parameter]:
+    """Return the options of ``nonsmooth map``."""
+    vary = click.Option(
+        ["--vary"], metavar="NAME=FROM:TO:COUNT", required=True, multiple=True,
+        help="Given twice: a parameter, its range, and how many values it takes.",
+    )  # fmt: skip
+    return [vary, *([_cycles("cycles")] if scene.frequency else ())]
 
-    Without a case file, what no flag gives has its default; `others` is given beside them.  A
-    `Problem` has all mistakes at once.
-    """
-    from nonsmooth.kim_perkins import as_in_paper
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.parameter_error import ParameterError
-    from nonsmooth.solver.solve import with_order
 
-    scene, flags = given.about, {**given.flags, **others}
-    motion, phases = (flags.pop(name, None) for name in ("motion", "phases"))
-    if motion is not None and phases is not None:
-        raise Problem(f"--phases: got {phases} beside --motion {motion}, expected one of them")
-    cycles = flags.pop("cycles", 1)
-    table = given.table()
-    missing = [
-        f"{q.name}: missing, expected {q.what}{f' in {q.unit}' if q.unit else ''}"
-        for q in scene.parameters
-        if given.file is not None and q.name not in table and q.name not in flags
+def of_simulate(scene: "LoadedScene") -> list[click.Parameter]:
+    """Return the options of ``nonsmooth simulate``; some look once a period of the forcing."""
+    once_a_period = [
+        click.Option(
+            ["--vary"], metavar="NAME=FROM:TO:COUNT",
+            help="Draw a bifurcation diagram: the states once a period of the forcing, behind "
+            "a transient, as a parameter takes so many values.",
+        ),
+        click.Option(
+            ["--transient"], type=int, metavar="CYCLES",
+            help=f"Periods that --vary leaves out.  [default: {TRANSIENT}]",
+        ),
+        click.Option(
+            ["--grid"], multiple=True, metavar="x=FROM:TO:COUNT",
+            help="Draw basins of attraction: given twice, for x and v, where to start from.",
+        ),
+    ]  # fmt: skip
+    return [
+        click.Option(
+            ["--state"], metavar="X,V",
+            help="Displacement in m and velocity in m/s at the start, of a body those of its "
+            "first contact.  [default: at rest at 0 or, where the scene does not admit that, "
+            "near it]",
+        ),
+        click.Option(
+            ["--cycles"], type=float,
+            help="How many periods of the forcing; without forcing, how many times 2 pi of the "
+            "scene's unit of time.  [default: 20]",
+        ),
+        click.Option(["--time"], type=float, help="How long in s, in place of --cycles."),
+        *(once_a_period if scene.frequency else ()),
+        click.Option(
+            ["--forcing-phase"], type=float, default=0.0,
+            help="Phase of the forcing at the start in rad.  [default: 0]",
+        ),
+    ]  # fmt: skip
+
+
+def of_digits(scene: "LoadedScene") -> list[click.Parameter]:
+    """Return the options of ``nonsmooth digits``."""
+    names = ",".join(method_names(scene))
+    return [
+        click.Option(["--methods"], help=f"By commas.  [default: {names}]"),
+        click.Option(["--orders"], help="Numbers, ranges.  [default: 5,10,20,40]"),
+        click.Option(["--quick"], is_flag=True, help="One order, 10."),
+        *of_motion(scene),
     ]
-    wrong: list[str] = []
-    try:
-        own = 1 if phases is not None else cycles  # those of its order
-        case = as_in_paper(Case(scene, table | flags, own))
-    except ParameterError as error:
-        wrong = [_as_flag(line) for line in error.errors]
-    if wrong or missing:  # a name that is misspelled before that which it should have been
-        first, *more = wrong + missing
-        raise Problem(given.where + first, below=more)
-    with as_problems():
-        if phases is not None:
-            return with_order(case, str(phases), cycles)
-        return case if motion is None else case.of_motion(motion)
 
 
-def _as_flag(line: str) -> str:
-    """Return what is wrong with a case; the cycles, which no table has, by their flag."""
-    return f"--{line}" if line.startswith("cycles: got") else line
+def of_none(_: "LoadedScene") -> list[click.Parameter]:
+    """Return no options: a command has those of a scene's parameters."""
+    return []

@@ -1,114 +1,94 @@
-"""``nonsmooth sweep SCENE``: how fast the methods of a scene converge with the order."""
+"""``nonsmooth sweep SCENE``: how fast its methods converge, or its orbit along a parameter."""
 
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import click
+from nonsmooth.files import documents
+from nonsmooth.solver.family import MOST_VALUES, ORDER, family_case
+from nonsmooth.solver.kernels.registry import methods as methods_of
+from nonsmooth.solver.results.family import FamilyInterrupted, FamilyRow
+from nonsmooth.solver.results.sweep import SweepRow
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.loaded import LoadedScene
+from nonsmooth.solver.scenes.methods import FIRST, shown
+from nonsmooth.solver.sweep import sweep_case
 
-from ..about import Given, Output
-from ..aliases import Aliased, split_methods
-from ..output import DATA, PICTURES, drawn_by, write_result
-from ..problems import PLURAL, Problem, as_problems
+from ..about import Given
+from ..aliases import generic_methods
+from ..output import Destination, drawn_by
+from ..problems import PLURAL, Problem, as_problems, wrong_values
 from ..progress import progress
-from ..values import parse_orders
-from . import family
-from .options import case_from, command_of, method_names, motion_options
-from .solve import FUNCTIONS
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.results.sweep import SweepRow
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.loaded import LoadedScene
-
-#: Orders of a sweep that names none.
-ORDERS = "1-20"
-
-OUTPUT = Output(
-    "Write the rows: .csv, .json, .nc; or a picture .png, .svg, .pdf.", (*DATA, *PICTURES)
-)
-
-HELP = """Compute the orbit of {name} for many orders and compare it with the exact one.
-
-{title}."""
-
-EPILOG = """\b
-Examples:
-  nonsmooth sweep {scene}
-  nonsmooth sweep {scene} --methods hb,{best} --orders 1-10,20,40 -o rows.csv
-  nonsmooth sweep {scene} --orders 2-16 -o convergence.png
-  nonsmooth sweep {scene} --vary {vary}:40 -o along.png
-"""
+from ..values import Vary, is_whole, parse_orders, values_of
+from .case import case_from, check_not_given, vary_from
+from .options import ORDERS
+from .shown import tables
 
 
-def command(scene: "LoadedScene", said: str) -> click.Command:
-    """Return ``nonsmooth sweep`` of a scene, which the user called so."""
-    names = method_names(scene)
-    options: list[click.Parameter] = [
-        Aliased(
-            ["--methods"], alias="--method",
-            help=f"By commas.  [default: {','.join(names)}]",
-        ),
-        Aliased(
-            ["--orders"], alias="--order",
-            help=f"Numbers, ranges, 10,20,...,80.  [default: {ORDERS}]",
-        ),
-        click.Option(["--functions"], type=int, metavar="K", help=FUNCTIONS),
-        *motion_options(scene),
-        click.Option(
-            ["--vary"], metavar="NAME=FROM:TO:POINTS",
-            help="Follow the orbit along a parameter instead, by one method at one order.",
-        ),
-        click.Option(["--log"], is_flag=True, help="Space the values by a constant factor."),
-    ]  # fmt: skip
-    return command_of(scene, said, run, options, OUTPUT, HELP, EPILOG)
-
-
-def run(given: "Given[LoadedScene]", vary: str | None, log: bool, **wanted: Any) -> int:
+def run(
+    given: Given[LoadedScene], to: Destination, vary: str | None, log: bool, **wanted: Any
+) -> int:
     """Sweep along a parameter or over orders; the exit status."""
     if vary is not None:
-        along = family.vary_of(given, vary, log)
+        along = vary_from(given, vary, MOST_VALUES, ":20", log)
+        check_not_given(given, along)
         case = case_from(given, **{along.parameter: along.first})
-        return family.run(case, along, **wanted)
+        return _along(case, to, along, **wanted)
     if log:
         raise Problem("--log: expected beside --vary")
-    return _over_orders(case_from(given), **wanted)
+    return _over_orders(case_from(given), to, **wanted)
 
 
 def _over_orders(
-    case: "Case", methods: str | None, orders: str | None, functions: int | None,
-    json_: bool, output: Path | None,
-) -> int:  # fmt: skip
+    case: Case, to: Destination, methods: str | None, orders: str | None, functions: int | None
+) -> int:
     """Sweep over orders, show it, write it; the exit status."""
-    from nonsmooth.files import documents
-    from nonsmooth.solver.scenes.methods import shown
-    from nonsmooth.solver.sweep import sweep_case
-
     numbers = parse_orders(ORDERS if orders is None else orders)
     with as_problems(PLURAL):
-        names = None if methods is None else _methods(case.scene, methods)
-        total = len(names or method_names(case.scene)) * len(numbers)
+        names = None if methods is None else generic_methods(case.scene, methods)
+        total = len(names or methods_of(case.scene)) * len(numbers)
         with progress(total, "sweep") as advance:
 
-            def done(row: "SweepRow") -> None:
+            def done(row: SweepRow) -> None:
                 advance(f"{shown(case.scene, row.method)}, N = {row.order}")
 
             result = sweep_case(case, names, numbers, functions, done)
     text = documents.text(result.case, result.as_dict(), result.rates())
-    case = result.case
-    if json_:
-        click.echo(text, nl=False)
-    else:
-        from .shown import captions, tables
-
-        click.echo(captions.caption(case))
-        tables.convergence(result)
-        click.echo(captions.legend(case.scene, durations=False))
-    write_result(output, text, drawn_by("sweeps.convergence_figure", result), result)
+    to.show(text, tables.convergence(result))
+    to.write(text, drawn_by("sweeps.convergence_figure", result), result)
     return 0 if all(row.status == "ok" for row in result.rows) else 1
 
 
-def _methods(scene: "LoadedScene", text: str) -> list[str]:
-    from nonsmooth.solver.kernels.registry import generic_method
+def _along(
+    case: Case, to: Destination, vary: Vary[float], methods: str | None, orders: str | None,
+    functions: int | None,
+) -> int:  # fmt: skip
+    """Follow the orbit along a parameter, show it, write it; the exit status.
 
-    names = [generic_method(scene, name) for name in split_methods(text)]
-    return list(dict.fromkeys(names))
+    A `Problem` is raised if an argument is wrong; or after Ctrl-C, once what was computed is
+    shown and written.
+    """
+    if orders is not None and not is_whole(orders):
+        raise Problem(f"--orders: got {orders!r} beside --vary, expected one order")
+    if methods is not None and "," in methods:
+        raise Problem(f"--methods: got {methods!r} beside --vary, expected one method")
+    order = ORDER if orders is None else int(orders)
+    name = FIRST if methods is None else methods.strip()
+    values = values_of(vary)
+    interrupted = False
+    with (
+        as_problems(PLURAL), wrong_values("--vary: "), progress(vary.count, "sweep") as advance
+    ):  # fmt: skip
+
+        def told(row: FamilyRow) -> None:
+            advance(f"{vary.flag} = {row.value:g}")
+
+        try:
+            result = family_case(case, vary.parameter, values, name, order, functions, told)
+        except FamilyInterrupted as interrupt:
+            result, interrupted = interrupt.done, True
+    text = documents.text(case, result.as_dict(), [result.method])
+    to.show(text, tables.family(result))
+    to.write(text, drawn_by("families.family_figure", result, vary.log), result)
+    if interrupted:
+        done = len(set(result["value"]))
+        raise Problem(f"interrupted: {done} of {vary.count} values are done", 130)
+    return 0 if all(row.status == "ok" for row in result.rows) else 1

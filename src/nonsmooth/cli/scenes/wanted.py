@@ -1,38 +1,36 @@
 """What is to be solved on the command line, and the orbits that are found."""
 
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING
 
-import click
+from nonsmooth.solver.exact import ExactOrbit, exact_orbit
+from nonsmooth.solver.kernels.registry import generic_method, methods
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.methods import FIRST, in_order
+from nonsmooth.solver.solve import number_of_functions, solve_case, with_motion
+from nonsmooth.solver.trade.budget import choose_within
+from nonsmooth.solver.trade.choice import Choice, NotCertified, TooSlow
+from nonsmooth.solver.trade.tolerance import choose_order
 
 from ..aliases import check_one_method
-from ..output import drawn_by, write_result
 from ..problems import Problem, as_problems, reasons, say
 from ..progress import busy
+from .options import ORDER
 
-if TYPE_CHECKING:
-    from nonsmooth.solver.exact import ExactOrbit
-    from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.results.orbit import Orbit
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.trade.choice import Choice
-
-#: N without ``--order``.
-ORDER = 10
+#: What each method has found.
+Found = dict[str, Orbit | NoOrbit]
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """What is to be solved, by which methods, without any by all; and how it is to be shown."""
+    """What is to be solved, and by which methods; without any, by all."""
 
     methods: tuple[str, ...] = ()
     order: int | None = None
     functions: int | None = None
     tol: float | None = None
     budget: float | None = None
-    json: bool = False
-    output: Path | None = None
 
     @property
     def size(self) -> int:
@@ -40,30 +38,32 @@ class Wanted:
         return ORDER if self.order is None else self.order
 
     @property
+    def chosen_by(self) -> str:
+        """The option that chooses an order, if one does."""
+        if self.tol is not None:
+            return "--tol"
+        return "" if self.budget is None else "--budget"
+
+    @property
     def one(self) -> bool:
         """Whether one orbit is wanted, and not that of every method."""
-        return len(self.methods) == 1 or self.tol is not None or self.budget is not None
+        return len(self.methods) == 1 or bool(self.chosen_by)
 
 
-def search(case: "Case", wanted: Wanted) -> "tuple[Choice | None, dict[str, Orbit | NoOrbit]]":
+def search(case: Case, wanted: Wanted) -> tuple[Choice | None, Found]:
     """Return what a tolerance or a budget chose, and what was found by method.
 
     Where the scene has several motions, that which occurs is found first.  A `Problem` is
     raised if something wanted cannot be computed.
     """
-    from nonsmooth.solver.kernels.registry import generic_method, methods
-    from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.scenes.methods import in_order
-    from nonsmooth.solver.solve import number_of_functions, with_motion
-
     scene = case.scene
     with as_problems():
         chosen = tuple(dict.fromkeys(generic_method(scene, q) for q in wanted.methods))
-    if wanted.tol is not None or wanted.budget is not None:
-        check_one_method(list(wanted.methods), "--budget" if wanted.tol is None else "--tol")
+    if wanted.chosen_by:
+        check_one_method(wanted.methods, wanted.chosen_by)
         return _choose(case, chosen[0] if chosen else None, wanted)
     names = chosen or tuple(in_order(methods(scene)))
-    found: dict[str, Orbit | NoOrbit] = {}
+    found: Found = {}
     try:
         with busy("looking for a motion"):
             case = with_motion(case, wanted.size)
@@ -80,11 +80,8 @@ def search(case: "Case", wanted: Wanted) -> "tuple[Choice | None, dict[str, Orbi
 
 
 def _solve(
-    case: "Case", method: str, order: int, functions: int | None, said: set[str]
-) -> "Orbit | NoOrbit":
-    from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.solve import solve_case
-
+    case: Case, method: str, order: int, functions: int | None, said: set[str]
+) -> Orbit | NoOrbit:
     try:
         with as_problems(), busy(f"{method}, N = {order}"):
             return solve_case(case, method, order, functions)
@@ -93,27 +90,20 @@ def _solve(
         return finding
 
 
-def _choose(
-    case: "Case", method: str | None, wanted: Wanted
-) -> "tuple[Choice | None, dict[str, Orbit | NoOrbit]]":
-    from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.scenes.methods import FIRST
-    from nonsmooth.solver.trade.budget import choose_within
-    from nonsmooth.solver.trade.choice import NotCertified, TooSlow
-    from nonsmooth.solver.trade.tolerance import choose_order
-
-    option = "--budget" if wanted.tol is None else "--tol"
+def _choose(case: Case, method: str | None, wanted: Wanted) -> tuple[Choice | None, Found]:
     if wanted.order is not None:
-        raise Problem(f"--order: got {wanted.order} beside {option}, which chooses it")
+        raise Problem(
+            f"--order: got {wanted.order} beside {wanted.chosen_by}, which chooses it"
+        )
     if wanted.tol is not None and wanted.budget is not None:
         raise Problem(f"--budget: got {wanted.budget:g} s beside --tol, expected one of them")
     name = method or FIRST
     try:
-        if wanted.tol is None:
-            assert wanted.budget is not None
+        if wanted.budget is not None:
             with as_problems(), busy(f"{method or 'all methods'} within {wanted.budget:g} s"):
                 choice = choose_within(case, wanted.budget, method, wanted.functions)
         else:
+            assert wanted.tol is not None
             with as_problems(), busy(f"{name} to {wanted.tol:g}"):
                 choice = choose_order(case, wanted.tol, name, wanted.functions)
     except NotCertified as finding:
@@ -126,7 +116,7 @@ def _choose(
     return choice, {choice.orbit.method: choice.orbit}
 
 
-def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
+def tell(finding: NoOrbit, said: set[str] | None = None) -> None:
     """Say on stderr why there is no orbit: what was found, and below it what was tried.
 
     What is in `said`, but for the method in front, is not said at length again; it is added.
@@ -142,11 +132,8 @@ def tell(finding: "NoOrbit", said: set[str] | None = None) -> None:
     said.update((whole, same))
 
 
-def exact_near(case: "Case", orbits: "list[Orbit]") -> "ExactOrbit | None":
+def exact_near(case: Case, orbits: list[Orbit]) -> ExactOrbit | None:
     """Return the exact orbit next to the orbits, or any if there are none."""
-    from nonsmooth.solver.exact import exact_orbit
-    from nonsmooth.solver.no_orbit import NoOrbit
-
     for orbit in orbits:
         if orbit.exact is not None:
             return orbit.exact
@@ -156,13 +143,3 @@ def exact_near(case: "Case", orbits: "list[Orbit]") -> "ExactOrbit | None":
         return exact_orbit(case)
     except NoOrbit:
         return None
-
-
-def write_orbits(
-    output: Path | None, text: str, orbits: "list[Orbit]", exact: "ExactOrbit | None"
-) -> None:
-    """Write orbits, if a file is named: without any only their document."""
-    if output is not None and output.suffix.lower() != ".json" and not orbits:
-        click.echo(f"nonsmooth: no orbit, {output} is not written", err=True)
-    else:
-        write_result(output, text, drawn_by("orbits.orbit_figure", orbits, exact), orbits)

@@ -1,1 +1,4 @@
-"""``nonsmooth modes``, and ``sweep`` of a structure: modes of beams and strings in space."""
+"""``nonsmooth modes``, and ``sweep`` of a structure: modes of beams and strings in space.
+
+`commands` has their help and options; `modes`, `family` and `sweep` are what runs.
+"""

@@ -1,22 +1,18 @@
 """``nonsmooth modes STRUCTURE --vary``: modes along a parameter, or the position."""
 
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
-import click
-
 from nonsmooth.files import csv_rows, documents
-from nonsmooth.solver.scenes.parameter_error import ParameterError
 from nonsmooth.solver.space.attached import Attached, attach
 from nonsmooth.solver.space.modes import Modes
 
-from ..output import drawn_by, write_result
-from ..problems import Problem
+from ..output import Destination, drawn_by
+from ..problems import Problem, wrong_values
 from ..progress import progress
 from ..values import Vary, parse_vary, values_of
 from . import mode_tables
-from .options import ALL, compute
+from .wanted import ALL, compute
 
 #: Points of a family.
 MOST_POINTS = 10_000
@@ -36,10 +32,8 @@ def structures_of(vary: Vary[Fraction], attached: Attached) -> list[Attached]:
     for value in values_of(vary):
         given: dict[str, Any] = {"position": attached.a, **attached.values}
         given[vary.parameter] = value if vary.parameter == "position" else float(value)
-        try:
+        with wrong_values("--vary: "):
             found.append(attach(attached.structure, **given))
-        except ParameterError as error:
-            raise Problem(f"--vary: {error}") from error
     return found
 
 
@@ -53,9 +47,8 @@ def labels_of(vary: Vary[Fraction]) -> list[str]:
 
 
 def run(
-    attached: Attached, wanted: dict[str, Any], text: str, log: bool, json_: bool,
-    output: Path | None,
-) -> int:  # fmt: skip
+    attached: Attached, to: Destination, wanted: dict[str, Any], text: str, log: bool
+) -> int:
     """Compute the modes along a parameter, show them, write them; the exit status."""
     if wanted["method"] == ALL:
         raise Problem("--vary: got --method all with it, expected one method")
@@ -69,15 +62,9 @@ def run(
             advance(f"{vary.flag} = {label}")
     document = documents.of_varied_modes(vary.flag, values, found)
     text = documents.text_of_modes(attached.structure, document)
-    if json_:
-        click.echo(text, nl=False)
-    else:
-        click.echo(mode_tables.caption(attached, vary.parameter))
-        how = f"{found[0].shown}, N = {found[0].order}"
-        how = how if wanted["tol"] is None else "to a tolerance"
-        click.echo(f"{vary.flag} varies; {how}; omega in rad/s\n")
-        mode_tables.family(vary.flag, labels, found)
+    how = f"{found[0].shown}, N = {found[0].order}"
+    how = how if wanted["tol"] is None else "to a tolerance"
+    to.show(text, mode_tables.family(attached, vary, how, labels, found))
     figure = drawn_by("modes.family_figure", vary.flag, values, found, log)
-    rows = csv_rows.of_modes(found, vary.flag, values)
-    write_result(output, text, figure, found, rows=lambda: rows)
+    to.write(text, figure, found, rows=lambda: csv_rows.of_modes(found, vary.flag, values))
     return 0

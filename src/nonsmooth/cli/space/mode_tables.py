@@ -1,30 +1,29 @@
 """Tables of modes, at most 80 columns wide, and what stands above and below them."""
 
 import math
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
-import click
+from nonsmooth.solver.space.attached import Attached
+from nonsmooth.solver.space.convergence import Convergence
+from nonsmooth.solver.space.mode import Mode
+from nonsmooth.solver.space.modes import Modes
+from nonsmooth.solver.space.structure import Structure
 
-from ..columns import filled, filled_parameters, print_table, table_of
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.space.attached import Attached
-    from nonsmooth.solver.space.convergence import Convergence
-    from nonsmooth.solver.space.mode import Mode
-    from nonsmooth.solver.space.modes import Modes
-    from nonsmooth.solver.space.structure import Structure
+from ..columns import Piece, filled, filled_parameters, table_of
+from ..values import Vary
 
 
-def caption(attached: "Attached", varied: str = "") -> str:
+def _caption(attached: Attached, varied: str = "") -> str:
     """Return the structure with its class, and its parameters but for what is varied."""
     structure = attached.structure
     head = f"{structure.name}: {structure.title} (C{structure.k})"
     return f"{head}\n{filled_parameters(attached.described(varied))}\n"
 
 
-def modes(found: "Sequence[Modes]") -> None:
-    """Print the modes by each expansion, a mode after the other, beside the exact ones."""
+def modes(found: Sequence[Modes]) -> Iterator[Piece]:
+    """Show the modes by each expansion, a mode after the other, beside the exact ones."""
+    yield _caption(found[0].attached)
     several = len(found) > 1
     table = table_of(
         "mode", *(["method", "f [Hz]"] if several else ["f [Hz]", "f_ex [Hz]"]),
@@ -42,12 +41,13 @@ def modes(found: "Sequence[Modes]") -> None:
             omega = f"{2 * math.pi * every[0][place].exact_frequency:.9g}"
             table.add_row(str(place + 1), "exact", exact, omega, "", "", "", "")
     for expansion in found:
-        click.echo(f"{expansion.shown}, N = {expansion.order}: {expansion.unknowns} unknowns")
-    click.echo()
-    print_table(table)
+        yield f"{expansion.shown}, N = {expansion.order}: {expansion.unknowns} unknowns"
+    yield ""
+    yield table
+    yield f"\n{_legend(found[0].structure)}"
 
 
-def _cells(mode: "Mode") -> list[str]:
+def _cells(mode: Mode) -> list[str]:
     proved = mode.proved_within
     return [
         f"{mode.frequency:.9g}",
@@ -65,7 +65,7 @@ def _law(mismatch: float | None) -> str:
     return "no jump" if mismatch == -1 else f"{mismatch:.1e}"
 
 
-def legend(structure: "Structure") -> str:
+def _legend(structure: Structure) -> str:
     """Return what the headings mean."""
     broken, felt = _primes(structure.broken), _primes(structure.felt)
     law = {
@@ -83,7 +83,7 @@ def legend(structure: "Structure") -> str:
     return filled("; ".join(parts) + ".")
 
 
-def _sign(structure: "Structure") -> str:
+def _sign(structure: Structure) -> str:
     negative = structure.jump * (-1 if structure.kind == "stiffness" else 1) < 0
     return "-" if negative else ""
 
@@ -92,9 +92,11 @@ def _primes(derivative: int) -> str:
     return "u" + "'" * derivative
 
 
-def convergence(study: "Convergence") -> None:
-    """Print one row an expansion and order, and the rates."""
+def convergence(study: Convergence, number: int) -> Iterator[Piece]:
+    """Show one row an expansion and order of a mode by its number, and the rates."""
     structure = study.attached.structure
+    yield _caption(study.attached)
+    yield f"mode {number}\n"
     names = {(line.method, line.forced): line.name(study.attached) for line in study.lines}
     table = table_of(
         "method", "N", "unknowns", "omega [rad/s]", "lam/lam_ex-1", "u",
@@ -114,8 +116,8 @@ def convergence(study: "Convergence") -> None:
             f"{row.discontinuous:.1e}",
             _law(row.jump_mismatch),
         )
-    print_table(table)
-    click.echo("\nPower of N in the error of lambda, fitted from N = 4 on above rounding:\n")
+    yield table
+    yield "\nPower of N in the error of lambda, fitted from N = 4 on above rounding:\n"
     rates = table_of("method", "fitted", "expected")
     for line in study.lines:
         fitted, expected = study.rate(line), study.expected(line)
@@ -124,7 +126,7 @@ def convergence(study: "Convergence") -> None:
             "" if fitted is None else f"{fitted:.2f}",
             _expected(line.method, expected),
         )
-    print_table(rates)
+    yield rates
 
 
 def _expected(method: str, expected: int | None) -> str:
@@ -133,11 +135,16 @@ def _expected(method: str, expected: int | None) -> str:
     return "faster than any" if method == "ck" else "none: it does not converge"
 
 
-def family(name: str, values: Sequence[str], found: "Sequence[Modes]") -> None:
-    """Print the angular frequencies of the modes, a row a value of a parameter."""
+def family(
+    attached: Attached, vary: Vary[Fraction], how: str, values: Sequence[str],
+    found: Sequence[Modes],
+) -> Iterator[Piece]:  # fmt: skip
+    """Show the angular frequencies of the modes, a row a value of a parameter."""
+    yield _caption(attached, vary.parameter)
+    yield f"{vary.flag} varies; {how}; omega in rad/s\n"
     count = max(map(len, found))
-    table = table_of(name, *(f"omega_{i + 1}" for i in range(count)), "off at most")
+    table = table_of(vary.flag, *(f"omega_{i + 1}" for i in range(count)), "off at most")
     for value, expansion in zip(values, found, strict=True):
         off = max(abs(mode.error) for mode in expansion)
         table.add_row(value, *(f"{mode.omega:.8g}" for mode in expansion), f"{off:.1e}")
-    print_table(table)
+    yield table

@@ -1,19 +1,16 @@
 """What stands above a table of a scene: what it is, its parameters, what the headings mean."""
 
-from typing import TYPE_CHECKING
-
 from nonsmooth.kim_perkins import CHOICE, SECTION_4, StickSlip
+from nonsmooth.solver.results.family import Family
+from nonsmooth.solver.scenes.case import Case
+from nonsmooth.solver.scenes.classes import HIGHEST, classes
+from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.scenes.methods import shown
 
 from ...columns import filled, filled_parameters
 
-if TYPE_CHECKING:
-    from nonsmooth.solver.results.family import Family
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.scenes.loaded import LoadedScene
 
-
-def caption(case: "Case") -> str:
+def caption(case: Case) -> str:
     """Return the scene and the parameters of a case, and whose choice they are."""
     scene = case.scene
     head = f"{scene.label}: {scene.title} (C{scene.k})"
@@ -25,7 +22,7 @@ def caption(case: "Case") -> str:
     return "\n".join(lines) + "\n"
 
 
-def caption_of_family(result: "Family") -> str:
+def caption_of_family(result: Family) -> str:
     """Return the scene, what of its parameters varies, and how the orbits are computed."""
     scene, values = result.case.scene, result["value"]
     parameter = next(q for q in scene.parameters if q.name == result.parameter)
@@ -36,10 +33,8 @@ def caption_of_family(result: "Family") -> str:
     return "\n".join(lines) + "\n"
 
 
-def smoother(case: "Case") -> list[str]:
+def smoother(case: Case) -> list[str]:
     """Return at which switches the motion is smoother than in general, for these parameters."""
-    from nonsmooth.solver.scenes.classes import HIGHEST, classes
-
     scene = case.scene
     if scene.motions:
         return []
@@ -54,17 +49,17 @@ def smoother(case: "Case") -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def derivative(scene: "LoadedScene") -> str:
+def derivative(scene: LoadedScene) -> str:
     """Return the first derivative that jumps somewhere: ``x''`` of a C1 motion."""
     return "x" + "'" * (scene.k + 1)
 
 
-def estimated(scene: "LoadedScene") -> str:
+def estimated(scene: LoadedScene) -> str:
     """Return what an estimate is."""
     return "with that of rounding" if scene.has_body else "without the exact orbit"
 
 
-def legend(scene: "LoadedScene", durations: bool = True) -> str:
+def legend(scene: LoadedScene, durations: bool = True) -> str:
     """Return what the headings of a table of orbits mean."""
     jumps, forced = derivative(scene), scene.frequency is not None
     phases = ", ".join(scene.phases)

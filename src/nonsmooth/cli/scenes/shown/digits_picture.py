@@ -1,19 +1,17 @@
 """Heat maps of the digits that float64 keeps: extremes by order, a map a method."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
+from nonsmooth.solver.precision.digits import Kept
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import EXACT, shown
 
 from .digits_table import ABSENT, words_of
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.precision.digits import Kept
-    from nonsmooth.solver.scenes.case import Case
 
 #: Digits at the two ends of the colour scale, which is as readable in grey.
 SCALE = (0, 16)
@@ -21,7 +19,7 @@ COLOURS = "cividis"
 
 
 @mpl.rc_context({"axes.grid": False})
-def digits_figure(case: "Case", found: "list[Kept]") -> Figure:
+def digits_figure(case: Case, found: list[Kept]) -> Figure:
     """Draw the digits of the times: a map for the exact equations and for each method."""
     methods = list(dict.fromkeys(kept.method for kept in found))
     extremes = list(dict.fromkeys(kept.extreme for kept in found))[::-1]

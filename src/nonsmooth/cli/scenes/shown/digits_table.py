@@ -1,17 +1,13 @@
 """The digits that float64 keeps, a row for each extreme and method, a column for each order."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
-import click
-
-from nonsmooth.solver.precision.digits import TARGET
+from nonsmooth.solver.precision.digits import TARGET, Kept
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import EXACT, shown
 
-from ...columns import filled, print_table, table_of
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.precision.digits import Kept
-    from nonsmooth.solver.scenes.case import Case
+from ...columns import Piece, filled, table_of
+from .captions import caption
 
 #: Marks behind digits, and in their place.
 CONDITIONED, LOST, ABSENT = "c", "!", "-"
@@ -25,7 +21,7 @@ what the orbit itself loses, but no fewer than the condition of the method's equ
 phase."""
 
 
-def words_of(kept: "Kept") -> str:
+def words_of(kept: Kept) -> str:
     """Return the digits of a measurement, with a mark where they are fewer than intended."""
     if kept.digits is None:
         return ABSENT
@@ -33,8 +29,9 @@ def words_of(kept: "Kept") -> str:
     return f"{kept.digits:.1f}{mark}"
 
 
-def print_digits(case: "Case", found: "list[Kept]") -> None:
-    """Print the digits, and what the columns mean."""
+def pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
+    """Show the digits, and what the columns mean."""
+    yield caption(case)
     orders = sorted({kept.order for kept in found if kept.order is not None})
     heads = [f"N = {orders[0]}", *map(str, orders[1:])] if orders else []
     columns = table_of("", "orbit", "exact", *heads, "cond")
@@ -54,12 +51,12 @@ def print_digits(case: "Case", found: "list[Kept]") -> None:
                 *(words_of(rows[order]) for order in orders),
                 "" if largest is None else f"{largest:.0e}",
             )
-    print_table(columns)
+    yield columns
     measured = [kept for kept in found if kept.error is not None]
     counts = (sum(bool(kept.met) for kept in measured), sum(kept.lost for kept in measured))
-    click.echo(
+    yield (
         f"\n{counts[0]} of {len(measured)} within {TARGET:g} times the orbit's condition; "
         f"{counts[1]} lost without a reason\n"
     )
     also = " and the phase of the forcing" if case.scene.frequency else ""
-    click.echo(filled(LEGEND.format(and_phase=also)))
+    yield filled(LEGEND.format(and_phase=also))

@@ -1,39 +1,33 @@
-"""Tables of the orbits of a scene, at most 80 columns wide where the numbers allow."""
+"""What is shown of the orbits of a scene: tables, with what stands above and below them."""
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping, Sequence
 
-import click
-
-from nonsmooth.solver.existence.known import others
+from nonsmooth.solver.exact import ExactOrbit
+from nonsmooth.solver.existence.known import is_stable, others
+from nonsmooth.solver.existence.reasons import WithoutSwitches
+from nonsmooth.solver.no_orbit import NoOrbit
+from nonsmooth.solver.orbit.errors import Errors
+from nonsmooth.solver.orbit.motion import Motion
+from nonsmooth.solver.results.branch import Branch
+from nonsmooth.solver.results.family import Family
 from nonsmooth.solver.results.orbit import Orbit
+from nonsmooth.solver.results.sweep import Sweep
+from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import shown
+from nonsmooth.solver.simulation.record import SimulatedPhase, Simulation
 from nonsmooth.solver.stability.in_words import VERDICTS, in_words
-from nonsmooth.solver.stability.stability import is_stable
+from nonsmooth.solver.trade.measured import Trade
 
 from ...columns import (
     MORE_DIGITS,
+    Piece,
     certain_digits,
     filled,
-    print_table,
     table_of,
     without_rounding,
 )
-from .captions import derivative
-
-if TYPE_CHECKING:
-    from nonsmooth.solver.exact import ExactOrbit
-    from nonsmooth.solver.existence.reasons import WithoutSwitches
-    from nonsmooth.solver.no_orbit import NoOrbit
-    from nonsmooth.solver.orbit.errors import Errors
-    from nonsmooth.solver.orbit.motion import Motion
-    from nonsmooth.solver.results.branch import Branch
-    from nonsmooth.solver.results.family import Family
-    from nonsmooth.solver.results.sweep import Sweep
-    from nonsmooth.solver.scenes.case import Case
-    from nonsmooth.solver.simulation.record import SimulatedPhase, Simulation
-    from nonsmooth.solver.trade.measured import Trade
+from .captions import caption, caption_of_family, derivative, estimated, legend
 
 #: Points of a printed family.
 ROWS = 25
@@ -41,11 +35,20 @@ ROWS = 25
 #: Phases of a long motion that are printed: the first, and the last.
 FIRST, LAST = 8, 12
 
-Found = Mapping[str, "Orbit | NoOrbit"]
+#: Below the table of every orbit, and below that of time against error.
+OF_EVERY = (
+    "T: period; phi: phase of the forcing at the first switch; least x, largest x: of the "
+    "displacement; estimate: error of the times, as a part of T."
+)
+OF_TRADE = """times: largest error of a duration{and_phase}, as a part of T;
+estimate: the same, {estimated}; exact: by the flow of each phase,
+from its own times."""
 
 
-def solutions(case: "Case", exact: "ExactOrbit | None", found: Found) -> None:
-    """Print the orbit by each method, below the exact one."""
+def solutions(
+    case: Case, exact: ExactOrbit | None, found: Mapping[str, Orbit | NoOrbit]
+) -> Iterator[Piece]:
+    """Show the orbit by each method, below the exact one."""
     scene = case.scene
     phases = scene.phases if len(scene.phases) > 1 and not scene.motions else ()
     table = table_of(
@@ -62,31 +65,33 @@ def solutions(case: "Case", exact: "ExactOrbit | None", found: Found) -> None:
         table.add_row(
             name_of(orbit), str(orbit.order), *_times(orbit), *cells, str(orbit.iterations)
         )
-    print_table(table)
+    yield table
     orbits = [orbit for orbit in found.values() if isinstance(orbit, Orbit)]
     for motion, words in [(exact, "exact"), *((q, name_of(q)) for q in orbits)]:
         if motion is not None:
-            line = f"{words}: {in_words(motion)}"
-            click.echo(filled(line, "  "))
+            yield filled(f"{words}: {in_words(motion)}", "  ")
             break
     for orbit in found.values():
         if isinstance(orbit, Orbit) and orbit.estimate.times < MORE_DIGITS:
             words = f"{name_of(orbit)}, N = {orbit.order}: {_in_full(orbit)}"
-            click.echo(filled(words, "  "))
+            yield filled(words, "  ")
 
 
-def tell_of_others(exact: "ExactOrbit | None") -> None:
-    """Print that there are other orbits beside one, if they are known."""
+def others_beside(exact: ExactOrbit | None) -> Iterator[Piece]:
+    """Say that there are other orbits beside one, if they are known."""
     found = [] if exact is None else others(exact)
     if found:
         verdicts = [VERDICTS[is_stable(orbit)] for orbit in found]
         count = "another orbit" if len(found) == 1 else f"{len(found)} other orbits"
         words = f"{count} at these parameters: {', '.join(verdicts)}; see --all"
-        click.echo(filled(words[0].upper() + words[1:]))
+        yield filled(words[0].upper() + words[1:])
 
 
-def every(orbits: "Sequence[Orbit]", still: "Sequence[WithoutSwitches]") -> None:
-    """Print one row an orbit, and one a motion without switches."""
+def every(
+    case: Case, orbits: Sequence[Orbit], still: Sequence[WithoutSwitches]
+) -> Iterator[Piece]:
+    """Show one row an orbit, and one a motion without switches."""
+    yield caption(case)
     names = ("motion", "T [s]", "phi [rad]", "least x [m]", "largest x [m]", "estimate", "")
     table = table_of(*names)
     for orbit in orbits:
@@ -104,7 +109,8 @@ def every(orbits: "Sequence[Orbit]", still: "Sequence[WithoutSwitches]") -> None
         ends = (f"{end:.6g}" for end in (motion.least, motion.largest))
         verdict = VERDICTS[motion.stable]
         table.add_row(found["motion"], f"{found['period']:.9g}", "", *ends, "", verdict)
-    print_table(table)
+    yield table
+    yield f"\n{filled(OF_EVERY)}"
 
 
 def name_of(orbit: Orbit) -> str:
@@ -114,7 +120,7 @@ def name_of(orbit: Orbit) -> str:
     return name if orbit.functions in default else f"{name}({orbit.functions})"
 
 
-def _times(motion: "Motion") -> list[str]:
+def _times(motion: Motion) -> list[str]:
     """Return period, phase of the forcing and, of several phases, the durations of a cell."""
     count = len(motion.case.cell.phases)
     turn = motion.forcing_phase
@@ -125,7 +131,7 @@ def _times(motion: "Motion") -> list[str]:
     ]
 
 
-def _accuracy(errors: "Errors | None", estimate: "Errors") -> tuple[str, str, str]:
+def _accuracy(errors: Errors | None, estimate: Errors) -> tuple[str, str, str]:
     """Return two errors, where the exact orbit is known, and the estimate of the first."""
     known = ("", "")
     if errors is not None:
@@ -147,12 +153,13 @@ def _in_full(orbit: Orbit) -> str:
     return ", ".join(words)
 
 
-def _forcing_period(case: "Case") -> float:
+def _forcing_period(case: Case) -> float:
     return 2 * math.pi / float(case.values[str(case.scene.frequency)])
 
 
-def family(result: "Family") -> None:
-    """Print some of the points along a parameter, and what holds for all."""
+def family(result: Family) -> Iterator[Piece]:
+    """Show some of the points along a parameter, and what holds for all."""
+    yield caption_of_family(result)
     scene = result.case.scene
     parameter = next(q for q in scene.parameters if q.name == result.parameter)
     phases = scene.phases if len(scene.phases) > 1 else ()
@@ -179,19 +186,26 @@ def family(result: "Family") -> None:
             f"{row.estimate.times:.1e}",
             str(row.iterations),
         )
-    print_table(table)
+    yield table
     if count > ROWS:
-        click.echo(f"{ROWS} of {count} points; -o writes all of them")
+        yield f"{ROWS} of {count} points; -o writes all of them"
     statuses = [row.status for row in result.rows]
     parts = [f"{statuses.count(status)} {status}" for status in dict.fromkeys(statuses)]
     anew = sum(not row.followed for row in result.rows[1:] if row.status == "ok")
     if anew:
         parts.append(f"{anew} searched anew, not followed from the value before")
-    click.echo("; ".join(parts))
+    yield "; ".join(parts)
 
 
-def branch(result: "Branch") -> None:
-    """Print the events of a branch, its pieces between them, and how it ends."""
+def branches(case: Case, found: Sequence[Branch]) -> Iterator[Piece]:
+    """Show the branches of a case, one below the other."""
+    yield caption(case)
+    for branch in found:
+        yield from _branch(branch)
+
+
+def _branch(result: Branch) -> Iterator[Piece]:
+    """Show the events of a branch, its pieces between them, and how it ends."""
     parameter = next(q for q in result.case.scene.parameters if q.name == result.parameter)
     heading = parameter.symbol + (f" [{parameter.unit}]" if parameter.unit else "")
     table = table_of("event", heading, "error", "motion", "phase")
@@ -204,15 +218,16 @@ def branch(result: "Branch") -> None:
             event.phase or "",
         )
     if result.events:
-        print_table(table)
+        yield table
     values, why = result["value"], result.why_it_ended
     first, last = (f"{values[i]:.9g} ({why[i]})" for i in (0, -1))
-    click.echo(filled(f"{parameter.symbol} from {first} to {last}", "  "))
+    yield filled(f"{parameter.symbol} from {first} to {last}", "  ")
 
 
-def trade(result: "Trade") -> None:
-    """Print time against error, the front marked."""
+def trade(result: Trade) -> Iterator[Piece]:
+    """Show time against error, the front marked."""
     scene = result.case.scene
+    yield caption(result.case)
     table = table_of("method", "N", "time [s]", "times", "estimate", "front")
     for point in result.points:
         exact = point.order is None
@@ -224,12 +239,15 @@ def trade(result: "Trade") -> None:
             "" if exact else f"{point.estimate:.1e}",
             "*" if point.front else "",
         )
-    print_table(table)
+    yield table
+    also = " or of the phase of the forcing" if scene.frequency else ""
+    yield "\n" + OF_TRADE.format(and_phase=also, estimated=estimated(scene))
 
 
-def convergence(result: "Sweep") -> None:
-    """Print one row a method and order, and how fast each method converges."""
+def convergence(result: Sweep) -> Iterator[Piece]:
+    """Show one row a method and order, and how fast each method converges."""
     scene = result.case.scene
+    yield caption(result.case)
     forced = scene.frequency is not None
     table = table_of(
         "method", "N", "T [s]", *(["phi [rad]"] if forced else []),
@@ -243,17 +261,18 @@ def convergence(result: "Sweep") -> None:
         times = [f"{row.period:.9g}", *([f"{row.forcing_phase:.7g}"] if forced else [])]
         cells = _accuracy(row.errors, row.estimate)
         table.add_row(*head, *times, *cells, str(row.iterations))
-    print_table(table)
-    click.echo("\nConvergence, fitted to the logarithms of all errors above rounding:\n")
+    yield table
+    yield "\nConvergence, fitted to the logarithms of all errors above rounding:\n"
     rates = table_of("method", "times", derivative(scene))
     for method, rate in result.rates().items():
         rates.add_row(shown(scene, method), rate.text("times"), rate.text("discontinuous"))
-    print_table(rates)
-    click.echo()
+    yield rates
+    yield f"\n{legend(scene, durations=False)}"
 
 
-def transient(motion: "Simulation") -> None:
-    """Print the phases of a motion: the first and the last where there are many."""
+def transient(case: Case, motion: Simulation) -> Iterator[Piece]:
+    """Show the phases of a motion: the first and the last where there are many."""
+    yield caption(case)
     found = table_of("phase", "t [s]", "lasts [s]", "x [m]", "x' [m/s]")
     phases = motion.phases
     few = len(phases) <= FIRST + LAST
@@ -263,17 +282,14 @@ def transient(motion: "Simulation") -> None:
         found.add_row("...", "", "", "", "")
         for phase in phases[-LAST:]:
             found.add_row(*_cells(phase))
-    print_table(found)
+    yield found
     words = "phase" if len(phases) == 1 else "phases"
-    mirrored = any(phase.mirrored for phase in phases)
-    click.echo(
-        f"\n{len(phases)} {words} in {motion.time:.6g} s; t, x and x' where each begins."
-    )
-    if mirrored:
-        click.echo("-: the mirror image of the phase.")
+    yield f"\n{len(phases)} {words} in {motion.time:.6g} s; t, x and x' where each begins."
+    if any(phase.mirrored for phase in phases):
+        yield "-: the mirror image of the phase."
 
 
-def _cells(phase: "SimulatedPhase") -> tuple[str, ...]:
+def _cells(phase: SimulatedPhase) -> tuple[str, ...]:
     name = f"-{phase.name}" if phase.mirrored else phase.name
     numbers = (phase.start, phase.duration, phase.displacement, phase.velocity)
     return name, *(f"{number + 0.0:.7g}" for number in numbers)

@@ -1,27 +1,33 @@
-"""``nonsmooth scenes``: which scenes there are, and what one is."""
+"""``nonsmooth scenes`` and ``modes``: which scenes and structures there are, what one is."""
 
 import textwrap
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
 import click
 
-from ..named import known, scene_named
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from .named import STRUCTURES, NamedCommand, scene_named, scene_names
 
 #: Columns of a line.
 WIDTH = 80
 
-EPILOG = """\b
+EPILOG_OF_SCENES = """\b
 Examples:
   nonsmooth scenes
   nonsmooth scenes impact
   nonsmooth scenes ./my_scene.py --json
 """
 
+EPILOG_OF_MODES = """\b
+Examples:
+  nonsmooth modes
+  nonsmooth modes beam-rotational-spring --position 3/10 --stiffness 10
+  nonsmooth sweep beam-crack --orders 1-40
+  nonsmooth equations beam-mass
+"""
 
-@click.command(epilog=EPILOG)
+
+@click.command(epilog=EPILOG_OF_SCENES)
 @click.argument("scene", required=False)
 @click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
 def scenes(scene: str | None, json_: bool) -> None:
@@ -30,26 +36,46 @@ def scenes(scene: str | None, json_: bool) -> None:
     SCENE is a name of the list, or the path of a scene file. A scene file is Python and is
     run. Its equations are derived when it is first used, and kept.
     """
-    from ....described import brief, document
+    from nonsmooth.described import brief, document
 
     found: dict[str, Any]
     if scene is None:
-        found = {"scenes": [brief(scene_named(name)) for name in known()]}
+        found = {"scenes": [brief(scene_named(name)) for name in scene_names()]}
     else:
         found = document(scene_named(scene))
     if json_:
-        from nonsmooth.files.json_text import as_json
-
-        click.echo(as_json(found))
+        _print_json(found)
     elif scene is None:
-        _list(found["scenes"])
+        rows = [(s["name"], s["class"], _phases(s), s["what"]) for s in found["scenes"]]
+        click.echo(_columns(("scene", "class", "phases", "what it is"), rows))
     else:
         _describe(found)
 
 
-def _list(found: "Sequence[dict[str, Any]]") -> None:
-    rows = [(s["name"], s["class"], _phases(s), s["what"]) for s in found]
-    click.echo(columns(("scene", "class", "phases", "what it is"), rows))
+@click.command(cls=NamedCommand, kinds=(STRUCTURES,), default=None, epilog=EPILOG_OF_MODES)
+@click.option("--json", "json_", is_flag=True, help="Print one JSON document.")
+def modes(json_: bool) -> None:
+    """Compute the lowest modes of a beam or a string with something attached.
+
+    STRUCTURE is one of those that are listed without it; 'nonsmooth modes STRUCTURE --help'
+    has its parameters.
+    """
+    structures = [STRUCTURES.named(name) for name in STRUCTURES.names()]
+    if json_:
+        listed = [
+            {"name": q.name, "class": f"C{q.k}", "what": q.title, "source": q.source}
+            for q in structures
+        ]
+        _print_json({"structures": listed})
+        return
+    rows = [(q.name, f"C{q.k}", f"--{q.attached.name}", q.title) for q in structures]
+    click.echo(_columns(("structure", "class", "attached", "what it is"), rows))
+
+
+def _print_json(found: dict[str, Any]) -> None:
+    from nonsmooth.files.json_text import as_json
+
+    click.echo(as_json(found))
 
 
 def _phases(found: dict[str, Any]) -> str:
@@ -58,7 +84,7 @@ def _phases(found: dict[str, Any]) -> str:
     return "; ".join(", ".join(order["phases"]) for order in orders)
 
 
-def columns(heads: tuple[str, ...], rows: "Sequence[tuple[str, ...]]") -> str:
+def _columns(heads: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
     """Return rows under their headings; the last column goes on in the next line."""
     widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)][:-1]
     lines = []
@@ -80,7 +106,7 @@ def _describe(found: dict[str, Any]) -> None:
          f"{q['what']}; {q['expected']}")
         for q in found["parameters"]
     ]  # fmt: skip
-    click.echo(columns(("parameter", "symbol", "unit", "default", "what it is"), rows))
+    click.echo(_columns(("parameter", "symbol", "unit", "default", "what it is"), rows))
     for words in found["requires"]:
         click.echo(_wrapped(f"  expected: {words}", "  "))
     if "body" in found:
