@@ -30,36 +30,30 @@ ROUNDING = 1e-14
 Piece: TypeAlias = str | Table
 
 
-class _Console(Console):
-    """A console that hands a broken pipe on, and does not exit with 1."""
-
-    def on_broken_pipe(self) -> None:
-        raise BrokenPipeError
-
-
 def print_pieces(pieces: Iterable[Piece]) -> None:
     """Print texts and tables one below the other."""
     for piece in pieces:
         if isinstance(piece, Table):
-            print_table(piece)
+            click.echo(_drawn(piece), nl=False, color=True)
         else:
             click.echo(piece)
 
 
-def print_table(table: Table) -> None:
-    """Print a table; where stdout is not a terminal, plain and in 80 columns.
+def _drawn(table: Table) -> str:
+    """Return a table as text; where stdout is not a terminal, plain and in 80 columns.
 
     On a narrow terminal a cell goes on in the next line: no digit is left out.
     """
-    console = _Console()
-    if console.is_terminal:
-        console.print(table)
-        return
-    console = _Console(width=WIDEST)
-    for place, part in enumerate(_parts(table, console)):
-        if place:
-            console.print()
-        console.print(part)
+    console, parts = Console(), [table]
+    if not console.is_terminal:
+        console = Console(width=WIDEST)
+        parts = _parts(table, console)
+    with console.capture() as drawn:
+        for place, part in enumerate(parts):
+            if place:
+                console.print()
+            console.print(part)
+    return drawn.get()
 
 
 def _parts(table: Table, console: Console) -> list[Table]:
