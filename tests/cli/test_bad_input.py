@@ -90,14 +90,6 @@ def test_an_output_that_cannot_be(run, tmp_path: Path, command: str) -> None:
     assert "cannot write" in refused(run, command, "-o", closed / "x.json")
 
 
-@pytest.mark.parametrize("command", ["solve", "sweep"])
-@pytest.mark.parametrize("name", ["x", "x.txt", "x.jpeg"])
-def test_an_output_of_unknown_kind(run, tmp_path: Path, command: str, name: str) -> None:
-    error = refused(run, command, "-o", tmp_path / name)
-    assert ".json" in error
-    assert list(tmp_path.iterdir()) == []
-
-
 @pytest.mark.parametrize(
     "content", [f"mass = {'9' * 5000}", "x = " + "[" * 100_000], ids=["figures", "depth"]
 )
@@ -112,3 +104,8 @@ def test_a_case_file_with_the_mark_of_an_editor(run, tmp_path: Path) -> None:
     lines = "".join(f"{name} = {value}\n" for name, value in GOOD.items())
     case.write_text("[stick_slip]\n" + lines, encoding="utf-8-sig")
     assert run("solve", "--method", "c1", "--order", 5, "--case", case)[0] == 0
+
+
+@pytest.mark.parametrize("command", ["equations", "solve", "simulate"])
+def test_a_scene_of_no_letters_is_not_the_default(run, command: str) -> None:
+    assert "got '', expected one of" in refused(run, command, "")

@@ -8,10 +8,7 @@ from user_files import BALL, write
 
 import nonsmooth as ns
 
-
-@pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+pytestmark = pytest.mark.usefixtures("cache")
 
 
 def changed(old: str, new: str) -> str:

@@ -26,10 +26,8 @@ DERIVING = "deriving the equations of bouncing-ball, this once"
 
 
 @pytest.fixture
-def scene_file(tmp_path: Path, monkeypatch) -> Path:
+def scene_file(tmp_path: Path, cache: Path, monkeypatch) -> Path:
     """Return a scene file that costs nothing to derive, with a cache of its own."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setattr(store, "_FOR_NOW", {})
     monkeypatch.setattr(generate, "scene_sources", kernels_of_impact)
     return write(tmp_path)
 

@@ -96,6 +96,7 @@ REFUSED = {
         ("impact --methods ck --orders 1,3", "--orders: got 1"),
         ("impact --orders 3-", "'3-'"),
         ("impact --log", "--log: expected beside --vary"),
+        ("-o x", "-o: got x, expected a name that ends in one of .json, .csv, .nc"),
     ],
     "sweep impact --vary": [
         ("gap=0.1", "expected NAME=FROM:TO:POINTS, such as restitution=0.3:0.6:20"),

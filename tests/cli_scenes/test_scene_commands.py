@@ -26,13 +26,6 @@ KEYS = [
 CASE = "[impact]\nmass = 2\ndamping = 0.1\nstiffness = 3\nforce = 1.5\nfrequency = 2.2\n"
 
 
-def rows(out: str) -> dict[str, list[str]]:
-    """Return the cells of the table of a solution by the method."""
-    known = ("exact", "hb", "hb-c0", "hb-c0(3)", "c0", "c0-tau", "hb-c1", "c1", "c1-tau")
-    lines = (line.split() for line in out.splitlines())
-    return {cells[0]: cells[1:] for cells in lines if cells and cells[0] in known}
-
-
 def test_the_list_of_scenes(run) -> None:
     status, out, err = run("scenes")
     assert (status, err) == (0, "")
@@ -89,36 +82,13 @@ def test_what_a_scene_is(run) -> None:
     assert by_name["gap"]["default"] == 0.1
 
 
-def test_solve_of_a_scene_shows_every_method_below_the_exact_orbit(run) -> None:
+def test_solve_of_a_scene_says_whether_it_is_stable_and_what_its_headings_mean(run) -> None:
     status, out, err = run("solve", "impact", "--gap", 0.2, "--order", 6)
     assert (status, err) == (0, "")
     assert "g = 0.2 m" in out
-    assert max(map(len, out.splitlines())) <= 80
-    found = rows(out)
-    assert list(found) == ["exact", "hb", "hb-c0", "c0", "c0-tau"]
-    case = registry.load("impact")(gap=0.2)
-    exact = exact_orbit(case)
-    assert [float(q) for q in found["exact"]] == pytest.approx(
-        [exact.period, exact.angle], rel=1e-6
-    )
-    for shown, method in (("hb", "hb"), ("hb-c0", "hb-ck"), ("c0", "ck"), ("c0-tau", "ck-tau")):
-        orbit = solve_case(case, method, 6)
-        assert orbit.errors is not None
-        errors = (orbit.errors.times, orbit.errors.discontinuous, orbit.estimate.times)
-        expected = (6, orbit.period, orbit.forcing_phase, *errors, orbit.iterations)
-        assert [float(q) for q in found[shown]] == pytest.approx(expected, rel=6e-2), shown
     assert "exact: multipliers 0.45284 +- 0.22105i of modulus 0.50391: stable" in out
     for heading in ("T:", "phi:", "times:", "x':", "estimate:", "it:"):
         assert heading in out
-
-
-def test_durations_are_columns_where_there_are_several_phases(run) -> None:
-    _, out, _ = run("solve", "stick-slip-damped", "--method", "c1-tau", "--order", 8)
-    orbit = solve_case(registry.load("stick-slip-damped")(), "ck-tau", 8)
-    cells = [float(q) for q in rows(out)["c1-tau"][:4]]
-    assert cells == pytest.approx([8, orbit.period, *orbit.durations], rel=1e-6)
-    assert "stick [s]" in out
-    assert "phi" not in out
 
 
 def test_a_document_has_the_fixed_keys_and_the_numbers_of_the_solver(run) -> None:
@@ -156,7 +126,9 @@ def test_no_orbit_is_status_1_with_its_reason(run, json_) -> None:
     )
     assert below == "  a simulation comes to a motion without switches"
     if not json_:
-        assert rows(out)["c0"] == ["no-orbit"]
+        assert [line.split() for line in out.splitlines() if line.startswith("c0")] == [
+            ["c0", "no-orbit"]
+        ]
         return
     document = json.loads(out)
     assert set(document) == {*KEYS, "status"}
@@ -254,18 +226,13 @@ def test_a_sweep_has_rows_and_rates(run, tmp_path: Path) -> None:
     assert 1.1 < rates["ck-tau"]["times"] < 1.7
 
 
-def test_a_sweep_prints_its_rows_and_where_orders_are_too_few(run, tmp_path: Path) -> None:
+def test_a_sweep_writes_its_rows_and_says_where_orders_are_too_few(run, tmp_path: Path) -> None:
     target = tmp_path / "rows.csv"
     status, out, _ = run("sweep", "impact", "--orders", "3,5", "--methods", "ck", "-o", target)
     assert status == 0
     lines = [line.split() for line in out.splitlines() if line.startswith("c0 ")]
-    orbit = solve_case(registry.load("impact")(), "ck", 5)
-    numbers = [float(cell) for cell in lines[1][1:]]
-    assert numbers == pytest.approx(
-        [5, orbit.period, orbit.forcing_phase, orbit.errors.times, orbit.errors.discontinuous,
-         orbit.estimate.times, orbit.iterations], rel=1e-2,
-    )  # fmt: skip
     assert lines[2] == ["c0", *("too", "few", "orders") * 2]
+    orbit = solve_case(registry.load("impact")(), "ck", 5)
     with target.open(newline="") as file:
         first, second = csv.DictReader(file)
     assert float(second["error_times"]) == orbit.errors.times
@@ -318,23 +285,28 @@ def test_what_is_drawn_are_the_orbits_and_the_errors() -> None:
     assert jumps.get_ylabel() == "error of $x'$"
 
 
-def test_generate_of_one_scene(run, tmp_path: Path, monkeypatch) -> None:
+@pytest.mark.parametrize("there", [True, False])
+def test_generate_of_one_scene(run, tmp_path: Path, monkeypatch, there: bool) -> None:
+    """Of one that is shipped, or whose kernels were never generated."""
     from nonsmooth.codegen import generate
 
+    name, folder = "impact-two-sided", tmp_path / "generated"
+    if not there:
+        others = tuple(each for each in registry.names() if each != name)
+        monkeypatch.setattr(registry, "names", lambda: others)
     fresh = {"__init__.py": "# a\n", "scene.py": "b = 1\n"}
-    monkeypatch.setattr(generate, "FOLDER", tmp_path / "generated")
+    monkeypatch.setattr(generate, "FOLDER", folder)
     monkeypatch.setattr(generate, "scene_sources", lambda scene: iter(fresh.items()))
-    (tmp_path / "generated").mkdir()
-    status, out, _ = run("generate", "stick-slip", "--check")
-    assert (status, out) == (
-        1,
-        "stick_slip/__init__.py: missing\nstick_slip/scene.py: missing\n",
-    )
-    assert list((tmp_path / "generated").iterdir()) == []
-    status, out, _ = run("generate", "stick-slip")
-    assert status == 0
-    assert (tmp_path / "generated" / "stick_slip" / "scene.py").read_text() == "b = 1\n"
-    assert run("generate", "stick-slip", "--check")[0] == 0
+    folder.mkdir()
+    status, out, _ = run("generate", name, "--check")
+    lines = [f"impact_two_sided/{each}: missing\n" for each in fresh]
+    assert (status, out) == (1, "".join(lines))
+    assert list(folder.iterdir()) == []
+    assert run("generate", name)[0] == 0
+    assert (folder / "impact_two_sided" / "scene.py").read_text() == "b = 1\n"
+    assert run("generate", name, "--check")[0] == 0
+    for unknown in ("impact-three-sided", "../scenes/impact"):
+        assert run("generate", unknown)[0] == 2
 
 
 def test_an_orbit_that_is_far_off_is_not_returned_without_a_word(run) -> None:
@@ -350,23 +322,6 @@ def test_full_digits_are_those_that_the_estimate_leaves(run) -> None:
     phi = line.split("phi = ")[1].split()[0]
     assert float(phi) == pytest.approx(exact.forcing_phase, abs=3 * 4.4e-13 * 2 * math.pi)
     assert len(phi) > 11
-
-
-def test_a_scene_that_was_never_generated_is(run, tmp_path, monkeypatch) -> None:
-    """What it would be generated from is there; its kernels are not."""
-    from nonsmooth.codegen import generate
-    from nonsmooth.solver.kernels import registry
-
-    others = tuple(name for name in registry.names() if name != "impact-two-sided")
-    monkeypatch.setattr(registry, "names", lambda: others)
-    monkeypatch.setattr(generate, "FOLDER", tmp_path)
-    monkeypatch.setattr(generate, "scene_sources", lambda scene: [("scene.py", scene.name)])
-    assert run("generate", "impact-two-sided", "--check")[0] == 1
-    assert not list(tmp_path.iterdir())
-    assert run("generate", "impact-two-sided")[0] == 0
-    assert (tmp_path / "impact_two_sided" / "scene.py").read_text() == "impact-two-sided"
-    for name in ("impact-three-sided", "../scenes/impact"):
-        assert run("generate", name)[0] == 2
 
 
 def test_what_is_rounding_beside_the_rest_is_printed_as_nothing(run) -> None:

@@ -22,14 +22,6 @@ pytestmark = pytest.mark.usefixtures("cache")
 
 
 @pytest.fixture
-def cache(tmp_path: Path, monkeypatch) -> Path:
-    """Return the folder of kernels, below a cache of its own."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setattr(store, "_FOR_NOW", {})
-    return tmp_path / "cache" / "nonsmooth" / "scenes"
-
-
-@pytest.fixture
 def derivations(monkeypatch) -> list[str]:
     """Return the names of the scenes that are derived from now on, at no cost."""
     names: list[str] = []
