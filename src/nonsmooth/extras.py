@@ -7,7 +7,7 @@ class MissingExtra(ImportError):  # noqa: N818  (named like the other errors of 
     """A library that is not installed; the message says with which extra it is."""
 
 
-def require(library: str, extra: str, what: str) -> None:
+def require(library: str, extra: str, what: str, package: str = "") -> None:
     """Check that a library of an extra is installed.
 
     Parameters
@@ -16,6 +16,8 @@ def require(library: str, extra: str, what: str) -> None:
         What is imported, and the extra that installs it.
     what : str
         What needs it, for the message.
+    package : str
+        Whose the library is, where that has another name.
 
     Raises
     ------
@@ -29,4 +31,5 @@ def require(library: str, extra: str, what: str) -> None:
     nonsmooth.extras.MissingExtra: a picture needs no_such: pip install 'nonsmooth[plot]'
     """
     if find_spec(library) is None:
-        raise MissingExtra(f"{what} needs {library}: pip install 'nonsmooth[{extra}]'")
+        needed = f"{what} needs {package or library}"
+        raise MissingExtra(f"{needed}: pip install 'nonsmooth[{extra}]'")

@@ -107,5 +107,5 @@ def test_a_scene_that_names_no_extremes_is_measured_as_it_is(run, monkeypatch) -
 
 
 def test_without_python_flint_a_scene_says_how_to_install_it(run, monkeypatch) -> None:
-    monkeypatch.setattr("nonsmooth.cli.output.find_spec", lambda name: None)
+    monkeypatch.setattr("nonsmooth.extras.find_spec", lambda name: None)
     assert "pip install 'nonsmooth[precise]'" in refused(run, "digits", "impact")

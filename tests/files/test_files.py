@@ -132,7 +132,7 @@ def test_without_what_netcdf_needs(missing: str, run, tmp_path: Path, monkeypatc
         return None if name == missing else True
 
     monkeypatch.setattr(api, "find_spec", found)
-    monkeypatch.setattr("nonsmooth.cli.output.find_spec", found)
+    monkeypatch.setattr("nonsmooth.extras.find_spec", found)
     with pytest.raises(ns.FileError, match=r"pip install 'nonsmooth\[netcdf\]'"):
         ns.save(thing("orbit"), tmp_path / "orbit.nc")
     status, _, err = run("solve", "--order", 5, "-o", tmp_path / "orbit.nc")

@@ -60,7 +60,7 @@ def test_what_is_refused_leaves_everything_as_it_was(
 
 @pytest.mark.parametrize("library", ["matplotlib", "jinja2"])
 def test_what_a_report_needs_is_said(run, tmp_path: Path, library: str, monkeypatch) -> None:
-    monkeypatch.setattr("nonsmooth.cli.output.find_spec", lambda name: name != library or None)
+    monkeypatch.setattr("nonsmooth.extras.find_spec", lambda name: name != library or None)
     error = refused(run, "report", "-o", tmp_path / "report")
     assert f"needs {library}: pip install 'nonsmooth[report]'" in error
 

@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 
 import click
 
+from ..extras import MissingExtra
 from .about import no_such_option
 from .equations import equations
 from .generate import generate
@@ -150,6 +151,8 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         _fail(f"{_said(error)} (see{where} --help)", 2)
     except click.ClickException as error:
         _fail(error.format_message(), 2)
+    except MissingExtra as error:
+        _fail(str(error), 2)
     except Problem as problem:
         _fail(str(problem), problem.status, problem.below)
     except (click.Abort, KeyboardInterrupt):

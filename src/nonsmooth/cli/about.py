@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import click
 from click.shell_completion import CompletionItem
 
+from ..extras import require
 from ..nearest import nearest
 from .case_files import read_case, tables_of
-from .output import Destination, check_target, need
+from .output import Destination, check_target
 
 if TYPE_CHECKING:
     from nonsmooth.solver.scenes.loaded import LoadedScene
@@ -107,7 +108,7 @@ class Verb(Generic[About]):
     help, epilog : str
         As click has them, with places for words.
     needs : tuple
-        Libraries of extras without which it does nothing; see `need`.
+        Libraries of extras without which it does nothing; see `require`.
     """
 
     module: str
@@ -153,7 +154,7 @@ class CommandAbout(click.Command):
             if verb.output.suffixes:
                 check_target(output, verb.output.suffixes)
             for library in verb.needs:
-                need(*library)
+                require(*library)
             own = {q: arguments[q] for q in arguments if not q.startswith(PREFIX)}
             run = import_module(verb.module, __package__).run
             status: int = run(

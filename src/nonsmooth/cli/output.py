@@ -11,12 +11,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import click
 
+from nonsmooth.extras import require
 from nonsmooth.whole import whole
 
 from .problems import Problem
@@ -33,7 +33,7 @@ DATA = (".json", ".csv", ".nc")
 
 PICTURES = (".png", ".svg", ".pdf")
 
-#: The libraries of a report, as `need` takes them.
+#: The libraries of a report, as `require` takes them.
 FOR_REPORTS = (("matplotlib", "report", "report"), ("jinja2", "report", "report"))
 
 #: The page of a folder, and what a page that we made has in it.
@@ -57,10 +57,10 @@ def check_target(path: Path | None, suffixes: tuple[str, ...]) -> None:
         raise Problem(f"-o: {path} is a device or a pipe, expected a file")
     check_folder_of(Path(os.path.realpath(path)) if path.is_symlink() else path)
     if suffixes and path.suffix.lower() in PICTURES:
-        need("matplotlib", "-o: a picture", "plot")
+        require("matplotlib", "plot", "-o: a picture")
     if path.suffix.lower() == ".nc":
-        need("netCDF4", "-o: netCDF", "netcdf")
-        need("xarray", "-o: netCDF", "netcdf")
+        require("netCDF4", "netcdf", "-o: netCDF")
+        require("xarray", "netcdf", "-o: netCDF")
 
 
 def check_folder_of(path: Path) -> None:
@@ -75,15 +75,6 @@ def check_folder_of(path: Path) -> None:
         tempfile.NamedTemporaryFile(dir=folder).close()
     except OSError as error:
         raise Problem(f"-o: cannot write to {folder}: {error.strerror}") from error
-
-
-def need(library: str, what: str, extra: str, package: str = "") -> None:
-    """Check that a library of an extra is installed, which may be that of another package.
-
-    A `Problem` says what needs it, and how to install it.
-    """
-    if find_spec(library) is None:
-        raise Problem(f"{what} needs {package or library}: pip install 'nonsmooth[{extra}]'")
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nonsmooth.extras import require
 from nonsmooth.files.json_text import as_json
 
 from .about import PREFIX, flag, given
@@ -17,7 +18,6 @@ from .output import (
     Destination,
     check_folder,
     check_target,
-    need,
     write_folder,
     write_whole,
 )
@@ -141,7 +141,7 @@ def report(case: Path | None, figure: str | None, output: Path, **flags: float |
     outside.  Of another SCENE: how it moves, and how fast each expansion finds its orbit.
     """
     for library in FOR_REPORTS:
-        need(*library)
+        require(*library)
     if figure is not None:
         check_target(output, PICTURES)
     belt = belt_from(case, flags)

@@ -126,7 +126,7 @@ Examples:
   nonsmooth digits {said}
   nonsmooth digits {said} --methods {best} --orders 5,10,20 -o digits.png
 """,
-    needs=(("flint", "digits", "precise", "python-flint"),),
+    needs=(("flint", "precise", "digits", "python-flint"),),
 )
 
 TRADEOFF = Verb(
