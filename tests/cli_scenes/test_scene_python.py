@@ -66,23 +66,6 @@ def test_a_tolerance_between_orders_that_are_tried_is_met_by_the_lowest() -> Non
     assert ns.solve(case, "hb", orbit.order - 1).estimate.times > 0.9 * tol
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ({"tol": 0.0}, "tol: got 0.0"),
-        ({"tol": True}, "tol: got True"),
-        ({"tol": 0.1, "order": 3}, "order: got 3 beside"),
-        ({"method": "c1"}, "method: got 'c1'"),
-        ({"method": 3}, "method: got 3"),
-        ({"order": 2.5}, "order: got 2.5"),
-        ({"method": "hb", "functions": 2}, "functions: got 2"),
-    ],
-)
-def test_arguments_that_a_case_does_not_take(arguments, words) -> None:
-    with pytest.raises(ValueError, match=words):
-        ns.solve(IMPACT(), **arguments)
-
-
 def test_orders_are_whole_numbers_of_any_type() -> None:
     rows = ns.sweep(IMPACT(), orders=np.arange(2, 4)).rows
     assert rows == tuple(

@@ -142,10 +142,3 @@ def test_a_scene_of_several_motions(run) -> None:
     assert (orbit.method, orbit.case.scene.motion) == ("ck-tau", "sliding")
     status, out, _ = run("tradeoff", "dry-friction", "--mu-s", 0.4, "--mu-k", 0.4, "--json")
     assert (status, json.loads(out)["scene"]) == (0, "dry-friction")
-
-
-def test_a_budget_beside_a_tolerance_or_an_order(case) -> None:
-    with pytest.raises(ValueError, match="beside a tolerance"):
-        ns.solve(case, budget=1.0, tol=1e-3)
-    with pytest.raises(ValueError, match="order: got 3 beside a budget"):
-        ns.solve(case, order=3, budget=1.0)
