@@ -1,9 +1,21 @@
-"""A printed table read back, each cell under the heading that it ends below."""
+"""What documents of orbits have, and printed tables of them read back.
+
+Each cell of a table stands under the heading that it ends below.
+"""
 
 from collections.abc import Callable, Sequence
 from typing import Any
 
 Document = dict[str, Any]
+
+#: The keys of `solve --json` of a scene, as they are fixed, and those of every file.
+KEYS = [
+    "schema", "scene", "class", "classes", "motion", "cycles", "method", "order", "functions",
+    "parameters", "converged", "iterations", "residual_norm", "phases", "period",
+    "forcing_phase", "memory", "extremes", "coefficients", "admissible", "violations", "exact",
+    "errors", "estimate", "multipliers", "stable", "others", "outcome", "units", "version",
+    "mathematics", "sha256",
+]  # fmt: skip
 
 #: For each heading, what of a row of the JSON it shows, and how.  None leaves a cell empty.
 Columns = dict[str, tuple[Callable[[Document], Any], str]]

@@ -7,21 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from printed_table import KEYS
 from refusals import refused
 
 import nonsmooth as ns
 from nonsmooth.solver.exact import exact_orbit
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.solve import solve_case
-
-#: The keys of `solve --json` of a scene, as they are fixed, and those of every file.
-KEYS = [
-    "schema", "scene", "class", "classes", "motion", "cycles", "method", "order", "functions",
-    "parameters", "converged", "iterations", "residual_norm", "phases", "period",
-    "forcing_phase", "memory", "extremes", "coefficients", "admissible", "violations", "exact",
-    "errors", "estimate", "multipliers", "stable", "others", "outcome", "units", "version",
-    "mathematics", "sha256",
-]  # fmt: skip
 
 CASE = "[impact]\nmass = 2\ndamping = 0.1\nstiffness = 3\nforce = 1.5\nfrequency = 2.2\n"
 

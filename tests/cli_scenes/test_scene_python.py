@@ -129,21 +129,12 @@ def test_the_estimate_of_a_high_order_is_cheap_and_right(monkeypatch) -> None:
     assert found.times == pytest.approx(orbit.errors.times, rel=1e-6)
 
 
-def test_an_orbit_shows_itself(monkeypatch) -> None:
+def test_an_orbit_shows_itself() -> None:
     orbit = ns.solve(IMPACT(), "ck-tau", 6)
     html = orbit._repr_html_()
     for words in ("impact: a driven mass", "c0-tau, N = 6", f"{orbit.period:.10g} s", "rad"):
         assert words in html
     assert html.startswith("<table>")
-    from matplotlib.figure import Figure
-
-    axes = Figure().subplots()
-    assert orbit.plot(axes, color="k") is axes
-    x, v = axes.lines[0].get_data()
-    assert (x[0], v[0]) == (x[-1], v[-1])
-    assert np.ptp(x) == pytest.approx(
-        np.subtract(*orbit.extremes["displacement"][::-1]), rel=1e-4
-    )
     belt = ns.solve(registry.load("stick-slip-damped")(), order=6)
     assert "stick 0." in belt._repr_html_()
     assert "forcing" not in belt._repr_html_()

@@ -5,25 +5,12 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from .cursor import Cursor
 from .plain import made, named
-from .tokens import Cases, Fraction, ReadingError, Root, Sub, Sup, Token
+from .tokens import Cases, Cursor, Fraction, ReadingError, Root, Sub, Sup, Token
 
 #: What an opening bracket applies: names without an index, and names with one.
-FUNCTIONS = {
-    *"xyabGRSqH",
-    "sin",
-    "cos",
-    "atan",
-    "sign",
-    "max",
-    "jacobi",
-    "g1",
-    "R1",
-    "R2",
-    "R3",
-}
-FUNCTIONS |= {"j0", "j1", "j2", "j3", "j_l", "xi", "eta", "zeta"}
+FUNCTIONS = {*"xyabGRSqH", "sin", "cos", "atan", "sign", "max", "jacobi", "xi", "eta", "zeta"}
+FUNCTIONS |= {"g1", "R1", "R2", "R3", "j0", "j1", "j2", "j3", "j_l"}
 INDEXED_FUNCTIONS = {"R", "g", "P*", "Q", "j"}
 
 CLOSING = {"(": ")", "[": "]"}

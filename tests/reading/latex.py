@@ -3,30 +3,17 @@
 import re
 from collections.abc import Iterator
 
-from .tokens import Cases, Fraction, ReadingError, Root, Sub, Sup, Token
+from .tokens import Cases, Cursor, Fraction, ReadingError, Root, Sub, Sup, Token
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\[^A-Za-z]|[A-Za-z]+|\d+|\S")
 
 #: What only sets space or size.
-SPACING = {
-    r"\,",
-    r"\ ",
-    r"\:",
-    r"\left",
-    r"\right",
-    r"\biggl",
-    r"\biggr",
-    r"\limits",
-    r"\quad",
-    "&",
-}
+SPACING = {r"\,", r"\ ", r"\:", "&"}
+SPACING |= {rf"\{name}" for name in ("left", "right", "biggl", "biggr", "limits", "quad")}
 
 SIGNS = {r"\sum": "∑", r"\int": "∫", r"\partial": "∂", r"\langle": "⟨", r"\rangle": "⟩"}
-NAMES = {rf"\{name}": name for name in ("sin", "cos", "max", "pi", "alpha", "gamma", "lambda")}
-NAMES |= {
-    rf"\{name}": name
-    for name in ("eta", "mu", "omega", "phi", "psi", "rho", "tau", "xi", "zeta")
-}
+GREEK = "pi alpha gamma lambda eta mu omega phi psi rho tau xi zeta"
+NAMES = {rf"\{name}": name for name in f"sin cos max {GREEK}".split()}
 
 #: Words of several letters; all others would be products of letters.
 WORDS = {"dt", "du"}
@@ -37,21 +24,11 @@ def _unknown(piece: str) -> bool:
     return piece.startswith("\\") or (len(piece) > 1 and piece.isalpha() and piece not in WORDS)
 
 
-class _Source:
+class _Source(Cursor):
     """The pieces of a line of LaTeX, taken one after the other."""
 
     def __init__(self, source: str) -> None:
-        self.pieces, self.at = _TOKEN.findall(source), 0
-
-    def next(self) -> str:
-        return self.pieces[self.at] if self.at < len(self.pieces) else ""
-
-    def take(self, wanted: str = "") -> str:
-        piece = self.next()
-        if not piece or (wanted and piece != wanted):
-            raise ReadingError(f"{piece!r} where {wanted or 'more'} is due")
-        self.at += 1
-        return piece
+        super().__init__(_TOKEN.findall(source))
 
     def group(self) -> tuple[Token, ...]:
         """Return the tokens of the next group in braces, or of a single piece."""
@@ -72,7 +49,7 @@ class _Source:
             yield self.take()
         self.take("}")
 
-    def until(self, *ends: str) -> tuple[Token, ...]:
+    def until(self, *ends: str | None) -> tuple[Token, ...]:
         found: list[Token] = []
         while self.next() not in ends:
             found += self.token()
@@ -126,4 +103,4 @@ class _Source:
 
 def tokens(source: str) -> list[Token]:
     """Return the tokens of a line of mathematics."""
-    return list(_Source(source).until(""))
+    return list(_Source(source).until(None))
