@@ -42,6 +42,9 @@ EPSILON = float(np.finfo(float).eps)
 ORDERS: tuple[int, ...] = (5, 10, 20, 40)
 QUICK_ORDERS: tuple[int, ...] = (10,)
 
+#: Marks behind digits, and in their place.
+CONDITIONED, LOST, ABSENT = "c", "!", "-"
+
 
 @dataclass(frozen=True)
 class Kept:
@@ -103,6 +106,14 @@ class Kept:
     def lost(self) -> bool:
         """Whether digits are lost that neither the orbit nor the method's equations lose."""
         return self.met is False and not self.conditioned
+
+    @property
+    def words(self) -> str:
+        """The digits as they are shown, with a mark where they are fewer than intended."""
+        if self.digits is None:
+            return ABSENT
+        mark = LOST if self.lost else "" if self.met else CONDITIONED
+        return f"{self.digits:.1f}{mark}"
 
 
 def extremes(case: Case) -> tuple[tuple[str, Case], ...]:

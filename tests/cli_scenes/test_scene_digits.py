@@ -68,7 +68,7 @@ def test_the_document_has_every_measurement(run, found, tmp_path) -> None:
 
 
 def test_the_picture_has_a_map_a_method(found) -> None:
-    from nonsmooth.cli.scenes.shown.digits_picture import digits_figure
+    from nonsmooth.plots.digits import digits_figure
 
     figure = digits_figure(registry.load("impact")(), found)
     exact, hb, tau, _ = figure.axes

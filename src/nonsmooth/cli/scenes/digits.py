@@ -1,7 +1,6 @@
 """``nonsmooth digits SCENE``: digits that float64 keeps of orbits at a scene's extremes."""
 
 from dataclasses import asdict
-from typing import TYPE_CHECKING
 
 import click
 
@@ -15,15 +14,12 @@ from nonsmooth.solver.search import HIGHEST_ORDER
 
 from ..about import Given
 from ..aliases import generic_methods
-from ..output import Destination
+from ..output import Destination, drawn_by
 from ..problems import PLURAL, Problem, as_problems, wrong_values
 from ..progress import progress
 from ..values import parse_orders
 from .case import case_from
 from .shown import digits_table
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 #: The command as earlier versions called it, and what is said where it is called so.
 OLD_NAME = "stability"
@@ -64,14 +60,8 @@ def run(
         found = digits.measure(case, numbers, names, done)
     text = documents.text(case, _document(case, found), names)
     to.show(text, digits_table.pieces(case, found))
-    to.write(text, lambda: _figure(case, found))
+    to.write(text, drawn_by("digits.digits_figure", case, found))
     return 1 if any(kept.lost for kept in found) else 0
-
-
-def _figure(case: Case, found: list[digits.Kept]) -> "Figure":
-    from .shown.digits_picture import digits_figure
-
-    return digits_figure(case, found)
 
 
 def _document(case: Case, found: list[digits.Kept]) -> dict[str, object]:

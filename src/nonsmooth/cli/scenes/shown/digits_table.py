@@ -2,15 +2,12 @@
 
 from collections.abc import Iterator
 
-from nonsmooth.solver.precision.digits import TARGET, Kept
+from nonsmooth.solver.precision.digits import ABSENT, CONDITIONED, LOST, TARGET, Kept
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import EXACT, shown
 
 from ...columns import Piece, filled, table_of
 from .captions import caption
-
-#: Marks behind digits, and in their place.
-CONDITIONED, LOST, ABSENT = "c", "!", "-"
 
 LEGEND = f"""digits: of 16, on which the times (durations{{and_phase}}) in float64
 agree with the same equations in 22 digits, as a part of the period; each starts from the exact
@@ -19,14 +16,6 @@ computes them; cond: the largest of the scaled Jacobians. {CONDITIONED}: fewer t
 what the orbit itself loses, but no fewer than the condition of the method's equations explains;
 {LOST}: fewer than that; {ABSENT}: no way to an orbit at this order, which may not resolve a
 phase."""
-
-
-def words_of(kept: Kept) -> str:
-    """Return the digits of a measurement, with a mark where they are fewer than intended."""
-    if kept.digits is None:
-        return ABSENT
-    mark = LOST if kept.lost else "" if kept.met else CONDITIONED
-    return f"{kept.digits:.1f}{mark}"
 
 
 def pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
@@ -40,7 +29,7 @@ def pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
         exact = next(kept for kept in here if kept.method == EXACT)
         sensitive = exact.orbit_condition
         orbit = exact.status if sensitive is None else f"{sensitive:.0e}"
-        columns.add_row(extreme or "as given", orbit, words_of(exact))
+        columns.add_row(extreme or "as given", orbit, exact.words)
         for method in dict.fromkeys(q.method for q in here if q.method != EXACT):
             rows = {kept.order: kept for kept in here if kept.method == method}
             largest = max((q.condition for q in rows.values() if q.condition), default=None)
@@ -48,7 +37,7 @@ def pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
                 f"  {shown(case.scene, method)}",
                 "",
                 "",
-                *(words_of(rows[order]) for order in orders),
+                *(rows[order].words for order in orders),
                 "" if largest is None else f"{largest:.0e}",
             )
     yield columns

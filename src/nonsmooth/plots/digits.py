@@ -7,11 +7,9 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.precision.digits import Kept
+from nonsmooth.solver.precision.digits import ABSENT, Kept
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import EXACT, shown
-
-from .digits_table import ABSENT, words_of
 
 #: Digits at the two ends of the colour scale, which is as readable in grey.
 SCALE = (0, 16)
@@ -36,7 +34,7 @@ def digits_figure(case: Case, found: list[Kept]) -> Figure:
         for kept in (kept for kept in found if kept.method == method):
             place = extremes.index(kept.extreme), columns.index(kept.order)
             digits[place] = np.nan if kept.digits is None else kept.digits
-            words[place] = words_of(kept).replace(".0", "")
+            words[place] = kept.words.replace(".0", "")
         labels = ["" if order is None else order for order in columns]
         rows = [extreme or "as given" for extreme in extremes]
         image = _draw_map(axes, digits, words, labels, rows)
