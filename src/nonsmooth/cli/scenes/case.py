@@ -6,9 +6,10 @@ from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.scenes.parameter_error import ParameterError
 from nonsmooth.solver.solve import with_order
 
-from ..about import Given, flag
+from ..about import Given
 from ..problems import Problem, as_problems
 from ..values import Vary, parse_vary
+from .options import range_of
 
 
 def case_from(given: Given[LoadedScene], **others: float) -> Case:
@@ -52,8 +53,8 @@ def vary_from(
     given: Given[LoadedScene], text: str, most: int | None, points: str = "", log: bool = False
 ) -> Vary[float]:
     """Return what ``--vary`` asks for, of a scene; see `parse_vary`."""
-    names, last = [q.name for q in given.about.parameters], given.about.parameters[-1]
-    example = f"{flag(last.name)[2:]}={last.default / 2:g}:{last.default or 1:g}{points}"
+    names = [q.name for q in given.about.parameters]
+    example = f"{range_of(given.about.parameters[-1])}{points}"
     return parse_vary(text, log, names, most, example, float)
 
 

@@ -189,8 +189,8 @@ def command(verb: str, scene: "LoadedScene", said: str) -> click.Command:
         "best": options.method_names(scene)[-1],
         "flag": flag(last.name),
         "value": last.default,
-        "vary": f"{flag(last.name)[2:]}={last.default / 2:g}:{last.default:g}",
-        "other": f"{flag(before.name)[2:]}={before.default / 2:g}:{before.default or 1:g}",
+        "vary": options.range_of(last),
+        "other": options.range_of(before),
     }
     words["of_many"] = OF_MANY.format(said=said, **words) if scene.frequency else ""
     parameters = [

@@ -8,11 +8,11 @@ import click
 from nonsmooth.solver.kernels.registry import methods
 from nonsmooth.solver.scenes.methods import in_order, shown
 
-from ..about import PREFIX
+from ..about import PREFIX, flag
 from ..aliases import Aliased, OneOrder
 
 if TYPE_CHECKING:
-    from nonsmooth.solver.scenes.loaded import LoadedScene
+    from nonsmooth.solver.scenes.loaded import LoadedScene, Parameter
 
 #: N of a command about one order, and the orders of a sweep, where none are named.
 ORDER, ORDERS = 10, "1-20"
@@ -26,6 +26,11 @@ FUNCTIONS = "Functions of hb-ck at each switch.  [default: 1; 2 where x' jumps]"
 def method_names(scene: "LoadedScene") -> list[str]:
     """Return the methods of a scene as they are shown, in their order."""
     return [shown(scene, method) for method in in_order(methods(scene))]
+
+
+def range_of(q: "Parameter") -> str:
+    """Return a range of a parameter up to its default, as ``--vary`` takes it."""
+    return f"{flag(q.name)[2:]}={q.default / 2:g}:{q.default or 1:g}"
 
 
 def of_motion(scene: "LoadedScene") -> list[click.Parameter]:
