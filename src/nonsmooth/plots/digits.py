@@ -1,15 +1,17 @@
 """Heat maps of the digits that float64 keeps: extremes by order, a map a method."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from nonsmooth.solver.precision.digits import ABSENT, Kept
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import EXACT, shown
+
+if TYPE_CHECKING:
+    from nonsmooth.solver.precision.digits import Kept
 
 #: Digits at the two ends of the colour scale, which is as readable in grey.
 SCALE = (0, 16)
@@ -17,7 +19,7 @@ COLOURS = "cividis"
 
 
 @mpl.rc_context({"axes.grid": False})
-def digits_figure(case: Case, found: list[Kept]) -> Figure:
+def digits_figure(case: Case, found: "list[Kept]") -> Figure:
     """Draw the digits of the times: a map for the exact equations and for each method."""
     methods = list(dict.fromkeys(kept.method for kept in found))
     extremes = list(dict.fromkeys(kept.extreme for kept in found))[::-1]
@@ -30,7 +32,7 @@ def digits_figure(case: Case, found: list[Kept]) -> Figure:
     for axes, method in zip(maps, methods, strict=True):
         columns: list[int | None] = [None] if method == EXACT else [*orders]
         digits = np.full((len(extremes), len(columns)), np.nan)
-        words = np.full(digits.shape, ABSENT, dtype=object)
+        words = np.full(digits.shape, "", dtype=object)
         for kept in (kept for kept in found if kept.method == method):
             place = extremes.index(kept.extreme), columns.index(kept.order)
             digits[place] = np.nan if kept.digits is None else kept.digits
