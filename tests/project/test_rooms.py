@@ -60,7 +60,7 @@ SPOKEN_OF = {
     "codegen/printing/html.py": {"gap"},  # of columns, in CSS
     "codegen/space/emission.py": {"mu"},  # of the eigenvalues without an attachment
     "src/nonsmooth/cli/__init__.py": {"stick", "slip"},  # the default scene
-    "src/nonsmooth/cli/scenes/shown/captions.py": {"alpha", "mu"},  # what alpha of the paper is
+    "src/nonsmooth/cli/scenes/captions.py": {"alpha", "mu"},  # what alpha of the paper is
     "src/nonsmooth/oscillators.py": {"belt"},  # whose a method alone is
     "src/nonsmooth/cli/equations.py": {"impact"},  # where a method needs one impulse more
 }

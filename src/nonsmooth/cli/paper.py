@@ -109,7 +109,7 @@ def roots(order: int, case: Path | None, json_: bool, **flags: float | None) -> 
 def _pieces(belt: "StickSlip", found: "list[RealSolution]") -> "Iterator[Piece]":
     """Show one row a solution; a long verdict goes on in the next line."""
     from .columns import table_of
-    from .scenes.shown.captions import caption
+    from .scenes.captions import caption
 
     yield caption(belt)
     table = table_of("slip [s]", "t1 [s]", "T [s]", "mismatch")

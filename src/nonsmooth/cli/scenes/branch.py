@@ -23,8 +23,8 @@ from ..output import PICTURES, Destination, drawn_by
 from ..problems import Problem, as_problems
 from ..progress import busy
 from ..values import Vary
+from . import tables
 from .case import case_from, vary_from
-from .shown import tables
 from .wanted import tell
 
 #: Values of a diagram below a branch.

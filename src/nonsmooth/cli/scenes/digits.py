@@ -1,5 +1,6 @@
 """``nonsmooth digits SCENE``: digits that float64 keeps of orbits at a scene's extremes."""
 
+from collections.abc import Iterator
 from dataclasses import asdict
 
 import click
@@ -7,23 +8,33 @@ import click
 from nonsmooth.files import documents
 from nonsmooth.solver.kernels import registry
 from nonsmooth.solver.precision import digits
+from nonsmooth.solver.precision.digits import ABSENT, CONDITIONED, LOST, TARGET, Kept
 from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.loaded import LoadedScene
-from nonsmooth.solver.scenes.methods import shown
+from nonsmooth.solver.scenes.methods import EXACT, shown
 from nonsmooth.solver.search import HIGHEST_ORDER
 
 from ..about import Given
 from ..aliases import generic_methods
+from ..columns import Piece, filled, table_of
 from ..output import Destination, drawn_by
 from ..problems import PLURAL, Problem, as_problems, wrong_values
 from ..progress import progress
 from ..values import parse_orders
+from .captions import caption
 from .case import case_from
-from .shown import digits_table
 
 #: The command as earlier versions called it, and what is said where it is called so.
 OLD_NAME = "stability"
 RENAMED = "it is now `nonsmooth digits`; whether an orbit is stable is said by `solve`"
+
+LEGEND = f"""digits: of 16, on which the times (durations{{and_phase}}) in float64
+agree with the same equations in 22 digits, as a part of the period; each starts from the exact
+orbit's times. orbit: condition number of the times as functions of the parameters, whatever
+computes them; cond: the largest of the scaled Jacobians. {CONDITIONED}: fewer than 13, less
+what the orbit itself loses, but no fewer than the condition of the method's equations explains;
+{LOST}: fewer than that; {ABSENT}: no way to an orbit at this order, which may not resolve a
+phase."""
 
 
 def run(
@@ -53,21 +64,54 @@ def run(
     total = len(cases) * (1 + len(names) * len(numbers))
     with progress(total, "digits") as advance, wrong_values():
 
-        def done(kept: digits.Kept) -> None:
+        def done(kept: Kept) -> None:
             order = "" if kept.order is None else f", N = {kept.order}"
             advance(f"{kept.extreme or 'given'}: {shown(case.scene, kept.method)}{order}")
 
         found = digits.measure(case, numbers, names, done)
     text = documents.text(case, _document(case, found), names)
-    to.show(text, digits_table.pieces(case, found))
+    to.show(text, _pieces(case, found))
     to.write(text, drawn_by("digits.digits_figure", case, found))
     return 1 if any(kept.lost for kept in found) else 0
 
 
-def _document(case: Case, found: list[digits.Kept]) -> dict[str, object]:
+def _document(case: Case, found: list[Kept]) -> dict[str, object]:
     rows = [
         asdict(kept) | {"digits": kept.digits, "met": kept.met, "conditioned": kept.conditioned}
         for kept in found
     ]
     head = {"scene": case.scene.name, "parameters": dict(case.values)}
     return head | {"lost": any(kept.lost for kept in found), "rows": rows}
+
+
+def _pieces(case: Case, found: list[Kept]) -> Iterator[Piece]:
+    """Show the digits, and what the columns mean."""
+    yield caption(case)
+    orders = sorted({kept.order for kept in found if kept.order is not None})
+    heads = [f"N = {orders[0]}", *map(str, orders[1:])] if orders else []
+    columns = table_of("", "orbit", "exact", *heads, "cond")
+    for extreme in dict.fromkeys(kept.extreme for kept in found):
+        here = [kept for kept in found if kept.extreme == extreme]
+        exact = next(kept for kept in here if kept.method == EXACT)
+        sensitive = exact.orbit_condition
+        orbit = exact.status if sensitive is None else f"{sensitive:.0e}"
+        columns.add_row(extreme or "as given", orbit, exact.words)
+        for method in dict.fromkeys(q.method for q in here if q.method != EXACT):
+            rows = {kept.order: kept for kept in here if kept.method == method}
+            largest = max((q.condition for q in rows.values() if q.condition), default=None)
+            columns.add_row(
+                f"  {shown(case.scene, method)}",
+                "",
+                "",
+                *(rows[order].words for order in orders),
+                "" if largest is None else f"{largest:.0e}",
+            )
+    yield columns
+    measured = [kept for kept in found if kept.error is not None]
+    counts = (sum(bool(kept.met) for kept in measured), sum(kept.lost for kept in measured))
+    yield (
+        f"\n{counts[0]} of {len(measured)} within {TARGET:g} times the orbit's condition; "
+        f"{counts[1]} lost without a reason\n"
+    )
+    also = " and the phase of the forcing" if case.scene.frequency else ""
+    yield filled(LEGEND.format(and_phase=also))

@@ -11,8 +11,8 @@ from ..output import Destination, drawn_by
 from ..problems import Problem, as_problems
 from ..progress import progress
 from ..values import Vary
+from . import captions
 from .case import case_from, check_not_given, vary_from
-from .shown import captions
 
 
 def run(

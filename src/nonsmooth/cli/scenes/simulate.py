@@ -15,9 +15,9 @@ from ..output import Destination, drawn_by
 from ..problems import Problem, as_problems, wrong_values
 from ..progress import busy, progress
 from ..values import parse_vary, values_of
+from . import captions, tables
 from .case import case_from, vary_from
 from .options import TRANSIENT
-from .shown import captions, tables
 
 #: Periods that a diagram keeps, and that a motion from a grid is followed.
 KEPT, FOLLOWED = 50, 100

@@ -24,8 +24,8 @@ from ..output import Destination, drawn_by
 from ..problems import Problem, as_problems
 from ..progress import busy
 from ..values import parse_seconds
+from . import captions, tables
 from .case import case_from
-from .shown import captions, tables
 from .wanted import Wanted, exact_near, search, tell
 
 #: Estimated error of the times above which an orbit is not returned without a word.

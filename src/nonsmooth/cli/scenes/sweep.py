@@ -18,9 +18,9 @@ from ..output import Destination, drawn_by
 from ..problems import PLURAL, Problem, as_problems, wrong_values
 from ..progress import progress
 from ..values import Vary, is_whole, parse_orders, values_of
+from . import tables
 from .case import case_from, check_not_given, vary_from
 from .options import ORDERS
-from .shown import tables
 
 
 def run(

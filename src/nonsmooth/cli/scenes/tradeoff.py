@@ -9,8 +9,8 @@ from ..about import Given
 from ..output import Destination, drawn_by
 from ..problems import no_orbit
 from ..progress import progress
+from . import tables
 from .case import case_from
-from .shown import tables
 
 
 def run(given: Given[LoadedScene], to: Destination) -> int:

@@ -7,7 +7,7 @@ from nonsmooth.solver.scenes.classes import HIGHEST, classes
 from nonsmooth.solver.scenes.loaded import LoadedScene
 from nonsmooth.solver.scenes.methods import shown
 
-from ...columns import filled, filled_parameters
+from ..columns import filled, filled_parameters
 
 
 def caption(case: Case) -> str:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from nonsmooth.solver.exact import ExactOrbit
-from nonsmooth.solver.existence.known import is_stable, others
+from nonsmooth.solver.existence.known import others
 from nonsmooth.solver.existence.reasons import WithoutSwitches
 from nonsmooth.solver.no_orbit import NoOrbit
 from nonsmooth.solver.orbit.errors import Errors
@@ -17,9 +17,10 @@ from nonsmooth.solver.scenes.case import Case
 from nonsmooth.solver.scenes.methods import shown
 from nonsmooth.solver.simulation.record import SimulatedPhase, Simulation
 from nonsmooth.solver.stability.in_words import VERDICTS, in_words
+from nonsmooth.solver.stability.stability import is_stable
 from nonsmooth.solver.trade.measured import Trade
 
-from ...columns import (
+from ..columns import (
     MORE_DIGITS,
     Piece,
     certain_digits,

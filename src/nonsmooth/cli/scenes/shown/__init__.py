@@ -1,1 +1,0 @@
-"""Orbits and sweeps of scenes as tables, captions."""
