@@ -6,6 +6,7 @@ matrix ``U``, and the mass matrix is ``U^T U``. The singular values of ``U`` are
 square roots of the eigenvalues: the lowest keep all digits.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.polynomial import legendre
 from ...arrays import Matrix, Vector
 from ..attached import Attached
 from ..eigenvalues.bracketing import EPS
-from .bare import BareModes, joined
+from .bare import BareModes, Values, joined
 
 
 @dataclass(frozen=True)
@@ -25,106 +26,78 @@ class Pieces:
     ----------
     lengths : tuple of float
         Of the segments; each has its own digits, however short it is.
-    left, right : ndarray, shape (degree + 1, count)
-        Coefficients of the shifted Legendre polynomials of each segment.
+    coefficients : ndarray, shape (2, degree + 1, count)
+        Of the shifted Legendre polynomials of each segment.
     """
 
     lengths: tuple[float, float]
-    left: Matrix
-    right: Matrix
+    coefficients: Values
 
     def combined(self, matrix: Matrix) -> "Pieces":
         """Return combinations of the functions, a column each."""
-        return replace(self, left=self.left @ matrix, right=self.right @ matrix)
+        return replace(self, coefficients=self.coefficients @ matrix)
 
     def mirrored(self) -> "Pieces":
         """Return the functions seen from the other end."""
-        sign = (-1.0) ** np.arange(len(self.left))[:, None]
-        return Pieces(self.lengths[::-1], sign * self.right, sign * self.left)
-
-    def ends(self, derivative: int) -> tuple[Vector, Vector, Vector, Vector]:
-        """Return a derivative at 0, left and right of `a`, and at 1."""
-        rows = []
-        for part, h in zip((self.left, self.right), self.lengths, strict=True):
-            found = _derivative(part, h, derivative)
-            rows += [np.asarray(legendre.legval(place, found)) for place in (-1.0, 1.0)]
-        return rows[0], rows[1], rows[2], rows[3]
+        sign = (-1.0) ** np.arange(self.coefficients.shape[1])[:, None]
+        return Pieces(self.lengths[::-1], sign * self.coefficients[::-1])
 
     def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
         """Return a derivative at places `x`, a row a function; at `a` as `Shapes` has it."""
         x, (a, b) = np.asarray(x, dtype=float), self.lengths
-        before, behind = np.minimum(2 * x / a - 1, 1), np.maximum(1 - 2 * (1 - x) / b, -1)
-        left = legendre.legval(before, _derivative(self.left, a, derivative), tensor=True)
-        right = legendre.legval(behind, _derivative(self.right, b, derivative), tensor=True)
+        before, behind = _derivative(self, derivative)
+        left = legendre.legval(np.where(x < a, 2 * x / a - 1, 1.0), before)
+        right = legendre.legval(np.where(x > a, 1 - 2 * (1 - x) / b, -1.0), behind)
         return joined(x, a, left, right, side)
 
-    def norms(self, attached: Attached) -> tuple[Vector, Vector]:
-        """Return the square roots of the integrals of the squares of the polynomials."""
-        norm_squared = attached.structure.module.legendre_norm_squared
-        degrees = np.arange(len(self.left))
-        left, right = (np.sqrt(norm_squared(degrees, h)) for h in self.lengths)
-        return left, right
+    def hinge(self, x: Vector, derivative: int, side: int = 0) -> Vector:
+        """Return a derivative of the function that is straight on both sides."""
+        return np.asarray(_hat(self.lengths).values(x, derivative, side)[0])
 
     def orthonormal(self, attached: Attached) -> Matrix:
         """Return the coefficients in orthonormal polynomials, both segments stacked."""
-        left, right = self.norms(attached)
-        return np.vstack([left[:, None] * self.left, right[:, None] * self.right])
+        _, size, count = self.coefficients.shape
+        norms = _norms(attached, self.lengths, size)
+        return np.asarray((norms[:, :, None] * self.coefficients).reshape(-1, count))
 
     def integrated(self, attached: Attached) -> "Pieces":
         """Return the integrals from 0, continuous at `a`."""
         factor = attached.structure.module.legendre_integral
-        parts, start = [], np.zeros(self.left.shape[1])
-        for part, h in zip((self.left, self.right), self.lengths, strict=True):
-            degrees = np.arange(len(part))
-            found = np.zeros((len(part) + 1, part.shape[1]))
-            scaled = factor(degrees, h)[:, None] * part
-            found[1:] += scaled
-            found[:-2] -= scaled[1:]
-            found[0] += scaled[0] + start  # P_(-1)* = -1: zero at the start of the segment
-            parts.append(found)
-            start = found.sum(axis=0)
-        return Pieces(self.lengths, parts[0], parts[1])
+        _, size, count = self.coefficients.shape
+        found, start = np.zeros((2, size + 1, count)), np.zeros(count)
+        for integral, part, h in zip(found, self.coefficients, self.lengths, strict=True):
+            scaled = factor(np.arange(size), h)[:, None] * part
+            integral[1:] += scaled
+            integral[:-2] -= scaled[1:]
+            integral[0] += scaled[0] + start  # P_(-1)* = -1: zero at the start of the segment
+            start = integral.sum(axis=0)
+        return Pieces(self.lengths, found)
 
     def less_slope(self, slope: Vector) -> "Pieces":
         """Return the functions less ``slope x``, of which the degree is 1 at least."""
-        left, right, (a, b) = self.left.copy(), self.right.copy(), self.lengths
-        for part, h, middle in ((left, a, a / 2), (right, b, a + b / 2)):
+        found, (a, b) = self.coefficients.copy(), self.lengths
+        for part, h, middle in zip(found, (a, b), (a / 2, a + b / 2), strict=True):
             part[0] -= slope * middle
             part[1] -= slope * h / 2
-        return Pieces(self.lengths, left, right)
+        return Pieces(self.lengths, found)
 
 
-def _derivative(part: Matrix, h: float, derivative: int) -> Matrix:
-    if derivative == 0:
-        return part
-    if derivative >= len(part):
-        return np.zeros((1, part.shape[1]))
-    return np.asarray(legendre.legder(part, derivative) * (2 / h) ** derivative)
+def _derivative(pieces: Pieces, derivative: int) -> Iterator[Matrix]:
+    """Yield the coefficients of a derivative on each segment."""
+    for part, h in zip(pieces.coefficients, pieces.lengths, strict=True):
+        yield legendre.legder(part, derivative) * (2 / h) ** derivative
 
 
-@dataclass(frozen=True)
-class PieceModes:
-    """Bare modes as pieces, and the function with a unit jump of a compliance."""
-
-    modes: Pieces
-
-    def values(self, x: Vector, derivative: int, side: int = 0) -> Matrix:
-        """Return a derivative of each mode at places `x`."""
-        return self.modes.values(x, derivative, side)
-
-    def hinge(self, x: Vector, derivative: int, side: int = 0) -> Vector:
-        """Return a derivative of the function that is straight on both sides."""
-        return np.asarray(_hat(self.modes.lengths).values(x, derivative, side)[0])
+def _norms(attached: Attached, lengths: tuple[float, float], size: int) -> Matrix:
+    """Return the norms of so many polynomials on each segment, shape (2, size)."""
+    norm_squared = attached.structure.module.legendre_norm_squared
+    return np.sqrt(norm_squared(np.arange(size), np.array(lengths)[:, None]))
 
 
 def _hat(lengths: tuple[float, float]) -> Pieces:
     """Return the function with slope ``-b`` before `a`, ``a`` behind it: a unit jump."""
     a, b = lengths
-    return Pieces(
-        lengths,
-        np.array([[-a * b / 2], [-a * b / 2]]),
-        np.array([[-a * b / 2], [a * b / 2]]),
-    )
+    return Pieces(lengths, -a * b / 2 * np.array([[[1.0], [1.0]], [[1.0], [-1.0]]]))
 
 
 def piecewise(attached: Attached, N: int, continuity: int | None = None) -> BareModes:
@@ -145,18 +118,21 @@ def piecewise(attached: Attached, N: int, continuity: int | None = None) -> Bare
     degree = N + max(k + 1, m) - m
     start = _orthonormal(attached, degree)
     rows = _conditions(start, m, max(k, m - 1))
-    basis = start.combined(_nullspace(rows, start.left.shape[1]))
+    basis = start.combined(_nullspace(rows, start.coefficients.shape[2]))
     u = _integrals(basis, attached)
     each, sigma, turned = np.linalg.svd(u.orthonormal(attached), full_matrices=False)
     good = sigma > np.finfo(float).tiny ** 0.25
     each, sigma, turned = each[:, good], sigma[good], turned[good]
     modes = u.combined(turned.T / sigma)
-    _, felt, _, _ = modes.ends(structure.felt)  # from the shorter side: nothing cancels
+    at_a = np.array(u.lengths[:1])
+    felt = modes.values(at_a, structure.felt, -1)[
+        :, 0
+    ]  # from the shorter side: nothing cancels
     static, rest = float(np.sum((felt * sigma) ** 2)), 0.0
     if compliant:
-        hat, size = _hat(u.lengths), len(u.left)
-        padded = Pieces(u.lengths, _padded(hat.left, size), _padded(hat.right, size))
-        column = padded.orthonormal(attached)[:, 0]
+        higher = (0, u.coefficients.shape[1] - 2)
+        hat = np.pad(_hat(u.lengths).coefficients, ((0, 0), higher, (0, 0)))
+        column = Pieces(u.lengths, hat).orthonormal(attached)[:, 0]
         felt = column @ each
         left = column - each @ felt
         static, rest = float(column @ column), float(left @ left)
@@ -169,7 +145,7 @@ def piecewise(attached: Attached, N: int, continuity: int | None = None) -> Bare
         static_rest=0.0 if has_static else float(attached.static_sum) - static,
         hinge_rest=rest,
         unknowns=len(sigma) + compliant,
-        shapes=PieceModes(modes),
+        shapes=modes,
         off=4 * EPS * static,
         # singular values are off by a rounding error of the largest
         inexact=1 + np.sqrt(len(sigma)) * sigma[0] / sigma,
@@ -182,28 +158,19 @@ def _orthonormal(attached: Attached, degree: int) -> Pieces:
     The shorter segment is the first.
     """
     size, near = degree + 1, min(attached.a, 1 - attached.a)
-    lengths, zeros = (float(near), float(1 - near)), np.zeros((size, size))
-    left, right = Pieces(lengths, zeros, zeros).norms(attached)
-    return Pieces(
-        lengths,
-        np.hstack([np.diag(1 / left), zeros]),
-        np.hstack([zeros, np.diag(1 / right)]),
-    )
+    lengths = float(near), float(1 - near)
+    scaled = np.diag(1 / _norms(attached, lengths, size).ravel())
+    return Pieces(lengths, scaled.reshape(2, size, 2 * size))
 
 
 def _conditions(start: Pieces, m: int, k: int) -> list[Vector]:
     """Return the rows that are zero of ``u^(m)``: continuity at `a`, and of a string, ends."""
-    rows = []
+    rows, at_a = [], np.array(start.lengths[:1])
     for derivative in range(k - m + 1):
-        _, left, right, _ = start.ends(derivative)
-        rows.append(right - left)
+        before, behind = (start.values(at_a, derivative, side)[:, 0] for side in (-1, 1))
+        rows.append(behind - before)
     if m == 1:  # the integral over the length
-        rows.append(
-            sum(
-                h * part[0]
-                for h, part in zip(start.lengths, (start.left, start.right), strict=True)
-            )
-        )
+        rows.append(np.array(start.lengths) @ start.coefficients[:, 0])
     return rows
 
 
@@ -222,8 +189,4 @@ def _integrals(basis: Pieces, attached: Attached) -> Pieces:
     if attached.structure.m == 1:
         return found
     found = found.integrated(attached)
-    return found.less_slope(found.ends(0)[3])
-
-
-def _padded(part: Matrix, size: int) -> Matrix:
-    return np.vstack([part, np.zeros((size - len(part), part.shape[1]))])
+    return found.less_slope(found.values(np.ones(1), 0)[:, 0])
